@@ -1,0 +1,299 @@
+"""Layouts from what a designer knows: a firing order and bank angles, or a crank's pins.
+
+Built from a firing order, theta = 0 is cylinder 1 at its firing top dead centre, and a cylinder that
+fires delta later has throw = bank - delta: exact pins for any firing order, bank angles and intervals.
+Stations: in each bank the i-th cylinder sits i - 1 pitches behind the bank's first; all are shifted so
+that their mean is 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import accumulate
+from typing import Any
+
+from symbalance.angles import Angle, angle
+from symbalance.errors import SymbalanceError, shown
+from symbalance.layout import MOST_CYLINDERS, Cylinder, Layout, checked_bank, checked_strokes
+from symbalance.rational import exact
+
+FiringOrder = str | Sequence[int]
+
+
+def from_firing_order(
+    firing_order: FiringOrder,
+    *,
+    banks: Sequence[object] = (0,),
+    cylinders: Sequence[Sequence[int]] | None = None,
+    firing_intervals: Sequence[object] | None = None,
+    stagger: Sequence[object] | None = None,
+    strokes: int = 4,
+    **about: Any,
+) -> Layout:
+    """Return the layout whose cylinders fire in that order.
+
+    `banks` are angles from vertical, `cylinders` the numbers in each bank from front to rear (may be
+    left out with one bank), `firing_intervals` the degrees after each firing (default: even), summing
+    to 720 (360 for two strokes), `stagger` each bank's shift towards the front in pitches. `about`:
+    name, ratio, crank_train of the `Layout`.
+
+    >>> [str(c.throw.in_degrees()) for c in from_firing_order("1-3-4-2").cylinders]
+    ['0', '180', '180', '0']
+    """
+    checked_strokes(strokes)
+    order = _read_firing_order(firing_order)
+    axes = [checked_bank(bank, f"banks[{i}]") for i, bank in enumerate(banks, 1)]
+    if not axes:
+        raise SymbalanceError("banks = []", "an engine has at least one bank", "[0] stands upright")
+    numbers = _read_cylinders(cylinders, order, len(axes))
+    fires = _firing_angles(order, firing_intervals, 180 * strokes)
+    stations = _stations(numbers, _read_stagger(stagger, len(axes)))
+    return Layout(
+        (
+            Cylinder(n, axis - Angle(fires[n] / 360), axis, stations[n], fires[n])
+            for axis, bank in zip(axes, numbers, strict=True)
+            for n in bank
+        ),
+        strokes=strokes,
+        **about,
+    )
+
+
+def inline(firing_order: FiringOrder | None = None, *, throws: Sequence[object] | None = None, **rest: Any) -> Layout:
+    """Return an in-line engine, from its firing order or from its `throws`, front to rear, in degrees.
+
+    `rest` goes to `from_firing_order` (firing_intervals, strokes) or names the engine (name, ratio).
+
+    >>> [str(c.station) for c in inline(throws=[0, 120, 240]).cylinders]
+    ['1', '0', '-1']
+    """
+    if (firing_order is None) == (throws is None):
+        raise SymbalanceError("inline(...)", "takes either a firing order or throws", "give one of them")
+    if firing_order is not None:
+        return from_firing_order(firing_order, **rest)
+    assert throws is not None
+    return _on_pins(throws, [Angle(Fraction(0))], [Angle(Fraction(0))], (0,), rest)
+
+
+def vee(
+    bank_angle: object,
+    firing_order: FiringOrder | None = None,
+    *,
+    pins: Sequence[object] | None = None,
+    splay: object = 0,
+    cylinders: Sequence[Sequence[int]] | None = None,
+    stagger: Sequence[object] = (0, 0),
+    **rest: Any,
+) -> Layout:
+    """Return a vee, from its firing order or from the throws of its `pins`, front to rear.
+
+    The banks stand at -bank_angle/2 (left, odd numbers unless `cylinders` says otherwise) and
+    +bank_angle/2. With `pins` each is shared by two cylinders, the right one's turned on by `splay`.
+    The bank angle may be a SymPy symbol: the angle itself, in radians.
+
+    >>> [c.throw.as_text() for c in vee(60, "1-2-3-4-5-6").cylinders]
+    ['-30', '90', '-150', '-30', '90', '-150']
+    >>> [c.throw.as_text() for c in vee(90, pins=[0, 90], splay=30).cylinders]
+    ['0', '90', '30', '120']
+    """
+    full = angle(bank_angle, "bank_angle")
+    axes = [full.scaled(Fraction(-1, 2)), full.scaled(Fraction(1, 2))]
+    if not full.symbols and not 0 <= full.turns <= Fraction(1, 2):
+        raise SymbalanceError(f"bank_angle = {shown(bank_angle)}", "must lie in [0, 180] degrees")
+    if (firing_order is None) == (pins is None):
+        raise SymbalanceError("vee(...)", "takes either a firing order or pins", "give one of them")
+    if firing_order is None:
+        assert pins is not None
+        return _on_pins(pins, axes, [Angle(Fraction(0)), angle(splay, "splay")], stagger, rest)
+    count = len(_read_firing_order(firing_order))
+    banks = cylinders or [list(range(1, count + 1, 2)), list(range(2, count + 1, 2))]
+    return from_firing_order(firing_order, banks=axes, cylinders=banks, stagger=stagger, **rest)
+
+
+def boxer(firing_order: FiringOrder, *, stagger: Sequence[object] = ("1/4", "-1/4"), **rest: Any) -> Layout:
+    """Return a horizontally opposed engine with a pin for each cylinder.
+
+    The left bank (odd numbers) stands at -90 degrees. `stagger` shifts the banks along the crank; the
+    default sets neighbouring cylinders half a pitch apart. Without a stagger a boxer has no couple.
+    """
+    return vee(180, firing_order, stagger=stagger, **rest)
+
+
+def w(
+    banks: Sequence[object],
+    firing_order: FiringOrder,
+    *,
+    cylinders: Sequence[Sequence[int]],
+    **rest: Any,
+) -> Layout:
+    """Return a W or broad-arrow engine: three or more `banks`, the cylinders' numbers in each.
+
+    >>> arrow = w([-60, 0, 60], "1-2-3", cylinders=[[1], [2], [3]])
+    >>> [c.throw.as_text() for c in arrow.cylinders]
+    ['-60', '120', '-60']
+    """
+    return from_firing_order(firing_order, banks=banks, cylinders=cylinders, **rest)
+
+
+def radial(count: int, *, strokes: int = 4, **about: Any) -> Layout:
+    """Return a single-row radial of `count` cylinders, evenly spread, all rods on one pin.
+
+    Each rod is taken as centred (no link rods). A four-stroke with an odd count fires every other
+    cylinder (1-3-5-2-4), a two-stroke each in turn; for a four-stroke with an even count the firing
+    angles are left open.
+
+    >>> radial(5).firing_order()
+    [1, 3, 5, 2, 4]
+    """
+    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_CYLINDERS:
+        raise SymbalanceError(f"count = {shown(count)}", f"must be a whole number from 1 to {MOST_CYLINDERS}")
+    checked_strokes(strokes)
+    cylinders = []
+    for i in range(count):
+        spread = Fraction(360 * i, count)
+        fires = spread + (360 if strokes == 4 and i % 2 else 0)
+        known = strokes == 2 or count % 2 == 1
+        cylinders.append(
+            Cylinder(i + 1, 0, Angle(spread / 360).normalized(), 0, fires if known else None)
+        )
+    return Layout(cylinders, strokes=strokes, **about)
+
+
+def _on_pins(
+    pins: Sequence[object],
+    axes: list[Angle],
+    splays: list[Angle],
+    stagger: Sequence[object],
+    about: dict[str, Any],
+) -> Layout:
+    """Return one cylinder of every bank on each pin, numbered pin by pin."""
+    throws = [angle(pin, f"pins[{i}]") for i, pin in enumerate(pins, 1)]
+    numbers = [list(range(1 + b, 1 + len(axes) * len(throws), len(axes))) for b in range(len(axes))]
+    stations = _stations(numbers, _read_stagger(stagger, len(axes)))
+    return Layout(
+        (
+            Cylinder(n, throw + splay, axis, stations[n])
+            for axis, splay, bank in zip(axes, splays, numbers, strict=True)
+            for n, throw in zip(bank, throws, strict=True)
+        ),
+        **about,
+    )
+
+
+# Reading what was given ----------------------------------------------------------------------------
+
+
+def _read_firing_order(firing_order: FiringOrder) -> list[int]:
+    numbers: Iterable[object] = firing_order
+    if isinstance(firing_order, str):
+        parts = [part.strip() for part in firing_order[:10_000].split("-")]
+        numbers = [int(p) if p.isascii() and p.isdigit() and len(p) < 6 else p for p in parts]
+    order = []
+    for number in numbers:
+        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+            raise SymbalanceError(
+                f"firing_order = {shown(firing_order)}",
+                f"holds {shown(number)}, which is no cylinder number",
+                "write it like [1, 3, 4, 2]",
+            )
+        order.append(number)
+    if not order:
+        raise SymbalanceError("firing_order = []", "names no cylinder", "write it like [1, 3, 4, 2]")
+    repeated = sorted({n for n in order if order.count(n) > 1}) if len(order) <= MOST_CYLINDERS else [0]
+    if repeated:
+        raise SymbalanceError(
+            f"firing_order = {shown(firing_order)}",
+            f"must name each cylinder once, but repeats {repeated[0]}",
+            "correct the order",
+        )
+    return order
+
+
+def _read_cylinders(
+    cylinders: Sequence[Sequence[int]] | None, order: list[int], banks: int
+) -> list[list[int]]:
+    if cylinders is None:
+        if banks > 1:
+            raise SymbalanceError(
+                f"{banks} banks", "need cylinders, the numbers in each", "as in [[1, 3, 5], [2, 4, 6]]"
+            )
+        cylinders = [sorted(order)]
+    if len(cylinders) != banks:
+        raise SymbalanceError(
+            f"cylinders = {shown(cylinders)}",
+            f"has {len(cylinders)} lists for {banks} bank(s)",
+            "give one list of numbers a bank",
+        )
+    numbers = [n for bank in cylinders for n in bank]
+    if 1 not in numbers:
+        raise SymbalanceError(
+            f"cylinders = {shown(cylinders)}", "lacks cylinder 1", "theta = 0 is its firing"
+        )
+    for number in order:
+        if number not in numbers:
+            raise SymbalanceError(
+                f"firing_order = {shown(order)}",
+                f"names cylinder {number}, which no bank holds",
+                "make order and cylinders agree",
+            )
+    for number in numbers:
+        if number not in order or numbers.count(number) > 1:
+            what = "repeats" if numbers.count(number) > 1 else "holds, but the firing order misses,"
+            raise SymbalanceError(
+                f"cylinders = {shown(cylinders)}",
+                f"{what} cylinder {shown(number)}",
+                "name each cylinder once in both",
+            )
+    return [list(bank) for bank in cylinders]
+
+
+def _firing_angles(
+    order: list[int], intervals: Sequence[object] | None, cycle: int
+) -> dict[int, Fraction]:
+    """Return each cylinder's firing angle after cylinder 1, in degrees."""
+    if intervals is None:
+        steps = [Fraction(cycle, len(order))] * len(order)
+    else:
+        steps = [exact(step, f"firing_intervals[{i}]") for i, step in enumerate(intervals, 1)]
+        _check_intervals(steps, len(order), cycle)
+    starts = [Fraction(0), *accumulate(steps)]
+    first = starts[order.index(1)]
+    return {number: (start - first) % cycle for number, start in zip(order, starts, strict=False)}
+
+
+def _check_intervals(steps: list[Fraction], count: int, cycle: int) -> None:
+    if len(steps) != count:
+        raise SymbalanceError(
+            f"{len(steps)} firing_intervals", f"must be {count}, one after each firing", "the last leads back to the first"
+        )
+    if min(steps) < 0:
+        raise SymbalanceError(f"firing interval {shown(min(steps))}", "must not be negative", "use degrees after each firing")
+    if sum(steps) != cycle:
+        raise SymbalanceError(
+            f"firing_intervals that sum to {shown(sum(steps))}",
+            f"must sum to {cycle}",
+            "720 degrees in a four-stroke, 360 in a two-stroke",
+        )
+
+
+def _read_stagger(stagger: Sequence[object] | None, banks: int) -> list[Fraction]:
+    if stagger is None:
+        return [Fraction(0)] * banks
+    if len(stagger) != banks:
+        raise SymbalanceError(
+            f"stagger = {shown(list(stagger))}",
+            f"has {len(stagger)} values for {banks} bank(s)",
+            "give one value a bank, in pitches",
+        )
+    return [exact(value, f"stagger[{i}]") for i, value in enumerate(stagger, 1)]
+
+
+def _stations(numbers: list[list[int]], stagger: list[Fraction]) -> dict[int, Fraction]:
+    raw = {
+        number: shift - place
+        for bank, shift in zip(numbers, stagger, strict=True)
+        for place, number in enumerate(bank)
+    }
+    mean = sum(raw.values(), Fraction(0)) / len(raw)
+    return {number: station - mean for number, station in raw.items()}

@@ -1,0 +1,47 @@
+"""Every refusal symbalance makes, in one form: place, value, rule, remedy."""
+
+from __future__ import annotations
+
+
+class SymbalanceError(ValueError):
+    """Input that symbalance refuses; `str()` of it is the one line a person reads.
+
+    The line reads ``place = value: rule; remedy``, for instance
+    ``bank_angle = 400: must lie in (-180, 180]; degrees from vertical``.
+
+    >>> str(SymbalanceError("bank = 400", "must lie in (-180, 180]", "degrees from vertical"))
+    'bank = 400: must lie in (-180, 180]; degrees from vertical'
+    >>> str(SymbalanceError("bank = 400", "is too large").within("a.toml:3: cylinder 2"))
+    'a.toml:3: cylinder 2: bank = 400: is too large'
+    """
+
+    def __init__(self, what: str, rule: str, remedy: str = "", place: str = "") -> None:
+        self.what, self.rule, self.remedy, self.place = what, rule, remedy, place
+        super().__init__(self._line())
+
+    def _line(self) -> str:
+        head = f"{self.place}: " if self.place else ""
+        tail = f"; {self.remedy}" if self.remedy else ""
+        return f"{head}{self.what}: {self.rule}{tail}".replace("\n", " ")
+
+    def within(self, place: str) -> SymbalanceError:
+        """Return the same refusal, said of something inside `place`."""
+        full = f"{place}: {self.place}" if self.place else place
+        return SymbalanceError(self.what, self.rule, self.remedy, full)
+
+
+class MissingPartError(SymbalanceError):
+    """An optional part that is not installed; the remedy is the command that installs it."""
+
+
+def shown(value: object, limit: int = 40) -> str:
+    """Return `value` as an error may quote it: short, and never a failure itself.
+
+    >>> shown(10**100)
+    '10000000000000000000...(101 characters)'
+    """
+    try:
+        text = str(value)
+    except ValueError:  # an integer past Python's limit for decimal strings
+        return "an integer of thousands of digits"
+    return text if len(text) <= limit else f"{text[:20]}...({len(text)} characters)"

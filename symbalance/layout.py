@@ -1,0 +1,208 @@
+"""A layout: where every cylinder stands, which way it points, and where its crank pin is.
+
+Angles are positive in the sense of rotation, from straight up, the engine seen from the front turning
+clockwise. A cylinder's own crank angle is theta + throw - bank: top dead centre where that is 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import lcm
+
+from symbalance.angles import Angle, angle
+from symbalance.errors import SymbalanceError, shown
+from symbalance.phasor import checked_modulus
+from symbalance.rational import exact
+from symbalance.slider_crank import checked_ratio
+
+MOST_CYLINDERS = 1000
+LONGEST_STATION = 10_000
+
+
+@dataclass(frozen=True, init=False)
+class Cylinder:
+    """One cylinder.
+
+    `throw` is its crank pin's angle at theta = 0 and `bank` its axis' angle, degrees if numbers or
+    text, the angle itself if a SymPy expression. `station` is its place along the crank, in cylinder
+    pitches, positive towards the front. `fires` is its firing angle in degrees after cylinder 1's
+    firing top dead centre, or None if that is not known.
+
+    >>> Cylinder(1, throw="360/7", station="5/2")
+    Cylinder(1, throw='360/7', bank='0', station='5/2')
+    """
+
+    number: int
+    throw: Angle
+    bank: Angle
+    station: Fraction
+    fires: Fraction | None
+
+    def __init__(
+        self,
+        number: int,
+        throw: object = 0,
+        bank: object = 0,
+        station: object = 0,
+        fires: object = None,
+    ) -> None:
+        set_field = object.__setattr__
+        set_field(self, "number", _checked_number(number))
+        set_field(self, "throw", angle(throw, "throw").normalized())
+        set_field(self, "bank", checked_bank(bank))
+        set_field(self, "station", _checked_station(station))
+        set_field(self, "fires", None if fires is None else exact(fires, "fires"))
+
+    def __repr__(self) -> str:
+        parts = f"throw={self.throw.as_text()!r}, bank={self.bank.as_text()!r}"
+        fires = "" if self.fires is None else f", fires='{self.fires}'"
+        return f"Cylinder({self.number}, {parts}, station='{self.station}'{fires})"
+
+    @cached_property
+    def delay(self) -> Angle:
+        """How far its pin leads its axis at theta = 0: throw - bank."""
+        return (self.throw - self.bank).normalized()
+
+
+def _checked_number(number: object) -> int:
+    if isinstance(number, bool) or not isinstance(number, int) or not 1 <= number <= MOST_CYLINDERS:
+        raise SymbalanceError(
+            f"number = {shown(number)}",
+            f"a cylinder's number must be whole, from 1 to {MOST_CYLINDERS}",
+            "count from the front",
+        )
+    return number
+
+
+def checked_bank(bank: object, name: str = "bank") -> Angle:
+    """Return a bank's angle; a number must lie in (-180, 180] degrees from vertical."""
+    result = angle(bank, name)
+    if not result.symbols and not Fraction(-1, 2) < result.turns <= Fraction(1, 2):
+        raise SymbalanceError(
+            f"{name} = {shown(bank)}", "must lie in (-180, 180]", "degrees from vertical, clockwise"
+        )
+    return result
+
+
+def _checked_station(station: object) -> Fraction:
+    value = exact(station, "station")
+    if abs(value) > LONGEST_STATION:
+        raise SymbalanceError(
+            f"station = {shown(station)}",
+            f"must lie within {-LONGEST_STATION} and {LONGEST_STATION}",
+            "give cylinder pitches, not millimetres",
+        )
+    return value
+
+
+@dataclass(frozen=True)
+class CrankTrain:
+    """The sizes shared by all cylinders, as in an engine file: mm and kg, each None if not given."""
+
+    stroke: Fraction | None = None
+    rod: Fraction | None = None
+    pitch: Fraction | None = None
+    reciprocating_mass: Fraction | None = None
+    rotating_mass: Fraction | None = None
+    given_ratio: Fraction | None = None
+
+    @property
+    def ratio(self) -> Fraction | None:
+        """The rod ratio lambda = l/r = 2 rod/stroke, or None where it is not known."""
+        if self.given_ratio is not None:
+            return self.given_ratio
+        if self.rod is None or self.stroke is None:
+            return None
+        return 2 * self.rod / self.stroke
+
+
+@dataclass(frozen=True, init=False)
+class Layout:
+    """The cylinders of an engine, with its name, its strokes per cycle and its rod ratio if known.
+
+    >>> twin = Layout([Cylinder(1, throw=0, station="1/2"), Cylinder(2, throw=180, station="-1/2")])
+    >>> len(twin.cylinders), twin.strokes, twin.ratio
+    (2, 4, None)
+    """
+
+    cylinders: tuple[Cylinder, ...]
+    strokes: int
+    name: str
+    ratio: Fraction | None
+    crank_train: CrankTrain
+
+    def __init__(
+        self,
+        cylinders: Iterable[Cylinder],
+        *,
+        strokes: int = 4,
+        name: str = "engine",
+        ratio: object = None,
+        crank_train: CrankTrain | None = None,
+    ) -> None:
+        set_field = object.__setattr__
+        train = crank_train or CrankTrain()
+        set_field(self, "cylinders", _checked_cylinders(tuple(cylinders)))
+        set_field(self, "strokes", checked_strokes(strokes))
+        set_field(self, "name", str(name))
+        set_field(self, "ratio", train.ratio if ratio is None else checked_ratio(ratio))
+        set_field(self, "crank_train", train)
+
+    @cached_property
+    def modulus(self) -> int:
+        """The m for which every numeric angle is a whole number of m-ths of a turn."""
+        angles = (a.turns.denominator for c in self.cylinders for a in (c.bank, c.delay))
+        return checked_modulus(lcm(*angles))
+
+    @property
+    def has_symbols(self) -> bool:
+        """Whether some angle holds a symbol."""
+        return any(c.bank.symbols or c.throw.symbols for c in self.cylinders)
+
+    @property
+    def mean_station(self) -> Fraction:
+        """The mean of all stations: the default reference plane of couples."""
+        return sum((c.station for c in self.cylinders), Fraction(0)) / len(self.cylinders)
+
+    def firing_order(self) -> list[int] | None:
+        """Return the cylinders' numbers as they fire, or None where that is not known."""
+        if any(c.fires is None for c in self.cylinders):
+            return None
+        return [c.number for c in sorted(self.cylinders, key=lambda c: (c.fires or 0, c.number))]
+
+    def with_ratio(self, ratio: object) -> Layout:
+        """Return the layout with another rod ratio lambda = l/r."""
+        return Layout(
+            self.cylinders,
+            strokes=self.strokes,
+            name=self.name,
+            ratio=ratio,
+            crank_train=self.crank_train,
+        )
+
+
+def _checked_cylinders(cylinders: tuple[Cylinder, ...]) -> tuple[Cylinder, ...]:
+    if not 1 <= len(cylinders) <= MOST_CYLINDERS:
+        raise SymbalanceError(
+            f"{len(cylinders)} cylinders", f"an engine has 1 to {MOST_CYLINDERS}", "list each once"
+        )
+    seen: set[int] = set()
+    for cylinder in cylinders:
+        if cylinder.number in seen:
+            raise SymbalanceError(
+                f"number = {cylinder.number}", "names two cylinders", "number each cylinder once"
+            )
+        seen.add(cylinder.number)
+    return cylinders
+
+
+def checked_strokes(strokes: object) -> int:
+    """Return 2 or 4, or refuse."""
+    if isinstance(strokes, bool) or strokes not in (2, 4) or not isinstance(strokes, int):
+        raise SymbalanceError(
+            f"strokes = {shown(strokes)}", "must be 2 or 4", "strokes of one working cycle"
+        )
+    return strokes

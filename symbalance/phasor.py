@@ -1,0 +1,238 @@
+"""Exact amplitudes: numbers of a cyclotomic field, in normal form.
+
+Every angle of a layout is a fraction of a turn, so every sum over its cylinders is a rational
+combination of powers of one root of unity, zeta = e^(2 pi i/m). All linear relations between those
+powers follow from
+
+    sum over i = 0..p-1 of zeta^(k + i m/p) = 0     for each prime p dividing m and each k
+
+(de Bruijn 1953; Conway and Jones 1976). Used as a rewriting rule for the powers whose leading digit
+at p is p-1, they leave a basis of the field: two numbers are equal exactly when their reduced terms
+are, and a number is zero exactly when no term is left. Nothing is simplified, and nothing is guessed.
+The terms stay sparse, so a modulus of millions (angles typed as decimals) costs no more than a small one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cache, lru_cache
+from math import lcm, prod
+
+from symbalance.errors import SymbalanceError, shown
+
+LARGEST_RADICAL = 40_000
+"""The product of the primes of a modulus may not pass this: it bounds the work of one reduction."""
+
+Coefficient = int | Fraction
+
+
+@cache
+def prime_factors(number: int) -> tuple[int, ...]:
+    """Return the distinct primes of a positive integer, found by division up to `LARGEST_RADICAL`.
+
+    What is left after that counts as one prime: `checked_modulus` refuses it either way.
+
+    >>> prime_factors(720)
+    (2, 3, 5)
+    """
+    primes, rest = [], number
+    for divisor in range(2, LARGEST_RADICAL + 1):
+        if divisor * divisor > rest:
+            break
+        if rest % divisor == 0:
+            primes.append(divisor)
+            while rest % divisor == 0:
+                rest //= divisor
+    return (*primes, rest) if rest > 1 else tuple(primes)
+
+
+def checked_modulus(modulus: int) -> int:
+    """Return `modulus`, or refuse one whose reductions would take too long."""
+    if prod(prime_factors(modulus)) > LARGEST_RADICAL:
+        raise SymbalanceError(
+            f"angles in {shown(modulus)}ths of a turn",
+            f"the product of this number's primes must be at most {LARGEST_RADICAL}",
+            "write every angle as the simple fraction that is meant",
+        )
+    return modulus
+
+
+@cache
+def _steps(modulus: int) -> tuple[tuple[int, int, int, int], ...]:
+    """Return, for each prime p of m: (p, p^a, p^(a-1), m/p) with p^a the power of p in m."""
+    steps = []
+    for prime in prime_factors(modulus):
+        power = prime
+        while modulus % (power * prime) == 0:
+            power *= prime
+        steps.append((prime, power, power // prime, modulus // prime))
+    return tuple(steps)
+
+
+class _Powers(dict[int, tuple[tuple[int, int], ...]]):
+    """The powers of one zeta_m on the basis, as (exponent, sign) pairs, each found when first asked."""
+
+    def __init__(self, modulus: int) -> None:
+        super().__init__()
+        self.modulus = modulus
+
+    def __missing__(self, exponent: int) -> tuple[tuple[int, int], ...]:
+        terms = [(exponent, 1)]
+        for prime, power, below, shift in _steps(self.modulus):
+            if (exponent % power) // below == prime - 1:
+                terms = [
+                    ((place + i * shift) % self.modulus, -sign)
+                    for place, sign in terms
+                    for i in range(1, prime)
+                ]
+        self[exponent] = tuple(terms)
+        return self[exponent]
+
+
+_powers = lru_cache(maxsize=64)(_Powers)
+
+
+def _reduced(modulus: int, terms: Iterable[tuple[int, Coefficient]]) -> dict[int, Coefficient]:
+    """Return the sum of coefficient times zeta^exponent on the basis; exponents lie in [0, m)."""
+    powers = _powers(modulus)
+    total: dict[int, Coefficient] = {}
+    for exponent, coefficient in terms:
+        for place, sign in powers[exponent]:
+            total[place] = total.get(place, 0) + sign * coefficient
+    return {k: c for k, c in total.items() if c}
+
+
+@dataclass(frozen=True, slots=True)
+class Phasor:
+    """A number of Q(zeta_m): the sum of coefficient times zeta^exponent over `terms`, reduced.
+
+    Make one with `Phasor.of`, which reduces; `+`, `-` and unary minus are exact, the product is
+    `times`. Equality compares numbers of one modulus; across moduli compare `a - b` with zero.
+
+    >>> Phasor.of(7, {k: 1 for k in range(7)}).is_zero()  # the first order of an in-line seven
+    True
+    >>> Phasor.of(6, {1: 1, 5: 1})  # 2 cos 60 degrees
+    Phasor(modulus=1, terms={0: 1})
+    """
+
+    modulus: int
+    terms: Mapping[int, Coefficient] = field(hash=False)
+
+    @staticmethod
+    def of(modulus: int, terms: Mapping[int, Coefficient]) -> Phasor:
+        """Return the sum of coefficient times e^(2 pi i exponent/modulus), in normal form.
+
+        Exponents lie in [0, modulus).
+        """
+        reduced = _reduced(modulus, terms.items())
+        if not reduced:
+            return ZERO
+        if len(reduced) == 1 and 0 in reduced:
+            return Phasor(1, reduced)
+        return Phasor(modulus, reduced)
+
+    @staticmethod
+    def root(turns: Fraction) -> Phasor:
+        """Return e^(2 pi i turns)."""
+        return Phasor.of(turns.denominator, {turns.numerator % turns.denominator: 1})
+
+    def is_zero(self) -> bool:
+        """Tell whether the number is zero: a proof either way."""
+        return not self.terms
+
+    def lifted(self, modulus: int) -> Phasor:
+        """Return the same number seen in the field of a multiple of its modulus."""
+        if modulus == self.modulus:
+            return self
+        step = modulus // self.modulus
+        return Phasor(modulus, _reduced(modulus, ((k * step, c) for k, c in self.terms.items())))
+
+    def __add__(self, other: Phasor) -> Phasor:
+        if not other.terms:
+            return self
+        if not self.terms:
+            return other
+        modulus = lcm(self.modulus, other.modulus)
+        total = dict(self.lifted(modulus).terms)
+        for exponent, coefficient in other.lifted(modulus).terms.items():
+            total[exponent] = total.get(exponent, 0) + coefficient
+        return Phasor(modulus, {k: c for k, c in total.items() if c})
+
+    def __neg__(self) -> Phasor:
+        return Phasor(self.modulus, {k: -c for k, c in self.terms.items()})
+
+    def __sub__(self, other: Phasor) -> Phasor:
+        return self + -other
+
+    def scaled(self, factor: Coefficient) -> Phasor:
+        """Return the number times a rational."""
+        if not factor:
+            return ZERO
+        return Phasor(self.modulus, {k: c * factor for k, c in self.terms.items()})
+
+    def turned(self, turns: Fraction) -> Phasor:
+        """Return the number times e^(2 pi i turns).
+
+        >>> Phasor.root(Fraction(1, 3)).turned(Fraction(-1, 3))
+        Phasor(modulus=1, terms={0: 1})
+        """
+        modulus = lcm(self.modulus, turns.denominator)
+        step, by = modulus // self.modulus, turns.numerator * (modulus // turns.denominator)
+        moved = (((k * step + by) % modulus, c) for k, c in self.terms.items())
+        return Phasor.of(modulus, dict(moved))
+
+    def times(self, other: Phasor) -> Phasor:
+        """Return the product of two numbers."""
+        modulus = lcm(self.modulus, other.modulus)
+        left, right = self.lifted(modulus).terms, other.lifted(modulus).terms
+        products = ((j + k, c * d) for j, c in left.items() for k, d in right.items())
+        return Phasor.of(modulus, _collected((k % modulus, c) for k, c in products))
+
+    def conjugate(self) -> Phasor:
+        """Return the complex conjugate."""
+        return self.mapped(-1)
+
+    def mapped(self, unit: int) -> Phasor:
+        """Return the image under zeta -> zeta^unit, with `unit` prime to the modulus."""
+        moved = ((k * unit % self.modulus, c) for k, c in self.terms.items())
+        return Phasor.of(self.modulus, dict(moved))
+
+    def real(self) -> Phasor:
+        """Return the real part."""
+        return (self + self.conjugate()).scaled(Fraction(1, 2))
+
+    def imaginary(self) -> Phasor:
+        """Return the imaginary part, a real number of the field with i added."""
+        return self.turned(Fraction(-1, 4)).real()
+
+    def primitive(self) -> Phasor:
+        """Return the same number in the smallest cyclotomic field that holds it.
+
+        >>> Phasor.of(24, {3: 1, 21: 1}).primitive().modulus  # the square root of 2
+        8
+        """
+        number = self
+        for prime, *_ in _steps(self.modulus):
+            while number.modulus % prime == 0 and all(k % prime == 0 for k in number.terms):
+                smaller = {k // prime: c for k, c in number.terms.items()}
+                number = Phasor(number.modulus // prime, _reduced(number.modulus // prime, smaller.items()))
+        return number
+
+    def rational(self) -> Fraction | None:
+        """Return the number as a fraction if it is rational."""
+        if any(self.terms) or len(self.terms) > 1:
+            return None
+        return Fraction(self.terms.get(0, 0))
+
+
+def _collected(terms: Iterable[tuple[int, Coefficient]]) -> dict[int, Coefficient]:
+    total: dict[int, Coefficient] = {}
+    for exponent, coefficient in terms:
+        total[exponent] = total.get(exponent, 0) + coefficient
+    return total
+
+
+ZERO = Phasor(1, {})
+ONE = Phasor(1, {0: 1})

@@ -1,0 +1,77 @@
+"""Numbers as people write them, read exactly: whole, decimal ("13.5") or fraction ("360/7").
+
+Text is matched against one pattern and never evaluated. Floats are read as they print, so that
+0.1 is one tenth. Size limits stand here, so that no input can make exact arithmetic hang.
+"""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Rational
+
+from symbalance.errors import SymbalanceError, shown
+
+LARGEST = 10**9
+LARGEST_DENOMINATOR = 10**12
+_PART = r"[+-]?(?:\d{1,30}(?:\.\d{0,30})?|\.\d{1,30})(?:[eE][+-]?\d{1,2})?"
+_NUMBER = re.compile(rf"\s*({_PART})\s*(?:/\s*({_PART})\s*)?", re.ASCII)
+
+
+def exact(value: object, name: str) -> Fraction:
+    """Return `value` as the fraction it says; `name` is what an error calls it.
+
+    >>> exact("360/7", "throw"), exact(0.1, "station"), exact("147.15/36.65", "ratio")
+    (Fraction(360, 7), Fraction(1, 10), Fraction(2943, 733))
+    >>> exact("nan", "throw")
+    Traceback (most recent call last):
+    symbalance.errors.SymbalanceError: throw = nan: must be a number or a fraction; write it like 120, 13.5 or "360/7"
+    """
+    number = _read(value)
+    if number is None:
+        raise SymbalanceError(
+            f"{name} = {shown(value)}",
+            "must be a number or a fraction",
+            'write it like 120, 13.5 or "360/7"',
+        )
+    if abs(number) > LARGEST or number.denominator > LARGEST_DENOMINATOR:
+        raise SymbalanceError(
+            f"{name} = {shown(value)}",
+            f"must lie within {-LARGEST} and {LARGEST} with a denominator up to 10^12",
+            "check the unit",
+        )
+    return number
+
+
+def _read(value: object) -> Fraction | None:
+    if isinstance(value, bool):
+        return None
+    if isinstance(value, Rational):
+        return Fraction(int(value.numerator), int(value.denominator))
+    if isinstance(value, str):
+        return _from_text(value)
+    if isinstance(value, float | Decimal):
+        return _from_text(str(value))
+    numerator, denominator = getattr(value, "p", None), getattr(value, "q", None)
+    if isinstance(numerator, int) and isinstance(denominator, int):  # a SymPy rational
+        return Fraction(numerator, denominator)
+    return None
+
+
+def _from_text(text: str) -> Fraction | None:
+    match = _NUMBER.fullmatch(text[:200])
+    if match is None:
+        return None
+    numerator, denominator = match.groups()
+    below = Fraction(denominator) if denominator else Fraction(1)
+    return Fraction(numerator) / below if below else None
+
+
+def plain(number: Fraction) -> str:
+    """Return a fraction as files write it.
+
+    >>> plain(Fraction(5, 2)), plain(Fraction(-30))
+    ('5/2', '-30')
+    """
+    return str(number)

@@ -1,0 +1,230 @@
+"""Two-sided series: a vector in the plane of the cylinders, as one number for each order.
+
+The vector is written vertical + i lateral = sum of c_n e^(i n theta), n of both signs. The part +n
+turns with the crank and -n against it. Turning the vector by an angle, or delaying the crank by one,
+multiplies c_n by one number, so a whole engine is a sum of turned and delayed copies of one cylinder.
+
+From c_n and c_-n follow the real components, C cos n theta + S sin n theta each, held here as the one
+number C + iS (its modulus is the amplitude, its argument the phase):
+
+    vertical  conj(c_n) + c_-n            forward   conj(c_n)
+    lateral   i (conj(c_n) - c_-n)        backward  c_-n
+
+With a symbolic angle in the layout a number is a `SymbolicPhasor`: exponentials of independent symbols
+are linearly independent, so zero is still decided by normal form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from mpmath import mp
+
+from symbalance.angles import SymbolPart, expression
+from symbalance.phasor import ZERO, Phasor
+from symbalance.radicals import evaluated, exact_form, square_root_form
+
+if TYPE_CHECKING:
+    import sympy
+
+QUARTER = Fraction(1, 4)
+
+
+@dataclass(frozen=True)
+class SymbolicPhasor:
+    """A sum of e^(i s) times a `Phasor`, over distinct symbolic angles s."""
+
+    parts: Mapping[SymbolPart, Phasor] = field(hash=False)
+
+    @staticmethod
+    def of(parts: Mapping[SymbolPart, Phasor]) -> SymbolicPhasor:
+        """Return the sum with its zero parts dropped."""
+        return SymbolicPhasor({s: p for s, p in parts.items() if not p.is_zero()})
+
+    def is_zero(self) -> bool:
+        """Tell whether the number is zero for all values of the symbols: a proof either way."""
+        return not self.parts
+
+    def __add__(self, other: SymbolicPhasor) -> SymbolicPhasor:
+        total = dict(self.parts)
+        for symbols, phasor in other.parts.items():
+            total[symbols] = total.get(symbols, ZERO) + phasor
+        return SymbolicPhasor.of(total)
+
+    def __neg__(self) -> SymbolicPhasor:
+        return SymbolicPhasor({s: -p for s, p in self.parts.items()})
+
+    def __sub__(self, other: SymbolicPhasor) -> SymbolicPhasor:
+        return self + -other
+
+    def scaled(self, factor: int | Fraction) -> SymbolicPhasor:
+        """Return the number times a rational."""
+        return SymbolicPhasor.of({s: p.scaled(factor) for s, p in self.parts.items()})
+
+    def turned(self, turns: Fraction) -> SymbolicPhasor:
+        """Return the number times e^(2 pi i turns)."""
+        return SymbolicPhasor({s: p.turned(turns) for s, p in self.parts.items()})
+
+    def conjugate(self) -> SymbolicPhasor:
+        """Return the complex conjugate, the symbols being real."""
+        parts = {tuple((x, -f) for x, f in s): p.conjugate() for s, p in self.parts.items()}
+        return SymbolicPhasor(parts)
+
+
+Number = Phasor | SymbolicPhasor
+
+
+@dataclass(frozen=True)
+class Component:
+    """One order of one component: C cos n theta + S sin n theta = amplitude cos(n theta - phase).
+
+    `number` is C + iS; the properties are exact SymPy expressions, made when first asked for.
+
+    >>> c = Component(Phasor.root(Fraction(1, 3)).scaled(2))
+    >>> c.cos, c.sin, c.amplitude, c.phase
+    (-1, sqrt(3), 2, 2*pi/3)
+    """
+
+    number: Number
+
+    def is_zero(self) -> bool:
+        """Tell whether the component is exactly zero."""
+        return self.number.is_zero()
+
+    @cached_property
+    def cos(self) -> sympy.Expr:
+        """The coefficient of cos n theta."""
+        return _real_form(self.number)
+
+    @cached_property
+    def sin(self) -> sympy.Expr:
+        """The coefficient of sin n theta."""
+        return _real_form(self.number.turned(-QUARTER))
+
+    @cached_property
+    def amplitude(self) -> sympy.Expr:
+        """The amplitude, zero or positive."""
+        import sympy
+
+        if isinstance(self.number, SymbolicPhasor):
+            return sympy.sqrt(self.cos**2 + self.sin**2)
+        aligned = self._aligned
+        if aligned is not None:
+            return exact_form(aligned[1])
+        return square_root_form(self.number.times(self.number.conjugate()))
+
+    @cached_property
+    def phase(self) -> sympy.Expr:
+        """The phase in (-pi, pi], a fraction of pi or else an unevaluated atan2."""
+        import sympy
+
+        aligned = self._aligned
+        if aligned is None:
+            return sympy.atan2(self.sin, self.cos, evaluate=False)
+        return 2 * sympy.pi * sympy.Rational(aligned[0].numerator, aligned[0].denominator)
+
+    @cached_property
+    def _aligned(self) -> tuple[Fraction, Phasor] | None:
+        """The phase in turns and the amplitude, where the phase is a fraction of a turn."""
+        if isinstance(self.number, SymbolicPhasor):
+            return None
+        return _polar(self.number)
+
+    def decimal(self, digits: int = 30) -> tuple[mp.mpf, mp.mpf]:
+        """Return the two coefficients to `digits` significant digits each."""
+        if isinstance(self.number, SymbolicPhasor):
+            raise TypeError("a component with symbols has no decimal value")
+        return evaluated(self.number.real(), digits), evaluated(self.number.imaginary(), digits)
+
+
+def _real_form(number: Number) -> sympy.Expr:
+    """Return the real part as a SymPy expression."""
+    if isinstance(number, Phasor):
+        return exact_form(number.real())
+    import sympy
+
+    terms = []
+    for symbols, phasor in number.parts.items():
+        angle = expression(symbols)
+        terms.append(exact_form(phasor.real()) * sympy.cos(angle))
+        terms.append(-exact_form(phasor.imaginary()) * sympy.sin(angle))
+    return sympy.Add(*terms)
+
+
+def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:
+    """Return (turns, amplitude) if the number is a positive real times a root of unity.
+
+    The argument then is a multiple of 1/(4m) turns: the nearest one is tried, and proved or not.
+    """
+    if number.is_zero():
+        return Fraction(0), ZERO
+    steps = 4 * number.modulus
+    real, imaginary = evaluated(number.real(), 15), evaluated(number.imaginary(), 15)
+    argument = mp.atan2(imaginary, real) / (2 * mp.pi)
+    turns = Fraction(int(mp.nint(argument * steps)), steps)
+    amplitude = number.turned(-turns)
+    if not amplitude.imaginary().is_zero():
+        return None
+    return (turns + 1 if turns <= Fraction(-1, 2) else turns), amplitude.real()
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The orders of one planar vector: `terms` maps +n and -n to c_n; orders that vanish are absent."""
+
+    terms: Mapping[int, Number] = field(hash=False)
+
+    @staticmethod
+    def of(terms: Mapping[int, Number]) -> Spectrum:
+        """Return the spectrum of the terms that are not zero."""
+        return Spectrum({n: c for n, c in terms.items() if not c.is_zero()})
+
+    def orders(self) -> list[int]:
+        """Return the orders n > 0 present with either sign."""
+        return sorted({abs(n) for n in self.terms})
+
+    def turned(self, turns: Fraction) -> Spectrum:
+        """Return the vector turned by so many turns, in the sense of rotation."""
+        return Spectrum({n: c.turned(turns) for n, c in self.terms.items()})
+
+    def delayed(self, turns: Fraction) -> Spectrum:
+        """Return the vector as it is so many turns of the crank later."""
+        return Spectrum({n: c.turned(-n * turns) for n, c in self.terms.items()})
+
+    def scaled(self, factor: int | Fraction) -> Spectrum:
+        """Return the vector times a rational."""
+        return Spectrum.of({n: c.scaled(factor) for n, c in self.terms.items()})
+
+    def __add__(self, other: Spectrum) -> Spectrum:
+        total = dict(self.terms)
+        for n, number in other.terms.items():
+            total[n] = total[n] + number if n in total else number  # type: ignore[operator]
+        return Spectrum.of(total)
+
+    def component(self, order: int, name: str) -> Component:
+        """Return the vertical, lateral, forward or backward component of an order."""
+        ahead, against = self.terms.get(order, ZERO), self.terms.get(-order, ZERO)
+        if isinstance(ahead, SymbolicPhasor) or isinstance(against, SymbolicPhasor):
+            ahead, against = _symbolic(ahead), _symbolic(against)
+        ahead = ahead.conjugate()
+        match name:
+            case "vertical":
+                return Component(ahead + against)  # type: ignore[operator]
+            case "lateral":
+                return Component((ahead - against).turned(QUARTER))  # type: ignore[operator]
+            case "forward":
+                return Component(ahead)
+            case "backward":
+                return Component(against)
+        raise KeyError(name)
+
+
+COMPONENTS = ("vertical", "lateral", "forward", "backward")
+
+
+def _symbolic(number: Number) -> SymbolicPhasor:
+    return number if isinstance(number, SymbolicPhasor) else SymbolicPhasor.of({(): number})

@@ -1,0 +1,66 @@
+"""Every symbol of the formulas: its name in Python, its LaTeX, its unit and its meaning.
+
+=======  ==========  =====  ==========================================================
+name     LaTeX       unit   meaning
+=======  ==========  =====  ==========================================================
+theta    \\theta      rad    crank angle, from straight up, positive with the rotation
+lam      \\lambda     1      rod ratio l/r (rod length over crank radius), above 1
+rho      \\rho        1      crank ratio r/l = 1/lam
+r        r           m      crank radius, half the stroke
+l        l           m      connecting rod length between centres
+m        m           kg     reciprocating mass of one cylinder
+omega    \\omega      rad/s  angular speed of the crank
+a        a           m      pitch between neighbouring cylinders of a bank
+=======  ==========  =====  ==========================================================
+
+SymPy is imported when a symbol is first asked for, so that what needs no symbol stays light.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    import sympy
+
+
+class Meaning(NamedTuple):
+    """What a symbol stands for."""
+
+    latex: str
+    unit: str
+    meaning: str
+
+
+MEANINGS = {
+    "theta": Meaning(r"\theta", "rad", "crank angle, positive with the rotation"),
+    "lam": Meaning(r"\lambda", "1", "rod ratio l/r"),
+    "rho": Meaning(r"\rho", "1", "crank ratio r/l"),
+    "r": Meaning("r", "m", "crank radius"),
+    "l": Meaning("l", "m", "connecting rod length"),
+    "m": Meaning("m", "kg", "reciprocating mass of one cylinder"),
+    "omega": Meaning(r"\omega", "rad/s", "angular speed of the crank"),
+    "a": Meaning("a", "m", "cylinder pitch"),
+}
+
+_REAL_ONLY = {"theta"}
+
+
+@cache
+def symbol(name: str) -> sympy.Symbol:
+    """Return the one SymPy symbol of that name; all but the crank angle are positive.
+
+    >>> symbol("lam").is_positive, symbol("theta").is_positive
+    (True, None)
+    """
+    import sympy
+
+    if name not in MEANINGS:
+        raise KeyError(name)
+    return sympy.Symbol(name, real=True) if name in _REAL_ONLY else sympy.Symbol(name, positive=True)
+
+
+def latex_names() -> dict[sympy.Symbol, str]:
+    """Return what `sympy.latex` needs as `symbol_names` to print these symbols."""
+    return {symbol(name): meaning.latex for name, meaning in MEANINGS.items()}
