@@ -116,6 +116,7 @@ def _from_expression(expression: Any, name: str) -> Angle:
 
     total = Angle(Fraction(0))
     for term in sympy.Add.make_args(sympy.expand(expression)):
+        factor: Any
         factor, rest = term.as_coeff_Mul(rational=True)
         exact_factor = Fraction(int(factor.p), int(factor.q)) if factor.is_Rational else None
         if exact_factor is None or not (rest is sympy.pi or rest.is_Symbol):
@@ -125,9 +126,7 @@ def _from_expression(expression: Any, name: str) -> Angle:
                 "write it like alpha/2 + pi/6, or give degrees as a number",
             )
         part = (
-            Angle(exact_factor / 2)
-            if rest is sympy.pi
-            else Angle(Fraction(0), ((rest, exact_factor),))
+            Angle(exact_factor / 2) if rest is sympy.pi else Angle(Fraction(0), ((rest, exact_factor),))
         )
         total = total + part
     return total

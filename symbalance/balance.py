@@ -18,13 +18,11 @@ from fractions import Fraction
 from functools import cached_property
 from math import lcm
 
-from mpmath import mp
-
 from symbalance.angles import SymbolPart
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Cylinder, Layout
 from symbalance.phasor import Phasor
-from symbalance.rational import exact
+from symbalance.rational import Real, exact
 from symbalance.slider_crank import (
     Series,
     acceleration_series,
@@ -128,7 +126,7 @@ class Balance:
         return acceleration_series(order, default_power(order) if self.power is None else self.power)
 
     @cached_property
-    def values(self) -> dict[int, mp.mpf]:
+    def values(self) -> dict[int, Real]:
         """A_n exact in lambda, to 30 digits, for the orders that survive; empty without a ratio."""
         if self.ratio is None or not self.orders:
             return {}
@@ -172,7 +170,9 @@ def _check_power(power: int | None, orders: Sequence[int]) -> None:
         return
     if isinstance(power, bool) or not isinstance(power, int) or not 0 <= power <= 10_000:
         raise SymbalanceError(
-            f"power = {shown(power)}", "must be a whole number from 0 to 10000", "leave it out for two terms an order"
+            f"power = {shown(power)}",
+            "must be a whole number from 0 to 10000",
+            "leave it out for two terms an order",
         )
     lost = [n for n in orders if n - 1 > power]
     if lost:

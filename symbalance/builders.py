@@ -60,7 +60,9 @@ def from_firing_order(
     )
 
 
-def inline(firing_order: FiringOrder | None = None, *, throws: Sequence[object] | None = None, **rest: Any) -> Layout:
+def inline(
+    firing_order: FiringOrder | None = None, *, throws: Sequence[object] | None = None, **rest: Any
+) -> Layout:
     """Return an in-line engine, from its firing order or from its `throws`, front to rear, in degrees.
 
     `rest` goes to `from_firing_order` (firing_intervals, strokes) or names the engine (name, ratio).
@@ -93,7 +95,7 @@ def vee(
     The bank angle may be a SymPy symbol: the angle itself, in radians.
 
     >>> [c.throw.as_text() for c in vee(60, "1-2-3-4-5-6").cylinders]
-    ['-30', '90', '-150', '-30', '90', '-150']
+    ['-30', '90', '-150', '-90', '30', '150']
     >>> [c.throw.as_text() for c in vee(90, pins=[0, 90], splay=30).cylinders]
     ['0', '90', '30', '120']
     """
@@ -111,7 +113,9 @@ def vee(
     return from_firing_order(firing_order, banks=axes, cylinders=banks, stagger=stagger, **rest)
 
 
-def boxer(firing_order: FiringOrder, *, stagger: Sequence[object] = ("1/4", "-1/4"), **rest: Any) -> Layout:
+def boxer(
+    firing_order: FiringOrder, *, stagger: Sequence[object] = ("1/4", "-1/4"), **rest: Any
+) -> Layout:
     """Return a horizontally opposed engine with a pin for each cylinder.
 
     The left bank (odd numbers) stands at -90 degrees. `stagger` shifts the banks along the crank; the
@@ -147,7 +151,9 @@ def radial(count: int, *, strokes: int = 4, **about: Any) -> Layout:
     [1, 3, 5, 2, 4]
     """
     if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_CYLINDERS:
-        raise SymbalanceError(f"count = {shown(count)}", f"must be a whole number from 1 to {MOST_CYLINDERS}")
+        raise SymbalanceError(
+            f"count = {shown(count)}", f"must be a whole number from 1 to {MOST_CYLINDERS}"
+        )
     checked_strokes(strokes)
     cylinders = []
     for i in range(count):
@@ -216,7 +222,9 @@ def _read_cylinders(
     if cylinders is None:
         if banks > 1:
             raise SymbalanceError(
-                f"{banks} banks", "need cylinders, the numbers in each", "as in [[1, 3, 5], [2, 4, 6]]"
+                f"{banks} banks",
+                "need cylinders, the numbers in each",
+                "as in [[1, 3, 5], [2, 4, 6]]",
             )
         cylinders = [sorted(order)]
     if len(cylinders) != banks:
@@ -265,10 +273,16 @@ def _firing_angles(
 def _check_intervals(steps: list[Fraction], count: int, cycle: int) -> None:
     if len(steps) != count:
         raise SymbalanceError(
-            f"{len(steps)} firing_intervals", f"must be {count}, one after each firing", "the last leads back to the first"
+            f"{len(steps)} firing_intervals",
+            f"must be {count}, one after each firing",
+            "the last leads back to the first",
         )
     if min(steps) < 0:
-        raise SymbalanceError(f"firing interval {shown(min(steps))}", "must not be negative", "use degrees after each firing")
+        raise SymbalanceError(
+            f"firing interval {shown(min(steps))}",
+            "must not be negative",
+            "use degrees after each firing",
+        )
     if sum(steps) != cycle:
         raise SymbalanceError(
             f"firing_intervals that sum to {shown(sum(steps))}",

@@ -28,7 +28,16 @@ _TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cy
 _CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset")
 _LAYOUT = ("strokes", "banks", "cylinders", "firing_order", "firing_intervals", "stagger")
 _CYLINDER = ("number", "throw", "bank", "station", "fires")
-_LATER = ("stroke", "rod", "reciprocating_mass", "rotating_mass", "offset", "master", "link_angle", "link_radius")
+_LATER = (
+    "stroke",
+    "rod",
+    "reciprocating_mass",
+    "rotating_mass",
+    "offset",
+    "master",
+    "link_angle",
+    "link_radius",
+)
 
 
 def read_engine_file(path: str | Path) -> Layout:
@@ -84,7 +93,7 @@ class _Reader:
         self.check_keys(table, _TOP, "", 0)
         for key in ("name", "description", "source"):
             if not isinstance(table.get(key, ""), str):
-                raise self.refusal(key, table[key], "must be text", 'write it in quotes', "", 0)
+                raise self.refusal(key, table[key], "must be text", "write it in quotes", "", 0)
         if ("layout" in table) == ("cylinder" in table):
             raise SymbalanceError(
                 self.place,
@@ -97,7 +106,9 @@ class _Reader:
         }
         if "layout" in table:
             if "strokes" in table:
-                raise self.refusal("strokes", table["strokes"], "belongs into [layout] here", "move it", "", 0)
+                raise self.refusal(
+                    "strokes", table["strokes"], "belongs into [layout] here", "move it", "", 0
+                )
             return self.layout(self.subtable(table, "layout"), about)
         return self.cylinders(table, about)
 
@@ -110,23 +121,38 @@ class _Reader:
         }
         if sizes.pop("offset", Fraction(0)):
             raise self.refusal(
-                "offset", table["offset"], "offset cylinders are not supported yet", "leave it at 0", "crank_train", 0
+                "offset",
+                table["offset"],
+                "offset cylinders are not supported yet",
+                "leave it at 0",
+                "crank_train",
+                0,
             )
         given = sizes.pop("ratio", None)
         train = CrankTrain(**sizes, given_ratio=given)
         if given is not None and (train.rod is not None or train.stroke is not None):
             raise self.refusal(
-                "ratio", table["ratio"], "is 2*rod/stroke already", "give either ratio, or stroke and rod", "crank_train", 0
+                "ratio",
+                table["ratio"],
+                "is 2*rod/stroke already",
+                "give either ratio, or stroke and rod",
+                "crank_train",
+                0,
             )
         if train.ratio is not None:
             key = "ratio" if given is not None else "rod"
-            self.guarded("crank_train", key, 0, lambda: checked_ratio(train.ratio, "2*rod/stroke" if key == "rod" else key))
+            self.guarded(
+                "crank_train",
+                key,
+                0,
+                lambda: checked_ratio(train.ratio, "2*rod/stroke" if key == "rod" else key),
+            )
         return train
 
     def size(self, key: str, value: object) -> Fraction:
         number = exact(value, key)
         may_be_zero = key in ("offset", "reciprocating_mass", "rotating_mass")
-        if number < 0 and key != "offset" or not number and not may_be_zero:
+        if (number < 0 and key != "offset") or (not number and not may_be_zero):
             raise SymbalanceError(f"{key} = {shown(value)}", "must be positive", "sizes are in mm and kg")
         return number
 
@@ -151,7 +177,10 @@ class _Reader:
             good = isinstance(value, list) and all(
                 isinstance(bank, list) and all(_whole(n) for n in bank) for bank in value
             )
-            rule, remedy = "must be a list of lists of numbers", "write it like [[1, 3, 5], [2, 4, 6]]"
+            rule, remedy = (
+                "must be a list of lists of numbers",
+                "write it like [[1, 3, 5], [2, 4, 6]]",
+            )
         elif key == "firing_order":
             good = isinstance(value, list) and all(_whole(n) for n in value)
             rule, remedy = "must be a list of cylinder numbers", "write it like [1, 3, 4, 2]"
@@ -164,7 +193,9 @@ class _Reader:
     def cylinders(self, table: dict[str, Any], about: dict[str, Any]) -> Layout:
         rows = table["cylinder"]
         if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
-            raise self.refusal("cylinder", rows, "must be [[cylinder]] tables", "use double brackets", "", 0)
+            raise self.refusal(
+                "cylinder", rows, "must be [[cylinder]] tables", "use double brackets", "", 0
+            )
         cylinders = [self.cylinder(row, i) for i, row in enumerate(rows)]
         strokes = table.get("strokes", 4)
         return self.guarded("", "strokes", 0, lambda: Layout(cylinders, strokes=strokes, **about))
@@ -173,18 +204,30 @@ class _Reader:
         for key in _LATER:
             if key in row:
                 raise self.refusal(
-                    key, row[key], "unlike cylinders and link rods are not supported yet", "leave it out", "cylinder", index
+                    key,
+                    row[key],
+                    "unlike cylinders and link rods are not supported yet",
+                    "leave it out",
+                    "cylinder",
+                    index,
                 )
         self.check_keys(row, _CYLINDER, "cylinder", index)
         for key in ("number", "throw"):
             if key not in row:
                 raise SymbalanceError(
-                    f"{self.place}:{self.line_of('cylinder', index)}: [[cylinder]]", f"needs {key}", f"add {key} = ..."
+                    f"{self.place}:{self.line_of('cylinder', index)}: [[cylinder]]",
+                    f"needs {key}",
+                    f"add {key} = ...",
                 )
         made = self.guarded("cylinder", "", index, lambda: Cylinder(**row))
         if made.fires is not None and not 0 <= made.fires < 720:
             raise self.refusal(
-                "fires", row["fires"], "must lie in [0, 720)", "degrees after cylinder 1's firing", "cylinder", index
+                "fires",
+                row["fires"],
+                "must lie in [0, 720)",
+                "degrees after cylinder 1's firing",
+                "cylinder",
+                index,
             )
         return made
 
@@ -193,7 +236,9 @@ class _Reader:
     def subtable(self, table: dict[str, Any], key: str) -> dict[str, Any]:
         value = table.get(key, {})
         if not isinstance(value, dict):
-            raise self.refusal(key, value, "must be a table", f"write [{key}] on a line of its own", "", 0)
+            raise self.refusal(
+                key, value, "must be a table", f"write [{key}] on a line of its own", "", 0
+            )
         return value
 
     def check_keys(self, table: dict[str, Any], known: Iterable[str], section: str, index: int) -> None:

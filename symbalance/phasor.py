@@ -217,7 +217,9 @@ class Phasor:
         for prime, *_ in _steps(self.modulus):
             while number.modulus % prime == 0 and all(k % prime == 0 for k in number.terms):
                 smaller = {k // prime: c for k, c in number.terms.items()}
-                number = Phasor(number.modulus // prime, _reduced(number.modulus // prime, smaller.items()))
+                number = Phasor(
+                    number.modulus // prime, _reduced(number.modulus // prime, smaller.items())
+                )
         return number
 
     def rational(self) -> Fraction | None:

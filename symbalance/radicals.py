@@ -17,11 +17,12 @@ from fractions import Fraction
 from functools import cache, lru_cache
 from itertools import product
 from math import gcd, lcm, prod
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from mpmath import mp
 
 from symbalance.phasor import Phasor, prime_factors
+from symbalance.rational import Real
 
 if TYPE_CHECKING:
     import sympy
@@ -52,7 +53,7 @@ def _cached_form(modulus: int, terms: tuple[tuple[int, int | Fraction], ...]) ->
     return form if form is not None else trigonometric_form(number)
 
 
-def evaluated(number: Phasor, digits: int) -> mp.mpf:
+def evaluated(number: Phasor, digits: int) -> Real:
     """Return a real cyclotomic number to `digits` significant digits, whatever cancels in it."""
     if number.is_zero():
         return mp.mpf(0)
@@ -61,7 +62,9 @@ def evaluated(number: Phasor, digits: int) -> mp.mpf:
     while True:
         with mp.workdps(working):
             value = mp.fsum(
-                mp.mpf(Fraction(c).numerator) / Fraction(c).denominator * mp.cospi(mp.mpf(2 * k) / number.modulus)
+                mp.mpf(Fraction(c).numerator)
+                / Fraction(c).denominator
+                * mp.cospi(mp.mpf(2 * k) / number.modulus)
                 for k, c in number.terms.items()
             )
             lost = mp.mpf(10) ** (digits + 5 - working) * size.numerator / size.denominator
@@ -82,10 +85,29 @@ def square_root_form(square: Phasor) -> sympy.Expr:
 
     form = exact_form(square)
     rational, root = form.as_coeff_Add()
+    radicand: Any
     factor, radicand = root.as_coeff_Mul()
     if radicand.is_Pow and radicand.exp == sympy.Rational(1, 2) and radicand.base.is_Rational:
         return _denested(rational, factor, radicand.base)
-    return sympy.sqrt(form)
+    return tidy_root(form)
+
+
+def tidy_root(form: sympy.Expr) -> sympy.Expr:
+    """Return the root of a positive number with the square factors of its content before it.
+
+    >>> import sympy
+    >>> tidy_root(sympy.Rational(5, 4) - sympy.sqrt(5) / 2)
+    sqrt(5 - 2*sqrt(5))/2
+    """
+    import sympy
+
+    content, rest = form.primitive()
+    outside, inside = sympy.S.One, sympy.S.One
+    for prime, power in sympy.factorrat(content).items():
+        half = int(power / 2)  # towards zero, so that an odd power of a denominator stays inside
+        outside *= sympy.Integer(prime) ** half
+        inside *= sympy.Integer(prime) ** (power - 2 * half)
+    return outside * sympy.sqrt(sympy.expand(inside * rest))
 
 
 def _denested(rational: sympy.Expr, factor: sympy.Expr, base: sympy.Expr) -> sympy.Expr:
@@ -94,7 +116,7 @@ def _denested(rational: sympy.Expr, factor: sympy.Expr, base: sympy.Expr) -> sym
 
     inner = sympy.sqrt(rational**2 - factor**2 * base)
     if not inner.is_Rational:
-        return sympy.sqrt(rational + factor * sympy.sqrt(base))
+        return tidy_root(rational + factor * sympy.sqrt(base))
     large, small = (rational + inner) / 2, (rational - inner) / 2
     return sympy.sqrt(large) + (1 if factor > 0 else -1) * sympy.sqrt(small)
 
@@ -127,7 +149,7 @@ def _part_form(part: Phasor, order: int) -> sympy.Expr:
         return sympy.Rational(value.numerator, value.denominator)
     square = radical_form(part.times(part).primitive())
     assert square is not None
-    return sympy.sqrt(square) if evaluated(part, 15) > 0 else -sympy.sqrt(square)
+    return tidy_root(square) if evaluated(part, 15) > 0 else -tidy_root(square)
 
 
 class _Character:
@@ -196,7 +218,8 @@ def _logarithms(
     if any(order * e % 4 for (_, order, _), e in zip(tables, exponents, strict=True)):
         return None
     return {
-        unit: sum(e * logs[unit % power] for (power, _, logs), e in zip(tables, exponents, strict=True)) % 4
+        unit: sum(e * logs[unit % power] for (power, _, logs), e in zip(tables, exponents, strict=True))
+        % 4
         for unit in units
     }
 

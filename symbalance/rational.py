@@ -10,8 +10,14 @@ import re
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Rational
+from typing import Any
+
+from mpmath import mp
 
 from symbalance.errors import SymbalanceError, shown
+
+Real = Any
+"""A decimal of many digits, an mpmath `mpf`: mpmath ships no types."""
 
 LARGEST = 10**9
 LARGEST_DENOMINATOR = 10**12
@@ -24,9 +30,9 @@ def exact(value: object, name: str) -> Fraction:
 
     >>> exact("360/7", "throw"), exact(0.1, "station"), exact("147.15/36.65", "ratio")
     (Fraction(360, 7), Fraction(1, 10), Fraction(2943, 733))
-    >>> exact("nan", "throw")
+    >>> exact("nan", "throw")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    symbalance.errors.SymbalanceError: throw = nan: must be a number or a fraction; write it like 120, 13.5 or "360/7"
+    symbalance.errors.SymbalanceError: throw = nan: must be a number or a fraction; ...
     """
     number = _read(value)
     if number is None:
@@ -68,10 +74,11 @@ def _from_text(text: str) -> Fraction | None:
     return Fraction(numerator) / below if below else None
 
 
-def plain(number: Fraction) -> str:
-    """Return a fraction as files write it.
+def decimal_text(value: Real, digits: int) -> str:
+    """Return an mpmath number to so many significant digits, exact zero as "0".
 
-    >>> plain(Fraction(5, 2)), plain(Fraction(-30))
-    ('5/2', '-30')
+    >>> from mpmath import mpf
+    >>> decimal_text(mpf(1) / 3, 5), decimal_text(mpf(0), 5)
+    ('0.33333', '0')
     """
-    return str(number)
+    return str(mp.nstr(value, digits)) if value else "0"

@@ -38,7 +38,7 @@ from typing import TYPE_CHECKING
 from mpmath import mp
 
 from symbalance.errors import SymbalanceError, shown
-from symbalance.rational import exact
+from symbalance.rational import Real, exact
 from symbalance.symbols import symbol
 
 if TYPE_CHECKING:
@@ -87,7 +87,10 @@ class Series:
         import sympy
 
         return sympy.Add(
-            *(sympy.Rational(c.numerator, c.denominator) * of ** (sign * p) for p, c in self.terms.items())
+            *(
+                sympy.Rational(c.numerator, c.denominator) * of ** (sign * p)
+                for p, c in self.terms.items()
+            )
         )
 
 
@@ -232,7 +235,7 @@ def exact_coefficient(order: int) -> sympy.Expr:
     """Return A_order exact in rho, as a SymPy expression with a hypergeometric function.
 
     >>> exact_coefficient(2).subs(symbol("rho"), 0.25).evalf(12)
-    0.254020069770
+    0.254025042307
     """
     import sympy
 
@@ -246,7 +249,7 @@ def exact_coefficient(order: int) -> sympy.Expr:
     return 4 * k**2 / rho * (1 + root) * sympy.binomial(sympy.S.Half, k) * q**k * tail
 
 
-def _rho_root_q(ratio: Fraction) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
+def _rho_root_q(ratio: Fraction) -> tuple[Real, Real, Real]:
     """Return rho, sqrt(1 - rho^2) and q to the working precision, however near rho is to 0 or 1."""
     over, under = ratio.numerator, ratio.denominator
     rho = mp.mpf(under) / over
@@ -254,7 +257,7 @@ def _rho_root_q(ratio: Fraction) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
     return rho, root, (rho / (1 + root)) ** 2
 
 
-def acceleration_value(order: int, ratio: Fraction, digits: int = 20) -> mp.mpf:
+def acceleration_value(order: int, ratio: Fraction, digits: int = 20) -> Real:
     """Return A_order for a rod ratio, exact in lambda, to `digits` significant digits."""
     if order % 2:
         return mp.mpf(order == 1)
@@ -265,7 +268,7 @@ def acceleration_value(order: int, ratio: Fraction, digits: int = 20) -> mp.mpf:
         return 4 * k * k / rho * (1 + root) * mp.binomial(mp.mpf(0.5), k) * q**k * tail
 
 
-def acceleration_values(order: int, ratio: Fraction, digits: int = 20) -> dict[int, mp.mpf]:
+def acceleration_values(order: int, ratio: Fraction, digits: int = 20) -> dict[int, Real]:
     """Return A_1 and every even A_n to `order`, exact in lambda, to `digits` significant digits.
 
     The c_k obey q (k - 3/2) c_{k-1} + (1 + q^2) k c_k + q (k + 3/2) c_{k+1} = 0 and are its minimal
@@ -285,7 +288,7 @@ def acceleration_values(order: int, ratio: Fraction, digits: int = 20) -> dict[i
     return dict(sorted(values.items()))
 
 
-def rod_angle_value(order: int, ratio: Fraction, digits: int = 20) -> mp.mpf:
+def rod_angle_value(order: int, ratio: Fraction, digits: int = 20) -> Real:
     """Return R_order for a rod ratio, exact in lambda, to `digits` significant digits."""
     if order % 2 == 0:
         return mp.mpf(0)

@@ -27,6 +27,7 @@ from mpmath import mp
 from symbalance.angles import SymbolPart, expression
 from symbalance.phasor import ZERO, Phasor
 from symbalance.radicals import evaluated, exact_form, square_root_form
+from symbalance.rational import Real
 
 if TYPE_CHECKING:
     import sympy
@@ -134,10 +135,12 @@ class Component:
             return None
         return _polar(self.number)
 
-    def decimal(self, digits: int = 30) -> tuple[mp.mpf, mp.mpf]:
+    def decimal(self, digits: int = 30) -> tuple[Real, Real]:
         """Return the two coefficients to `digits` significant digits each."""
-        if isinstance(self.number, SymbolicPhasor):
+        if isinstance(self.number, SymbolicPhasor) and self.number.parts:
             raise TypeError("a component with symbols has no decimal value")
+        if not isinstance(self.number, Phasor):
+            return mp.mpf(0), mp.mpf(0)
         return evaluated(self.number.real(), digits), evaluated(self.number.imaginary(), digits)
 
 

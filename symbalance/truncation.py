@@ -16,7 +16,13 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.slider_crank import acceleration_value, acceleration_values, checked_order, rod_angle_value
+from symbalance.rational import Real
+from symbalance.slider_crank import (
+    acceleration_value,
+    acceleration_values,
+    checked_order,
+    rod_angle_value,
+)
 
 SLOW = 0.9
 """Above this ratio of neighbouring terms the tail is found from the sum of all instead."""
@@ -26,13 +32,13 @@ RELATIVE = Fraction(1, 10**6)
 """The bound may exceed the largest error by this much of itself."""
 
 
-def left_out(order: int, ratio: Fraction, quantity: str = "acceleration") -> mp.mpf:
+def left_out(order: int, ratio: Fraction, quantity: str = "acceleration") -> Real:
     """Return a proved bound on |exact - harmonics to `order`| over all crank angles.
 
     Every coefficient is taken exact in lambda; units r, r omega, r omega^2, m r omega^2 or rad.
 
     >>> mp.nstr(left_out(6, Fraction(4)), 6)
-    '1.52541e-6'
+    '1.35724e-6'
     """
     checked_order(order)
     if quantity == "rod-angle":
@@ -45,7 +51,7 @@ def left_out(order: int, ratio: Fraction, quantity: str = "acceleration") -> mp.
     return rest / first if quantity == "velocity" else rest
 
 
-def _q(ratio: Fraction) -> mp.mpf:
+def _q(ratio: Fraction) -> Real:
     rho = mp.mpf(ratio.denominator) / ratio.numerator
     return (rho / (1 + mp.sqrt((1 - rho) * (1 + rho)))) ** 2
 
@@ -54,12 +60,12 @@ def _weight(quantity: str, n: int) -> Fraction:
     return {"displacement": Fraction(1, n * n), "velocity": Fraction(1, n)}.get(quantity, Fraction(1))
 
 
-def _size(quantity: str, n: int, ratio: Fraction) -> mp.mpf:
+def _size(quantity: str, n: int, ratio: Fraction) -> Real:
     weight = _weight(quantity, n)
     return abs(acceleration_value(n, ratio)) * weight.numerator / weight.denominator
 
 
-def _tail(first: int, ratio: Fraction, quantity: str, q: mp.mpf) -> mp.mpf:
+def _tail(first: int, ratio: Fraction, quantity: str, q: Real) -> Real:
     """Return the sum of the terms from `first` on, with the geometric rest added."""
     total, n = mp.mpf(0), first
     while True:
@@ -73,7 +79,7 @@ def _tail(first: int, ratio: Fraction, quantity: str, q: mp.mpf) -> mp.mpf:
         n += 2
 
 
-def _rest(first: int, ratio: Fraction, quantity: str) -> mp.mpf:
+def _rest(first: int, ratio: Fraction, quantity: str) -> Real:
     """Return the sum of all terms less those below `first`, with the digits that takes."""
     quantity = "acceleration" if quantity == "velocity" else quantity
     weights = {n: _weight(quantity, n) for n in range(2, first, 2)}
@@ -88,7 +94,7 @@ def _rest(first: int, ratio: Fraction, quantity: str) -> mp.mpf:
         digits *= 2
 
 
-def _sum_of_all(quantity: str, ratio: Fraction) -> mp.mpf:
+def _sum_of_all(quantity: str, ratio: Fraction) -> Real:
     rho = mp.mpf(ratio.denominator) / ratio.numerator
     root = mp.sqrt((1 - rho) * (1 + rho))
     if quantity == "displacement":
@@ -97,7 +103,7 @@ def _sum_of_all(quantity: str, ratio: Fraction) -> mp.mpf:
     return rho / root
 
 
-def _rod_angle_left_out(first: int, ratio: Fraction) -> mp.mpf:
+def _rod_angle_left_out(first: int, ratio: Fraction) -> Real:
     """Return sum |R_n| from `first` on: terms, then the tail of asin's own power series.
 
     Each power rho^p of asin(rho sin theta) spreads over the orders with weights that add up to 1, so
@@ -117,7 +123,7 @@ def _rod_angle_left_out(first: int, ratio: Fraction) -> mp.mpf:
             return (total + rest) * ROUNDING
 
 
-def _rod_angle_rest(first: int, ratio: Fraction) -> mp.mpf:
+def _rod_angle_rest(first: int, ratio: Fraction) -> Real:
     digits = 30
     while True:
         with mp.workdps(digits):

@@ -1,0 +1,1 @@
+"""Every measurement behind one command: `symbalance bench TOPIC`."""

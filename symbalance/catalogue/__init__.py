@@ -39,13 +39,22 @@ def presets() -> list[Preset]:
     """Return every preset with its description and source."""
     found = []
     for name in preset_names():
-        table = tomllib.loads(_text(name))
+        table = tomllib.loads(preset_text(name))
         found.append(Preset(name, table["description"], table["source"]))
     return found
 
 
-def _text(name: str) -> str:
+def preset_text(name: str) -> str:
+    """Return a preset's engine file."""
+    if name not in preset_names():
+        raise _unknown(name)
     return (_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def _unknown(name: str) -> SymbalanceError:
+    near = get_close_matches(name, preset_names(), 3, 0.4)
+    hint = f"did you mean {', '.join(near)}?" if near else "list them with: symbalance engines"
+    return SymbalanceError(f"engine {shown(name)!r}", "is no preset and no .toml file", hint)
 
 
 def load(engine: str | Path) -> Layout:
@@ -57,8 +66,4 @@ def load(engine: str | Path) -> Layout:
     name = str(engine)
     if isinstance(engine, Path) or name.endswith(".toml") or "/" in name or "\\" in name:
         return read_engine_file(engine)
-    if name not in preset_names():
-        near = get_close_matches(name, preset_names(), 3, 0.4)
-        hint = f"did you mean {', '.join(near)}?" if near else "list them with: symbalance engines"
-        raise SymbalanceError(f"engine {shown(name)!r}", "is no preset and no .toml file", hint)
-    return parse_engine(_text(name), f"{name}.toml")
+    return parse_engine(preset_text(name), f"{name}.toml")

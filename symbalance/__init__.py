@@ -1,0 +1,90 @@
+"""symbalance: exact free forces and couples of piston engines, as formulas, tables and functions.
+
+    >>> import symbalance as sb
+    >>> v12 = sb.balance(sb.load("v12-60"))
+    >>> [(o.order, o.force.vertical.amplitude) for o in v12.orders]
+    [(6, 6*sqrt(3)), (12, 6*sqrt(3))]
+
+Every public name is loaded when it is first used, so that importing the package costs nothing.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "Angle": "angles",
+    "degrees": "angles",
+    "Cylinder": "layout",
+    "Layout": "layout",
+    "CrankTrain": "layout",
+    "from_firing_order": "builders",
+    "inline": "builders",
+    "vee": "builders",
+    "boxer": "builders",
+    "w": "builders",
+    "radial": "builders",
+    "load": "catalogue",
+    "presets": "catalogue",
+    "balance": "balance",
+    "Balance": "balance",
+    "harmonics": "slider_crank",
+    "exact_coefficient": "slider_crank",
+    "left_out": "truncation",
+    "inline_sum": "summation",
+    "inline_couple": "summation",
+    "derive": "derivation",
+    "to_text": "tables.text_table",
+    "to_latex": "tables.latex_document",
+    "to_json": "tables.json_document",
+    "to_function": "numeric",
+    "SymbalanceError": "errors",
+    "symbol": "symbols",
+}
+
+__all__ = [*_HOMES, "__version__"]  # pyright: ignore[reportUnsupportedDunderAll]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'symbalance' has no attribute {name!r}")
+    value = getattr(import_module(f"symbalance.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_HOMES})
+
+
+if TYPE_CHECKING:
+    from symbalance.angles import Angle as Angle
+    from symbalance.angles import degrees as degrees
+    from symbalance.balance import Balance as Balance
+    from symbalance.balance import balance as balance
+    from symbalance.builders import boxer as boxer
+    from symbalance.builders import from_firing_order as from_firing_order
+    from symbalance.builders import inline as inline
+    from symbalance.builders import radial as radial
+    from symbalance.builders import vee as vee
+    from symbalance.builders import w as w
+    from symbalance.catalogue import load as load
+    from symbalance.catalogue import presets as presets
+    from symbalance.derivation import derive as derive
+    from symbalance.errors import SymbalanceError as SymbalanceError
+    from symbalance.layout import CrankTrain as CrankTrain
+    from symbalance.layout import Cylinder as Cylinder
+    from symbalance.layout import Layout as Layout
+    from symbalance.numeric import to_function as to_function
+    from symbalance.slider_crank import exact_coefficient as exact_coefficient
+    from symbalance.slider_crank import harmonics as harmonics
+    from symbalance.summation import inline_couple as inline_couple
+    from symbalance.summation import inline_sum as inline_sum
+    from symbalance.symbols import symbol as symbol
+    from symbalance.tables.json_document import to_json as to_json
+    from symbalance.tables.latex_document import to_latex as to_latex
+    from symbalance.tables.text_table import to_text as to_text
+    from symbalance.truncation import left_out as left_out

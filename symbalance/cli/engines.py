@@ -1,0 +1,26 @@
+"""`symbalance engines`: the presets."""
+
+from __future__ import annotations
+
+import argparse
+from textwrap import wrap
+
+from symbalance.cli.output import write
+
+
+def run(options: argparse.Namespace) -> int:
+    """List the presets, or print one's engine file."""
+    from symbalance.catalogue import preset_text, presets
+
+    if options.show is not None:
+        write(preset_text(options.show), None)
+        return 0
+    found = presets()
+    width = max(len(p.name) for p in found)
+    lines = []
+    for preset in found:
+        about = wrap(preset.description, 77 - width) + wrap(f"[{preset.source}]", 77 - width)
+        lines.append(f"{preset.name:<{width}}  {about[0]}")
+        lines += [" " * (width + 2) + line for line in about[1:]]
+    write("\n".join(lines) + "\n", None)
+    return 0

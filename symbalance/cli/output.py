@@ -1,0 +1,76 @@
+"""Where results go: stdout, or a file that appears whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+import tempfile
+from contextlib import suppress
+from pathlib import Path
+
+from symbalance.errors import SymbalanceError
+
+
+def whole_number(text: str, name: str) -> int:
+    """Return an option's value as an integer; ranges are checked where it is used."""
+    stripped = text.strip()
+    digits = stripped.removeprefix("-").removeprefix("+")
+    if not (digits.isascii() and digits.isdigit() and len(digits) <= 18):
+        shown = text if len(text) <= 40 else text[:20] + "..."
+        raise SymbalanceError(
+            f"--{name} = {shown}", "must be a whole number", f"write it like --{name} 12"
+        )
+    return int(stripped)
+
+
+def write(text: str, output: str | None) -> None:
+    """Write `text` to stdout (None or "-") or to the file `output`, replaced in one step."""
+    if output in (None, "-"):
+        _to_stdout(text)
+        return
+    try:
+        _to_file(text, Path(os.path.realpath(output)))
+    except (OSError, ValueError) as problem:
+        reason = getattr(problem, "strerror", None) or str(problem)
+        raise SymbalanceError(
+            f"--output {output}",
+            f"cannot be written ({reason})",
+            "name a file in a folder you may write to",
+        ) from None
+
+
+def _to_stdout(text: str) -> None:
+    encoding = sys.stdout.encoding or "utf-8"
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        text = text.encode(encoding, "replace").decode(encoding)
+    sys.stdout.write(text)
+
+
+def _to_file(text: str, path: Path) -> None:
+    if path.is_dir():
+        raise OSError(0, "it is a directory")
+    if path.exists() and not stat.S_ISREG(path.stat().st_mode):  # a device or a pipe: nothing to replace
+        path.write_text(text, encoding="utf-8")
+        return
+    if path.exists() and not os.access(path, os.W_OK):
+        raise OSError(0, "it is write-protected")
+    mode = stat.S_IMODE(path.stat().st_mode) if path.exists() else 0o666 & ~_umask()
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        os.chmod(temporary, mode)
+        os.replace(temporary, path)
+    except BaseException:
+        with suppress(OSError):
+            os.unlink(temporary)
+        raise
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -1,0 +1,102 @@
+"""The commands and their options; what each does is imported when it runs."""
+
+from __future__ import annotations
+
+import argparse
+from importlib import import_module
+from typing import NoReturn
+
+from symbalance.errors import SymbalanceError
+
+QUANTITIES = ("displacement", "velocity", "acceleration", "force", "rod-angle")
+CONVENTIONS = ("l/r", "r/l", "l/s")
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose refusals are one line, like every other refusal."""
+
+    def error(self, message: str) -> NoReturn:
+        raise SymbalanceError(self.prog, message, f"see {self.prog} --help")
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """Return the parser of the whole command line."""
+    parser = _Parser(
+        prog="symbalance",
+        description="Exact free forces and couples of piston engines.",
+        epilog="Try: symbalance balance v12-60",
+        allow_abbrev=False,
+    )
+    parser.add_argument("--version", action=_Version, nargs=0, help="print the version and exit")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    _add_balance(commands)
+    _add_derive(commands)
+    _add_engines(commands)
+    _add_bench(commands)
+    return parser
+
+
+class _Version(argparse.Action):
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> NoReturn:
+        from symbalance import __version__
+
+        print(f"symbalance {__version__}")
+        parser.exit()
+
+
+def _command(commands: argparse._SubParsersAction, name: str, summary: str) -> argparse.ArgumentParser:
+    parser = commands.add_parser(name, help=summary, description=summary, allow_abbrev=False)
+    parser.set_defaults(run=lambda options: import_module(f"symbalance.cli.{name}").run(options))
+    return parser
+
+
+def _add_output(parser: argparse.ArgumentParser, formats: tuple[str, ...]) -> None:
+    parser.add_argument("--format", choices=formats, default="text", help="default: text")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of the terminal")
+
+
+def _add_balance(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "balance", "Free forces and couples of an engine, order by order, exactly."
+    )
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument(
+        "--order", metavar="N", default="12", help="highest order, 1 to 1000; default: 12"
+    )
+    parser.add_argument(
+        "--power",
+        metavar="P",
+        help="highest power of 1/λ in the printed series; default: two terms an order",
+    )
+    parser.add_argument(
+        "--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's: 4, 3.7 or 147.15/36.65"
+    )
+    _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_derive(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "derive", "The harmonics of one slider-crank, derived as by hand.")
+    parser.add_argument("--quantity", choices=QUANTITIES, default="force", help="default: force")
+    parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
+    parser.add_argument(
+        "--convention",
+        choices=CONVENTIONS,
+        default="l/r",
+        help="what is expanded in: λ = l/r, ρ = r/l or λ = l/s (s the stroke); default: l/r",
+    )
+    _add_output(parser, ("text", "latex"))
+
+
+def _add_engines(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "engines", "The preset engines, with their sources.")
+    parser.add_argument(
+        "--show", metavar="NAME", help="print a preset's engine file, to start your own from"
+    )
+
+
+def _add_bench(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "bench", "Measurements on this machine, against named alternatives.")
+    parser.add_argument("topic", choices=("derive",), help="what to measure")
+    parser.add_argument(
+        "--quick", action="store_true", help="fewer repeats, and no alternative over 10 s"
+    )

@@ -1,0 +1,183 @@
+"""The steps of a derivation that collect the harmonics, differentiate them and state the result."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.derivation.setting import (
+    LONGEST_IN_FULL,
+    OMEGA,
+    PHI,
+    THETA,
+    M,
+    Prose,
+    Setting,
+    Step,
+    X,
+    harmonic,
+    prose,
+    unit,
+)
+from symbalance.notation.formula import (
+    DOTS,
+    Binomial,
+    Equation,
+    Formula,
+    Indexed,
+    Monomial,
+    Name,
+    Number,
+    Over,
+    Sum,
+    Times,
+    equal,
+)
+from symbalance.notation.series import CONVENTIONS, monomials
+from symbalance.slider_crank import Harmonics, Series, harmonics
+
+V, A, F = map(Name, "vaF")
+LETTER = {"displacement": "B", "velocity": "V", "acceleration": "A", "force": "A", "rod-angle": "R"}
+"""What a quantity's coefficients are called."""
+_TITLES = {
+    "velocity": "Differentiated once",
+    "acceleration": "Differentiated twice",
+    "force": "Differentiated twice, times the mass",
+}
+_OPENING = {"displacement": 4, "velocity": 3, "acceleration": 3, "force": 3, "rod-angle": 3}
+"""How many terms a long sum shows before its dots."""
+
+Parts = tuple[Prose | Equation, ...]
+
+
+def collection_steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:
+    """Return the step that collects the harmonics and, but for displacement and angle, the derivatives."""
+    if setting.quantity not in _TITLES:
+        left = PHI if setting.rod_angle else X
+        parts = _result(setting, found, left, ())
+        return (Step("Collected harmonics", (*_beyond(setting), *parts)),)
+    before = Step("Collected harmonics", (*_beyond(setting), *_stage("displacement", setting, X, (), 3)))
+    return before, Step(_TITLES[setting.quantity], _derivatives(setting, found))
+
+
+def _derivatives(setting: Setting, found: Harmonics) -> Parts:
+    """Return v = omega dx/d theta, a = omega dv/d theta and F = m a, as far as asked for."""
+    words = prose("The crank turns at the constant speed ", equal(OMEGA, _rate("dtheta", "dt")), ":")
+    to_v = (_rate("dx", "dt"), OMEGA * _rate("dx", "dtheta"))
+    to_a = (_rate("dv", "dt"), OMEGA * _rate("dv", "dtheta"))
+    if setting.quantity == "velocity":
+        return words, *_result(setting, found, V, to_v)
+    velocity = _stage("velocity", setting, V, to_v, 0)
+    if setting.quantity == "acceleration":
+        return words, *velocity, *_result(setting, found, A, to_a)
+    mass = prose(
+        "The reciprocating mass ", M, " answers with the inertia force ", F, " on the engine,"
+        " positive away from the crank:"
+    )  # fmt: skip
+    acceleration = _stage("acceleration", setting, A, to_a, 0)
+    return words, *velocity, *acceleration, mass, *_result(setting, found, F, (M * A,))
+
+
+def _rate(over: str, under: str) -> Formula:
+    return Name(over) / Name(under)
+
+
+def _beyond(setting: Setting) -> Parts:
+    """Return what becomes of harmonics above the order asked for, where powers bring some."""
+    if setting.last <= setting.order:
+        return ()
+    return (prose(f"The harmonics above order {setting.order} are left out from here on."),)
+
+
+def _stage(
+    quantity: str, setting: Setting, left: Formula, via: tuple[Formula, ...], listed: int
+) -> Parts:
+    """Return an intermediate quantity: in full, or of a long derivation with `listed` coefficients."""
+    stage = Setting(quantity, setting.order, setting.power, setting.convention)
+    if not setting.long:
+        return (_equation(stage, harmonics(quantity, stage.order, stage.power), left, via),)
+    equation = _long_equation(stage, left, via)
+    if not listed:
+        return (equation,)
+    few = harmonics(quantity, min(stage.order, 2 * listed), min(stage.power, 2 * listed + 1))
+    rows = {n: Series(dict(sorted(s.terms.items())[:2]), s.through) for n, s in few.terms.items()}
+    words = prose("with coefficients whose first terms are")
+    after = prose("and so on; the last step has their general term.")
+    return (equation, words, *_coefficients(stage, Harmonics(quantity, "cos", few.constant, rows)), after)
+
+
+def _result(setting: Setting, found: Harmonics, left: Formula, via: tuple[Formula, ...]) -> Parts:
+    """Return the quantity asked for: in full, or of a long derivation as a list of coefficients."""
+    if not setting.long:
+        return (_equation(setting, found, left, via),)
+    words = "with, to two terms of each (the dots stand for higher powers, of the same sign),"
+    parts: Parts = (_long_equation(setting, left, via), prose(words))
+    if setting.order > LONGEST_IN_FULL:
+        more = f"Above order {LONGEST_IN_FULL} the fractions are left as the general term gives them."
+        return (*parts, *_coefficients(setting, found), prose(more))
+    return (*parts, *_coefficients(setting, found))
+
+
+# In full ----------------------------------------------------------------------------------------
+
+
+def _equation(setting: Setting, found: Harmonics, left: Formula, via: tuple[Formula, ...]) -> Equation:
+    terms = list(monomials(found.constant, setting.convention))
+    signed: list[tuple[int, Formula]] = [(sign, term) for sign, term in terms]
+    signed += [_term(setting, harmonic(found.function, n), series) for n, series in found.terms.items()]
+    return Equation(left, (*(("=", each) for each in via), ("≈", _in_units(setting, signed))))
+
+
+def _term(setting: Setting, angle: Formula, series: Series) -> tuple[int, Formula]:
+    """Return coefficient times harmonic, with the sign that all terms of the coefficient share."""
+    rows = list(monomials(series, setting.convention))
+    sign, first = rows[0]
+    if len(rows) > 1:
+        return sign, Sum(tuple((1, term) for _, term in rows)) * angle
+    return sign, angle if first.coefficient == 1 and first.exponent == 0 else first * angle
+
+
+def _in_units(setting: Setting, terms: list[tuple[int, Formula]]) -> Formula:
+    (sign, first), *rest = terms
+    inside = first if sign > 0 and not rest else Sum(tuple(terms))
+    return inside if setting.rod_angle else setting.unit() * inside
+
+
+# Shortened --------------------------------------------------------------------------------------
+
+
+def _long_equation(setting: Setting, left: Formula, via: tuple[Formula, ...]) -> Equation:
+    """Return quantity = unit (first terms + ... + last term) with lettered coefficients."""
+    letter, sign = LETTER[setting.quantity], -1 if setting.quantity == "displacement" else 1
+    function = "sin" if setting.quantity in ("velocity", "rod-angle") else "cos"
+    rows: list[tuple[int, Formula]] = [
+        (sign, _letter(letter, n) * harmonic(function, n) if n > 1 or setting.rod_angle else harmonic(function, n))
+        for n in setting.orders()
+    ]
+    if setting.quantity == "displacement":
+        rows.insert(0, (1, _letter("X", 0)))
+    opening = _OPENING[setting.quantity]
+    if len(rows) > opening + 2:
+        rows = [*rows[:opening], (sign, DOTS), rows[-1]]
+    return Equation(left, (*(("=", each) for each in via), ("≈", _in_units(setting, rows))))
+
+
+def _letter(letter: str, n: int) -> Indexed:
+    return Indexed(letter, Number(n))
+
+
+def _coefficients(setting: Setting, found: Harmonics) -> list[Equation]:
+    """Return one line per coefficient."""
+    rows: list[Equation] = []
+    if setting.quantity == "displacement":
+        rows.append(_coefficient(setting, _letter("X", 0), list(monomials(found.constant, setting.convention))[:2]))
+    turned = -1 if setting.quantity == "displacement" else 1
+    for n, series in found.terms.items():
+        if n > 1 or setting.rod_angle:
+            terms = _closed(setting, n, series) if n > LONGEST_IN_FULL else _reduced(setting, series)
+            signed = [(turned * sign, term) for sign, term in terms]
+            rows.append(_coefficient(setting, _letter(LETTER[setting.quantity], n), signed))
+    return rows
+
+
+def _coefficient(setting: Setting, left: Formula, terms: list[tuple[int, Formula]]) -> Equation:
+    return equal(left, Sum((*terms, (terms[-1][0], DOTS))))

@@ -1,0 +1,172 @@
+r"""Letters and series in print: LaTeX and Unicode text, straight from integers.
+
+A series in powers of 1/lambda is written in one of three conventions:
+
+==========  ======================  =============================
+convention  letter                  in terms of the rod ratio l/r
+==========  ======================  =============================
+l/r         lambda, in its inverse  itself
+r/l         rho, in its powers      its inverse
+l/s         lambda, in its inverse  half of it: the stroke is 2 r
+==========  ======================  =============================
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from symbalance.errors import SymbalanceError, shown
+from symbalance.notation.formula import Monomial
+from symbalance.slider_crank import Series
+from symbalance.symbols import MEANINGS
+
+
+class Convention(NamedTuple):
+    """How rho = r/l is written: rho^p = letter^(direction p) / scale^p."""
+
+    letter: str
+    direction: int
+    scale: int
+
+
+CONVENTIONS = {
+    "l/r": Convention("lam", -1, 1),
+    "r/l": Convention("rho", 1, 1),
+    "l/s": Convention("lam", -1, 2),
+}
+
+TEXT_NAMES = {
+    **{"theta": "θ", "lam": "λ", "rho": "ρ", "omega": "ω", "phi": "φ", "pi": "π", "kappa": "κ"},
+    **{"Delta": "Δ", "dots": "…", "dtheta": "dθ"},
+}
+LATEX_NAMES = {
+    **{name: rf"\{name}" for name in ("phi", "pi", "kappa", "Delta")},
+    **{name: meaning.latex for name, meaning in MEANINGS.items()},
+    **{"dots": r"\cdots", "dtheta": r"d\theta"},
+}
+_RAISED = str.maketrans("0123456789+−()kmnij", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᵏᵐⁿⁱʲ", " ")
+_LOWERED = str.maketrans("0123456789+−()kmnij", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ₖₘₙᵢⱼ", " ")
+
+
+def convention_named(name: str) -> Convention:
+    """Return a convention, or refuse a name that is none.
+
+    >>> convention_named("l/s").scale
+    2
+    """
+    if name not in CONVENTIONS:
+        rule = f"must be one of {', '.join(CONVENTIONS)}"
+        raise SymbalanceError(f"convention = {shown(name)}", rule, "l/r is the default")
+    return CONVENTIONS[name]
+
+
+def monomials(series: Series, convention: str = "l/r") -> Iterator[tuple[int, Monomial]]:
+    """Yield a series' terms with their signs, lowest power first.
+
+    >>> list(monomials(Series({1: Fraction(-1, 4)}, 1), "l/s"))
+    [(-1, Monomial(coefficient=Fraction(1, 8), letter='lam', exponent=-1, of=None))]
+    """
+    letter, direction, scale = convention_named(convention)
+    for power, coefficient in sorted(series.terms.items()):
+        size = abs(coefficient) if scale == 1 else abs(coefficient) / scale**power
+        yield (1 if coefficient > 0 else -1), Monomial(size, letter, direction * power)
+
+
+def series_text(series: Series, convention: str = "l/r", *, ellipsis: bool = False) -> str:
+    """Return a series as Unicode text; `ellipsis` marks that an incomplete one goes on.
+
+    >>> from symbalance.slider_crank import acceleration_series
+    >>> series_text(acceleration_series(6, through=7))
+    '9/(128λ⁵) + 45/(512λ⁷)'
+    >>> series_text(acceleration_series(4, through=5), "r/l", ellipsis=True)
+    '−ρ³/4 − 3ρ⁵/16 − …'
+    """
+    terms = [(sign, monomial_text(term)) for sign, term in monomials(series, convention)]
+    return signed(_going_on(terms, series, "…", ellipsis), "−")
+
+
+def series_latex(series: Series, convention: str = "l/r", *, ellipsis: bool = False) -> str:
+    r"""Return a series as LaTeX; `ellipsis` marks that an incomplete one goes on.
+
+    >>> from symbalance.slider_crank import acceleration_series
+    >>> print(series_latex(acceleration_series(6, through=7)))
+    \frac{9}{128 \lambda^{5}} + \frac{45}{512 \lambda^{7}}
+    >>> print(series_latex(acceleration_series(2, through=1), "l/s", ellipsis=True))
+    \frac{1}{2 \lambda} + \cdots
+    """
+    terms = [(sign, monomial_latex(term)) for sign, term in monomials(series, convention)]
+    return signed(_going_on(terms, series, r"\cdots", ellipsis), "-")
+
+
+def _going_on(
+    terms: list[tuple[int, str]], series: Series, dots: str, ellipsis: bool
+) -> list[tuple[int, str]]:
+    """Return the terms with dots after them, signed as the last term is, where they go on."""
+    if ellipsis and not series.complete:
+        return [*terms, (terms[-1][0] if terms else 1, dots)]
+    return terms or [(1, "0")]
+
+
+def signed(terms: Iterable[tuple[int, str]], minus: str) -> str:
+    """Return printed terms joined by their signs.
+
+    >>> signed([(-1, "a"), (1, "b")], "-")
+    '-a + b'
+    """
+    (sign, first), *rest = terms
+    head = first if sign > 0 else minus + first
+    return head + "".join(f" {'+' if s > 0 else minus} {term}" for s, term in rest)
+
+
+def monomial_text(term: Monomial, of: str = "") -> str:
+    """Return one term as text; `of` is a printed factor that joins the numerator.
+
+    >>> monomial_text(Monomial(Fraction(3, 8), "lam", -3), "sin⁴θ")
+    '3 sin⁴θ/(8λ³)'
+    """
+    over, under = str(term.coefficient.numerator), str(term.coefficient.denominator)
+    letter = TEXT_NAMES[term.letter] + (raised(str(abs(term.exponent))) if abs(term.exponent) > 1 else "")
+    if term.exponent > 0:
+        over = letter if over == "1" else over + letter
+    elif term.exponent < 0:
+        under = letter if under == "1" else f"({under}{letter})"
+    if of:
+        over = of if over == "1" else f"{over} {of}"
+    return over if under == "1" else f"{over}/{under}"
+
+
+def monomial_latex(term: Monomial, of: str = "") -> str:
+    r"""Return one term as LaTeX; `of` is a printed factor that joins the numerator.
+
+    >>> print(monomial_latex(Monomial(Fraction(3, 8), "rho", 3)))
+    \frac{3 \rho^{3}}{8}
+    """
+    over, under = str(term.coefficient.numerator), str(term.coefficient.denominator)
+    letter = LATEX_NAMES[term.letter] + (f"^{{{abs(term.exponent)}}}" if abs(term.exponent) > 1 else "")
+    if term.exponent > 0:
+        over = letter if over == "1" else f"{over} {letter}"
+    elif term.exponent < 0:
+        under = letter if under == "1" else f"{under} {letter}"
+    if of:
+        over = of if over == "1" else f"{over} {of}"
+    return over if under == "1" else rf"\frac{{{over}}}{{{under}}}"
+
+
+def raised(printed: str) -> str:
+    """Return text as a superscript.
+
+    >>> raised("2m − 1")
+    '²ᵐ⁻¹'
+    """
+    return printed.translate(_RAISED)
+
+
+def lowered(printed: str) -> str:
+    """Return text as a subscript.
+
+    >>> lowered("2k")
+    '₂ₖ'
+    """
+    return printed.translate(_LOWERED)

@@ -1,0 +1,106 @@
+"""What both printed tables say of an engine before the numbers, and how a component becomes a row."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy
+from mpmath import mp
+
+from symbalance.balance import Balance, Order, Resultant
+from symbalance.layout import Layout
+from symbalance.rational import Real, decimal_text
+from symbalance.spectrum import Component, SymbolicPhasor
+
+SHOWN_DIGITS = 6
+
+
+@dataclass(frozen=True)
+class Row:
+    """One component of one order, exact and (where it has no symbols) in decimals."""
+
+    order: int
+    name: str
+    component: Component
+
+    @property
+    def has_symbols(self) -> bool:
+        """Whether the component depends on a symbolic angle."""
+        return isinstance(self.component.number, SymbolicPhasor)
+
+    def decimals(self) -> tuple[str, str, str, str] | None:
+        """Return cos, sin, amplitude and phase in decimals, or None with symbols in them."""
+        if self.has_symbols:
+            return None
+        cos, sin = self.component.decimal(SHOWN_DIGITS + 10)
+        values = (cos, sin, mp.hypot(cos, sin), mp.atan2(sin, cos))
+        cos_text, sin_text, amplitude, phase = (shown(v) for v in values)
+        return cos_text, sin_text, amplitude, phase
+
+    def exact(self) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, sympy.Expr]:
+        """Return cos, sin, amplitude and phase exactly."""
+        part = self.component
+        return part.cos, part.sin, part.amplitude, part.phase
+
+
+def rows(balance: Balance, resultant: str) -> list[Row]:
+    """Return the vertical and lateral parts of the force or the couple that do not vanish, by order."""
+    return [
+        Row(order.order, name, part)
+        for order in balance.orders
+        for name in ("vertical", "lateral")
+        if not (part := _of(order, resultant).component(name)).is_zero()
+    ]
+
+
+def rotating(balance: Balance, resultant: str) -> list[tuple[Row, Row]]:
+    """Return each order's forward and backward part; empty where all is in one plane.
+
+    There every order is two equal halves, one turning with the crank and one against it, each with
+    half the amplitude and the phase of the whole.
+    """
+    if len({row.name for row in rows(balance, resultant)}) < 2:
+        return []
+    pairs = []
+    for order in balance.orders:
+        whole = _of(order, resultant)
+        if not whole.is_zero():
+            forward = Row(order.order, "forward", whole.forward)
+            pairs.append((forward, Row(order.order, "backward", whole.backward)))
+    return pairs
+
+
+def _of(order: Order, resultant: str) -> Resultant:
+    return order.force if resultant == "force" else order.couple
+
+
+IN_ONE_PLANE = "each order is two equal halves, turning with and against the crank"
+
+
+def shown(value: Real, digits: int = SHOWN_DIGITS) -> str:
+    """Return a decimal as tables print it.
+
+    >>> shown(mp.mpf("7.43790327e-5")), shown(mp.mpf(3))
+    ('7.4379e-5', '3')
+    """
+    text = decimal_text(value, digits)
+    mantissa, *exponent = text.split("e")
+    mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    return "e".join([mantissa, *exponent])
+
+
+def strokes(layout: Layout) -> str:
+    """Return "four-stroke" or "two-stroke"."""
+    return {2: "two-stroke", 4: "four-stroke"}[layout.strokes]
+
+
+def banks(layout: Layout) -> list[str]:
+    """Return the bank angles, each once, as they stand in the layout."""
+    return list(dict.fromkeys(c.bank.as_text() for c in layout.cylinders))
+
+
+def plane(balance: Balance) -> str:
+    """Return what couples are taken about."""
+    if balance.reference is None:
+        return "the mean of all stations"
+    return f"station {balance.reference}"

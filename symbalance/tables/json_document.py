@@ -1,0 +1,75 @@
+"""A balance as JSON, for other programs: every number exact, as a string that SymPy reads."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from symbalance.balance import Balance, Order, Resultant
+from symbalance.layout import Cylinder
+from symbalance.rational import decimal_text
+from symbalance.spectrum import COMPONENTS, Component, SymbolicPhasor
+
+DIGITS = 30
+VALUE_DIGITS = 20
+
+
+def to_json(balance: Balance) -> str:
+    """Return a balance as a JSON document; `json.loads` of it is made of strings, lists and dicts."""
+    return json.dumps(document(balance), indent=1, ensure_ascii=False)
+
+
+def document(balance: Balance) -> dict[str, Any]:
+    """Return what `to_json` writes, as plain Python values."""
+    plane = "mean of stations" if balance.reference is None else f"station {balance.reference}"
+    return {
+        "engine": balance.layout.name,
+        "strokes": balance.layout.strokes,
+        "ratio": None if balance.ratio is None else str(balance.ratio),
+        "reference_plane": plane,
+        "cylinders": [_cylinder(c) for c in balance.layout.cylinders],
+        "orders": [_order(order, balance) for order in balance.orders],
+    }
+
+
+def _cylinder(cylinder: Cylinder) -> dict[str, Any]:
+    return {
+        "number": cylinder.number,
+        "throw": cylinder.throw.as_text(),
+        "bank": cylinder.bank.as_text(),
+        "station": str(cylinder.station),
+        "fires": None if cylinder.fires is None else str(cylinder.fires),
+    }
+
+
+def _order(order: Order, balance: Balance) -> dict[str, Any]:
+    value = balance.values.get(order.order)
+    return {
+        "order": str(order.order),
+        "coefficient": {
+            "series": str(order.coefficient.in_lam()),
+            "through": order.coefficient.through,
+            "value": None if value is None else decimal_text(value, VALUE_DIGITS),
+        },
+        "force": _resultant(order.force),
+        "couple": _resultant(order.couple),
+    }
+
+
+def _resultant(resultant: Resultant) -> dict[str, Any]:
+    return {name: _component(resultant.component(name)) for name in COMPONENTS}
+
+
+def _component(component: Component) -> dict[str, Any]:
+    symbolic = isinstance(component.number, SymbolicPhasor) and not component.is_zero()
+    return {
+        "cos": str(component.cos),
+        "sin": str(component.sin),
+        "amplitude": str(component.amplitude),
+        "phase": str(component.phase),
+        "decimal": None if symbolic else _decimal(component),
+    }
+
+
+def _decimal(component: Component) -> list[str]:
+    return [decimal_text(x, DIGITS) for x in component.decimal(DIGITS)]

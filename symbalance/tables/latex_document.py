@@ -1,0 +1,251 @@
+r"""Results as LaTeX: amsmath and booktabs only, the conventions stated, nothing that runs off a page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import singledispatch
+from typing import Any
+
+import sympy
+
+from symbalance.balance import Balance
+from symbalance.derivation import Derivation, derivation_latex
+from symbalance.errors import SymbalanceError
+from symbalance.notation import series_latex
+from symbalance.slider_crank import Series
+from symbalance.spectrum import Component
+from symbalance.tables.expressions import latex
+from symbalance.tables.facts import IN_ONE_PLANE, Row, banks, plane, rotating, rows, shown, strokes
+
+ROWS_PER_TABLE = 36
+LONGEST_CELL = 34
+"""A cell whose LaTeX is longer than this prints its decimal, and its exact form below the table."""
+
+_PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{lmodern}
+\usepackage[margin=22mm]{geometry}
+\usepackage{amsmath}
+\usepackage{booktabs}
+\setlength{\parindent}{0pt}
+\allowdisplaybreaks
+\begin{document}
+"""
+
+
+def in_document(body: str) -> str:
+    """Return a complete document around a fragment."""
+    return f"{_PREAMBLE}{body.rstrip()}\n\\end{{document}}\n"
+
+
+@singledispatch
+def to_latex(result: Any, *, standalone: bool = False) -> str:
+    r"""Return LaTeX of a balance, a derivation, a component, a coefficient series or an expression.
+
+    `standalone` wraps a balance or a derivation in a complete document; a fragment needs amsmath and
+    booktabs. Components, series and expressions give a formula for math mode.
+
+    >>> from symbalance.slider_crank import acceleration_series
+    >>> print(to_latex(acceleration_series(6, 7)))
+    \frac{9}{128 \lambda^{5}} + \frac{45}{512 \lambda^{7}} + \cdots
+    """
+    raise SymbalanceError(type(result).__name__, "has no LaTeX form", "give a balance or a derivation")
+
+
+@to_latex.register
+def _(result: Series, *, standalone: bool = False) -> str:
+    return series_latex(result, ellipsis=True)
+
+
+@to_latex.register
+def _(result: sympy.Expr, *, standalone: bool = False) -> str:
+    return latex(result)
+
+
+@to_latex.register
+def _(result: Component, *, standalone: bool = False) -> str:
+    return rf"{latex(result.cos)} \cos n\theta + {_bracketed(latex(result.sin))} \sin n\theta"
+
+
+def _bracketed(formula: str) -> str:
+    return rf"\left({formula}\right)" if formula.startswith("-") or " + " in formula else formula
+
+
+@to_latex.register
+def _(result: Derivation, *, standalone: bool = False) -> str:
+    return derivation_latex(result, standalone=standalone)
+
+
+@to_latex.register
+def _(result: Balance, *, standalone: bool = False) -> str:
+    force = _resultant(result, "force", r"Free force, unit \(F_n = A_n\, m r \omega^2\)")
+    couple = _resultant(result, "couple", rf"Free couple about {plane(result)}, unit \(F_n a\)")
+    body = "\n\n".join([_heading(result), force, couple, _coefficients(result)])
+    return in_document(body) if standalone else body + "\n"
+
+
+def _escaped(text: str) -> str:
+    """Return text with what LaTeX reads as a command taken literally; other scripts as a question mark."""
+    table = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+    table |= {c: f"\\{c}" for c in "&%$#_{}"}
+    table |= {"°": r"\textdegree{}", "–": "--", "−": r"\(-\)"}
+    return "".join(table.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
+
+
+def _heading(balance: Balance) -> str:
+    layout = balance.layout
+    angles = ", ".join(_angle(bank) for bank in banks(layout))
+    count = len(layout.cylinders)
+    order = layout.firing_order()
+    fires = f", firing {'-'.join(map(str, order))}" if order and count > 1 else ""
+    ratio = (
+        "" if balance.ratio is None else rf", here \(\lambda = {latex(sympy.sympify(balance.ratio))}\)"
+    )
+    return "\n".join(
+        [
+            rf"\textbf{{{_escaped(layout.name)}}}: {strokes(layout)}, {count} cylinder{'s' * (count > 1)},",
+            rf"bank angles {angles}{fires}.\\",
+            rf"Convention: \(\lambda = l/r\), connecting rod length over crank radius{ratio};",
+            r"\(\theta\) is the crank angle, angles positive in the sense of rotation from straight up,",
+            r"forces positive upwards and to the right, seen from the front; couples positive with the front",
+            r"pushed up or right. Order \(n\) reads",
+            r"\(C \cos n\theta + S \sin n\theta = \text{amplitude} \cdot \cos(n\theta - \text{phase})\).",
+        ]
+    )
+
+
+def _angle(bank: str) -> str:
+    if any(c.isalpha() for c in bank):
+        return rf"\({sympy.latex(sympy.Symbol(bank))}\)" if bank.isalpha() else rf"\(\mathtt{{{bank}}}\)"
+    return rf"\({bank}^\circ\)"
+
+
+def _resultant(balance: Balance, name: str, title: str) -> str:
+    found = rows(balance, name)
+    if not found:
+        return rf"{title}: none, to order {balance.highest}."
+    head = r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
+    table = _tabulars("rlccccc", head, [_row(row) for row in found])
+    return "\n".join([rf"{title}:", table, *_exact_forms(found), _rotating(balance, name)])
+
+
+def _row(row: Row) -> str:
+    exact, decimals = [latex(e) for e in row.exact()], row.decimals()
+    cells = []
+    for i, formula in enumerate(exact):
+        if decimals is None:
+            cells.append(rf"\({formula}\)" if len(formula) <= LONGEST_CELL else "below")
+        elif len(formula) > LONGEST_CELL or r"\operatorname{atan2}" in formula:
+            cells.append(rf"\({_number(decimals[i])}\)")
+        else:
+            cells.append(rf"\({formula}\)")
+    near = "" if decimals is None else rf"\({_number(decimals[2])}\)"
+    return " & ".join([str(row.order), row.name, *cells[:3], near, cells[3]])
+
+
+def _rotating(balance: Balance, name: str) -> str:
+    """Return the parts that turn with and against the crank, one line an order."""
+    pairs = rotating(balance, name)
+    if not pairs:
+        return f"{IN_ONE_PLANE[0].upper()}{IN_ONE_PLANE[1:]}."
+    head = r"\(n\) & forward (with the crank) & phase & backward (against it) & phase"
+    lines = [" & ".join([str(f.order), *_turning(f), *_turning(b)]) for f, b in pairs]
+    return "As rotating parts:\n" + _tabulars("rcccc", head, lines)
+
+
+def _turning(row: Row) -> list[str]:
+    if row.component.is_zero():
+        return [r"\(0\)", ""]
+    exact, decimals = [latex(e) for e in row.exact()], row.decimals()
+    if decimals is None:
+        return [rf"\({e}\)" if len(e) <= LONGEST_CELL else "long" for e in exact[2:]]
+    amplitude, phase = (_number(d) for d in decimals[2:])
+    if len(exact[2]) <= LONGEST_CELL and exact[2] != amplitude:
+        amplitude = rf"{exact[2]} \approx {amplitude}"
+    return [rf"\({amplitude}\)", rf"\({phase if 'atan2' in exact[3] else exact[3]}\)"]
+
+
+def _number(decimal: str) -> str:
+    mantissa, *exponent = decimal.split("e")
+    return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
+
+
+def _broken(formula: str, limit: int = 110) -> str:
+    """Return a formula broken over lines of an align where a top-level sum grows too long."""
+    pieces, depth, start = [], 0, 0
+    for i, character in enumerate(formula):
+        depth += (character in "{(") - (character in "})")
+        if depth == 0 and i - start > limit and formula[i : i + 3] in (" + ", " - "):
+            pieces.append(formula[start:i])
+            start = i + 1
+    pieces.append(formula[start:])
+    return r" \\ &\qquad ".join(pieces)
+
+
+def _exact_forms(found: Sequence[Row]) -> list[str]:
+    """Return the exact forms too long for a table, each once, with all the orders it belongs to."""
+    places: dict[tuple[str, str], list[str]] = {}
+    for row in found:
+        for name, value in zip(("C", "S", r"\text{amplitude}"), row.exact(), strict=False):
+            formula = latex(value)
+            if len(formula) > LONGEST_CELL:
+                places.setdefault((formula, rf"\text{{{row.name}}}\ {name}"), []).append(str(row.order))
+    if not places:
+        return []
+    lines = [
+        rf"&n = {', '.join(orders)},\ {what} = {_broken(formula)}"
+        for (formula, what), orders in places.items()
+    ]
+    return ["Exactly:", r"\begin{align*}", " \\\\\n".join(lines), r"\end{align*}"]
+
+
+def _tabulars(columns: str, head: str, lines: list[str]) -> str:
+    """Return tables of at most `ROWS_PER_TABLE` rows, one below the other."""
+    chunks = [lines[i : i + ROWS_PER_TABLE] for i in range(0, len(lines), ROWS_PER_TABLE)]
+    return "\n".join(
+        "\n".join(
+            [
+                r"\begin{center}",
+                rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}",
+                r"\toprule",
+                head + r" \\",
+                r"\midrule",
+                *(rf"{line} \\[2pt]" for line in chunk),
+                r"\bottomrule",
+                r"\end{tabular}",
+                r"\end{center}",
+            ]
+        )
+        for chunk in chunks
+    )
+
+
+def _coefficients(balance: Balance) -> str:
+    if not balance.orders:
+        return "No order survives, so no coefficient is needed."
+    long = any(len(series_latex(o.coefficient)) > 160 for o in balance.orders)
+    if long:
+        return "\n".join(
+            ["Coefficients of one cylinder:", r"\begin{align*}", _aligned(balance), r"\end{align*}"]
+        )
+    ratio = balance.ratio
+    columns, head = "rl", r"\(n\) & \(A_n\) in powers of \(1/\lambda\)"
+    if ratio is not None:
+        columns, head = (
+            "rll",
+            rf"{head} & exact in \(\lambda\), at \(\lambda = {latex(sympy.sympify(ratio))}\)",
+        )
+    lines = []
+    for order in balance.orders:
+        value = balance.values.get(order.order)
+        number = "" if value is None else rf" & \({_number(shown(value))}\)"
+        lines.append(rf"{order.order} & \({series_latex(order.coefficient, ellipsis=True)}\){number}")
+    return "Coefficients of one cylinder:\n" + _tabulars(columns, head, lines)
+
+
+def _aligned(balance: Balance) -> str:
+    return " \\\\\n".join(
+        rf"A_{{{o.order}}} &= {_broken(series_latex(o.coefficient, ellipsis=True), 160)}"
+        for o in balance.orders
+    )

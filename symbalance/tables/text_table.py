@@ -1,0 +1,165 @@
+"""A balance as a table for a terminal of 80 columns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from textwrap import wrap
+
+from symbalance.balance import Balance
+from symbalance.notation import series_text
+from symbalance.tables.expressions import text
+from symbalance.tables.facts import IN_ONE_PLANE, Row, banks, plane, rotating, rows, shown, strokes
+
+WIDTH = 79
+SHORT = 14
+"""An exact form up to this long stays in the table, whatever becomes of its column."""
+_HEAD = ("order", "component", "cos nθ", "sin nθ", "amplitude", "≈", "phase")
+_EXACT = (2, 3, 4)
+
+
+def to_text(balance: Balance) -> str:
+    """Return a balance as text: the engine, its free force, its free couple, the coefficients A_n."""
+    blocks = [
+        _heading(balance),
+        _resultant(balance, "force", "Free force, unit Fₙ = Aₙ m r ω²"),
+        _resultant(balance, "couple", f"Free couple about {plane(balance)}, unit Fₙ a"),
+        _coefficients(balance),
+    ]
+    return "\n\n".join(block for block in blocks if block) + "\n"
+
+
+def _heading(balance: Balance) -> str:
+    layout = balance.layout
+    count = len(layout.cylinders)
+    angles = ", ".join(_degrees(bank) for bank in banks(layout))
+    lines = [
+        f"{layout.name}: {strokes(layout)}, {count} cylinder{'s' if count > 1 else ''}, "
+        f"bank{'s' if ',' in angles else ''} at {angles}"
+    ]
+    order = layout.firing_order()
+    if order and count > 1:
+        lines.append("fires " + "-".join(map(str, order)))
+    ratio = "not given" if balance.ratio is None else str(balance.ratio)
+    lines.append(f"λ = l/r (rod over crank radius): {ratio}")
+    lines.append("C cos nθ + S sin nθ = amplitude · cos(nθ − phase), + is up or right")
+    return "\n".join(part for line in lines for part in _wrapped(line, "  "))
+
+
+def _degrees(angle: str) -> str:
+    return angle.replace("-", "−") + ("°" if not any(c.isalpha() for c in angle) else "")
+
+
+def _wrapped(line: str, indent: str) -> list[str]:
+    return wrap(line, WIDTH, subsequent_indent=indent, break_on_hyphens=True) or [line]
+
+
+def _resultant(balance: Balance, name: str, title: str) -> str:
+    found = rows(balance, name)
+    if not found:
+        return f"{title}\n  none, to order {balance.highest}"
+    return "\n".join([title, *_components(found), *_rotating(balance, name)])
+
+
+def _components(found: Sequence[Row]) -> list[str]:
+    """Return the table of components; columns too wide for a line go to decimals, and below it."""
+    table = [[*_HEAD], *(_cells(row) for row in found)]
+    below: list[int] = []
+    while _width(table) > WIDTH and len(below) < len(_EXACT):
+        column = max((c for c in _EXACT if c not in below), key=lambda c: max(len(r[c]) for r in table))
+        below.append(column)
+        table = [[*_HEAD], *(_cells(row, below) for row in found)]
+    return _grid(table) + _exact_lines(found, below)
+
+
+def _width(table: Sequence[Sequence[str]]) -> int:
+    return max(map(len, _grid(table)))
+
+
+def _cells(row: Row, below: Sequence[int] = ()) -> list[str]:
+    exact, decimals = [text(e) for e in row.exact()], row.decimals()
+    cells = [str(row.order), row.name, *exact[:3], "", exact[3]]
+    if decimals is None:
+        return ["see below" if i in below and len(c) > SHORT else c for i, c in enumerate(cells)]
+    cos, sin, amplitude, phase = (d.replace("-", "−") for d in decimals)
+    if amplitude != exact[2]:
+        cells[5] = amplitude
+    if exact[3].startswith("atan2"):
+        cells[6] = phase
+    nearly = {2: cos, 3: sin, 4: ""}
+    return [nearly[i] if i in below and len(c) > SHORT else c for i, c in enumerate(cells)]
+
+
+def _exact_lines(found: Sequence[Row], below: Sequence[int]) -> list[str]:
+    """Return the exact forms left out of a table, each once, with all the places it belongs to."""
+    places: dict[tuple[str, str], list[str]] = {}
+    for row in found:
+        for column in sorted(below):
+            formula = text(row.exact()[column - 2])
+            if len(formula) > SHORT:
+                what = f"{row.name} {_HEAD[column].split()[0]}"
+                places.setdefault((formula, what), []).append(str(row.order))
+    lines = [
+        part
+        for (formula, what), orders in places.items()
+        for part in _wrapped(f"  order {', '.join(orders)} {what} = {formula}", "      ")
+    ]
+    return ["  exactly:", *lines] if lines else []
+
+
+def _rotating(balance: Balance, name: str) -> list[str]:
+    """Return the parts that turn with and against the crank, one line an order."""
+    pairs = rotating(balance, name)
+    if not pairs:
+        return [f"  {IN_ONE_PLANE}"]
+    head = ["order", "forward (with the crank)", "phase", "backward (against it)", "phase"]
+    table = [head, *([str(f.order), *_turning(f), *_turning(b)] for f, b in pairs)]
+    return ["", "  as rotating parts", *_grid(table)]
+
+
+def _turning(row: Row) -> list[str]:
+    if row.component.is_zero():
+        return ["0", ""]
+    exact, decimals = [text(e) for e in row.exact()], row.decimals()
+    if decimals is None:
+        return [exact[2], exact[3]]
+    amplitude, phase = (d.replace("-", "−") for d in decimals[2:])
+    if len(exact[2]) <= SHORT and exact[2] != amplitude:
+        amplitude = f"{exact[2]} ≈ {amplitude}"
+    return [amplitude, phase if exact[3].startswith("atan2") else exact[3]]
+
+
+def _grid(table: Sequence[Sequence[str]]) -> list[str]:
+    """Return the lines of a table; the first column is flush right, empty columns are left out."""
+    kept = [i for i in range(len(table[0])) if any(row[i] for row in table[1:])]
+    widths = [max(len(row[i]) for row in table) for i in kept]
+    lines = []
+    for row in table:
+        cells = [row[i].ljust(w) for i, w in zip(kept, widths, strict=True)]
+        cells[0] = row[kept[0]].rjust(widths[0])
+        lines.append("  " + "  ".join(cells).rstrip())
+    return [lines[0], "  " + "─" * (max(map(len, lines)) - 2), *lines[1:]]
+
+
+def _coefficients(balance: Balance) -> str:
+    if not balance.orders:
+        return ""
+    ratio = balance.ratio
+    head = ["order", "Aₙ in powers of 1/λ", "" if ratio is None else f"Aₙ at λ = {ratio}"]
+    table = [head]
+    for order in balance.orders:
+        series = series_text(order.coefficient, ellipsis=True)
+        value = balance.values.get(order.order)
+        table.append([str(order.order), series, "" if value is None else shown(value).replace("-", "−")])
+    lines = _grid(table)
+    if max(map(len, lines)) > WIDTH:
+        lines = _listed(table)
+    return "\n".join(["Coefficients of one cylinder (the value is exact in λ, rounded)", *lines])
+
+
+def _listed(table: list[list[str]]) -> list[str]:
+    """Return coefficients as wrapped lines, for series too long for a row."""
+    lines: list[str] = []
+    for order, series, value in table[1:]:
+        lines += _wrapped(f"  A_{order} = {series}", "      ")
+        lines += [f"      = {value} at {table[0][2][6:]}"] if value else []
+    return lines
