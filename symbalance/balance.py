@@ -21,7 +21,7 @@ from math import lcm
 from symbalance.angles import SymbolPart
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Cylinder, Layout
-from symbalance.phasor import Phasor
+from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real, exact
 from symbalance.slider_crank import (
     Series,
@@ -205,8 +205,9 @@ def geometry(layout: Layout, orders: Sequence[int], weights: Sequence[Fraction])
         for signed in (n, -n):
             residue = signed % modulus
             if residue not in seen:
-                seen[residue] = Phasor.of(modulus, _summed(rows, residue, modulus)).scaled(half)
-            if not seen[residue].is_zero():
+                total = Phasor.of(modulus, _summed(rows, residue, modulus))
+                seen[residue] = ZERO if total.is_zero() else total.scaled(half)
+            if seen[residue] is not ZERO:
                 terms[signed] = seen[residue]
     return Spectrum(terms)
 

@@ -15,9 +15,9 @@ The terms stay sparse, so a modulus of millions (angles typed as decimals) costs
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from math import lcm, prod
 
 from symbalance.errors import SymbalanceError, shown
@@ -104,50 +104,50 @@ def _reduced(modulus: int, terms: Iterable[tuple[int, Coefficient]]) -> dict[int
     return {k: c for k, c in total.items() if c}
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Phasor:
-    """A number of Q(zeta_m): the sum of coefficient times zeta^exponent over `terms`, reduced.
+    """A number of Q(zeta_m): the sum of coefficient times zeta^exponent over `terms`.
 
-    Make one with `Phasor.of`, which reduces; `+`, `-` and unary minus are exact, the product is
-    `times`. Equality compares numbers of one modulus; across moduli compare `a - b` with zero.
+    `terms` stay as they were added up, exponents in [0, m): short, and fit to be printed. `normal` holds
+    them reduced to the basis, which is what decides equality and zero. All arithmetic is exact.
 
     >>> Phasor.of(7, {k: 1 for k in range(7)}).is_zero()  # the first order of an in-line seven
     True
-    >>> Phasor.of(6, {1: 1, 5: 1})  # 2 cos 60 degrees
-    Phasor(modulus=1, terms={0: 1})
+    >>> Phasor.of(6, {1: 1, 5: 1}) == ONE  # 2 cos 60 degrees
+    True
     """
 
     modulus: int
-    terms: Mapping[int, Coefficient] = field(hash=False)
+    terms: Mapping[int, Coefficient]
 
     @staticmethod
     def of(modulus: int, terms: Mapping[int, Coefficient]) -> Phasor:
-        """Return the sum of coefficient times e^(2 pi i exponent/modulus), in normal form.
-
-        Exponents lie in [0, modulus).
-        """
-        reduced = _reduced(modulus, terms.items())
-        if not reduced:
-            return ZERO
-        if len(reduced) == 1 and 0 in reduced:
-            return Phasor(1, reduced)
-        return Phasor(modulus, reduced)
+        """Return the sum of coefficient times e^(2 pi i exponent/modulus), exponents in [0, modulus)."""
+        return Phasor(modulus, {k: c for k, c in terms.items() if c})
 
     @staticmethod
     def root(turns: Fraction) -> Phasor:
         """Return e^(2 pi i turns)."""
-        return Phasor.of(turns.denominator, {turns.numerator % turns.denominator: 1})
+        return Phasor(turns.denominator, {turns.numerator % turns.denominator: 1})
+
+    @cached_property
+    def normal(self) -> Mapping[int, Coefficient]:
+        """The terms on the basis of the field: equal for equal numbers of one modulus."""
+        return _reduced(self.modulus, self.terms.items())
 
     def is_zero(self) -> bool:
         """Tell whether the number is zero: a proof either way."""
-        return not self.terms
+        return not self.terms or not self.normal
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Phasor) and (self - other).is_zero()
+
+    __hash__ = None  # type: ignore[assignment]
 
     def lifted(self, modulus: int) -> Phasor:
-        """Return the same number seen in the field of a multiple of its modulus."""
-        if modulus == self.modulus:
-            return self
+        """Return the same number written with the roots of a multiple of its modulus."""
         step = modulus // self.modulus
-        return Phasor(modulus, _reduced(modulus, ((k * step, c) for k, c in self.terms.items())))
+        return self if step == 1 else Phasor(modulus, {k * step: c for k, c in self.terms.items()})
 
     def __add__(self, other: Phasor) -> Phasor:
         if not other.terms:
@@ -158,7 +158,7 @@ class Phasor:
         total = dict(self.lifted(modulus).terms)
         for exponent, coefficient in other.lifted(modulus).terms.items():
             total[exponent] = total.get(exponent, 0) + coefficient
-        return Phasor(modulus, {k: c for k, c in total.items() if c})
+        return Phasor.of(modulus, total)
 
     def __neg__(self) -> Phasor:
         return Phasor(self.modulus, {k: -c for k, c in self.terms.items()})
@@ -168,27 +168,27 @@ class Phasor:
 
     def scaled(self, factor: Coefficient) -> Phasor:
         """Return the number times a rational."""
-        if not factor:
-            return ZERO
-        return Phasor(self.modulus, {k: c * factor for k, c in self.terms.items()})
+        return Phasor(self.modulus, {k: c * factor for k, c in self.terms.items()} if factor else {})
 
     def turned(self, turns: Fraction) -> Phasor:
         """Return the number times e^(2 pi i turns).
 
-        >>> Phasor.root(Fraction(1, 3)).turned(Fraction(-1, 3))
-        Phasor(modulus=1, terms={0: 1})
+        >>> Phasor.root(Fraction(1, 3)).turned(Fraction(-1, 3)) == ONE
+        True
         """
         modulus = lcm(self.modulus, turns.denominator)
         step, by = modulus // self.modulus, turns.numerator * (modulus // turns.denominator)
-        moved = (((k * step + by) % modulus, c) for k, c in self.terms.items())
-        return Phasor.of(modulus, dict(moved))
+        return Phasor(modulus, {(k * step + by) % modulus: c for k, c in self.terms.items()})
 
     def times(self, other: Phasor) -> Phasor:
         """Return the product of two numbers."""
         modulus = lcm(self.modulus, other.modulus)
         left, right = self.lifted(modulus).terms, other.lifted(modulus).terms
-        products = ((j + k, c * d) for j, c in left.items() for k, d in right.items())
-        return Phasor.of(modulus, _collected((k % modulus, c) for k, c in products))
+        total: dict[int, Coefficient] = {}
+        for j, c in left.items():
+            for k, d in right.items():
+                total[(j + k) % modulus] = total.get((j + k) % modulus, 0) + c * d
+        return Phasor.of(modulus, total)
 
     def conjugate(self) -> Phasor:
         """Return the complex conjugate."""
@@ -196,8 +196,7 @@ class Phasor:
 
     def mapped(self, unit: int) -> Phasor:
         """Return the image under zeta -> zeta^unit, with `unit` prime to the modulus."""
-        moved = ((k * unit % self.modulus, c) for k, c in self.terms.items())
-        return Phasor.of(self.modulus, dict(moved))
+        return Phasor(self.modulus, {k * unit % self.modulus: c for k, c in self.terms.items()})
 
     def real(self) -> Phasor:
         """Return the real part."""
@@ -208,32 +207,24 @@ class Phasor:
         return self.turned(Fraction(-1, 4)).real()
 
     def primitive(self) -> Phasor:
-        """Return the same number in the smallest cyclotomic field that holds it.
+        """Return the same number, reduced, in the smallest cyclotomic field that holds it.
 
         >>> Phasor.of(24, {3: 1, 21: 1}).primitive().modulus  # the square root of 2
         8
         """
-        number = self
+        number = Phasor(self.modulus, self.normal)
         for prime, *_ in _steps(self.modulus):
             while number.modulus % prime == 0 and all(k % prime == 0 for k in number.terms):
-                smaller = {k // prime: c for k, c in number.terms.items()}
-                number = Phasor(
-                    number.modulus // prime, _reduced(number.modulus // prime, smaller.items())
-                )
+                smaller = number.modulus // prime
+                fewer = ((k // prime, c) for k, c in number.terms.items())
+                number = Phasor(smaller, _reduced(smaller, fewer))
         return number
 
     def rational(self) -> Fraction | None:
         """Return the number as a fraction if it is rational."""
-        if any(self.terms) or len(self.terms) > 1:
+        if any(self.normal):
             return None
-        return Fraction(self.terms.get(0, 0))
-
-
-def _collected(terms: Iterable[tuple[int, Coefficient]]) -> dict[int, Coefficient]:
-    total: dict[int, Coefficient] = {}
-    for exponent, coefficient in terms:
-        total[exponent] = total.get(exponent, 0) + coefficient
-    return total
+        return Fraction(self.normal.get(0, 0))
 
 
 ZERO = Phasor(1, {})

@@ -13,10 +13,11 @@ those numbers, and deeper towers, are written as rational combinations of cosine
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import cache, lru_cache
 from itertools import product
-from math import gcd, lcm, prod
+from math import gcd
 from typing import TYPE_CHECKING, Any
 
 from mpmath import mp
@@ -27,6 +28,8 @@ from symbalance.rational import Real
 if TYPE_CHECKING:
     import sympy
 
+MOST_TO_SHORTEN = 100
+"""A sum of more cosines is printed as it stands."""
 LARGEST_RADICAL_FIELD = 240
 """Numbers of larger fields are written with cosines, without a search for radicals."""
 
@@ -39,17 +42,13 @@ def exact_form(number: Phasor) -> sympy.Expr:
     >>> exact_form(Phasor.of(7, {1: 1, 6: 1}))
     2*cos(2*pi/7)
     """
-    return _exact_form(number.primitive())
-
-
-def _exact_form(number: Phasor) -> sympy.Expr:
     return _cached_form(number.modulus, tuple(sorted(number.terms.items())))
 
 
 @lru_cache(maxsize=4096)
 def _cached_form(modulus: int, terms: tuple[tuple[int, int | Fraction], ...]) -> sympy.Expr:
     number = Phasor(modulus, dict(terms))
-    form = radical_form(number)
+    form = radical_form(number.primitive())
     return form if form is not None else trigonometric_form(number)
 
 
@@ -230,53 +229,75 @@ def _logarithms(
 def trigonometric_form(number: Phasor) -> sympy.Expr:
     """Return a real number as a short rational combination of cosines, or of sines.
 
-    >>> trigonometric_form(Phasor.of(28, {1: 1, 27: 1, 3: 1, 25: 1}).primitive())
+    >>> trigonometric_form(Phasor.of(28, {1: 1, 27: 1, 3: 1, 25: 1}))
     2*sin(2*pi/7) + 2*sin(3*pi/7)
     """
     import sympy
 
-    rotated = number.turned(Fraction(1, 4)).primitive()
-    as_sines = rotated.modulus < number.modulus
-    shown = rotated if as_sines else number
+    rotated = number.turned(Fraction(1, 4))
+    cosines, sines = _shortest(number, 1), _shortest(rotated, -1)
+    as_sines = _length(sines, rotated.modulus) < _length(cosines, number.modulus)
+    terms, modulus = (sines, rotated.modulus) if as_sines else (cosines, number.modulus)
     function = sympy.sin if as_sines else sympy.cos
     return sympy.Add(
         *(
             sympy.Rational(c.numerator, c.denominator)
-            * function(2 * sympy.pi * sympy.Rational(k, shown.modulus))
-            for k, c in _shortest(shown, -1 if as_sines else 1).items()
+            * function(2 * sympy.pi * sympy.Rational(k, modulus))
+            for k, c in terms.items()
         )
     )
 
 
+def _length(terms: dict[int, Fraction], modulus: int) -> tuple[int, int]:
+    """Return what is compared between cosines and sines: how many, and how fine their angles."""
+    return len(terms), sum(Fraction(2 * k, modulus).denominator for k in terms)
+
+
 def _shortest(number: Phasor, parity: int) -> dict[int, Fraction]:
-    """Return the folded terms that are fewest, over the bases a shift of each prime's digit gives."""
-    best: dict[int, Fraction] | None = None
-    primes = _worth_shifting(prime_factors(number.modulus))
-    for shifts in product(*(range(p) for p in primes)):
-        turns = sum((Fraction(s, p) for s, p in zip(shifts, primes, strict=True)), Fraction(0))
-        folded = _folded(number, turns, parity)
-        if best is None or len(folded) < len(best):
-            best = folded
-    assert best is not None
-    return best
+    """Return a number as few cosines (parity 1) or sines (-1) of 2 pi k/m, 0 <= k <= m/2.
 
-
-def _worth_shifting(primes: tuple[int, ...], most: int = 64) -> list[int]:
-    """Return the largest primes whose shifts make at most `most` bases to try."""
-    chosen: list[int] = []
-    for prime in reversed(primes):
-        if prod((*chosen, prime)) <= most:
-            chosen.append(prime)
-    return chosen
-
-
-def _folded(number: Phasor, turns: Fraction, parity: int) -> dict[int, Fraction]:
+    Sums over the p powers a p-th of a turn apart vanish; such a sum is taken away, so often as one of
+    the coefficients says, wherever that leaves fewer terms or smaller ones.
+    """
     modulus = number.modulus
-    shift = turns.numerator * (modulus // turns.denominator)
-    moved = number.turned(turns).lifted(lcm(modulus, turns.denominator))
+    terms = _folded(((k, Fraction(c)) for k, c in number.terms.items()), modulus, parity)
+    improved = len(terms) <= MOST_TO_SHORTEN
+    while improved:
+        improved = False
+        for exponent, prime in product(list(terms), prime_factors(modulus)):
+            steps = range(exponent, exponent + modulus, modulus // prime)
+            relation = _folded(((k % modulus, Fraction(1)) for k in steps), modulus, parity)
+            better = _least(terms, relation)
+            if better is not None:
+                terms, improved = better, True
+                break
+    return dict(sorted(terms.items()))
+
+
+def _least(terms: dict[int, Fraction], relation: dict[int, Fraction]) -> dict[int, Fraction] | None:
+    """Return `terms` less the multiple of a vanishing sum that helps most, None if none does."""
+    if 2 * len(terms.keys() & relation.keys()) < len(relation):
+        return None  # it would bring more terms than it takes
+    best, found = _cost(terms), None
+    for multiple in {terms[k] / c for k, c in relation.items() if k in terms}:
+        changed = dict(terms)
+        for k, c in relation.items():
+            changed[k] = changed.get(k, Fraction(0)) - multiple * c
+        changed = {k: c for k, c in changed.items() if c}
+        if (cost := _cost(changed)) < best:
+            best, found = cost, changed
+    return found
+
+
+def _cost(terms: dict[int, Fraction]) -> tuple[int, Fraction, int]:
+    values = terms.values()
+    return len(terms), sum(map(abs, values), Fraction(0)), sum(c < 0 for c in values)
+
+
+def _folded(terms: Iterable[tuple[int, Fraction]], modulus: int, parity: int) -> dict[int, Fraction]:
+    """Return the terms with m - k folded onto k, as cos does (parity 1) or sin (-1)."""
     total: dict[int, Fraction] = {}
-    for exponent, coefficient in moved.terms.items():
-        k = (exponent - shift) % modulus
-        k, sign = (k, 1) if 2 * k <= modulus else (modulus - k, parity)
-        total[k] = total.get(k, Fraction(0)) + sign * Fraction(coefficient)
-    return {k: c for k, c in sorted(total.items()) if c and not (parity < 0 and k == 0)}
+    for exponent, coefficient in terms:
+        k, sign = (exponent, 1) if 2 * exponent <= modulus else (modulus - exponent, parity)
+        total[k] = total.get(k, Fraction(0)) + sign * coefficient
+    return {k: c for k, c in total.items() if c and not (parity < 0 and 2 * k % modulus == 0)}

@@ -81,4 +81,4 @@ def decimal_text(value: Real, digits: int) -> str:
     >>> decimal_text(mpf(1) / 3, 5), decimal_text(mpf(0), 5)
     ('0.33333', '0')
     """
-    return str(mp.nstr(value, digits)) if value else "0"
+    return str(mp.nstr(value, digits, min_fixed=-4, max_fixed=digits)) if value else "0"

@@ -32,6 +32,7 @@ from symbalance.rational import Real
 if TYPE_CHECKING:
     import sympy
 
+COMPONENTS = ("vertical", "lateral", "forward", "backward")
 QUARTER = Fraction(1, 4)
 
 
@@ -79,7 +80,7 @@ class SymbolicPhasor:
 Number = Phasor | SymbolicPhasor
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Component:
     """One order of one component: C cos n theta + S sin n theta = amplitude cos(n theta - phase).
 
@@ -180,6 +181,7 @@ class Spectrum:
     """The orders of one planar vector: `terms` maps +n and -n to c_n; orders that vanish are absent."""
 
     terms: Mapping[int, Number] = field(hash=False)
+    _made: dict[tuple[int, int, str], Component] = field(default_factory=dict, compare=False, repr=False)
 
     @staticmethod
     def of(terms: Mapping[int, Number]) -> Spectrum:
@@ -209,24 +211,31 @@ class Spectrum:
         return Spectrum.of(total)
 
     def component(self, order: int, name: str) -> Component:
-        """Return the vertical, lateral, forward or backward component of an order."""
+        """Return the vertical, lateral, forward or backward component of an order.
+
+        Orders that share their numbers (n and n + m do) share their components, and the work in them.
+        """
         ahead, against = self.terms.get(order, ZERO), self.terms.get(-order, ZERO)
-        if isinstance(ahead, SymbolicPhasor) or isinstance(against, SymbolicPhasor):
-            ahead, against = _symbolic(ahead), _symbolic(against)
-        ahead = ahead.conjugate()
-        match name:
-            case "vertical":
-                return Component(ahead + against)  # type: ignore[operator]
-            case "lateral":
-                return Component((ahead - against).turned(QUARTER))  # type: ignore[operator]
-            case "forward":
-                return Component(ahead)
-            case "backward":
-                return Component(against)
-        raise KeyError(name)
+        key = (id(ahead), id(against), name)
+        if key not in self._made:
+            self._made[key] = _component(ahead, against, name)
+        return self._made[key]
 
 
-COMPONENTS = ("vertical", "lateral", "forward", "backward")
+def _component(ahead: Number, against: Number, name: str) -> Component:
+    if isinstance(ahead, SymbolicPhasor) or isinstance(against, SymbolicPhasor):
+        ahead, against = _symbolic(ahead), _symbolic(against)
+    ahead = ahead.conjugate()
+    match name:
+        case "vertical":
+            return Component(ahead + against)  # type: ignore[operator]
+        case "lateral":
+            return Component((ahead - against).turned(QUARTER))  # type: ignore[operator]
+        case "forward":
+            return Component(ahead)
+        case "backward":
+            return Component(against)
+    raise KeyError(name)
 
 
 def _symbolic(number: Number) -> SymbolicPhasor:

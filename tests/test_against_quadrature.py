@@ -252,7 +252,7 @@ def test_a_vee_on_shared_or_splayed_pins(angle: object, splay: object) -> None:
     for i, pin in enumerate(Fraction(p) for p in pins):
         expected[2 * i + 1] = Place(pin, -half, Fraction(1, 8) - i)
         expected[2 * i + 2] = Place(pin + on, half, Fraction(-1, 8) - i)
-    assert_agrees(layout, places=[expected[c.number] for c in layout.cylinders])
+    assert_agrees(layout, places=[expected[c.number] for c in layout.cylinders], order=6)
 
 
 @pytest.mark.parametrize("count", [3, 5, 7, 9])
@@ -295,7 +295,7 @@ def test_random_listed_cylinders(seed: int) -> None:
     ]
     layout = Layout([Cylinder(i, *row) for i, row in enumerate(rows, 1)], name=f"seed {seed}")
     places = [Place(*map(Fraction, row)) for row in rows]
-    assert_agrees(layout, places=places, order=6, expressions=seed < 4)
+    assert_agrees(layout, places=places, order=6, expressions=seed == 3)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -400,7 +400,7 @@ def test_series_sum_to_the_harmonics(quantity: str, measured: tuple) -> None:
 
 def test_a_series_keeps_just_the_powers_it_says() -> None:
     """The first power left out is the size of the error: neither more nor less is kept."""
-    ratio = Fraction(10**6)
+    ratio = Fraction(1000)
     for n in (2, 4, 6, 10):
         for through in range(n - 1, n + 6):
             series = acceleration_series(n, through)
@@ -410,7 +410,7 @@ def test_a_series_keeps_just_the_powers_it_says() -> None:
             with mp.workdps(DIGITS):
                 gap = acceleration_value(n, ratio, 45) - kinematics.number(series.at(ratio))
                 added = following.at(ratio) - series.at(ratio)
-                assert_close(gap / kinematics.number(added), 1, f"A_{n}", mp.mpf(10) ** -10)
+                assert_close(gap / kinematics.number(added), 1, f"A_{n}", mp.mpf(10) ** -4)
     for n in (1, 3, 7):
         assert set(rod_angle_series(n, n + 5).terms) == {n, n + 2, n + 4}
 

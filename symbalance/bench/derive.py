@@ -11,12 +11,13 @@ import platform
 from fractions import Fraction
 
 import sympy
+from sympy.core.cache import clear_cache
 
 from symbalance.balance import geometry
 from symbalance.bench.timing import Measurement, best, processes, progress, table
 from symbalance.builders import inline
 from symbalance.notation import series_latex
-from symbalance.slider_crank import acceleration_integers, acceleration_series, harmonics
+from symbalance.slider_crank import Series, acceleration_integers, acceleration_series, harmonics
 
 INTEGER_LIMITS = {20: 20e-6, 200: 2e-3, 1000: 0.1}
 
@@ -54,7 +55,7 @@ def integers_against_sympy(quick: bool) -> list[Measurement]:
     for order in (20, 40) if quick else (20, 80):
         progress(f"SymPy's expansion to order {order}")
         ours = best(lambda order=order: acceleration_integers(order))
-        theirs = best(lambda order=order: expanded_by_sympy(order), budget=2, most=5)
+        theirs = best(lambda order=order: expanded_by_sympy(order), budget=2, before=forget)
         found.append(
             _at_least(
                 5000,
@@ -72,17 +73,22 @@ def as_expressions() -> Measurement:
     progress("SymPy expressions to order 40")
 
     def build() -> list[sympy.Expr]:
-        acceleration_series.cache_clear()
         return [series.in_lam() for series in harmonics("acceleration", 40).terms.values()]
 
-    theirs = best(lambda: expanded_by_sympy(40), budget=2, most=5)
+    theirs = best(lambda: expanded_by_sympy(40), budget=2, before=forget)
     return _at_least(
         20,
         "all A_n to order 40 as SymPy expressions",
-        best(build),
+        best(build, before=forget),
         "sympy series, rewrite(exp), expand",
         theirs,
     )
+
+
+def forget() -> None:
+    """Empty SymPy's cache and ours, so that every call does its work."""
+    clear_cache()
+    acceleration_series.cache_clear()
 
 
 def expanded_by_sympy(order: int) -> sympy.Expr:
@@ -146,18 +152,19 @@ def equals_proves(count: int, order: int) -> bool:
 
 
 def series_in_latex() -> Measurement:
-    """Measure the LaTeX of A_2 kept to order 200, beside sympy.latex of the same series."""
-    progress("LaTeX of a series")
-    series = acceleration_series(2, 199)
-    expression = series.in_lam()
-    theirs = best(lambda: sympy.latex(expression), budget=1)
-    return _at_least(
-        50,
-        "A_2 through 1/λ^199 as LaTeX",
-        best(lambda: series_latex(series)),
-        "sympy.latex",
-        theirs,
-    )
+    """Measure the LaTeX of all A_n cos n theta to order 200, beside sympy.latex of the same sum."""
+    progress("LaTeX of a series to order 200")
+    rows = harmonics("acceleration", 200).terms
+    theta = sympy.Symbol("theta")
+    terms = [sympy.cos(n * theta) * series.in_lam() for n, series in rows.items()]
+    expression = sympy.Add(*terms)
+    ours = best(lambda: [_harmonic_latex(n, series) for n, series in rows.items()])
+    theirs = best(lambda: sympy.latex(expression), budget=1, before=forget)
+    return _at_least(50, "sum of A_n cos nθ to order 200 as LaTeX", ours, "sympy.latex", theirs)
+
+
+def _harmonic_latex(n: int, series: Series) -> str:
+    return rf"\left({series_latex(series)}\right) \cos {n} \theta"
 
 
 def whole_processes() -> list[Measurement]:

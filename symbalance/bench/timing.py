@@ -27,10 +27,20 @@ class Measurement:
         return None if self.other is None else self.other / self.seconds
 
 
-def best(function: Callable[[], object], budget: float = 0.3, most: int = 1000) -> float:
-    """Return the least time of one call, over calls that fill `budget` seconds (at least one)."""
+def best(
+    function: Callable[[], object],
+    budget: float = 0.3,
+    most: int = 1000,
+    before: Callable[[], object] | None = None,
+) -> float:
+    """Return the least time of one call, over calls that fill `budget` seconds (at least one).
+
+    `before` runs untimed before each call, to empty caches that would make a second call free.
+    """
     least, spent, calls = float("inf"), 0.0, 0
     while calls == 0 or (spent < budget and calls < most):
+        if before is not None:
+            before()
         start = perf_counter()
         function()
         taken = perf_counter() - start

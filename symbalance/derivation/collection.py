@@ -173,7 +173,8 @@ def _coefficients(setting: Setting, found: Harmonics) -> list[Equation]:
     turned = -1 if setting.quantity == "displacement" else 1
     for n, series in found.terms.items():
         if n > 1 or setting.rod_angle:
-            terms = _closed(setting, n, series) if n > LONGEST_IN_FULL else _reduced(setting, series)
+            long = n > LONGEST_IN_FULL
+            terms = _closed(setting, n, series) if long else monomials(series, setting.convention)
             signed = [(turned * sign, term) for sign, term in terms]
             rows.append(_coefficient(setting, _letter(LETTER[setting.quantity], n), signed))
     return rows
@@ -181,3 +182,35 @@ def _coefficients(setting: Setting, found: Harmonics) -> list[Equation]:
 
 def _coefficient(setting: Setting, left: Formula, terms: list[tuple[int, Formula]]) -> Equation:
     return equal(left, Sum((*terms, (terms[-1][0], DOTS))))
+
+
+def _closed(setting: Setting, n: int, series: Series) -> list[tuple[int, Formula]]:
+    """Return the terms of a coefficient by their general term, its numbers put in."""
+    write = _closed_angle_term if setting.rod_angle else _closed_piston_term
+    return [(1 if c > 0 else -1, write(setting, n, power)) for power, c in sorted(series.terms.items())]
+
+
+def _closed_piston_term(setting: Setting, n: int, power: int) -> Formula:
+    """Return 8 k^2 C(2j, j) C(2j, j-k) rho^(2j-1)/((2j - 1) 16^j), n = 2k; over n^2 or n if integrated."""
+    k, j = n // 2, (power + 1) // 2
+    number = {"displacement": 2, "velocity": 4 * k}.get(setting.quantity, 8 * k * k)
+    over = [Number(number), _binomial(2 * j, j), *([_binomial(2 * j, j - k)] if j > k else [])]
+    return _times_rho(setting, over, [Number(2 * j - 1), Number(16) ** j], power)
+
+
+def _closed_angle_term(setting: Setting, n: int, power: int) -> Formula:
+    """Return C(2j, j) C(2j+1, j-i) rho^(2j+1)/((2j + 1) 16^j), n = 2i+1."""
+    i, j = n // 2, power // 2
+    over = [_binomial(2 * j, j), *([_binomial(power, j - i)] if j > i else [])]
+    return _times_rho(setting, over, [Number(power), Number(16) ** j], power)
+
+
+def _binomial(upper: int, lower: int) -> Formula:
+    return Binomial(Number(upper), Number(lower))
+
+
+def _times_rho(setting: Setting, over: list[Formula], under: list[Formula], power: int) -> Formula:
+    letter, direction, scale = CONVENTIONS[setting.convention]
+    base = Name(letter) if scale == 1 else scale * Name(letter)
+    (over if direction > 0 else under).append(base**power)
+    return Over(over[0] if len(over) == 1 else Times(tuple(over)), Times(tuple(under)))

@@ -4,7 +4,7 @@
 
 Every coefficient comes from the integers of `symbalance.slider_crank`. To order N the powers of sin theta
 are kept to the N-th, and with them the powers of 1/lambda to the (N-1)-th (rod angle: the N-th).
-The steps are data; `symbalance.tables.derivation_document` prints them as text or LaTeX.
+The steps are data; `symbalance.derivation.document` prints them as text or LaTeX.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.derivation import expansion
+from symbalance.derivation.collection import collection_steps
 from symbalance.derivation.remainder import left_out_step
 from symbalance.derivation.setting import SHORTENED, Setting, Step
 from symbalance.errors import SymbalanceError, shown
@@ -75,7 +76,7 @@ def _steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:
         before = (expansion.geometry, expansion.root, expansion.root_series, expansion.even_powers)
     return (
         *(step(setting) for step in before),
-        *expansion.collected(setting, found),
+        *collection_steps(setting, found),
         left_out_step(setting, found),
     )
 

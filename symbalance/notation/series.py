@@ -127,7 +127,7 @@ def monomial_text(term: Monomial, of: str = "") -> str:
     '3 sin⁴θ/(8λ³)'
     """
     over, under = str(term.coefficient.numerator), str(term.coefficient.denominator)
-    letter = TEXT_NAMES[term.letter] + (raised(str(abs(term.exponent))) if abs(term.exponent) > 1 else "")
+    letter = TEXT_NAMES.get(term.letter, term.letter) + (raised(str(abs(term.exponent))) if abs(term.exponent) > 1 else "")
     if term.exponent > 0:
         over = letter if over == "1" else over + letter
     elif term.exponent < 0:
@@ -144,7 +144,7 @@ def monomial_latex(term: Monomial, of: str = "") -> str:
     \frac{3 \rho^{3}}{8}
     """
     over, under = str(term.coefficient.numerator), str(term.coefficient.denominator)
-    letter = LATEX_NAMES[term.letter] + (f"^{{{abs(term.exponent)}}}" if abs(term.exponent) > 1 else "")
+    letter = LATEX_NAMES.get(term.letter, term.letter) + (f"^{{{abs(term.exponent)}}}" if abs(term.exponent) > 1 else "")
     if term.exponent > 0:
         over = letter if over == "1" else f"{over} {letter}"
     elif term.exponent < 0:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 from symbalance.notation import formula as f
 from symbalance.notation.series import (
@@ -28,6 +28,7 @@ class Writer(Protocol):
     """Prints formulas; `width` is the room that something printed takes, in the writer's own unit."""
 
     minus: str
+    relations: dict[str, str]
 
     def write(self, value: f.Formula) -> str:
         """Return a formula in print."""
@@ -39,6 +40,10 @@ class Writer(Protocol):
 
     def fences(self, value: f.Sum) -> tuple[str, str]:
         """Return the brackets around a sum that may run over several lines."""
+        ...
+
+    def factor(self, value: f.Formula) -> str:
+        """Return a factor of a product, in brackets where it needs them."""
         ...
 
     def product(self, left: f.Formula, right: f.Formula) -> str:
@@ -69,20 +74,20 @@ class _Visitor:
     def product(self, left: f.Formula, right: f.Formula) -> str:
         raise NotImplementedError
 
-    def _factor(self, value: f.Formula) -> str:
+    def factor(self, value: f.Formula) -> str:
         raise NotImplementedError
 
     def _name(self, value: f.Name) -> str:
         return self.names.get(value.name, value.name)
 
     def _sum(self, value: f.Sum) -> str:
-        terms = [(s, self._factor(t) if isinstance(t, f.Sum) else self.write(t)) for s, t in value.terms]
+        terms = [(s, self.factor(t) if isinstance(t, f.Sum) else self.write(t)) for s, t in value.terms]
         return signed(terms, self.minus)
 
     def _times(self, value: f.Times) -> str:
-        printed = self._factor(value.factors[0])
+        printed = self.factor(value.factors[0])
         for left, right in zip(value.factors, value.factors[1:], strict=False):
-            printed += self.product(left, right) + self._factor(right)
+            printed += self.product(left, right) + self.factor(right)
         return printed
 
 
@@ -98,6 +103,7 @@ class TextWriter(_Visitor):
 
     names = TEXT_NAMES
     minus = "−"
+    relations: ClassVar[dict[str, str]] = {}
 
     def width(self, printed: str) -> float:
         """Return the number of columns."""
@@ -115,7 +121,7 @@ class TextWriter(_Visitor):
             return ""
         return " "
 
-    def _factor(self, value: f.Formula) -> str:
+    def factor(self, value: f.Formula) -> str:
         if isinstance(value, f.Sum):
             return self.write(value).join(self.fences(value))
         return f"({self.write(value)})" if isinstance(value, f.Over) else self.write(value)
@@ -171,7 +177,7 @@ class TextWriter(_Visitor):
     def _total(self, value: f.Total) -> str:
         index, first = self.write(value.index), self._tight(value.first)
         span = f"{index}≥{first}" if value.last is None else f"{index}={first}…{self._tight(value.last)}"
-        return f"Σ({span}) {self._factor(value.body)}"
+        return f"Σ({span}) {self.factor(value.body)}"
 
 
 class LatexWriter(_Visitor):
@@ -179,6 +185,7 @@ class LatexWriter(_Visitor):
 
     names = LATEX_NAMES
     minus = "-"
+    relations: ClassVar[dict[str, str]] = {"≈": r"\approx", "≤": r"\leq"}
 
     def width(self, printed: str) -> float:
         """Return a generous estimate in points: digits take 5, letters 6, signs 12."""
@@ -198,7 +205,7 @@ class LatexWriter(_Visitor):
         """Return a dot between digits, else the space that LaTeX ignores."""
         return r" \cdot " if _meet(left, right) else " "
 
-    def _factor(self, value: f.Formula) -> str:
+    def factor(self, value: f.Formula) -> str:
         if isinstance(value, f.Sum):
             left, right = ("[", "]") if holds_a_sum(value) else ("(", ")")
             return rf"\left{left}{self.write(value)}\right{right}"
@@ -247,7 +254,7 @@ class LatexWriter(_Visitor):
     def _total(self, value: f.Total) -> str:
         index, first = self.write(value.index), self.write(value.first)
         last = r"\infty" if value.last is None else self.write(value.last)
-        return rf"\sum_{{{index}={first}}}^{{{last}}} {self._factor(value.body)}"
+        return rf"\sum_{{{index}={first}}}^{{{last}}} {self.factor(value.body)}"
 
 
 _LATEX_FUNCTIONS = {"asin": r"\arcsin"}

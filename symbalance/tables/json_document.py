@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import lru_cache
 from typing import Any
 
 from symbalance.balance import Balance, Order, Resultant
@@ -60,6 +61,7 @@ def _resultant(resultant: Resultant) -> dict[str, Any]:
     return {name: _component(resultant.component(name)) for name in COMPONENTS}
 
 
+@lru_cache(maxsize=4096)
 def _component(component: Component) -> dict[str, Any]:
     symbolic = isinstance(component.number, SymbolicPhasor) and not component.is_zero()
     return {

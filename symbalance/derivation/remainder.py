@@ -1,0 +1,234 @@
+r"""The last step of a derivation: the general term, the exact form, and a proved bound on what is left out.
+
+The coefficients printed lack terms of their own sign only, so that the printed formula differs from
+the exact quantity by at most
+
+    sum over the harmonics printed of (|exact| - |printed|), and the harmonics left out.
+"""
+
+from __future__ import annotations
+
+from decimal import ROUND_CEILING, Context, Decimal
+from fractions import Fraction
+
+from mpmath import mp
+
+from symbalance.derivation.collection import LETTER
+from symbalance.derivation.setting import (
+    HALF,
+    KAPPA,
+    LAM,
+    PHI,
+    RHO,
+    THETA,
+    I,
+    J,
+    K,
+    N,
+    Prose,
+    Q,
+    Setting,
+    Step,
+    X,
+    harmonic,
+    prose,
+)
+from symbalance.notation.formula import (
+    Absolute,
+    Applied,
+    Binomial,
+    Equation,
+    Formula,
+    Indexed,
+    Name,
+    Number,
+    Over,
+    Root,
+    Scientific,
+    Series2F1,
+    Times,
+    Total,
+    alternating,
+    cos,
+    equal,
+    sin,
+)
+from symbalance.slider_crank import Harmonics, acceleration_value, rod_angle_value
+from symbalance.truncation import left_out
+
+RATIO = Fraction(4)
+"""The rod ratio l/r at which bounds are given as numbers."""
+PI, V, A, F = Name("pi"), Name("v"), Name("a"), Name("F")
+_LEFT = {"displacement": X, "velocity": V, "acceleration": A, "force": F}
+_AT_RATIO = {
+    "l/r": (equal(LAM, Number(4)),),
+    "r/l": (equal(RHO, Over(Number(1), Number(4))),),
+    "l/s": (equal(LAM, Number(2)), " (", equal(Name("l") / Name("r"), Number(4)), ")"),
+}
+
+Parts = tuple[Prose | Equation, ...]
+
+
+def left_out_step(setting: Setting, found: Harmonics) -> Step:
+    """Return what the truncation leaves out: in closed form, and as numbers at l/r = 4."""
+    middle = _angle(setting) if setting.rod_angle else _piston(setting)
+    return Step("What is left out", (_missing(setting), *middle, *_numbers(setting, found)))
+
+
+def _missing(setting: Setting) -> Prose:
+    kept = setting.last if setting.rod_angle else setting.last - 1
+    letters = setting.letters
+    powers = (setting.rho_power(kept),) if kept > 0 else ("the constant",)
+    return prose(
+        "Two things are missing above: in each coefficient the powers of ", letters.rho, " beyond ", *powers,
+        f", and all harmonics above order {setting.order}. Both are known in closed form. With ",
+        *((equal(RHO, letters.rho),) if setting.convention != "r/l" else (letters.ratio,)),
+        ", for every order and without truncation:",
+    )  # fmt: skip
+
+
+def _piston(setting: Setting) -> Parts:
+    """Return the exact harmonics of a piston quantity: in powers of rho, and by 2F1 of q^2."""
+    letter, quantity = LETTER[setting.quantity], setting.quantity
+    coefficient = Indexed(letter, 2 * K)
+    weight = {"displacement": Number(2), "velocity": 4 * K}.get(quantity, 8 * K**2)
+    lead = {"displacement": Number(1), "velocity": 2 * K}.get(quantity, 4 * K**2)
+    term = Over(
+        Times((*_factors(weight), Binomial(2 * J, J), Binomial(2 * J, J - K))),
+        (2 * J - 1) * Number(16) ** J,
+    )
+    powers = alternating(K + 1) * Total(J, K, None, term * RHO ** (2 * J - 1))
+    hyper = Series2F1(-HALF, K - HALF, K + 1, Q**2)
+    exact = Over(lead, RHO) * (1 + KAPPA) * Binomial(HALF, K) * Q**K * hyper
+    roots = (equal(KAPPA, Root(1 - RHO**2)), equal(Q, (RHO / (1 + KAPPA)) ** 2, (1 - KAPPA) / (1 + KAPPA)))
+    return (
+        _exact_piston(setting, coefficient),
+        Equation(coefficient, (("=", powers), ("=", exact))),
+        *roots,
+        *_rest_position(setting),
+        *_bound_piston(setting, coefficient),
+    )
+
+
+def _factors(value: Formula) -> tuple[Formula, ...]:
+    return value.factors if isinstance(value, Times) else (value,)
+
+
+def _exact_piston(setting: Setting, coefficient: Indexed) -> Equation:
+    if setting.quantity == "displacement":
+        inside = Indexed("X", Number(0)) - cos(THETA) - Total(K, Number(1), None, coefficient * cos(2 * K * THETA))
+    else:
+        function = "sin" if setting.quantity == "velocity" else "cos"
+        rest = Total(K, Number(1), None, coefficient * Applied(function, 2 * K * THETA))
+        inside = harmonic(function, 1) + rest
+    return equal(_LEFT[setting.quantity], setting.unit() * inside)
+
+
+def _rest_position(setting: Setting) -> Parts:
+    """Return X_0 = 1 + (1 - c_0)/rho with c_0, the mean of the root."""
+    if setting.quantity != "displacement":
+        return ()
+    mean = 1 / Number(2) * (1 + KAPPA) * Series2F1(-HALF, -HALF, Number(1), Q**2)
+    return equal(Indexed("X", Number(0)), 1 + (1 - Indexed("c", Number(0))) / RHO), equal(Indexed("c", Number(0)), mean)
+
+
+def _bound_piston(setting: Setting, coefficient: Indexed) -> Parts:
+    """Return the bound in words and formulas: all harmonics add at a quarter turn."""
+    shares = prose(
+        "All terms of one coefficient have the same sign, and the signs of ", coefficient, " alternate with ", K, ", "
+        "as those of ", cos(2 * K * THETA), " do at ", equal(THETA, PI / Number(2)),
+    )  # fmt: skip
+    tail = Total(K, Number(setting.order // 2 + 1), None, Absolute(coefficient))
+    total = Total(K, Number(1), None, Absolute(coefficient))
+    error = Over(Absolute(Name("Delta") * _LEFT[setting.quantity]), setting.unit())
+    if setting.quantity == "velocity":
+        words = prose(
+            "All terms of one coefficient have the same sign, so the harmonics left out amount to at most the"
+            " sum of their coefficients' sizes:"
+        )  # fmt: skip
+        return words, Equation(error, (("≤", tail),))
+    there = prose(*shares.pieces, ": there all harmonics add up, and the error of leaving some out is greatest:")
+    whole = (
+        (Indexed("c", Number(0)) - KAPPA) / RHO if setting.quantity == "displacement" else Over(RHO, Root(1 - RHO**2))
+    )
+    return there, equal(total, whole), Equation(error, (("≤", tail),))
+
+
+def _angle(setting: Setting) -> Parts:
+    """Return the exact harmonics of the rod's angle, in powers of rho and by 2F1 of rho^2."""
+    odd, half = 2 * I + 1, I + HALF
+    coefficient = Indexed("R", odd)
+    term = Over(Binomial(2 * J, J) * Binomial(2 * J + 1, J - I), (2 * J + 1) * Number(16) ** J)
+    powers = alternating(I) * Total(J, I, None, term * RHO ** (2 * J + 1))
+    lead = Over(Binomial(2 * I, I), (2 * I + 1) * Number(16) ** I)
+    exact = alternating(I) * lead * RHO ** (2 * I + 1) * Series2F1(half, half, 2 * I + 2, RHO**2)
+    total = Total(I, Number(0), None, Absolute(coefficient))
+    tail = Total(I, Number((setting.order + 1) // 2), None, Absolute(coefficient))
+    there = prose(
+        "All terms of one coefficient have the same sign, and the signs of ", coefficient, " alternate with ", I,
+        ", as those of ", sin(odd * THETA), " do at ", equal(THETA, PI / Number(2)),
+        ": there all harmonics add up, and the error of leaving some out is greatest:",
+    )  # fmt: skip
+    return (
+        equal(PHI, Total(I, Number(0), None, coefficient * sin(odd * THETA))),
+        Equation(coefficient, (("=", powers), ("=", exact))),
+        there,
+        equal(total, Applied("asin", RHO)),
+        Equation(Absolute(Name("Delta") * PHI), (("≤", tail),)),
+    )
+
+
+# Numbers ----------------------------------------------------------------------------------------
+
+
+def _numbers(setting: Setting, found: Harmonics) -> Parts:
+    bound = _with_unit(setting, left_out(setting.order, RATIO, setting.quantity))
+    at = _AT_RATIO[setting.convention]
+    first = prose(
+        "At ", *at, f" the harmonics above order {setting.order} amount to at most ", bound,
+        ", with every coefficient kept exact.",
+    )  # fmt: skip
+    if setting.long:
+        return (first,)
+    printed = _with_unit(setting, printed_error(setting.order, found))
+    return (prose(*first.pieces, " With the coefficients as they are printed the error is at most ", printed, "."),)
+
+
+def _with_unit(setting: Setting, value: mp.mpf) -> Formula:
+    number = rounded_up(value)
+    return number * Name("rad") if setting.rod_angle else number * setting.unit()
+
+
+def rounded_up(value: mp.mpf) -> Scientific:
+    """Return a bound to three digits, rounded up so that it stays one.
+
+    >>> rounded_up(mp.mpf("1.52541e-6"))
+    Scientific(mantissa='1.53', exponent=-6)
+    """
+    number = Context(prec=3, rounding=ROUND_CEILING).create_decimal(Decimal(mp.nstr(value, 15)))
+    exponent = number.adjusted()
+    return Scientific(str(number.scaleb(-exponent).quantize(Decimal("0.01"))), exponent)
+
+
+def printed_error(order: int, found: Harmonics, ratio: Fraction = RATIO) -> mp.mpf:
+    """Return a bound on |exact - the truncated series in `found`| over all crank angles.
+
+    >>> from symbalance.slider_crank import harmonics
+    >>> mp.nstr(printed_error(2, harmonics("force", 2)), 3)
+    '0.00820'
+    """
+    total = left_out(order, ratio, found.quantity)
+    for n, series in found.terms.items():
+        kept = abs(series.at(ratio))
+        total += _size(found.quantity, n, ratio) - mp.mpf(kept.numerator) / kept.denominator
+    if found.quantity == "displacement":
+        kept, rho = found.constant.at(ratio), mp.mpf(ratio.denominator) / ratio.numerator
+        mean = 2 * mp.ellipe(rho * rho) / mp.pi
+        total += 1 + (1 - mean) / rho - mp.mpf(kept.numerator) / kept.denominator
+    return total
+
+
+def _size(quantity: str, n: int, ratio: Fraction) -> mp.mpf:
+    if quantity == "rod-angle":
+        return abs(rod_angle_value(n, ratio))
+    return abs(acceleration_value(n, ratio)) / {"displacement": n * n, "velocity": n}.get(quantity, 1)
