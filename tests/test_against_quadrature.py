@@ -96,6 +96,10 @@ def _compare_order(
         return
     resultant: Resultant = getattr(listed[n], name)
     coefficient = result.values[n]
+    measurable = abs(coefficient) > mp.mpf(10) ** -12
+    if measurable and abs(cosine) + abs(sine) < mp.mpf(10) ** -20 * abs(coefficient):
+        if not resultant.is_zero():
+            raise DisagreementError(f"{what} is listed but vanishes")
     c_v, s_v, c_l, s_l = cosine.real, sine.real, cosine.imag, sine.imag
     expected = {
         "vertical": (c_v, s_v),
@@ -224,7 +228,12 @@ def test_engines_with_several_banks(name: str) -> None:
         name=name,
     )
     expected = kinematics.placed(firing_order, banks, cylinders, intervals, stagger)
-    assert_agrees(layout, places=[expected[c.number] for c in layout.cylinders])
+    # Half degrees on four banks make cosines that take SymPy seconds to build.
+    assert_agrees(
+        layout,
+        places=[expected[c.number] for c in layout.cylinders],
+        expressions=name != "four banks",
+    )
 
 
 def test_a_boxer_stands_half_a_pitch_apart() -> None:

@@ -87,7 +87,7 @@ def test_json_follows_the_interface(capsys):
     vertical = six["force"]["vertical"]
     assert vertical["cos"] == vertical["amplitude"] == "6*sqrt(3)"
     assert vertical["phase"] == vertical["sin"] == "0"
-    assert vertical["decimal"] == ["10.3923048454132637611646780491", "0"]
+    assert vertical["decimal"] == ["10.392304845413263761164678049", "0"]
     assert six["force"]["lateral"]["cos"] == "0"
     assert six["force"]["forward"]["cos"] == "3*sqrt(3)"
     assert six["couple"]["vertical"]["decimal"] == ["0", "0"]

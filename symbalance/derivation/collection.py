@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from symbalance.derivation.setting import (
     LONGEST_IN_FULL,
     OMEGA,
     PHI,
-    THETA,
     M,
     Prose,
     Setting,
     Step,
     X,
+    closed,
     harmonic,
     prose,
-    unit,
 )
 from symbalance.notation.formula import (
     DOTS,
@@ -24,15 +21,12 @@ from symbalance.notation.formula import (
     Equation,
     Formula,
     Indexed,
-    Monomial,
     Name,
     Number,
-    Over,
     Sum,
-    Times,
     equal,
 )
-from symbalance.notation.series import CONVENTIONS, monomials
+from symbalance.notation.series import monomials
 from symbalance.slider_crank import Harmonics, Series, harmonics
 
 V, A, F = map(Name, "vaF")
@@ -195,22 +189,15 @@ def _closed_piston_term(setting: Setting, n: int, power: int) -> Formula:
     k, j = n // 2, (power + 1) // 2
     number = {"displacement": 2, "velocity": 4 * k}.get(setting.quantity, 8 * k * k)
     over = [Number(number), _binomial(2 * j, j), *([_binomial(2 * j, j - k)] if j > k else [])]
-    return _times_rho(setting, over, [Number(2 * j - 1), Number(16) ** j], power)
+    return closed(setting, over, [Number(2 * j - 1), Number(16) ** j], power)
 
 
 def _closed_angle_term(setting: Setting, n: int, power: int) -> Formula:
     """Return C(2j, j) C(2j+1, j-i) rho^(2j+1)/((2j + 1) 16^j), n = 2i+1."""
     i, j = n // 2, power // 2
     over = [_binomial(2 * j, j), *([_binomial(power, j - i)] if j > i else [])]
-    return _times_rho(setting, over, [Number(power), Number(16) ** j], power)
+    return closed(setting, over, [Number(power), Number(16) ** j], power)
 
 
 def _binomial(upper: int, lower: int) -> Formula:
     return Binomial(Number(upper), Number(lower))
-
-
-def _times_rho(setting: Setting, over: list[Formula], under: list[Formula], power: int) -> Formula:
-    letter, direction, scale = CONVENTIONS[setting.convention]
-    base = Name(letter) if scale == 1 else scale * Name(letter)
-    (over if direction > 0 else under).append(base**power)
-    return Over(over[0] if len(over) == 1 else Times(tuple(over)), Times(tuple(under)))

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator
 from itertools import groupby
 
-from symbalance.derivation.line_breaking import broken
+from symbalance.derivation.line_breaking import Line, broken
 from symbalance.derivation.result import Derivation
 from symbalance.derivation.setting import LETTERS, LONGEST_IN_FULL, Prose, Step, prose
 from symbalance.notation.formula import Equation, Formula
@@ -86,12 +86,28 @@ def _rows(equations: list[Equation], writer: Writer, room: float, indent: float)
     for each in equations:
         name = writer.write(each.left)
         links = [broken(_relation(r, writer), right, writer, room - left, indent) for r, right in each.links]
-        if sum(link[0].width for link in links) <= room - left and all(len(link) == 1 for link in links):
-            yield name, 0, " ".join(link[0].printed for link in links)
-            continue
-        for line in (line for link in links for line in link):
+        for line in _run_on(links, room - left, writer.width(" ")):
             yield name, line.depth, line.printed
             name = ""
+
+
+def _run_on(links: list[list[Line]], room: float, space: float) -> Iterator[Line]:
+    """Yield the lines of a chain of relations, short ones together on one."""
+    held: Line | None = None
+    for link in links:
+        head = link[0]
+        if held and len(link) == 1 and held.width + space + head.width <= room:
+            held = Line(0, f"{held.printed} {head.printed}", held.width + space + head.width)
+            continue
+        if held:
+            yield held
+        *before, held = link
+        yield from before
+        if before:
+            yield held
+            held = None
+    if held:
+        yield held
 
 
 def _inline(piece: str | Formula | Equation, writer: Writer) -> str:

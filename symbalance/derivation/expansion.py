@@ -6,25 +6,21 @@ from fractions import Fraction
 from math import comb
 
 from symbalance.derivation.setting import (
+    PHI,
+    THETA,
     I,
     J,
     K,
     L,
-    LETTERS,
-    M,
-    OMEGA,
-    PHI,
+    Prose,
     R,
     S,
-    SHORTENED,
-    THETA,
-    X,
-    Prose,
     Setting,
     Step,
+    X,
+    closed,
     harmonic,
     prose,
-    unit,
 )
 from symbalance.notation.formula import (
     DOTS,
@@ -32,7 +28,6 @@ from symbalance.notation.formula import (
     Binomial,
     Equation,
     Formula,
-    Indexed,
     Monomial,
     Name,
     Number,
@@ -40,15 +35,12 @@ from symbalance.notation.formula import (
     Power,
     Root,
     Sum,
-    Times,
     Total,
     alternating,
     cos,
     equal,
     sin,
 )
-from symbalance.notation.series import monomials
-from symbalance.slider_crank import Harmonics, Series
 
 ROOT_TERMS = 5
 """How many terms of the binomial series a derivation shows at least."""
@@ -122,8 +114,12 @@ def root_series(setting: Setting) -> Step:
         kept = prose("Order 1 keeps none of its powers: the root is replaced by 1, so that ",
                      Equation(rod, (("≈", Number(0)),)), ".")  # fmt: skip
         return Step("The root as a series", (words, series, kept))
-    rows = {m: setting.rho_power(2 * m - 1, _root_term(m), sin(THETA, 2 * m)) for m in _halves(setting)}
-    kept = Equation(rod, (("≈", setting.letters.radius * _elided(setting, rows)),))
+    rows = [
+        setting.rho_power(p - 1, _root_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()
+    ]
+    m = setting.last // 2
+    end = closed(setting, [_central(m), sin(THETA, 2 * m)], [Number(2 * m - 1), Number(4) ** m], 2 * m - 1)
+    kept = Equation(rod, (("≈", setting.letters.radius * _elided(setting, rows, end)),))
     return Step("The root as a series", (words, series, _kept_to(setting), kept))
 
 
@@ -136,10 +132,6 @@ def _power_of_x(coefficient: Fraction, exponent: int) -> Monomial:
     return Monomial(coefficient, "X", exponent)
 
 
-def _halves(setting: Setting) -> list[int]:
-    return [power // 2 for power in setting.sine_powers()]
-
-
 def _kept_to(setting: Setting) -> Prose:
     also = ""
     if setting.long:
@@ -147,12 +139,14 @@ def _kept_to(setting: Setting) -> Prose:
     return prose("Kept to ", sin(THETA, setting.last), also, ":")
 
 
-def _elided(setting: Setting, rows: dict[int, Monomial]) -> Sum:
-    """Return the rows as a sum: of a long derivation the first three, dots and the last."""
-    terms = [(1, term) for term in rows.values()]
-    if setting.long and len(terms) > 4:
-        terms = [*terms[:3], (1, DOTS), terms[-1]]
-    return Sum(tuple(terms))
+def _elided(setting: Setting, rows: list[Monomial], end: Formula) -> Sum:
+    """Return the rows as a sum: of a long derivation the first three, dots and the last as `end`."""
+    terms: list[Formula] = [*rows[:3], DOTS, end] if setting.long and len(rows) > 4 else [*rows]
+    return Sum(tuple((1, term) for term in terms))
+
+
+def _central(j: int) -> Binomial:
+    return Binomial(Number(2 * j), Number(j))
 
 
 def inverse_sine(setting: Setting) -> Step:
@@ -169,8 +163,10 @@ def inverse_sine_series(setting: Setting) -> Step:
     left = Applied("asin", BIG_X)
     series = equal(left, Sum((*terms, (1, DOTS))), Total(J, Number(0), None, general))
     words = prose("The series, which converges as ", equal(BIG_X, setting.letters.sine), " stays below 1:")
-    rows = {p: setting.rho_power(p, _inverse_sine_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()}
-    kept = Equation(PHI, (("≈", _elided(setting, rows)),))
+    rows = [setting.rho_power(p, _inverse_sine_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()]
+    p, j = setting.last, setting.last // 2
+    end = closed(setting, [_central(j), sin(THETA, p)], [Number(p), Number(4) ** j], p)
+    kept = Equation(PHI, (("≈", _elided(setting, rows, end)),))
     return Step("The inverse sine as a series", (words, series, _kept_to(setting), kept))
 
 

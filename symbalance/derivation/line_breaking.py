@@ -53,7 +53,7 @@ def _fill(pieces: Iterable[Piece], done: list[Line], room: float, indent: float,
     for piece in pieces:
         fresh = not done[-1].printed
         if done[-1].width + piece.width <= room or (fresh and not piece.inside):
-            done[-1].printed += piece.printed
+            done[-1].printed += piece.printed.lstrip() if fresh else piece.printed
             done[-1].width += piece.width
         elif not piece.inside or (not fresh and depth * indent + piece.width <= room):
             done.append(Line(depth, piece.printed.lstrip(), depth * indent + piece.width))

@@ -24,7 +24,6 @@ from symbalance.derivation.setting import (
     I,
     J,
     K,
-    N,
     Prose,
     Q,
     Setting,
@@ -40,6 +39,7 @@ from symbalance.notation.formula import (
     Equation,
     Formula,
     Indexed,
+    Monomial,
     Name,
     Number,
     Over,
@@ -53,6 +53,7 @@ from symbalance.notation.formula import (
     equal,
     sin,
 )
+from symbalance.notation.series import CONVENTIONS
 from symbalance.slider_crank import Harmonics, acceleration_value, rod_angle_value
 from symbalance.truncation import left_out
 
@@ -77,11 +78,16 @@ def left_out_step(setting: Setting, found: Harmonics) -> Step:
 
 def _missing(setting: Setting) -> Prose:
     kept = setting.last if setting.rod_angle else setting.last - 1
-    letters = setting.letters
-    powers = (setting.rho_power(kept),) if kept > 0 else ("the constant",)
+    letters, (letter, direction, _) = setting.letters, CONVENTIONS[setting.convention]
+    powers = (" beyond ", Monomial(Fraction(1), letter, direction * kept)) if kept > 0 else ()
+    variable = Monomial(Fraction(1), letter, direction)
+    missing = (
+        ("Two things are missing above: in each coefficient the powers of ", variable, *powers, ", and all")
+        if powers
+        else ("Missing above are the powers of ", variable, ", and with them all")
+    )
     return prose(
-        "Two things are missing above: in each coefficient the powers of ", letters.rho, " beyond ", *powers,
-        f", and all harmonics above order {setting.order}. Both are known in closed form. With ",
+        *missing, f" harmonics above order {setting.order}. Both are known in closed form. With ",
         *((equal(RHO, letters.rho),) if setting.convention != "r/l" else (letters.ratio,)),
         ", for every order and without truncation:",
     )  # fmt: skip
@@ -124,11 +130,15 @@ def _exact_piston(setting: Setting, coefficient: Indexed) -> Equation:
     return equal(_LEFT[setting.quantity], setting.unit() * inside)
 
 
+def _error(quantity: Name) -> Name:
+    return Name(f"Delta {quantity.name}")
+
+
 def _rest_position(setting: Setting) -> Parts:
     """Return X_0 = 1 + (1 - c_0)/rho with c_0, the mean of the root."""
     if setting.quantity != "displacement":
         return ()
-    mean = 1 / Number(2) * (1 + KAPPA) * Series2F1(-HALF, -HALF, Number(1), Q**2)
+    mean = HALF * (1 + KAPPA) * Series2F1(-HALF, -HALF, Number(1), Q**2)
     return equal(Indexed("X", Number(0)), 1 + (1 - Indexed("c", Number(0))) / RHO), equal(Indexed("c", Number(0)), mean)
 
 
@@ -140,7 +150,7 @@ def _bound_piston(setting: Setting, coefficient: Indexed) -> Parts:
     )  # fmt: skip
     tail = Total(K, Number(setting.order // 2 + 1), None, Absolute(coefficient))
     total = Total(K, Number(1), None, Absolute(coefficient))
-    error = Over(Absolute(Name("Delta") * _LEFT[setting.quantity]), setting.unit())
+    error = Over(Absolute(_error(_LEFT[setting.quantity])), setting.unit())
     if setting.quantity == "velocity":
         words = prose(
             "All terms of one coefficient have the same sign, so the harmonics left out amount to at most the"
@@ -151,7 +161,15 @@ def _bound_piston(setting: Setting, coefficient: Indexed) -> Parts:
     whole = (
         (Indexed("c", Number(0)) - KAPPA) / RHO if setting.quantity == "displacement" else Over(RHO, Root(1 - RHO**2))
     )
-    return there, equal(total, whole), Equation(error, (("≤", tail),))
+    rest = (("=", whole - _kept(K, 1, setting.order // 2, coefficient)),) if setting.order > 1 else ()
+    return there, equal(total, whole), Equation(error, (("≤", tail), *rest))
+
+
+def _kept(index: Name, first: int, last: int, coefficient: Indexed) -> Formula:
+    """Return the sum of the sizes of the coefficients that are kept."""
+    if first == last:
+        return Absolute(Indexed(coefficient.letter, Number(2 if index == K else 1)))
+    return Total(index, Number(first), Number(last), Absolute(coefficient))
 
 
 def _angle(setting: Setting) -> Parts:
@@ -163,7 +181,9 @@ def _angle(setting: Setting) -> Parts:
     lead = Over(Binomial(2 * I, I), (2 * I + 1) * Number(16) ** I)
     exact = alternating(I) * lead * RHO ** (2 * I + 1) * Series2F1(half, half, 2 * I + 2, RHO**2)
     total = Total(I, Number(0), None, Absolute(coefficient))
-    tail = Total(I, Number((setting.order + 1) // 2), None, Absolute(coefficient))
+    first = (setting.order + 1) // 2
+    tail = Total(I, Number(first), None, Absolute(coefficient))
+    kept = _kept(I, 0, first - 1, coefficient)
     there = prose(
         "All terms of one coefficient have the same sign, and the signs of ", coefficient, " alternate with ", I,
         ", as those of ", sin(odd * THETA), " do at ", equal(THETA, PI / Number(2)),
@@ -174,7 +194,7 @@ def _angle(setting: Setting) -> Parts:
         Equation(coefficient, (("=", powers), ("=", exact))),
         there,
         equal(total, Applied("asin", RHO)),
-        Equation(Absolute(Name("Delta") * PHI), (("≤", tail),)),
+        Equation(Absolute(_error(PHI)), (("≤", tail), ("=", Applied("asin", RHO) - kept))),
     )
 
 
@@ -191,6 +211,8 @@ def _numbers(setting: Setting, found: Harmonics) -> Parts:
     if setting.long:
         return (first,)
     printed = _with_unit(setting, printed_error(setting.order, found))
+    if printed == bound:  # no coefficient is truncated
+        return (first,)
     return (prose(*first.pieces, " With the coefficients as they are printed the error is at most ", printed, "."),)
 
 
@@ -207,6 +229,8 @@ def rounded_up(value: mp.mpf) -> Scientific:
     """
     number = Context(prec=3, rounding=ROUND_CEILING).create_decimal(Decimal(mp.nstr(value, 15)))
     exponent = number.adjusted()
+    if exponent >= -2:
+        return Scientific(str(number), 0)
     return Scientific(str(number.scaleb(-exponent).quantize(Decimal("0.01"))), exponent)
 
 

@@ -6,7 +6,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.notation.formula import Applied, Equation, Formula, Monomial, Name, Number, Over, equal, sin
+from symbalance.notation.formula import (
+    Applied,
+    Equation,
+    Formula,
+    Monomial,
+    Name,
+    Number,
+    Over,
+    Times,
+    equal,
+    sin,
+)
 from symbalance.notation.series import CONVENTIONS
 
 LONGEST_IN_FULL = 40
@@ -15,7 +26,7 @@ SHORTENED = 2
 """How many terms of each coefficient a shortened derivation keeps."""
 
 THETA, PHI, LAM, RHO, OMEGA = map(Name, ("theta", "phi", "lam", "rho", "omega"))
-R, L, S, M, X = map(Name, "rlsmX")
+R, L, S, M, X = map(Name, "rlsmx")
 KAPPA, Q, I, J, K, N = map(Name, ("kappa", "q", "i", "j", "k", "n"))
 HALF = Number(Fraction(1, 2))
 
@@ -148,6 +159,10 @@ def harmonic(function: str, n: int) -> Applied:
     return Applied(function, THETA if n == 1 else n * THETA)
 
 
-def over(value: Formula, number: int) -> Formula:
-    """Return value/number, without a denominator of one."""
-    return value if number == 1 else Over(value, Number(number))
+def closed(setting: Setting, over: list[Formula], under: list[Formula], power: int) -> Over:
+    """Return over/under times rho^power, its numbers left as they are, in the letters of the convention."""
+    letter, direction, scale = CONVENTIONS[setting.convention]
+    base = Name(letter) if scale == 1 else scale * Name(letter)
+    if direction > 0:
+        return Over(Times((*over, base**power)), Times(tuple(under)))
+    return Over(Times(tuple(over)) if len(over) > 1 else over[0], Times((*under, base**power)))

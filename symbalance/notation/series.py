@@ -14,7 +14,6 @@ l/s         lambda, in its inverse  half of it: the stroke is 2 r
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from fractions import Fraction
 from typing import NamedTuple
 
 from symbalance.errors import SymbalanceError, shown
@@ -39,12 +38,14 @@ CONVENTIONS = {
 
 TEXT_NAMES = {
     **{"theta": "θ", "lam": "λ", "rho": "ρ", "omega": "ω", "phi": "φ", "pi": "π", "kappa": "κ"},
-    **{"Delta": "Δ", "dots": "…", "dtheta": "dθ"},
+    **{"dots": "…", "dtheta": "dθ", "Delta phi": "Δφ"},
+    **{f"Delta {letter}": f"Δ{letter}" for letter in "xvaF"},
 }
 LATEX_NAMES = {
-    **{name: rf"\{name}" for name in ("phi", "pi", "kappa", "Delta")},
+    **{name: rf"\{name}" for name in ("phi", "pi", "kappa")},
     **{name: meaning.latex for name, meaning in MEANINGS.items()},
-    **{"dots": r"\cdots", "dtheta": r"d\theta"},
+    **{"dots": r"\cdots", "dtheta": r"d\theta", "Delta phi": r"\Delta \phi", "rad": r"\mathrm{rad}"},
+    **{f"Delta {letter}": rf"\Delta {letter}" for letter in "xvaF"},
 }
 _RAISED = str.maketrans("0123456789+−()kmnij", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾ᵏᵐⁿⁱʲ", " ")
 _LOWERED = str.maketrans("0123456789+−()kmnij", "₀₁₂₃₄₅₆₇₈₉₊₋₍₎ₖₘₙᵢⱼ", " ")

@@ -87,15 +87,23 @@ class _Visitor:
     def _times(self, value: f.Times) -> str:
         printed = self.factor(value.factors[0])
         for left, right in zip(value.factors, value.factors[1:], strict=False):
-            printed += self.product(left, right) + self.factor(right)
+            last = right is value.factors[-1] and isinstance(right, f.Over)
+            printed += self.product(left, right) + (self.write(right) if last else self.factor(right))
         return printed
 
 
 def _meet(left: f.Formula, right: f.Formula) -> bool:
     """Tell whether two factors need a dot between them: digits meet digits."""
-    return isinstance(left, f.Number) and isinstance(right, f.Number | f.Scientific) or (
+    return (isinstance(left, f.Number) and isinstance(right, f.Number | f.Scientific)) or (
         isinstance(left, f.Number) and isinstance(right, f.Power) and isinstance(right.base, f.Number)
     )
+
+
+def _bare_argument(value: f.Applied) -> bool:
+    """Tell whether a function's argument goes without brackets, as in cos 2 theta."""
+    if isinstance(value.argument, f.Times):
+        return not any(isinstance(factor, f.Applied) for factor in value.argument.factors)
+    return isinstance(value.argument, f.Name)
 
 
 class TextWriter(_Visitor):
@@ -115,7 +123,7 @@ class TextWriter(_Visitor):
 
     def product(self, left: f.Formula, right: f.Formula) -> str:
         """Return a dot after a fraction, nothing between a number and a letter, else a space."""
-        if _meet(left, right) or isinstance(left, f.Monomial) and not isinstance(right, f.Sum):
+        if _meet(left, right) or (isinstance(left, f.Monomial) and not isinstance(right, f.Sum)):
             return "·"
         if isinstance(left, f.Number) and isinstance(right, f.Name | f.Power | f.Indexed):
             return ""
@@ -133,6 +141,8 @@ class TextWriter(_Visitor):
         return "½" if value.value == Fraction(1, 2) else str(value.value).replace("-", "−")
 
     def _scientific(self, value: f.Scientific) -> str:
+        if value.exponent == 0:
+            return value.mantissa
         return f"{value.mantissa}·10{raised(str(value.exponent).replace('-', '−'))}"
 
     def _monomial(self, value: f.Monomial) -> str:
@@ -160,7 +170,7 @@ class TextWriter(_Visitor):
 
     def _applied(self, value: f.Applied) -> str:
         name = value.function + (raised(self._tight(value.power)) if value.power else "")
-        if isinstance(value.argument, f.Name | f.Times):
+        if _bare_argument(value):
             return f"{name}{'' if value.power else ' '}{self._tight(value.argument)}"
         return f"{name}({self.write(value.argument)})"
 
@@ -215,6 +225,8 @@ class LatexWriter(_Visitor):
         return r"\tfrac{1}{2}" if value.value == Fraction(1, 2) else str(value.value)
 
     def _scientific(self, value: f.Scientific) -> str:
+        if value.exponent == 0:
+            return value.mantissa
         return rf"{value.mantissa} \times 10^{{{value.exponent}}}"
 
     def _monomial(self, value: f.Monomial) -> str:
@@ -237,7 +249,7 @@ class LatexWriter(_Visitor):
     def _applied(self, value: f.Applied) -> str:
         name = _LATEX_FUNCTIONS.get(value.function, rf"\{value.function}")
         name += f"^{{{self.write(value.power)}}}" if value.power else ""
-        if isinstance(value.argument, f.Name | f.Times):
+        if _bare_argument(value):
             return f"{name} {self.write(value.argument)}"
         return rf"{name}\left({self.write(value.argument)}\right)"
 

@@ -59,6 +59,8 @@ class _Latex:
     def function(self, name: str, arguments: list[str]) -> str:
         shown = r"\operatorname{atan2}" if name == "atan2" else rf"\{name}"
         inside = ", ".join(arguments)
+        if inside.startswith(r"\frac") and len(arguments) == 1:
+            return rf"{shown}\t{inside[1:]}"  # cos of a fraction of pi needs no bracket
         tall = r"\frac" in inside
         return rf"{shown}\left({inside}\right)" if tall else f"{shown}({inside})"
 
@@ -85,7 +87,7 @@ def latex(expression: sympy.Basic) -> str:
     r"""Return an exact number as LaTeX.
 
     >>> print(latex(6 * sympy.sqrt(3)), latex(sympy.cos(2 * sympy.pi / 7) / 2))
-    6 \sqrt{3} \frac{\cos\left(\frac{2 \pi}{7}\right)}{2}
+    6 \sqrt{3} \frac{\cos\tfrac{2 \pi}{7}}{2}
     """
     return _printed(expression, _Latex())
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import sympy
 from mpmath import mp
 
+from symbalance.angles import Angle
 from symbalance.balance import Balance, Order, Resultant
 from symbalance.layout import Layout
 from symbalance.rational import Real, decimal_text
@@ -95,8 +96,14 @@ def strokes(layout: Layout) -> str:
 
 
 def banks(layout: Layout) -> list[str]:
-    """Return the bank angles, each once, as they stand in the layout."""
-    return list(dict.fromkeys(c.bank.as_text() for c in layout.cylinders))
+    """Return the bank angles, each once, as they stand in the layout; short decimals as decimals."""
+    return list(dict.fromkeys(_degrees(c.bank) for c in layout.cylinders))
+
+
+def _degrees(angle: Angle) -> str:
+    number = angle.in_degrees()
+    short = not angle.symbols and 10_000 % number.denominator == 0
+    return f"{float(number):g}" if short and abs(number) < 1000 else angle.as_text()
 
 
 def plane(balance: Balance) -> str:

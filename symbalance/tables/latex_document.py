@@ -2,13 +2,15 @@ r"""Results as LaTeX: amsmath and booktabs only, the conventions stated, nothing
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import singledispatch
 from typing import Any
 
 import sympy
+from mpmath import mp
 
-from symbalance.balance import Balance
+from symbalance.balance import Balance, Order
 from symbalance.derivation import Derivation, derivation_latex
 from symbalance.errors import SymbalanceError
 from symbalance.notation import series_latex
@@ -18,6 +20,8 @@ from symbalance.tables.expressions import latex
 from symbalance.tables.facts import IN_ONE_PLANE, Row, banks, plane, rotating, rows, shown, strokes
 
 ROWS_PER_TABLE = 36
+LONGEST_SERIES = 160
+LONGEST_NUMERATOR = 30
 LONGEST_CELL = 34
 """A cell whose LaTeX is longer than this prints its decimal, and its exact form below the table."""
 
@@ -79,9 +83,11 @@ def _(result: Derivation, *, standalone: bool = False) -> str:
 
 @to_latex.register
 def _(result: Balance, *, standalone: bool = False) -> str:
-    force = _resultant(result, "force", r"Free force, unit \(F_n = A_n\, m r \omega^2\)")
-    couple = _resultant(result, "couple", rf"Free couple about {plane(result)}, unit \(F_n a\)")
-    body = "\n\n".join([_heading(result), force, couple, _coefficients(result)])
+    force = _resultant(result, "force", r"\textbf{Free force}, unit \(F_n = A_n\, m r \omega^2\)")
+    couple = _resultant(
+        result, "couple", rf"\textbf{{Free couple}} about {plane(result)}, unit \(F_n a\)"
+    )
+    body = "\n\n\\medskip\n".join([_heading(result), force, couple, _coefficients(result)])
     return in_document(body) if standalone else body + "\n"
 
 
@@ -136,6 +142,8 @@ def _row(row: Row) -> str:
     for i, formula in enumerate(exact):
         if decimals is None:
             cells.append(rf"\({formula}\)" if len(formula) <= LONGEST_CELL else "below")
+        elif i == 2 and len(formula) > LONGEST_CELL:
+            cells.append("")
         elif len(formula) > LONGEST_CELL or r"\operatorname{atan2}" in formula:
             cells.append(rf"\({_number(decimals[i])}\)")
         else:
@@ -171,16 +179,36 @@ def _number(decimal: str) -> str:
     return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
 
 
-def _broken(formula: str, limit: int = 110) -> str:
-    """Return a formula broken over lines of an align where a top-level sum grows too long."""
-    pieces, depth, start = [], 0, 0
+def _broken(formula: str, limit: int = 60) -> str:
+    """Return a formula broken over the lines of an align, between the terms of its outermost sum."""
+    lines, line = [], ""
+    for term in _terms(formula):
+        if line and _width(line) + _width(term) > limit:
+            lines.append(line)
+            line = ""
+        line += term
+    return r" \\ &\qquad ".join([*lines, line])
+
+
+def _terms(formula: str) -> list[str]:
+    """Return the terms of a sum, each with its sign before it."""
+    terms, depth, start = [], 0, 0
     for i, character in enumerate(formula):
         depth += (character in "{(") - (character in "})")
-        if depth == 0 and i - start > limit and formula[i : i + 3] in (" + ", " - "):
-            pieces.append(formula[start:i])
-            start = i + 1
-    pieces.append(formula[start:])
-    return r" \\ &\qquad ".join(pieces)
+        if depth == 0 and i and formula[i : i + 3] in (" + ", " - "):
+            terms.append(formula[start:i])
+            start = i
+    return [*terms, formula[start:]]
+
+
+def _width(formula: str) -> int:
+    """Return about how many characters wide a formula is printed."""
+    flat = re.sub(r"\\t?frac\{([^{}]*(?:\{[^{}]*\})?)\}\{([^{}]*(?:\{[^{}]*\})?)\}", _wider, formula)
+    return len(re.sub(r"\\[a-z]+|[{}^ ]", "", flat)) + flat.count("\\")
+
+
+def _wider(fraction: re.Match[str]) -> str:
+    return max(fraction[1], fraction[2], key=len)
 
 
 def _exact_forms(found: Sequence[Row]) -> list[str]:
@@ -200,7 +228,7 @@ def _exact_forms(found: Sequence[Row]) -> list[str]:
     return ["Exactly:", r"\begin{align*}", " \\\\\n".join(lines), r"\end{align*}"]
 
 
-def _tabulars(columns: str, head: str, lines: list[str]) -> str:
+def _tabulars(columns: str, head: str, lines: list[str], gap: int = 2) -> str:
     """Return tables of at most `ROWS_PER_TABLE` rows, one below the other."""
     chunks = [lines[i : i + ROWS_PER_TABLE] for i in range(0, len(lines), ROWS_PER_TABLE)]
     return "\n".join(
@@ -211,7 +239,7 @@ def _tabulars(columns: str, head: str, lines: list[str]) -> str:
                 r"\toprule",
                 head + r" \\",
                 r"\midrule",
-                *(rf"{line} \\[2pt]" for line in chunk),
+                *(rf"{line} \\[{gap}pt]" for line in chunk),
                 r"\bottomrule",
                 r"\end{tabular}",
                 r"\end{center}",
@@ -224,28 +252,29 @@ def _tabulars(columns: str, head: str, lines: list[str]) -> str:
 def _coefficients(balance: Balance) -> str:
     if not balance.orders:
         return "No order survives, so no coefficient is needed."
-    long = any(len(series_latex(o.coefficient)) > 160 for o in balance.orders)
-    if long:
-        return "\n".join(
-            ["Coefficients of one cylinder:", r"\begin{align*}", _aligned(balance), r"\end{align*}"]
-        )
-    ratio = balance.ratio
+    series = [_series(order) for order in balance.orders]
+    title = r"\textbf{Coefficients of one cylinder}:"
+    if max(map(len, series)) > LONGEST_SERIES:
+        rows = [rf"A_{{{o.order}}} &= {_broken(s)}" for o, s in zip(balance.orders, series, strict=True)]
+        return "\n".join([title, r"\begin{align*}", " \\\\\n".join(rows), r"\end{align*}"])
+    values = [rf"\({_number(shown(v))}\)" for v in balance.values.values()]
     columns, head = "rl", r"\(n\) & \(A_n\) in powers of \(1/\lambda\)"
-    if ratio is not None:
-        columns, head = (
-            "rll",
-            rf"{head} & exact in \(\lambda\), at \(\lambda = {latex(sympy.sympify(ratio))}\)",
-        )
-    lines = []
-    for order in balance.orders:
-        value = balance.values.get(order.order)
-        number = "" if value is None else rf" & \({_number(shown(value))}\)"
-        lines.append(rf"{order.order} & \({series_latex(order.coefficient, ellipsis=True)}\){number}")
-    return "Coefficients of one cylinder:\n" + _tabulars(columns, head, lines)
+    if values:
+        columns, head = "rll", rf"{head} & exact in \(\lambda\), at \(\lambda = {_ratio(balance)}\)"
+    lines = [rf"{o.order} & \(\displaystyle {s}\)" for o, s in zip(balance.orders, series, strict=True)]
+    lines = [" & ".join(pair) for pair in zip(lines, values, strict=True)] if values else lines
+    return f"{title}\n{_tabulars(columns, head, lines, gap=8)}"
 
 
-def _aligned(balance: Balance) -> str:
-    return " \\\\\n".join(
-        rf"A_{{{o.order}}} &= {_broken(series_latex(o.coefficient, ellipsis=True), 160)}"
-        for o in balance.orders
-    )
+def _series(order: Order) -> str:
+    """Return a coefficient's series; one whose numbers fill a line by its leading term, rounded."""
+    power, lead = min(order.coefficient.terms.items())
+    if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
+        return series_latex(order.coefficient, ellipsis=True)
+    rounded = _number(shown(mp.mpf(lead.numerator) / lead.denominator))
+    return rf"{rounded}\ldots\,\lambda^{{-{power}}} + \cdots"
+
+
+def _ratio(balance: Balance) -> str:
+    ratio = balance.ratio
+    return "" if ratio is None else latex(sympy.Rational(ratio.numerator, ratio.denominator))

@@ -13,6 +13,8 @@ from symbalance.tables.facts import IN_ONE_PLANE, Row, banks, plane, rotating, r
 WIDTH = 79
 SHORT = 14
 """An exact form up to this long stays in the table, whatever becomes of its column."""
+LONGEST_PHASE = 8
+"""A phase that takes more, an atan2 or a fine fraction of pi, is printed in radians."""
 _HEAD = ("order", "component", "cos nθ", "sin nθ", "amplitude", "≈", "phase")
 _EXACT = (2, 3, 4)
 
@@ -83,7 +85,7 @@ def _cells(row: Row, below: Sequence[int] = ()) -> list[str]:
     cos, sin, amplitude, phase = (d.replace("-", "−") for d in decimals)
     if amplitude != exact[2]:
         cells[5] = amplitude
-    if exact[3].startswith("atan2"):
+    if len(exact[3]) > LONGEST_PHASE:
         cells[6] = phase
     nearly = {2: cos, 3: sin, 4: ""}
     return [nearly[i] if i in below and len(c) > SHORT else c for i, c in enumerate(cells)]
@@ -125,7 +127,7 @@ def _turning(row: Row) -> list[str]:
     amplitude, phase = (d.replace("-", "−") for d in decimals[2:])
     if len(exact[2]) <= SHORT and exact[2] != amplitude:
         amplitude = f"{exact[2]} ≈ {amplitude}"
-    return [amplitude, phase if exact[3].startswith("atan2") else exact[3]]
+    return [amplitude, phase if len(exact[3]) > LONGEST_PHASE else exact[3]]
 
 
 def _grid(table: Sequence[Sequence[str]]) -> list[str]:
