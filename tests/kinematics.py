@@ -1,11 +1,12 @@
 """The slider-crank and the whole engine from first principles, in mpmath, without symbalance.
 
-Everything here follows from the conventions alone: a piston sits at r cos p + sqrt(l^2 - r^2 sin^2 p)
-from the crank's axis, p = theta + throw - bank being the cylinder's own crank angle; its inertia force
-is minus mass times the second derivative of that, taken in closed form; the vertical part is cos(bank)
-of it, the lateral part sin(bank), and the couple is the sum of (station - mean of stations) times it.
-Harmonics are found by the trapezoidal rule, which for a smooth periodic function converges like a power.
-Units: r = m = omega = 1, rod ratio lam = l/r, angles in degrees (exact fractions) unless said otherwise.
+Everything here follows from the conventions alone: a piston sits at r cos p + sqrt(l^2 - r^2 sin^2
+p) from the crank's axis, p = theta + throw - bank being the cylinder's own crank angle; its
+inertia force is minus mass times the second derivative of that, taken in closed form; the vertical
+part is cos(bank) of it, the lateral part sin(bank), and the couple is the sum of (station - mean
+of stations) times it. Harmonics are found by the trapezoidal rule, which for a smooth periodic
+function converges like a power. Units: r = m = omega = 1, rod ratio lam = l/r, angles in degrees
+(exact fractions) unless said otherwise.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def velocity(p: mp.mpf, lam: mp.mpf) -> mp.mpf:
 
 
 def acceleration(p: mp.mpf, lam: mp.mpf) -> mp.mpf:
-    """Return the second derivative of the displacement: the inertia force, + away from the crank."""
+    """Return the second derivative of the displacement: the inertia force, + outward."""
     sine, cosine = mp.sin(p), mp.cos(p)
     root = mp.sqrt(lam**2 - sine**2)
     return cosine + (cosine**2 - sine**2) / root + (sine * cosine) ** 2 / root**3
@@ -121,11 +122,15 @@ def placed(
     stagger: Sequence[Degrees] | None = None,
     strokes: int = 4,
 ) -> dict[int, Place]:
-    """Return number -> place of an engine built from its firing order, by walking the cycle once."""
+    """Return number -> place of an engine built from its firing order, walking the cycle once."""
     cycle = 180 * strokes
     rows = cylinders if cylinders is not None else [sorted(firing_order)]
     shifts = stagger if stagger is not None else [0] * len(banks)
-    steps = intervals if intervals is not None else [Fraction(cycle, len(firing_order))] * len(firing_order)
+    steps = (
+        intervals
+        if intervals is not None
+        else [Fraction(cycle, len(firing_order))] * len(firing_order)
+    )
     clock, fired = Fraction(0), {}
     for cylinder, step in zip(firing_order, steps, strict=True):
         fired[cylinder] = clock
@@ -134,7 +139,7 @@ def placed(
     for bank, row, shift in zip(banks, rows, shifts, strict=True):
         for position, cylinder in enumerate(row):
             after_first = fired[cylinder] - fired[1]
-            # At its own firing the pin points along the bank; at theta = 0 it is still that far behind.
+            # When it fires its pin points along the bank; at theta = 0 it is that far behind.
             throw = Fraction(bank) - after_first
             places[cylinder] = Place(throw, Fraction(bank), Fraction(shift) - position)
     return places

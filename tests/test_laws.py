@@ -1,7 +1,8 @@
 """Evidence: laws that hold for every number, angle and engine, on examples that hypothesis draws.
 
-The field laws of phasors (against complex floats), the radicals against their own decimals, and how
-free forces and couples answer when an engine is turned, shifted, reversed, delayed, mirrored or joined.
+The field laws of phasors (against complex floats), the radicals against their own decimals, and
+how free forces and couples answer when an engine is turned, shifted, reversed, delayed, mirrored
+or joined.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import cmath
 import math
 from fractions import Fraction
+from random import Random
 
 import hypothesis.strategies as st
 import pytest
@@ -37,9 +39,7 @@ settings.load_profile("laws")
 SMALL = st.integers(1, 60)
 NAMED = st.sampled_from([1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 15, 16, 17, 20, 24, 28, 32, 36, 60])
 MODULI = st.one_of(NAMED, SMALL)
-COEFFICIENTS = st.one_of(
-    st.integers(-9, 9), st.fractions(-5, 5, max_denominator=12)
-)
+COEFFICIENTS = st.one_of(st.integers(-9, 9), st.fractions(-5, 5, max_denominator=12))
 
 
 @st.composite
@@ -113,7 +113,9 @@ def test_the_laws_of_a_field(a: Phasor, b: Phasor, c: Phasor) -> None:
 
 
 @given(raw_terms(), st.integers(1, 6), st.data())
-def test_equal_numbers_have_equal_normal_forms(raw: tuple, factor: int, data: st.DataObject) -> None:
+def test_equal_numbers_have_equal_normal_forms(
+    raw: tuple, factor: int, data: st.DataObject
+) -> None:
     """The same number, written over a multiple of the modulus with vanishing sums mixed in."""
     modulus, terms = raw
     large = modulus * factor
@@ -140,7 +142,9 @@ def test_a_number_is_zero_exactly_when_it_is_numerically(raw: tuple) -> None:
     with mp.workdps(150):
         modulus, terms = raw
         total = mp.fsum(
-            mp.mpf(Fraction(c).numerator) / Fraction(c).denominator * mp.expjpi(mp.mpf(2 * k) / modulus)
+            mp.mpf(Fraction(c).numerator)
+            / Fraction(c).denominator
+            * mp.expjpi(mp.mpf(2 * k) / modulus)
             for k, c in terms.items()
         )
         assert number.is_zero() == (abs(total) < mp.mpf(10) ** -130)
@@ -317,7 +321,7 @@ def test_reversing_the_stations_negates_the_couple(layout: Layout) -> None:
 
 @given(layouts())
 def test_a_mirrored_engine_swaps_and_conjugates_its_orders(layout: Layout) -> None:
-    """Mirrored in the vertical, and run backward: the vertical stays, the lateral changes its sign."""
+    """Mirrored in the vertical and run backward: the vertical stays, the lateral is negated."""
     before, after = balance(layout, 6), balance(remade(layout, mirror=True), 6)
     assert before.force.orders() == after.force.orders()
     for order in before.force.orders():
@@ -364,17 +368,17 @@ def test_what_is_listed_is_what_is_not_zero(layout: Layout) -> None:
         for order in spectrum.orders():
             parts = [spectrum.component(order, name) for name in COMPONENTS]
             assert not all(part.is_zero() for part in parts[:2])
-            vertical, lateral, forward, backward = parts
+            vertical, _, forward, backward = parts
             assert (forward.number + backward.number - vertical.number).is_zero()
 
 
 @given(st.integers(1, 24), st.sampled_from([2, 4]), st.randoms(use_true_random=False))
 def test_an_even_firing_in_line_engine_keeps_multiples_only(
-    count: int, strokes: int, shuffle: object
+    count: int, strokes: int, shuffle: Random
 ) -> None:
     """Order n survives in the force exactly if n half-turns (or turns) are whole firings."""
     rest = list(range(2, count + 1))
-    shuffle.shuffle(rest)  # type: ignore[attr-defined]
+    shuffle.shuffle(rest)
     force = balance(inline([1, *rest], strokes=strokes), 48).force
     half_cycles = strokes // 2
     surviving = [1, *range(2, 49, 2)]
@@ -385,8 +389,8 @@ def test_an_even_firing_in_line_engine_keeps_multiples_only(
 
 
 @given(st.integers(1, 12), st.randoms(use_true_random=False))
-def test_an_engine_with_mirrored_throws_has_no_couple(half: int, shuffle: object) -> None:
-    throws = [Fraction(360 * shuffle.randrange(12), 12) for _ in range(half)]  # type: ignore[attr-defined]
+def test_an_engine_with_mirrored_throws_has_no_couple(half: int, shuffle: Random) -> None:
+    throws = [Fraction(360 * shuffle.randrange(12), 12) for _ in range(half)]
     result = balance(inline(throws=[*throws, *reversed(throws)]), 12)
     assert not result.couple.terms
 
@@ -395,7 +399,14 @@ def test_an_engine_with_mirrored_throws_has_no_couple(half: int, shuffle: object
 
 
 ALPHA = sympy.Symbol("alpha")
-BANK_ANGLES = [Fraction(60), Fraction(90), Fraction(360, 7), Fraction("22.5"), Fraction(0), Fraction(180)]
+BANK_ANGLES = [
+    Fraction(60),
+    Fraction(90),
+    Fraction(360, 7),
+    Fraction("22.5"),
+    Fraction(0),
+    Fraction(180),
+]
 
 
 def at(expression: sympy.Expr, bank_angle: Fraction) -> mp.mpf:
@@ -437,6 +448,12 @@ def test_a_symbolic_zero_is_zero_for_all_angles() -> None:
     assert 1 not in result.force.orders()
     assert result.force.orders() == [2, 4]
     assert result.couple.orders() == [1]
+
+
+def test_a_component_that_vanishes_for_all_angles_has_phase_zero() -> None:
+    lateral = balance(Layout([Cylinder(1, throw=ALPHA)]), 1)[1].force.lateral
+    assert lateral.is_zero()
+    assert (lateral.cos, lateral.sin, lateral.amplitude, lateral.phase) == (0, 0, 0, 0)
 
 
 def test_symbols_of_two_angles_stay_apart() -> None:
@@ -483,7 +500,9 @@ def test_degrees_and_radians_are_one_angle(number: Fraction) -> None:
 
 
 @given(st.integers(2, 10), st.data())
-def test_where_a_cylinder_fires_its_pin_points_along_its_bank(count: int, data: st.DataObject) -> None:
+def test_where_a_cylinder_fires_its_pin_points_along_its_bank(
+    count: int, data: st.DataObject
+) -> None:
     order = [1, *data.draw(st.permutations(range(2, count + 1)))]
     cuts = sorted(data.draw(st.lists(st.integers(0, 720), min_size=count - 1, max_size=count - 1)))
     steps = [b - a for a, b in zip([0, *cuts], [*cuts, 720], strict=True)]

@@ -1,8 +1,8 @@
 """Evidence about the evidence: small faults put into the core on purpose, and seen by the checkers.
 
-Each test breaks one thing (a sign, a Catalan number, a bank, the mean station, a rewriting rule) for its
-own duration and asserts that the comparison with quadrature raises. Without the fault the same
-comparison passes, which the first test holds.
+Each test breaks one thing (a sign, a Catalan number, a bank, the mean station, a rewriting rule)
+for its own duration and asserts that the comparison with quadrature raises. Without the fault the
+same comparison passes, which the first test holds.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ def _no_memory() -> Iterator[None]:
 
 
 def _caches() -> Callable[[], None]:
-    """Return what clears the caches there are now, also when a fault has taken a function's place."""
+    """Return what clears the caches there are now, even once a fault has replaced one."""
     found = [
         thing.cache_clear
         for module in (phasor, radicals, slider_crank)
@@ -121,7 +121,9 @@ def test_a_flipped_sign_in_order_four(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_wrong_catalan_number(monkeypatch: pytest.MonkeyPatch) -> None:
     """Catalan(k-1) is C(2k-2, k-1)/k; the one below it in the table is given instead."""
     sound = slider_crank.comb
-    monkeypatch.setattr(slider_crank, "comb", lambda n, k: sound(n - 2, k - 1) if k > 1 else sound(n, k))
+    monkeypatch.setattr(
+        slider_crank, "comb", lambda n, k: sound(n - 2, k - 1) if k > 1 else sound(n, k)
+    )
     assert_seen(compare_series)
 
 

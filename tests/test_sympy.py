@@ -63,8 +63,10 @@ def test_cosines_keep_their_value_however_they_are_folded(m: int) -> None:
 
 def test_cosines_of_sevenths_are_left_as_they_are() -> None:
     assert str(2 * sympy.cos(2 * sympy.pi / 7)) == "2*cos(2*pi/7)"
-    assert sympy.cos(2 * sympy.pi * sympy.Rational(5, 7)) == sympy.cos(4 * sympy.pi / 7) == (
-        -sympy.cos(3 * sympy.pi / 7)
+    assert (
+        sympy.cos(2 * sympy.pi * sympy.Rational(5, 7))
+        == sympy.cos(4 * sympy.pi / 7)
+        == (-sympy.cos(3 * sympy.pi / 7))
     )
 
 

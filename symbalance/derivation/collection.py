@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from symbalance.derivation.setting import (
     LONGEST_IN_FULL,
     OMEGA,
@@ -44,7 +46,7 @@ Parts = tuple[Prose | Equation, ...]
 
 
 def collection_steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:
-    """Return the step that collects the harmonics and, but for displacement and angle, the derivatives."""
+    """Return the step that collects the harmonics and, where asked for, their derivatives."""
     if setting.quantity not in _TITLES:
         left = PHI if setting.rod_angle else X
         parts = _result(setting, found, left, ())
@@ -144,7 +146,12 @@ def _long_equation(setting: Setting, left: Formula, via: tuple[Formula, ...]) ->
     letter, sign = LETTER[setting.quantity], -1 if setting.quantity == "displacement" else 1
     function = "sin" if setting.quantity in ("velocity", "rod-angle") else "cos"
     rows: list[tuple[int, Formula]] = [
-        (sign, _letter(letter, n) * harmonic(function, n) if n > 1 or setting.rod_angle else harmonic(function, n))
+        (
+            sign,
+            _letter(letter, n) * harmonic(function, n)
+            if n > 1 or setting.rod_angle
+            else harmonic(function, n),
+        )
         for n in setting.orders()
     ]
     if setting.quantity == "displacement":
@@ -163,7 +170,11 @@ def _coefficients(setting: Setting, found: Harmonics) -> list[Equation]:
     """Return one line per coefficient."""
     rows: list[Equation] = []
     if setting.quantity == "displacement":
-        rows.append(_coefficient(setting, _letter("X", 0), list(monomials(found.constant, setting.convention))[:2]))
+        rows.append(
+            _coefficient(
+                setting, _letter("X", 0), list(monomials(found.constant, setting.convention))[:2]
+            )
+        )
     turned = -1 if setting.quantity == "displacement" else 1
     for n, series in found.terms.items():
         if n > 1 or setting.rod_angle:
@@ -174,7 +185,7 @@ def _coefficients(setting: Setting, found: Harmonics) -> list[Equation]:
     return rows
 
 
-def _coefficient(setting: Setting, left: Formula, terms: list[tuple[int, Formula]]) -> Equation:
+def _coefficient(setting: Setting, left: Formula, terms: Sequence[tuple[int, Formula]]) -> Equation:
     return equal(left, Sum((*terms, (terms[-1][0], DOTS))))
 
 
@@ -185,7 +196,7 @@ def _closed(setting: Setting, n: int, series: Series) -> list[tuple[int, Formula
 
 
 def _closed_piston_term(setting: Setting, n: int, power: int) -> Formula:
-    """Return 8 k^2 C(2j, j) C(2j, j-k) rho^(2j-1)/((2j - 1) 16^j), n = 2k; over n^2 or n if integrated."""
+    """Return 8 k^2 C(2j, j) C(2j, j-k) rho^(2j-1)/((2j - 1) 16^j), n = 2k, integrated."""
     k, j = n // 2, (power + 1) // 2
     number = {"displacement": 2, "velocity": 4 * k}.get(setting.quantity, 8 * k * k)
     over = [Number(number), _binomial(2 * j, j), *([_binomial(2 * j, j - k)] if j > k else [])]

@@ -9,11 +9,11 @@ from itertools import groupby
 from symbalance.derivation.line_breaking import Line, broken
 from symbalance.derivation.result import Derivation
 from symbalance.derivation.setting import LETTERS, LONGEST_IN_FULL, Prose, Step, prose
+from symbalance.notation import InlineLatexWriter, LatexWriter, TextWriter, Writer
 from symbalance.notation.formula import Equation, Formula
-from symbalance.notation.writers import LatexWriter, TextWriter, Writer
 
 COLUMNS = 80
-_MARGIN = 4
+_MARGIN = 2
 _LATEX_ROOM = 430.0
 _LATEX_INDENT = 10.0
 _HARD_SPACE = "\u00a0"
@@ -33,6 +33,7 @@ _PREAMBLE = r"""\documentclass[a4paper]{article}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
 \setlength{\emergencystretch}{3em}
+\setlength{\jot}{6pt}
 \allowdisplaybreaks
 \begin{document}
 """
@@ -58,8 +59,8 @@ def _opening(derivation: Derivation) -> Prose:
     words = f", {letters.meaning}."
     if _is_long(derivation):
         words += (
-            f" Beyond order {LONGEST_IN_FULL} the derivation is shortened: of long lines only the first terms"
-            " are written out, of every coefficient two."
+            f" Beyond order {LONGEST_IN_FULL} the derivation is shortened: of long lines only the first"
+            " terms are written out, of every coefficient two."
         )
     return prose("Convention: ", letters.ratio, words)
 
@@ -85,7 +86,9 @@ def _rows(equations: list[Equation], writer: Writer, room: float, indent: float)
     left = max(writer.width(writer.write(each.left)) for each in equations) + writer.width(" ")
     for each in equations:
         name = writer.write(each.left)
-        links = [broken(_relation(r, writer), right, writer, room - left, indent) for r, right in each.links]
+        links = [
+            broken(_relation(r, writer), right, writer, room - left, indent) for r, right in each.links
+        ]
         for line in _run_on(links, room - left, writer.width(" ")):
             yield name, line.depth, line.printed
             name = ""
@@ -170,7 +173,7 @@ def derivation_latex(derivation: Derivation, standalone: bool = True) -> str:
     \section*{Inertia force of one slider-crank, harmonics to order 2}
     """
     writer = LatexWriter()
-    blocks = [rf"\section*{{{title(derivation)}}}", _latex_prose(_opening(derivation), writer)]
+    blocks = [rf"\section*{{{title(derivation)}}}", _latex_prose(_opening(derivation))]
     for number, step in enumerate(derivation.steps, 1):
         blocks.append(rf"\subsection*{{{number}. {step.title}}}")
         blocks += [_latex_group(group, writer) for group in _groups(step)]
@@ -180,14 +183,14 @@ def derivation_latex(derivation: Derivation, standalone: bool = True) -> str:
 
 def _latex_group(group: Prose | list[Equation], writer: Writer) -> str:
     if isinstance(group, Prose):
-        return _latex_prose(group, writer)
+        return _latex_prose(group)
     rows, indent = _rows(group, writer, _LATEX_ROOM, _LATEX_INDENT), r"\quad "
     printed = [f"{name} &{indent * depth}{line}".strip() for name, depth, line in rows]
     return "\\begin{align*}\n" + " \\\\\n".join(printed) + "\n\\end{align*}"
 
 
-def _latex_prose(paragraph: Prose, writer: Writer) -> str:
-    """Return a paragraph; a blank line before it unless it continues a displayed equation's sentence."""
+def _latex_prose(paragraph: Prose) -> str:
+    inline = InlineLatexWriter()
     return "".join(
-        piece if isinstance(piece, str) else f"${_inline(piece, writer)}$" for piece in paragraph.pieces
+        piece if isinstance(piece, str) else f"${_inline(piece, inline)}$" for piece in paragraph.pieces
     )

@@ -6,9 +6,9 @@ from fractions import Fraction
 from math import comb
 
 from symbalance.derivation.setting import (
+    INDEX_I,
     PHI,
     THETA,
-    I,
     J,
     K,
     L,
@@ -65,8 +65,8 @@ def geometry(setting: Setting) -> Step:
         side = " (positive towards the side of the pin after top dead centre)."
         return Step("Geometry", (Prose((*about, side)), pin, ratio, slope))
     measured = prose(
-        "The piston's displacement ", X, " is measured from top dead centre towards the crank; velocity and"
-        " acceleration are positive in the same direction."
+        "The piston's displacement ", X, " is measured from top dead centre towards the crank;"
+        " velocity and acceleration are positive in the same direction."
     )  # fmt: skip
     radius = letters.radius
     whole = radius + L - Sum(((1, radius * cos(THETA)), (1, L * cos(PHI))))
@@ -114,11 +114,11 @@ def root_series(setting: Setting) -> Step:
         kept = prose("Order 1 keeps none of its powers: the root is replaced by 1, so that ",
                      Equation(rod, (("≈", Number(0)),)), ".")  # fmt: skip
         return Step("The root as a series", (words, series, kept))
-    rows = [
-        setting.rho_power(p - 1, _root_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()
-    ]
+    rows = [setting.rho_power(p - 1, _root_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()]
     m = setting.last // 2
-    end = closed(setting, [_central(m), sin(THETA, 2 * m)], [Number(2 * m - 1), Number(4) ** m], 2 * m - 1)
+    end = closed(
+        setting, [_central(m), sin(THETA, 2 * m)], [Number(2 * m - 1), Number(4) ** m], 2 * m - 1
+    )
     kept = Equation(rod, (("≈", setting.letters.radius * _elided(setting, rows, end)),))
     return Step("The root as a series", (words, series, _kept_to(setting), kept))
 
@@ -162,8 +162,12 @@ def inverse_sine_series(setting: Setting) -> Step:
     general = Over(Binomial(2 * J, J), Power(Number(4), J) * (2 * J + 1)) * Power(BIG_X, 2 * J + 1)
     left = Applied("asin", BIG_X)
     series = equal(left, Sum((*terms, (1, DOTS))), Total(J, Number(0), None, general))
-    words = prose("The series, which converges as ", equal(BIG_X, setting.letters.sine), " stays below 1:")
-    rows = [setting.rho_power(p, _inverse_sine_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()]
+    words = prose(
+        "The series, which converges as ", equal(BIG_X, setting.letters.sine), " stays below 1:"
+    )
+    rows = [
+        setting.rho_power(p, _inverse_sine_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()
+    ]
     p, j = setting.last, setting.last // 2
     end = closed(setting, [_central(j), sin(THETA, p)], [Number(p), Number(4) ** j], p)
     kept = Equation(PHI, (("≈", _elided(setting, rows, end)),))
@@ -177,7 +181,9 @@ def _inverse_sine_term(j: int) -> Fraction:
 def even_powers(setting: Setting) -> Step:
     """Return step 4: sin^2m theta = (C(2m, m)/2 + sum of (-1)^k C(2m, m-k) cos 2k theta) / 2^(2m-1)."""
     if setting.last == 0:
-        return Step("Multiple angles", (prose("At order 1 no power of ", sin(THETA), " is left to resolve."),))
+        return Step(
+            "Multiple angles", (prose("At order 1 no power of ", sin(THETA), " is left to resolve."),)
+        )
     lines = [_even_power(power // 2) for power in _shown(setting)]
     body = alternating(K) * Binomial(2 * J, J - K) * cos(2 * K * THETA)
     general = equal(
@@ -194,12 +200,17 @@ def _even_power(m: int) -> Equation:
 
 
 def odd_powers(setting: Setting) -> Step:
-    """Return step 4 of the rod's angle: sin^(2j+1) theta = sum of (-1)^i C(2j+1, j-i) sin (2i+1) theta / 4^j."""
+    """Return step 4 of the rod's angle.
+
+    sin^(2j+1) theta = sum of (-1)^i C(2j+1, j-i) sin (2i+1) theta / 4^j.
+    """
     lines = [_odd_power(power // 2) for power in _shown(setting) if power > 1]
-    body = alternating(I) * Binomial(2 * J + 1, J - I) * sin((2 * I + 1) * THETA)
-    general = equal(sin(THETA, 2 * J + 1), 1 / Power(Number(4), J) * Total(I, Number(0), J, body))
+    body = alternating(INDEX_I) * Binomial(2 * J + 1, J - INDEX_I) * sin((2 * INDEX_I + 1) * THETA)
+    general = equal(sin(THETA, 2 * J + 1), 1 / Power(Number(4), J) * Total(INDEX_I, Number(0), J, body))
     if not lines:
-        return Step("Multiple angles", (prose("The first power of ", sin(THETA), " is a harmonic already."),))
+        return Step(
+            "Multiple angles", (prose("The first power of ", sin(THETA), " is a harmonic already."),)
+        )
     return _multiple_angles(setting, lines, general)
 
 

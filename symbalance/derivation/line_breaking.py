@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from symbalance.notation.formula import Formula, Sum, Times
-from symbalance.notation.writers import Writer
+from symbalance.notation.writer import Writer
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +40,7 @@ def broken(relation: str, right: Formula, writer: Writer, room: float, indent: f
     >>> from symbalance.notation import TextWriter
     >>> from symbalance.notation.formula import Name
     >>> a, b, c = map(Name, "abc")
-    >>> [line.printed for line in broken("=", a * (a + b * (a + b) - c), TextWriter(), 12, 2)]
+    >>> [line.printed for line in broken("=", a * (a + b * (a + b) - c), TextWriter(), 14, 2)]
     ['= a [a', '+ b (a + b)', '− c]']
     """
     piece = _glued(_piece(right, writer), f"{relation} ", "", writer)
@@ -68,7 +68,12 @@ def _piece(value: Formula, writer: Writer) -> Piece:
         signs = [writer.minus if value.terms[0][0] < 0 else ""]
         signs += [f" {'+' if sign > 0 else writer.minus} " for sign, _ in value.terms[1:]]
         terms = [
-            _glued(_bracketed(term, writer) if isinstance(term, Sum) else _piece(term, writer), sign, "", writer)
+            _glued(
+                _bracketed(term, writer) if isinstance(term, Sum) else _piece(term, writer),
+                sign,
+                "",
+                writer,
+            )
             for sign, (_, term) in zip(signs, value.terms, strict=True)
         ]
         return _joined(terms)
@@ -81,14 +86,14 @@ def _piece(value: Formula, writer: Writer) -> Piece:
 def _product(value: Times, writer: Writer) -> Piece:
     """Return a product that may be broken inside the last of its bracketed factors."""
     factors = value.factors
-    place = max(i for i, factor in enumerate(factors) if isinstance(factor, Sum))
+    place, inner = [(i, factor) for i, factor in enumerate(factors) if isinstance(factor, Sum)][-1]
     between = [writer.product(left, right) for left, right in pairwise(factors)]
-    before = "".join(writer.factor(f) + join for f, join in zip(factors[:place], between, strict=False))
-    after = "".join(join + writer.factor(f) for f, join in zip(factors[place + 1 :], between[place:], strict=True))
-    return _glued(_bracketed(factors[place], writer), before, after, writer)
+    before = "".join(writer.factor(factors[i]) + between[i] for i in range(place))
+    after = "".join(between[i] + writer.factor(factors[i + 1]) for i in range(place, len(between)))
+    return _glued(_bracketed(inner, writer), before, after, writer)
 
 
-def _bracketed(value: Formula, writer: Writer) -> Piece:
+def _bracketed(value: Sum, writer: Writer) -> Piece:
     left, right = writer.fences(value)
     return _glued(_piece(value, writer), left, right, writer)
 

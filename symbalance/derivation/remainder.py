@@ -1,27 +1,18 @@
-r"""The last step of a derivation: the general term, the exact form, and a proved bound on what is left out.
-
-The coefficients printed lack terms of their own sign only, so that the printed formula differs from
-the exact quantity by at most
-
-    sum over the harmonics printed of (|exact| - |printed|), and the harmonics left out.
-"""
+r"""The last step of a derivation: the general term, the exact form, and what is left out."""
 
 from __future__ import annotations
 
-from decimal import ROUND_CEILING, Context, Decimal
 from fractions import Fraction
 
-from mpmath import mp
-
+from symbalance.derivation.bounds import numbers
 from symbalance.derivation.collection import LETTER
 from symbalance.derivation.setting import (
     HALF,
+    INDEX_I,
     KAPPA,
-    LAM,
     PHI,
     RHO,
     THETA,
-    I,
     J,
     K,
     Prose,
@@ -44,7 +35,6 @@ from symbalance.notation.formula import (
     Number,
     Over,
     Root,
-    Scientific,
     Series2F1,
     Times,
     Total,
@@ -54,18 +44,11 @@ from symbalance.notation.formula import (
     sin,
 )
 from symbalance.notation.series import CONVENTIONS
-from symbalance.slider_crank import Harmonics, acceleration_value, rod_angle_value
-from symbalance.truncation import left_out
+from symbalance.slider_crank import Harmonics
 
-RATIO = Fraction(4)
-"""The rod ratio l/r at which bounds are given as numbers."""
+REST, MEAN = Indexed("X", Number(0)), Indexed("c", Number(0))
 PI, V, A, F = Name("pi"), Name("v"), Name("a"), Name("F")
 _LEFT = {"displacement": X, "velocity": V, "acceleration": A, "force": F}
-_AT_RATIO = {
-    "l/r": (equal(LAM, Number(4)),),
-    "r/l": (equal(RHO, Over(Number(1), Number(4))),),
-    "l/s": (equal(LAM, Number(2)), " (", equal(Name("l") / Name("r"), Number(4)), ")"),
-}
 
 Parts = tuple[Prose | Equation, ...]
 
@@ -73,7 +56,7 @@ Parts = tuple[Prose | Equation, ...]
 def left_out_step(setting: Setting, found: Harmonics) -> Step:
     """Return what the truncation leaves out: in closed form, and as numbers at l/r = 4."""
     middle = _angle(setting) if setting.rod_angle else _piston(setting)
-    return Step("What is left out", (_missing(setting), *middle, *_numbers(setting, found)))
+    return Step("What is left out", (_missing(setting), *middle, *numbers(setting, found)))
 
 
 def _missing(setting: Setting) -> Prose:
@@ -82,7 +65,12 @@ def _missing(setting: Setting) -> Prose:
     powers = (" beyond ", Monomial(Fraction(1), letter, direction * kept)) if kept > 0 else ()
     variable = Monomial(Fraction(1), letter, direction)
     missing = (
-        ("Two things are missing above: in each coefficient the powers of ", variable, *powers, ", and all")
+        (
+            "Two things are missing above: in each coefficient the powers of ",
+            variable,
+            *powers,
+            ", and all",
+        )
         if powers
         else ("Missing above are the powers of ", variable, ", and with them all")
     )
@@ -106,7 +94,10 @@ def _piston(setting: Setting) -> Parts:
     powers = alternating(K + 1) * Total(J, K, None, term * RHO ** (2 * J - 1))
     hyper = Series2F1(-HALF, K - HALF, K + 1, Q**2)
     exact = Over(lead, RHO) * (1 + KAPPA) * Binomial(HALF, K) * Q**K * hyper
-    roots = (equal(KAPPA, Root(1 - RHO**2)), equal(Q, (RHO / (1 + KAPPA)) ** 2, (1 - KAPPA) / (1 + KAPPA)))
+    roots = (
+        equal(KAPPA, Root(1 - RHO**2)),
+        equal(Q, (RHO / (1 + KAPPA)) ** 2, (1 - KAPPA) / (1 + KAPPA)),
+    )
     return (
         _exact_piston(setting, coefficient),
         Equation(coefficient, (("=", powers), ("=", exact))),
@@ -122,7 +113,11 @@ def _factors(value: Formula) -> tuple[Formula, ...]:
 
 def _exact_piston(setting: Setting, coefficient: Indexed) -> Equation:
     if setting.quantity == "displacement":
-        inside = Indexed("X", Number(0)) - cos(THETA) - Total(K, Number(1), None, coefficient * cos(2 * K * THETA))
+        inside = (
+            Indexed("X", Number(0))
+            - cos(THETA)
+            - Total(K, Number(1), None, coefficient * cos(2 * K * THETA))
+        )
     else:
         function = "sin" if setting.quantity == "velocity" else "cos"
         rest = Total(K, Number(1), None, coefficient * Applied(function, 2 * K * THETA))
@@ -139,30 +134,32 @@ def _rest_position(setting: Setting) -> Parts:
     if setting.quantity != "displacement":
         return ()
     mean = HALF * (1 + KAPPA) * Series2F1(-HALF, -HALF, Number(1), Q**2)
-    return equal(Indexed("X", Number(0)), 1 + (1 - Indexed("c", Number(0))) / RHO), equal(Indexed("c", Number(0)), mean)
+    return equal(REST, 1 + (1 - MEAN) / RHO), equal(MEAN, mean)
 
 
 def _bound_piston(setting: Setting, coefficient: Indexed) -> Parts:
     """Return the bound in words and formulas: all harmonics add at a quarter turn."""
-    shares = prose(
-        "All terms of one coefficient have the same sign, and the signs of ", coefficient, " alternate with ", K, ", "
-        "as those of ", cos(2 * K * THETA), " do at ", equal(THETA, PI / Number(2)),
-    )  # fmt: skip
     tail = Total(K, Number(setting.order // 2 + 1), None, Absolute(coefficient))
     total = Total(K, Number(1), None, Absolute(coefficient))
     error = Over(Absolute(_error(_LEFT[setting.quantity])), setting.unit())
     if setting.quantity == "velocity":
         words = prose(
-            "All terms of one coefficient have the same sign, so the harmonics left out amount to at most the"
-            " sum of their coefficients' sizes:"
+            "All terms of one coefficient have the same sign, so the harmonics left out amount to at"
+            " most the sum of their coefficients' sizes:"
         )  # fmt: skip
         return words, Equation(error, (("≤", tail),))
-    there = prose(*shares.pieces, ": there all harmonics add up, and the error of leaving some out is greatest:")
-    whole = (
-        (Indexed("c", Number(0)) - KAPPA) / RHO if setting.quantity == "displacement" else Over(RHO, Root(1 - RHO**2))
-    )
+    there = _adding_up(coefficient, K, cos(2 * K * THETA))
+    whole = (MEAN - KAPPA) / RHO if setting.quantity == "displacement" else RHO / Root(1 - RHO**2)
     rest = (("=", whole - _kept(K, 1, setting.order // 2, coefficient)),) if setting.order > 1 else ()
     return there, equal(total, whole), Equation(error, (("≤", tail), *rest))
+
+
+def _adding_up(coefficient: Indexed, index: Name, function: Applied) -> Prose:
+    return prose(
+        "All terms of one coefficient have the same sign, and the signs of ", coefficient,
+        " alternate with ", index, ", as those of ", function, " do at ", equal(THETA, PI / Number(2)),
+        ": there all harmonics add up, and the error of leaving some out is greatest:",
+    )  # fmt: skip
 
 
 def _kept(index: Name, first: int, last: int, coefficient: Indexed) -> Formula:
@@ -174,85 +171,26 @@ def _kept(index: Name, first: int, last: int, coefficient: Indexed) -> Formula:
 
 def _angle(setting: Setting) -> Parts:
     """Return the exact harmonics of the rod's angle, in powers of rho and by 2F1 of rho^2."""
-    odd, half = 2 * I + 1, I + HALF
+    odd, half = 2 * INDEX_I + 1, INDEX_I + HALF
     coefficient = Indexed("R", odd)
-    term = Over(Binomial(2 * J, J) * Binomial(2 * J + 1, J - I), (2 * J + 1) * Number(16) ** J)
-    powers = alternating(I) * Total(J, I, None, term * RHO ** (2 * J + 1))
-    lead = Over(Binomial(2 * I, I), (2 * I + 1) * Number(16) ** I)
-    exact = alternating(I) * lead * RHO ** (2 * I + 1) * Series2F1(half, half, 2 * I + 2, RHO**2)
-    total = Total(I, Number(0), None, Absolute(coefficient))
+    term = Over(Binomial(2 * J, J) * Binomial(2 * J + 1, J - INDEX_I), (2 * J + 1) * Number(16) ** J)
+    powers = alternating(INDEX_I) * Total(J, INDEX_I, None, term * RHO ** (2 * J + 1))
+    lead = Over(Binomial(2 * INDEX_I, INDEX_I), (2 * INDEX_I + 1) * Number(16) ** INDEX_I)
+    exact = (
+        alternating(INDEX_I)
+        * lead
+        * RHO ** (2 * INDEX_I + 1)
+        * Series2F1(half, half, 2 * INDEX_I + 2, RHO**2)
+    )
+    total = Total(INDEX_I, Number(0), None, Absolute(coefficient))
     first = (setting.order + 1) // 2
-    tail = Total(I, Number(first), None, Absolute(coefficient))
-    kept = _kept(I, 0, first - 1, coefficient)
-    there = prose(
-        "All terms of one coefficient have the same sign, and the signs of ", coefficient, " alternate with ", I,
-        ", as those of ", sin(odd * THETA), " do at ", equal(THETA, PI / Number(2)),
-        ": there all harmonics add up, and the error of leaving some out is greatest:",
-    )  # fmt: skip
+    tail = Total(INDEX_I, Number(first), None, Absolute(coefficient))
+    kept = _kept(INDEX_I, 0, first - 1, coefficient)
+    there = _adding_up(coefficient, INDEX_I, sin(odd * THETA))
     return (
-        equal(PHI, Total(I, Number(0), None, coefficient * sin(odd * THETA))),
+        equal(PHI, Total(INDEX_I, Number(0), None, coefficient * sin(odd * THETA))),
         Equation(coefficient, (("=", powers), ("=", exact))),
         there,
         equal(total, Applied("asin", RHO)),
         Equation(Absolute(_error(PHI)), (("≤", tail), ("=", Applied("asin", RHO) - kept))),
     )
-
-
-# Numbers ----------------------------------------------------------------------------------------
-
-
-def _numbers(setting: Setting, found: Harmonics) -> Parts:
-    bound = _with_unit(setting, left_out(setting.order, RATIO, setting.quantity))
-    at = _AT_RATIO[setting.convention]
-    first = prose(
-        "At ", *at, f" the harmonics above order {setting.order} amount to at most ", bound,
-        ", with every coefficient kept exact.",
-    )  # fmt: skip
-    if setting.long:
-        return (first,)
-    printed = _with_unit(setting, printed_error(setting.order, found))
-    if printed == bound:  # no coefficient is truncated
-        return (first,)
-    return (prose(*first.pieces, " With the coefficients as they are printed the error is at most ", printed, "."),)
-
-
-def _with_unit(setting: Setting, value: mp.mpf) -> Formula:
-    number = rounded_up(value)
-    return number * Name("rad") if setting.rod_angle else number * setting.unit()
-
-
-def rounded_up(value: mp.mpf) -> Scientific:
-    """Return a bound to three digits, rounded up so that it stays one.
-
-    >>> rounded_up(mp.mpf("1.52541e-6"))
-    Scientific(mantissa='1.53', exponent=-6)
-    """
-    number = Context(prec=3, rounding=ROUND_CEILING).create_decimal(Decimal(mp.nstr(value, 15)))
-    exponent = number.adjusted()
-    if exponent >= -2:
-        return Scientific(str(number), 0)
-    return Scientific(str(number.scaleb(-exponent).quantize(Decimal("0.01"))), exponent)
-
-
-def printed_error(order: int, found: Harmonics, ratio: Fraction = RATIO) -> mp.mpf:
-    """Return a bound on |exact - the truncated series in `found`| over all crank angles.
-
-    >>> from symbalance.slider_crank import harmonics
-    >>> mp.nstr(printed_error(2, harmonics("force", 2)), 3)
-    '0.00820'
-    """
-    total = left_out(order, ratio, found.quantity)
-    for n, series in found.terms.items():
-        kept = abs(series.at(ratio))
-        total += _size(found.quantity, n, ratio) - mp.mpf(kept.numerator) / kept.denominator
-    if found.quantity == "displacement":
-        kept, rho = found.constant.at(ratio), mp.mpf(ratio.denominator) / ratio.numerator
-        mean = 2 * mp.ellipe(rho * rho) / mp.pi
-        total += 1 + (1 - mean) / rho - mp.mpf(kept.numerator) / kept.denominator
-    return total
-
-
-def _size(quantity: str, n: int, ratio: Fraction) -> mp.mpf:
-    if quantity == "rod-angle":
-        return abs(rod_angle_value(n, ratio))
-    return abs(acceleration_value(n, ratio)) / {"displacement": n * n, "velocity": n}.get(quantity, 1)

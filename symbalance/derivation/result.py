@@ -1,6 +1,6 @@
 """The derivation of one slider-crank's harmonics, step by step, as a person would write it.
 
-    geometry -> root -> its series -> multiple angles -> collected harmonics -> derivatives -> what is left out
+    geometry -> root -> its series -> multiple angles -> harmonics -> derivatives -> what is left out
 
 Every coefficient comes from the integers of `symbalance.slider_crank`. To order N the powers of sin theta
 are kept to the N-th, and with them the powers of 1/lambda to the (N-1)-th (rod angle: the N-th).
@@ -71,7 +71,12 @@ def derive(
 def _steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:
     """Return the steps; the rod's angle needs no root and no derivative."""
     if setting.quantity == "rod-angle":
-        before = (expansion.geometry, expansion.inverse_sine, expansion.inverse_sine_series, expansion.odd_powers)
+        before = (
+            expansion.geometry,
+            expansion.inverse_sine,
+            expansion.inverse_sine_series,
+            expansion.odd_powers,
+        )
     else:
         before = (expansion.geometry, expansion.root, expansion.root_series, expansion.even_powers)
     return (

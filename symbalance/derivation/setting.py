@@ -27,7 +27,7 @@ SHORTENED = 2
 
 THETA, PHI, LAM, RHO, OMEGA = map(Name, ("theta", "phi", "lam", "rho", "omega"))
 R, L, S, M, X = map(Name, "rlsmx")
-KAPPA, Q, I, J, K, N = map(Name, ("kappa", "q", "i", "j", "k", "n"))
+KAPPA, Q, INDEX_I, J, K, N = map(Name, ("kappa", "q", "i", "j", "k", "n"))
 HALF = Number(Fraction(1, 2))
 
 
@@ -65,7 +65,9 @@ class Letters:
 
 
 LETTERS = {
-    "l/r": Letters(equal(LAM, L / R), "rod length over crank radius", R, LAM * R, 1 / LAM, sin(THETA) / LAM),
+    "l/r": Letters(
+        equal(LAM, L / R), "rod length over crank radius", R, LAM * R, 1 / LAM, sin(THETA) / LAM
+    ),
     "r/l": Letters(equal(RHO, R / L), "crank radius over rod length", R, R / RHO, RHO, RHO * sin(THETA)),
     "l/s": Letters(
         equal(LAM, L / S),
@@ -125,7 +127,9 @@ class Setting:
         """Yield the powers of sin theta that are kept."""
         yield from range(1 if self.rod_angle else 2, self.last + 1, 2)
 
-    def rho_power(self, exponent: int, factor: Fraction = Fraction(1), of: Formula | None = None) -> Monomial:
+    def rho_power(
+        self, exponent: int, factor: Fraction = Fraction(1), of: Formula | None = None
+    ) -> Monomial:
         """Return factor rho^exponent in the letters of the convention, times `of`.
 
         >>> Setting("force", 6, 5, "l/s").rho_power(3)
@@ -160,7 +164,7 @@ def harmonic(function: str, n: int) -> Applied:
 
 
 def closed(setting: Setting, over: list[Formula], under: list[Formula], power: int) -> Over:
-    """Return over/under times rho^power, its numbers left as they are, in the letters of the convention."""
+    """Return over/under times rho^power in the letters of the convention, numbers as they are."""
     letter, direction, scale = CONVENTIONS[setting.convention]
     base = Name(letter) if scale == 1 else scale * Name(letter)
     if direction > 0:

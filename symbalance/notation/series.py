@@ -66,6 +66,7 @@ def convention_named(name: str) -> Convention:
 def monomials(series: Series, convention: str = "l/r") -> Iterator[tuple[int, Monomial]]:
     """Yield a series' terms with their signs, lowest power first.
 
+    >>> from fractions import Fraction
     >>> list(monomials(Series({1: Fraction(-1, 4)}, 1), "l/s"))
     [(-1, Monomial(coefficient=Fraction(1, 8), letter='lam', exponent=-1, of=None))]
     """
@@ -97,7 +98,13 @@ def series_latex(series: Series, convention: str = "l/r", *, ellipsis: bool = Fa
     >>> print(series_latex(acceleration_series(2, through=1), "l/s", ellipsis=True))
     \frac{1}{2 \lambda} + \cdots
     """
-    terms = [(sign, monomial_latex(term)) for sign, term in monomials(series, convention)]
+    letter, direction, scale = convention_named(convention)
+    name, terms = LATEX_NAMES[letter], []
+    for power, coefficient in sorted(series.terms.items()):
+        own = coefficient if scale == 1 else coefficient / scale**power
+        over, under = own.as_integer_ratio()
+        printed = _latex_fraction(abs(over), under, name, direction * power)
+        terms.append((1 if over > 0 else -1, printed))
     return signed(_going_on(terms, series, r"\cdots", ellipsis), "-")
 
 
@@ -124,11 +131,14 @@ def signed(terms: Iterable[tuple[int, str]], minus: str) -> str:
 def monomial_text(term: Monomial, of: str = "") -> str:
     """Return one term as text; `of` is a printed factor that joins the numerator.
 
+    >>> from fractions import Fraction
     >>> monomial_text(Monomial(Fraction(3, 8), "lam", -3), "sin⁴θ")
     '3 sin⁴θ/(8λ³)'
     """
     over, under = str(term.coefficient.numerator), str(term.coefficient.denominator)
-    letter = TEXT_NAMES.get(term.letter, term.letter) + (raised(str(abs(term.exponent))) if abs(term.exponent) > 1 else "")
+    letter = TEXT_NAMES.get(term.letter, term.letter) + (
+        raised(str(abs(term.exponent))) if abs(term.exponent) > 1 else ""
+    )
     if term.exponent > 0:
         over = letter if over == "1" else over + letter
     elif term.exponent < 0:
@@ -141,18 +151,26 @@ def monomial_text(term: Monomial, of: str = "") -> str:
 def monomial_latex(term: Monomial, of: str = "") -> str:
     r"""Return one term as LaTeX; `of` is a printed factor that joins the numerator.
 
+    >>> from fractions import Fraction
     >>> print(monomial_latex(Monomial(Fraction(3, 8), "rho", 3)))
     \frac{3 \rho^{3}}{8}
     """
-    over, under = str(term.coefficient.numerator), str(term.coefficient.denominator)
-    letter = LATEX_NAMES.get(term.letter, term.letter) + (f"^{{{abs(term.exponent)}}}" if abs(term.exponent) > 1 else "")
-    if term.exponent > 0:
-        over = letter if over == "1" else f"{over} {letter}"
-    elif term.exponent < 0:
-        under = letter if under == "1" else f"{under} {letter}"
+    name = LATEX_NAMES.get(term.letter, term.letter)
+    return _latex_fraction(*term.coefficient.as_integer_ratio(), name, term.exponent, of)
+
+
+def _latex_fraction(above: int, below: int, name: str, exponent: int, of: str = "") -> str:
+    """Return above/below x name^exponent x of, from plain integers: tables spend their time here."""
+    over, under = str(above), str(below)
+    size = abs(exponent)
+    letter = name if size == 1 else f"{name}^{{{size}}}"
+    if exponent > 0:
+        over = letter if above == 1 else f"{over} {letter}"
+    elif exponent < 0:
+        under = letter if below == 1 else f"{under} {letter}"
     if of:
         over = of if over == "1" else f"{over} {of}"
-    return over if under == "1" else rf"\frac{{{over}}}{{{under}}}"
+    return over if under == "1" else f"\\frac{{{over}}}{{{under}}}"
 
 
 def raised(printed: str) -> str:

@@ -263,7 +263,7 @@ def _coefficients(balance: Balance) -> str:
         columns, head = "rll", rf"{head} & exact in \(\lambda\), at \(\lambda = {_ratio(balance)}\)"
     lines = [rf"{o.order} & \(\displaystyle {s}\)" for o, s in zip(balance.orders, series, strict=True)]
     lines = [" & ".join(pair) for pair in zip(lines, values, strict=True)] if values else lines
-    return f"{title}\n{_tabulars(columns, head, lines, gap=8)}"
+    return f"{title}\n{_tabulars(columns, head, lines, gap=12)}"
 
 
 def _series(order: Order) -> str:
