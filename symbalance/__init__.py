@@ -29,8 +29,8 @@ _HOMES = {
     "radial": "builders",
     "load": "catalogue",
     "presets": "catalogue",
-    "balance": "balance",
-    "Balance": "balance",
+    "balance": "resultants",
+    "Balance": "resultants",
     "harmonics": "slider_crank",
     "exact_coefficient": "slider_crank",
     "left_out": "truncation",
@@ -63,8 +63,6 @@ def __dir__() -> list[str]:
 if TYPE_CHECKING:
     from symbalance.angles import Angle as Angle
     from symbalance.angles import degrees as degrees
-    from symbalance.balance import Balance as Balance
-    from symbalance.balance import balance as balance
     from symbalance.builders import boxer as boxer
     from symbalance.builders import from_firing_order as from_firing_order
     from symbalance.builders import inline as inline
@@ -79,6 +77,8 @@ if TYPE_CHECKING:
     from symbalance.layout import Cylinder as Cylinder
     from symbalance.layout import Layout as Layout
     from symbalance.numeric import to_function as to_function
+    from symbalance.resultants import Balance as Balance
+    from symbalance.resultants import balance as balance
     from symbalance.slider_crank import exact_coefficient as exact_coefficient
     from symbalance.slider_crank import harmonics as harmonics
     from symbalance.summation import inline_couple as inline_couple

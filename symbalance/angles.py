@@ -106,7 +106,7 @@ def angle(value: object, name: str = "angle") -> Angle:
     """Return an angle from degrees, an `Angle`, or a SymPy expression in radians."""
     if isinstance(value, Angle):
         return value
-    if getattr(value, "free_symbols", None) or getattr(value, "is_irrational", False):
+    if hasattr(value, "free_symbols") and not getattr(value, "is_Rational", False):
         return _from_expression(value, name)
     return degrees(value, name)
 
@@ -114,7 +114,15 @@ def angle(value: object, name: str = "angle") -> Angle:
 def _from_expression(expression: Any, name: str) -> Angle:
     import sympy
 
+    if isinstance(expression, sympy.Float):
+        return degrees(str(expression), name)
     total = Angle(Fraction(0))
+    if not isinstance(expression, sympy.Expr):
+        raise SymbalanceError(
+            f"{name} = {shown(expression)}",
+            "is no angle",
+            "give degrees, or a SymPy expression in radians",
+        )
     for term in sympy.Add.make_args(sympy.expand(expression)):
         factor: Any
         factor, rest = term.as_coeff_Mul(rational=True)
@@ -129,6 +137,7 @@ def _from_expression(expression: Any, name: str) -> Angle:
             Angle(exact_factor / 2) if rest is sympy.pi else Angle(Fraction(0), ((rest, exact_factor),))
         )
         total = total + part
+    degrees(total.turns * 360, name)  # refuses what no number may be either
     return total
 
 

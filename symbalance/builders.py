@@ -8,17 +8,22 @@ that their mean is 0.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
-from itertools import accumulate
 from typing import Any
 
 from symbalance.angles import Angle, angle
 from symbalance.errors import SymbalanceError, shown
+from symbalance.firing import (
+    FiringOrder,
+    firing_angles,
+    read_cylinders,
+    read_firing_order,
+    read_stagger,
+    stations,
+)
 from symbalance.layout import MOST_CYLINDERS, Cylinder, Layout, checked_bank, checked_strokes
-from symbalance.rational import exact
-
-FiringOrder = str | Sequence[int]
+from symbalance.rational import listed
 
 
 def from_firing_order(
@@ -42,16 +47,16 @@ def from_firing_order(
     ['0', '180', '180', '0']
     """
     checked_strokes(strokes)
-    order = _read_firing_order(firing_order)
-    axes = [checked_bank(bank, f"banks[{i}]") for i, bank in enumerate(banks, 1)]
+    order = read_firing_order(firing_order)
+    axes = [checked_bank(bank, f"banks[{i}]") for i, bank in enumerate(listed(banks, "banks"), 1)]
     if not axes:
         raise SymbalanceError("banks = []", "an engine has at least one bank", "[0] stands upright")
-    numbers = _read_cylinders(cylinders, order, len(axes))
-    fires = _firing_angles(order, firing_intervals, 180 * strokes)
-    stations = _stations(numbers, _read_stagger(stagger, len(axes)))
+    numbers = read_cylinders(cylinders, order, len(axes))
+    fires = firing_angles(order, firing_intervals, 180 * strokes)
+    places = stations(numbers, read_stagger(stagger, len(axes)))
     return Layout(
         (
-            Cylinder(n, axis - Angle(fires[n] / 360), axis, stations[n], fires[n])
+            Cylinder(n, axis - Angle(fires[n] / 360), axis, places[n], fires[n])
             for axis, bank in zip(axes, numbers, strict=True)
             for n in bank
         ),
@@ -108,7 +113,7 @@ def vee(
     if firing_order is None:
         assert pins is not None
         return _on_pins(pins, axes, [Angle(Fraction(0)), angle(splay, "splay")], stagger, rest)
-    count = len(_read_firing_order(firing_order))
+    count = len(read_firing_order(firing_order))
     banks = cylinders or [list(range(1, count + 1, 2)), list(range(2, count + 1, 2))]
     return from_firing_order(firing_order, banks=axes, cylinders=banks, stagger=stagger, **rest)
 
@@ -174,140 +179,16 @@ def _on_pins(
     about: dict[str, Any],
 ) -> Layout:
     """Return one cylinder of every bank on each pin, numbered pin by pin."""
-    throws = [angle(pin, f"pins[{i}]") for i, pin in enumerate(pins, 1)]
+    throws = [angle(pin, f"pins[{i}]") for i, pin in enumerate(listed(pins, "pins"), 1)]
+    if not throws:
+        raise SymbalanceError("pins = []", "a crank has at least one pin", "give the throw of each")
     numbers = [list(range(1 + b, 1 + len(axes) * len(throws), len(axes))) for b in range(len(axes))]
-    stations = _stations(numbers, _read_stagger(stagger, len(axes)))
+    places = stations(numbers, read_stagger(stagger, len(axes)))
     return Layout(
         (
-            Cylinder(n, throw + splay, axis, stations[n])
+            Cylinder(n, throw + splay, axis, places[n])
             for axis, splay, bank in zip(axes, splays, numbers, strict=True)
             for n, throw in zip(bank, throws, strict=True)
         ),
         **about,
     )
-
-
-# Reading what was given ----------------------------------------------------------------------------
-
-
-def _read_firing_order(firing_order: FiringOrder) -> list[int]:
-    numbers: Iterable[object] = firing_order
-    if isinstance(firing_order, str):
-        parts = [part.strip() for part in firing_order[:10_000].split("-")]
-        numbers = [int(p) if p.isascii() and p.isdigit() and len(p) < 6 else p for p in parts]
-    order = []
-    for number in numbers:
-        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
-            raise SymbalanceError(
-                f"firing_order = {shown(firing_order)}",
-                f"holds {shown(number)}, which is no cylinder number",
-                "write it like [1, 3, 4, 2]",
-            )
-        order.append(number)
-    if not order:
-        raise SymbalanceError("firing_order = []", "names no cylinder", "write it like [1, 3, 4, 2]")
-    repeated = sorted({n for n in order if order.count(n) > 1}) if len(order) <= MOST_CYLINDERS else [0]
-    if repeated:
-        raise SymbalanceError(
-            f"firing_order = {shown(firing_order)}",
-            f"must name each cylinder once, but repeats {repeated[0]}",
-            "correct the order",
-        )
-    return order
-
-
-def _read_cylinders(
-    cylinders: Sequence[Sequence[int]] | None, order: list[int], banks: int
-) -> list[list[int]]:
-    if cylinders is None:
-        if banks > 1:
-            raise SymbalanceError(
-                f"{banks} banks",
-                "need cylinders, the numbers in each",
-                "as in [[1, 3, 5], [2, 4, 6]]",
-            )
-        cylinders = [sorted(order)]
-    if len(cylinders) != banks:
-        raise SymbalanceError(
-            f"cylinders = {shown(cylinders)}",
-            f"has {len(cylinders)} lists for {banks} bank(s)",
-            "give one list of numbers a bank",
-        )
-    numbers = [n for bank in cylinders for n in bank]
-    if 1 not in numbers:
-        raise SymbalanceError(
-            f"cylinders = {shown(cylinders)}", "lacks cylinder 1", "theta = 0 is its firing"
-        )
-    for number in order:
-        if number not in numbers:
-            raise SymbalanceError(
-                f"firing_order = {shown(order)}",
-                f"names cylinder {number}, which no bank holds",
-                "make order and cylinders agree",
-            )
-    for number in numbers:
-        if number not in order or numbers.count(number) > 1:
-            what = "repeats" if numbers.count(number) > 1 else "holds, but the firing order misses,"
-            raise SymbalanceError(
-                f"cylinders = {shown(cylinders)}",
-                f"{what} cylinder {shown(number)}",
-                "name each cylinder once in both",
-            )
-    return [list(bank) for bank in cylinders]
-
-
-def _firing_angles(
-    order: list[int], intervals: Sequence[object] | None, cycle: int
-) -> dict[int, Fraction]:
-    """Return each cylinder's firing angle after cylinder 1, in degrees."""
-    if intervals is None:
-        steps = [Fraction(cycle, len(order))] * len(order)
-    else:
-        steps = [exact(step, f"firing_intervals[{i}]") for i, step in enumerate(intervals, 1)]
-        _check_intervals(steps, len(order), cycle)
-    starts = [Fraction(0), *accumulate(steps)]
-    first = starts[order.index(1)]
-    return {number: (start - first) % cycle for number, start in zip(order, starts, strict=False)}
-
-
-def _check_intervals(steps: list[Fraction], count: int, cycle: int) -> None:
-    if len(steps) != count:
-        raise SymbalanceError(
-            f"{len(steps)} firing_intervals",
-            f"must be {count}, one after each firing",
-            "the last leads back to the first",
-        )
-    if min(steps) < 0:
-        raise SymbalanceError(
-            f"firing interval {shown(min(steps))}",
-            "must not be negative",
-            "use degrees after each firing",
-        )
-    if sum(steps) != cycle:
-        raise SymbalanceError(
-            f"firing_intervals that sum to {shown(sum(steps))}",
-            f"must sum to {cycle}",
-            "720 degrees in a four-stroke, 360 in a two-stroke",
-        )
-
-
-def _read_stagger(stagger: Sequence[object] | None, banks: int) -> list[Fraction]:
-    if stagger is None:
-        return [Fraction(0)] * banks
-    if len(stagger) != banks:
-        raise SymbalanceError(
-            f"stagger = {shown(list(stagger))}",
-            f"has {len(stagger)} values for {banks} bank(s)",
-            "give one value a bank, in pitches",
-        )
-    return [exact(value, f"stagger[{i}]") for i, value in enumerate(stagger, 1)]
-
-
-def _stations(numbers: list[list[int]], stagger: list[Fraction]) -> dict[int, Fraction]:
-    raw = {
-        number: shift - place
-        for bank, shift in zip(numbers, stagger, strict=True)
-        for place, number in enumerate(bank)
-    }
-    mean = sum(raw.values(), Fraction(0)) / len(raw)
-    return {number: station - mean for number, station in raw.items()}

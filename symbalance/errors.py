@@ -22,7 +22,8 @@ class SymbalanceError(ValueError):
     def _line(self) -> str:
         head = f"{self.place}: " if self.place else ""
         tail = f"; {self.remedy}" if self.remedy else ""
-        return f"{head}{self.what}: {self.rule}{tail}".replace("\n", " ")
+        line = f"{head}{self.what}: {self.rule}{tail}"
+        return "".join(c if c.isprintable() else " " for c in line)
 
     def within(self, place: str) -> SymbalanceError:
         """Return the same refusal, said of something inside `place`."""

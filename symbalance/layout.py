@@ -15,7 +15,7 @@ from math import lcm
 from symbalance.angles import Angle, angle
 from symbalance.errors import SymbalanceError, shown
 from symbalance.phasor import checked_modulus
-from symbalance.rational import exact
+from symbalance.rational import exact, listed, whole
 from symbalance.slider_crank import checked_ratio
 
 MOST_CYLINDERS = 1000
@@ -54,7 +54,7 @@ class Cylinder:
         set_field(self, "throw", angle(throw, "throw").normalized())
         set_field(self, "bank", checked_bank(bank))
         set_field(self, "station", _checked_station(station))
-        set_field(self, "fires", None if fires is None else exact(fires, "fires"))
+        set_field(self, "fires", None if fires is None else _checked_fires(fires))
 
     def __repr__(self) -> str:
         parts = f"throw={self.throw.as_text()!r}, bank={self.bank.as_text()!r}"
@@ -68,13 +68,23 @@ class Cylinder:
 
 
 def _checked_number(number: object) -> int:
-    if isinstance(number, bool) or not isinstance(number, int) or not 1 <= number <= MOST_CYLINDERS:
+    found = whole(number)
+    if found is None or not 1 <= found <= MOST_CYLINDERS:
         raise SymbalanceError(
             f"number = {shown(number)}",
             f"a cylinder's number must be whole, from 1 to {MOST_CYLINDERS}",
             "count from the front",
         )
-    return number
+    return found
+
+
+def _checked_fires(fires: object) -> Fraction:
+    value = exact(fires, "fires")
+    if not 0 <= value < 720:
+        raise SymbalanceError(
+            f"fires = {shown(fires)}", "must lie in [0, 720)", "degrees after cylinder 1's firing"
+        )
+    return value
 
 
 def checked_bank(bank: object, name: str = "bank") -> Angle:
@@ -145,10 +155,11 @@ class Layout:
     ) -> None:
         set_field = object.__setattr__
         train = crank_train or CrankTrain()
-        set_field(self, "cylinders", _checked_cylinders(tuple(cylinders)))
+        set_field(self, "cylinders", _checked_cylinders(cylinders))
         set_field(self, "strokes", checked_strokes(strokes))
         set_field(self, "name", str(name))
-        set_field(self, "ratio", train.ratio if ratio is None else checked_ratio(ratio))
+        known = train.ratio if ratio is None else ratio
+        set_field(self, "ratio", None if known is None else checked_ratio(known))
         set_field(self, "crank_train", train)
 
     @cached_property
@@ -184,7 +195,15 @@ class Layout:
         )
 
 
-def _checked_cylinders(cylinders: tuple[Cylinder, ...]) -> tuple[Cylinder, ...]:
+def _checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
+    cylinders = tuple(listed(cylinders, "cylinders"))
+    for cylinder in cylinders:
+        if not isinstance(cylinder, Cylinder):
+            raise SymbalanceError(
+                f"cylinders hold {shown(cylinder)}",
+                "must be Cylinder values",
+                "make each with Cylinder(...)",
+            )
     if not 1 <= len(cylinders) <= MOST_CYLINDERS:
         raise SymbalanceError(
             f"{len(cylinders)} cylinders", f"an engine has 1 to {MOST_CYLINDERS}", "list each once"

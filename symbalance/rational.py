@@ -7,9 +7,11 @@ Text is matched against one pattern and never evaluated. Floats are read as they
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Rational
+from operator import index
 from typing import Any
 
 from mpmath import mp
@@ -19,6 +21,7 @@ from symbalance.errors import SymbalanceError, shown
 Real = Any
 """A decimal of many digits, an mpmath `mpf`: mpmath ships no types."""
 
+LONGEST_TEXT = 200
 LARGEST = 10**9
 LARGEST_DENOMINATOR = 10**12
 _PART = r"[+-]?(?:\d{1,30}(?:\.\d{0,30})?|\.\d{1,30})(?:[eE][+-]?\d{1,2})?"
@@ -66,12 +69,37 @@ def _read(value: object) -> Fraction | None:
 
 
 def _from_text(text: str) -> Fraction | None:
-    match = _NUMBER.fullmatch(text[:200])
+    match = _NUMBER.fullmatch(text) if len(text) <= LONGEST_TEXT else None
     if match is None:
         return None
     numerator, denominator = match.groups()
     below = Fraction(denominator) if denominator else Fraction(1)
     return Fraction(numerator) / below if below else None
+
+
+def whole(value: Any) -> int | None:
+    """Return a whole number (NumPy's too) as an int, and None for anything else, True and False included.
+
+    >>> whole(12), whole(12.0), whole(True)
+    (12, None, None)
+    """
+    if isinstance(value, bool):
+        return None
+    try:
+        return index(value)
+    except TypeError:
+        return None
+
+
+def listed(values: Any, name: str) -> list[Any]:
+    """Return several values as a list; text and tables are refused, being no list of values.
+
+    >>> listed((0, 120, 240), "throws")
+    [0, 120, 240]
+    """
+    if isinstance(values, str | bytes | dict) or not isinstance(values, Iterable):
+        raise SymbalanceError(f"{name} = {shown(values)}", "must be a list", "as in [0, 120, 240]")
+    return list(values)
 
 
 def decimal_text(value: Real, digits: int) -> str:

@@ -124,6 +124,8 @@ class Component:
         """The phase in (-pi, pi], a fraction of pi or else an unevaluated atan2."""
         import sympy
 
+        if self.is_zero():
+            return sympy.S.Zero
         aligned = self._aligned
         if aligned is None:
             return sympy.atan2(self.sin, self.cos, evaluate=False)
@@ -197,7 +199,7 @@ class Spectrum:
         return Spectrum({n: c.turned(turns) for n, c in self.terms.items()})
 
     def delayed(self, turns: Fraction) -> Spectrum:
-        """Return the vector as it is so many turns of the crank later."""
+        """Return the vector delayed by so many turns of the crank."""
         return Spectrum({n: c.turned(-n * turns) for n, c in self.terms.items()})
 
     def scaled(self, factor: int | Fraction) -> Spectrum:
@@ -207,7 +209,7 @@ class Spectrum:
     def __add__(self, other: Spectrum) -> Spectrum:
         total = dict(self.terms)
         for n, number in other.terms.items():
-            total[n] = total[n] + number if n in total else number  # type: ignore[operator]
+            total[n] = _sum(total[n], number) if n in total else number
         return Spectrum.of(total)
 
     def component(self, order: int, name: str) -> Component:
@@ -223,19 +225,24 @@ class Spectrum:
 
 
 def _component(ahead: Number, against: Number, name: str) -> Component:
-    if isinstance(ahead, SymbolicPhasor) or isinstance(against, SymbolicPhasor):
-        ahead, against = _symbolic(ahead), _symbolic(against)
     ahead = ahead.conjugate()
     match name:
         case "vertical":
-            return Component(ahead + against)  # type: ignore[operator]
+            return Component(_sum(ahead, against))
         case "lateral":
-            return Component((ahead - against).turned(QUARTER))  # type: ignore[operator]
+            return Component(_sum(ahead, -against).turned(QUARTER))
         case "forward":
             return Component(ahead)
         case "backward":
             return Component(against)
     raise KeyError(name)
+
+
+def _sum(left: Number, right: Number) -> Number:
+    """Return the sum of two numbers, of one kind or of both."""
+    if isinstance(left, Phasor) and isinstance(right, Phasor):
+        return left + right
+    return _symbolic(left) + _symbolic(right)
 
 
 def _symbolic(number: Number) -> SymbolicPhasor:

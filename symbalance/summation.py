@@ -9,7 +9,8 @@ The numerator is sin 2 pi n = 0, so everything cancels unless sin(2 pi n/N) = 0 
 whole. There the quotient has the limit N (-1)^(u (N-1)), the cosine the same sign, and the sum is
 N cos n theta: the cylinders push as one.
 
-Cylinder j stands at station (N-1)/2 - j. With zeta = e^(i n h), zeta^N = 1, the couple is the real part of
+Cylinder j stands at station (N-1)/2 - j. With zeta = e^(i n h), zeta^N = 1, the couple is the real
+part of
 
     sum of ((N-1)/2 - j) zeta^j e^(i n theta) = N/(1 - zeta) e^(i n theta)      (u not whole, else 0)
 
@@ -56,7 +57,8 @@ def dirichlet_quotient(count: Count, order: Count, spacing: sympy.Expr) -> sympy
     """Return sin(N n h/2)/sin(n h/2) with its limit where both vanish, for any spacing h.
 
     >>> import sympy
-    >>> dirichlet_quotient(6, 3, sympy.Rational(2, 3) * sympy.pi), dirichlet_quotient(6, 1, 2 * sympy.pi / 3)
+    >>> h = 2 * sympy.pi / 3
+    >>> dirichlet_quotient(6, 3, h), dirichlet_quotient(6, 1, h)
     (-6, 0)
     """
     import sympy
@@ -101,6 +103,6 @@ def inline_couple(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
     n, N = sympy.sympify(order), sympy.sympify(count)
     half = n * spacing(N, strokes) / 2
     whole = sympy.Eq(sympy.Mod(condition(N, n, strokes), 1), 0)
-    # zeta belongs to cylinders that fire later, h each: e^(-i n h), and 1/(1 - zeta) = e^(i n h/2)/(2i sin(n h/2))
+    # Cylinders fire later, h each: zeta = e^(-i n h), and 1/(1 - zeta) = e^(i n h/2)/(2i sin(n h/2)).
     couple = N / (2 * sympy.sin(half)) * sympy.cos(n * symbol("theta") + half - sympy.pi / 2)
     return sympy.Piecewise((sympy.S.Zero, whole), (couple, True))

@@ -1,11 +1,11 @@
 r"""What a truncation leaves out: proved bounds on the harmonics that are dropped.
 
 The coefficients of `symbalance.slider_crank` alternate in sign, so that at theta = 90 degrees all
-harmonics add up with one sign: the bounds here are attained there (velocity: approached). With K' and q
-as in that module, |c_{k+1}| <= q (k - 1/2)/(k + 1) |c_k|, because |C(1/2, k+1)/C(1/2, k)| =
-(k - 1/2)/(k + 1) and 2F1(-1/2, k - 1/2; k + 1; q^2) falls with k (every term but the first is negative,
-and grows in size). So |A_{2k+2}|/|A_2k| <= q (k + 1)(k - 1/2)/k^2, a geometric tail. Where that tail is
-slow (q near 1) the sum of all is taken from the exact form at 90 degrees instead:
+harmonics add up with one sign: the bounds here are attained there (the velocity's is safe, not
+attained). With k' and q as in that module, |c_{k+1}| <= q (k - 1/2)/(k + 1) |c_k|, because
+|C(1/2, k+1)/C(1/2, k)| = (k - 1/2)/(k + 1) and 2F1(-1/2, k - 1/2; k + 1; q^2) falls with k (every
+term but the first is negative, and grows in size). So |A_{2k+2}|/|A_2k| <= q (k + 1)(k - 1/2)/k^2: a
+geometric tail. Where that is slow (q near 1) the sum of all comes from the exact form at 90 degrees:
 
     sum of |A_n| = rho/sqrt(1 - rho^2),  of |B_n| = (c_0 - sqrt(1 - rho^2))/rho,  of |R_n| = asin(rho).
 """
@@ -21,6 +21,8 @@ from symbalance.slider_crank import (
     acceleration_value,
     acceleration_values,
     checked_order,
+    checked_quantity,
+    checked_ratio,
     rod_angle_value,
 )
 
@@ -41,8 +43,10 @@ def left_out(order: int, ratio: Fraction, quantity: str = "acceleration") -> Rea
     '1.35724e-6'
     """
     checked_order(order)
+    checked_quantity(quantity)
+    ratio = checked_ratio(ratio)
     if quantity == "rod-angle":
-        return _rod_angle_left_out(order + 1 + (order + 1) % 2, ratio)
+        return _rod_angle_left_out(order + 1 + order % 2, ratio)
     first = order + 2 - order % 2 if order > 1 else 2
     q = _q(ratio)
     if q < SLOW:

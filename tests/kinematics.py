@@ -78,9 +78,7 @@ def planar(places: Sequence[Place], lam: Degrees, arms: bool) -> Callable[[mp.mp
         )
         for place in places
     ]
-    return lambda theta: mp.fsum(
-        weight * acceleration(theta + lead, ratio) for lead, weight in rows
-    )
+    return lambda theta: mp.fsum(weight * acceleration(theta + lead, ratio) for lead, weight in rows)
 
 
 def points_for(lam: Degrees, order: int, digits: int = 36) -> int:
@@ -127,9 +125,7 @@ def placed(
     rows = cylinders if cylinders is not None else [sorted(firing_order)]
     shifts = stagger if stagger is not None else [0] * len(banks)
     steps = (
-        intervals
-        if intervals is not None
-        else [Fraction(cycle, len(firing_order))] * len(firing_order)
+        intervals if intervals is not None else [Fraction(cycle, len(firing_order))] * len(firing_order)
     )
     clock, fired = Fraction(0), {}
     for cylinder, step in zip(firing_order, steps, strict=True):

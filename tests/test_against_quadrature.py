@@ -19,9 +19,9 @@ import sympy
 from kinematics import DIGITS, Place
 from mpmath import mp
 
-from symbalance.balance import Balance, Resultant, balance
 from symbalance.builders import boxer, from_firing_order, inline, radial, vee, w
 from symbalance.layout import Cylinder, Layout
+from symbalance.resultants import Balance, Resultant, balance
 from symbalance.slider_crank import (
     QUANTITIES,
     acceleration_series,
@@ -416,9 +416,7 @@ def test_series_sum_to_the_harmonics(quantity: str, measured: tuple) -> None:
         assert abs(exact[n][sign]) < TOLERANCE
     with mp.workdps(DIGITS):
         partial, limit = kinematics.number(found.constant.at(ratio)), exact[0][0].real
-    assert_small_gap(
-        partial, limit, f"{quantity}, constant", TOLERANCE if ratio > 3 else mp.mpf(0.02)
-    )
+    assert_small_gap(partial, limit, f"{quantity}, constant", TOLERANCE if ratio > 3 else mp.mpf(0.02))
 
 
 def test_a_series_keeps_just_the_powers_it_says() -> None:
@@ -478,9 +476,7 @@ def _errors(quantity: str, order: int, ratio: Fraction) -> dict[int, mp.mpf]:
     grid = {i: mp.pi / 2 * (1 - mp.mpf(60 - i) ** 2 / 3600) for i in range(61)}
     return {
         i: abs(
-            FUNCTIONS[quantity](p, lam)
-            - constant
-            - mp.fsum(c * wave(n * p) for n, c in terms.items())
+            FUNCTIONS[quantity](p, lam) - constant - mp.fsum(c * wave(n * p) for n, c in terms.items())
         )
         for i, p in grid.items()
     }

@@ -25,9 +25,9 @@ from typing import Any
 import pytest
 import sympy
 
-from symbalance.balance import Balance, Resultant, balance
 from symbalance.catalogue import load, preset_names, presets
 from symbalance.layout import Cylinder, Layout
+from symbalance.resultants import Balance, Resultant, balance
 
 Row = dict[str, Any]
 HIGHEST = 12

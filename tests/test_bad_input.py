@@ -17,12 +17,12 @@ import sympy
 from hypothesis import given, settings
 
 from symbalance.angles import angle, degrees
-from symbalance.balance import balance
 from symbalance.builders import boxer, from_firing_order, inline, radial, vee, w
 from symbalance.engine_file import parse_engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import CrankTrain, Cylinder, Layout
 from symbalance.rational import exact
+from symbalance.resultants import balance
 from symbalance.slider_crank import harmonics
 from symbalance.truncation import left_out
 
@@ -342,16 +342,12 @@ def mutated(draw: st.DrawFn) -> str:
     for _ in range(draw(st.integers(1, 4))):
         at = draw(st.integers(0, len(lines) - 1)) if lines else 0
         line = lines[at] if lines else ""
-        kind = draw(
-            st.sampled_from(["value", "key", "new", "lose", "swap", "double", "insert", "tear"])
-        )
+        kind = draw(st.sampled_from(["value", "key", "new", "lose", "swap", "double", "insert", "tear"]))
         match kind:
             case "value":
                 lines[at : at + 1] = [f"{line.split('=')[0]}= {draw(st.sampled_from(VALUES))}"]
             case "key":
-                lines[at : at + 1] = [
-                    f"{draw(st.sampled_from(KEYS))} = {line.partition('=')[2] or 1}"
-                ]
+                lines[at : at + 1] = [f"{draw(st.sampled_from(KEYS))} = {line.partition('=')[2] or 1}"]
             case "new":
                 lines[at:at] = [f"{draw(st.sampled_from(KEYS))} = {draw(st.sampled_from(VALUES))}"]
             case "lose":

@@ -279,7 +279,9 @@ def test_importing_the_package_imports_nothing_heavy():
 
 
 def test_an_ascii_terminal_gets_a_table_too():
-    done = python("-m", "symbalance", "balance", "v12-60", env={**os.environ, "PYTHONIOENCODING": "ascii"})
+    done = python(
+        "-m", "symbalance", "balance", "v12-60", env={**os.environ, "PYTHONIOENCODING": "ascii"}
+    )
     assert done.returncode == 0
     assert "v12-60" in done.stdout
 

@@ -19,7 +19,6 @@ from hypothesis import assume, given, settings
 from mpmath import mp
 
 from symbalance.angles import Angle, angle, degrees
-from symbalance.balance import balance
 from symbalance.builders import from_firing_order, inline, vee
 from symbalance.layout import Cylinder, Layout
 from symbalance.phasor import ONE, Phasor
@@ -31,6 +30,7 @@ from symbalance.radicals import (
     trigonometric_form,
 )
 from symbalance.rational import exact
+from symbalance.resultants import balance
 from symbalance.spectrum import COMPONENTS, Spectrum
 
 settings.register_profile("laws", deadline=None, max_examples=60, derandomize=True, database=None)
@@ -113,9 +113,7 @@ def test_the_laws_of_a_field(a: Phasor, b: Phasor, c: Phasor) -> None:
 
 
 @given(raw_terms(), st.integers(1, 6), st.data())
-def test_equal_numbers_have_equal_normal_forms(
-    raw: tuple, factor: int, data: st.DataObject
-) -> None:
+def test_equal_numbers_have_equal_normal_forms(raw: tuple, factor: int, data: st.DataObject) -> None:
     """The same number, written over a multiple of the modulus with vanishing sums mixed in."""
     modulus, terms = raw
     large = modulus * factor
@@ -142,9 +140,7 @@ def test_a_number_is_zero_exactly_when_it_is_numerically(raw: tuple) -> None:
     with mp.workdps(150):
         modulus, terms = raw
         total = mp.fsum(
-            mp.mpf(Fraction(c).numerator)
-            / Fraction(c).denominator
-            * mp.expjpi(mp.mpf(2 * k) / modulus)
+            mp.mpf(Fraction(c).numerator) / Fraction(c).denominator * mp.expjpi(mp.mpf(2 * k) / modulus)
             for k, c in terms.items()
         )
         assert number.is_zero() == (abs(total) < mp.mpf(10) ** -130)
@@ -500,9 +496,7 @@ def test_degrees_and_radians_are_one_angle(number: Fraction) -> None:
 
 
 @given(st.integers(2, 10), st.data())
-def test_where_a_cylinder_fires_its_pin_points_along_its_bank(
-    count: int, data: st.DataObject
-) -> None:
+def test_where_a_cylinder_fires_its_pin_points_along_its_bank(count: int, data: st.DataObject) -> None:
     order = [1, *data.draw(st.permutations(range(2, count + 1)))]
     cuts = sorted(data.draw(st.lists(st.integers(0, 720), min_size=count - 1, max_size=count - 1)))
     steps = [b - a for a, b in zip([0, *cuts], [*cuts, 720], strict=True)]

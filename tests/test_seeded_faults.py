@@ -18,12 +18,13 @@ from kinematics import DIGITS, Place
 from mpmath import mp
 from test_against_quadrature import DisagreementError, assert_agrees, assert_close
 
-from symbalance import balance as balance_module
-from symbalance import phasor, radicals, slider_crank, spectrum
+from symbalance import phasor, spectrum
+from symbalance import resultants as balance_module
 from symbalance.builders import inline, vee
 from symbalance.layout import Cylinder, Layout
 from symbalance.phasor import Phasor
-from symbalance.slider_crank import acceleration_series
+from symbalance.radicals import characters, forms
+from symbalance.slider_crank import acceleration_series, powers
 
 ORDER = 6
 VEE_PLACES = [
@@ -81,7 +82,7 @@ def _caches() -> Callable[[], None]:
     """Return what clears the caches there are now, even once a fault has replaced one."""
     found = [
         thing.cache_clear
-        for module in (phasor, radicals, slider_crank)
+        for module in (phasor, forms, characters, powers)
         for thing in vars(module).values()
         if hasattr(thing, "cache_clear")
     ]
@@ -120,10 +121,8 @@ def test_a_flipped_sign_in_order_four(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_wrong_catalan_number(monkeypatch: pytest.MonkeyPatch) -> None:
     """Catalan(k-1) is C(2k-2, k-1)/k; the one below it in the table is given instead."""
-    sound = slider_crank.comb
-    monkeypatch.setattr(
-        slider_crank, "comb", lambda n, k: sound(n - 2, k - 1) if k > 1 else sound(n, k)
-    )
+    sound = powers.comb
+    monkeypatch.setattr(powers, "comb", lambda n, k: sound(n - 2, k - 1) if k > 1 else sound(n, k))
     assert_seen(compare_series)
 
 
@@ -215,8 +214,8 @@ def test_a_phase_in_the_wrong_quadrant(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_root_with_the_wrong_sign(monkeypatch: pytest.MonkeyPatch) -> None:
-    sound = radicals._part_form
+    sound = characters._part_form
     monkeypatch.setattr(
-        radicals, "_part_form", lambda part, order: sound(part, order) * (-1 if order > 1 else 1)
+        characters, "_part_form", lambda part, order: sound(part, order) * (-1 if order > 1 else 1)
     )
     assert_seen(compare_off_centre)

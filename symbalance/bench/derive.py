@@ -13,10 +13,10 @@ from fractions import Fraction
 import sympy
 from sympy.core.cache import clear_cache
 
-from symbalance.balance import geometry
 from symbalance.bench.timing import Measurement, best, processes, progress, table
 from symbalance.builders import inline
 from symbalance.notation import series_latex
+from symbalance.resultants import geometry
 from symbalance.slider_crank import Series, acceleration_integers, acceleration_series, harmonics
 
 INTEGER_LIMITS = {20: 20e-6, 200: 2e-3, 1000: 0.1}

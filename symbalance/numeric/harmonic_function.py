@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from mpmath import mp
 
-from symbalance.balance import Balance, Order
 from symbalance.errors import SymbalanceError, shown
+from symbalance.resultants import Balance, Order
 from symbalance.slider_crank import acceleration_values, checked_ratio
 from symbalance.spectrum import COMPONENTS, SymbolicPhasor
 
@@ -91,7 +91,7 @@ def to_function(
     Outputs: force or couple, a dot, and vertical, lateral, forward or backward. `ratio` is the rod
     ratio lambda = l/r; every A_n is taken exact in it, rounded once. Truncated at the balance's order.
 
-    >>> from symbalance.balance import balance
+    >>> from symbalance.resultants import balance
     >>> from symbalance.catalogue import load
     >>> force = to_function(balance(load("inline-4"), order=4))
     >>> float(force(0.0).round(6))

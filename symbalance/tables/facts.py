@@ -8,9 +8,9 @@ import sympy
 from mpmath import mp
 
 from symbalance.angles import Angle
-from symbalance.balance import Balance, Order, Resultant
 from symbalance.layout import Layout
 from symbalance.rational import Real, decimal_text
+from symbalance.resultants import Balance, Order, Resultant
 from symbalance.spectrum import Component, SymbolicPhasor
 
 SHOWN_DIGITS = 6

@@ -6,9 +6,9 @@ import json
 from functools import lru_cache
 from typing import Any
 
-from symbalance.balance import Balance, Order, Resultant
 from symbalance.layout import Cylinder
 from symbalance.rational import decimal_text
+from symbalance.resultants import Balance, Order, Resultant
 from symbalance.spectrum import COMPONENTS, Component, SymbolicPhasor
 
 DIGITS = 30

@@ -10,10 +10,10 @@ from typing import Any
 import sympy
 from mpmath import mp
 
-from symbalance.balance import Balance, Order
 from symbalance.derivation import Derivation, derivation_latex
 from symbalance.errors import SymbalanceError
 from symbalance.notation import series_latex
+from symbalance.resultants import Balance, Order
 from symbalance.slider_crank import Series
 from symbalance.spectrum import Component
 from symbalance.tables.expressions import latex
@@ -92,7 +92,7 @@ def _(result: Balance, *, standalone: bool = False) -> str:
 
 
 def _escaped(text: str) -> str:
-    """Return text with what LaTeX reads as a command taken literally; other scripts as a question mark."""
+    """Return text with LaTeX's own characters taken literally, other scripts as question marks."""
     table = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
     table |= {c: f"\\{c}" for c in "&%$#_{}"}
     table |= {"°": r"\textdegree{}", "–": "--", "−": r"\(-\)"}
@@ -103,6 +103,7 @@ def _heading(balance: Balance) -> str:
     layout = balance.layout
     angles = ", ".join(_angle(bank) for bank in banks(layout))
     count = len(layout.cylinders)
+    plural = "s" if count > 1 else ""
     order = layout.firing_order()
     fires = f", firing {'-'.join(map(str, order))}" if order and count > 1 else ""
     ratio = (
@@ -110,12 +111,12 @@ def _heading(balance: Balance) -> str:
     )
     return "\n".join(
         [
-            rf"\textbf{{{_escaped(layout.name)}}}: {strokes(layout)}, {count} cylinder{'s' * (count > 1)},",
+            rf"\textbf{{{_escaped(layout.name)}}}: {strokes(layout)}, {count} cylinder{plural},",
             rf"bank angles {angles}{fires}.\\",
             rf"Convention: \(\lambda = l/r\), connecting rod length over crank radius{ratio};",
             r"\(\theta\) is the crank angle, angles positive in the sense of rotation from straight up,",
-            r"forces positive upwards and to the right, seen from the front; couples positive with the front",
-            r"pushed up or right. Order \(n\) reads",
+            r"forces positive upwards and to the right, seen from the front; couples positive with the",
+            r"front pushed up or right. Order \(n\) reads",
             r"\(C \cos n\theta + S \sin n\theta = \text{amplitude} \cdot \cos(n\theta - \text{phase})\).",
         ]
     )

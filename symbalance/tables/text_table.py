@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from textwrap import wrap
 
-from symbalance.balance import Balance
 from symbalance.notation import series_text
+from symbalance.resultants import Balance
 from symbalance.tables.expressions import text
 from symbalance.tables.facts import IN_ONE_PLANE, Row, banks, plane, rotating, rows, shown, strokes
 

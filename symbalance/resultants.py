@@ -28,6 +28,7 @@ from symbalance.slider_crank import (
     acceleration_series,
     acceleration_values,
     checked_order,
+    checked_power,
     surviving,
 )
 from symbalance.spectrum import Component, Number, Spectrum, SymbolicPhasor
@@ -152,7 +153,11 @@ def balance(
     `ratio` overrides the layout's rod ratio lambda = l/r, `power` keeps that many powers of 1/lambda in
     the printed series, `reference` is the station couples are taken about (default: the stations' mean).
     """
-    checked_order(order)
+    order = checked_order(order)
+    if not isinstance(layout, Layout):
+        raise SymbalanceError(
+            f"layout = {shown(layout)}", "must be a Layout", 'load one with load("v12-60"), or build one'
+        )
     if ratio is not None:
         layout = layout.with_ratio(ratio)
     plane = layout.mean_station if reference is None else exact(reference, "reference")
@@ -168,12 +173,7 @@ def balance(
 def _check_power(power: int | None, orders: Sequence[int]) -> None:
     if power is None:
         return
-    if isinstance(power, bool) or not isinstance(power, int) or not 0 <= power <= 10_000:
-        raise SymbalanceError(
-            f"power = {shown(power)}",
-            "must be a whole number from 0 to 10000",
-            "leave it out for two terms an order",
-        )
+    checked_power(power)
     lost = [n for n in orders if n - 1 > power]
     if lost:
         raise SymbalanceError(
@@ -190,9 +190,10 @@ def geometry(layout: Layout, orders: Sequence[int], weights: Sequence[Fraction])
     >>> geometry(inline("1-2-3-4-5-6-7"), range(1, 15), [Fraction(1)] * 7).orders()
     [7, 14]
     """
+    modulus = layout.modulus
     if layout.has_symbols:
         return _with_symbols(layout.cylinders, orders, weights)
-    modulus, denominator = layout.modulus, lcm(*(w.denominator for w in weights))
+    denominator = lcm(*(w.denominator for w in weights))
     rows = [
         (_units(c.bank.turns, modulus), _units(c.delay.turns, modulus), int(w * denominator))
         for c, w in zip(layout.cylinders, weights, strict=True)

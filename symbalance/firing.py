@@ -1,0 +1,145 @@
+"""What a builder is given, read: firing orders, intervals, banks' cylinders, stagger, stations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import accumulate
+
+from symbalance.errors import SymbalanceError, shown
+from symbalance.layout import MOST_CYLINDERS
+from symbalance.rational import exact, listed
+
+FiringOrder = str | Sequence[int]
+
+
+def read_firing_order(firing_order: FiringOrder) -> list[int]:
+    """Return a firing order, given as text or as a list, as cylinder numbers."""
+    numbers: Iterable[object]
+    if isinstance(firing_order, str):
+        parts = [part.strip() for part in firing_order[:10_000].split("-")]
+        numbers = [int(p) if p.isascii() and p.isdigit() and len(p) < 6 else p for p in parts]
+    else:
+        numbers = listed(firing_order, "firing_order")
+    order = []
+    for number in numbers:
+        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+            raise SymbalanceError(
+                f"firing_order = {shown(firing_order)}",
+                f"holds {shown(number)}, which is no cylinder number",
+                "write it like [1, 3, 4, 2]",
+            )
+        order.append(number)
+    if not order:
+        raise SymbalanceError("firing_order = []", "names no cylinder", "write it like [1, 3, 4, 2]")
+    repeated = sorted({n for n in order if order.count(n) > 1}) if len(order) <= MOST_CYLINDERS else [0]
+    if repeated:
+        raise SymbalanceError(
+            f"firing_order = {shown(firing_order)}",
+            f"must name each cylinder once, but repeats {repeated[0]}",
+            "correct the order",
+        )
+    return order
+
+
+def read_cylinders(
+    cylinders: Sequence[Sequence[int]] | None, order: list[int], banks: int
+) -> list[list[int]]:
+    """Return the numbers in each bank, checked against the firing order."""
+    if cylinders is None:
+        if banks > 1:
+            raise SymbalanceError(
+                f"{banks} banks",
+                "need cylinders, the numbers in each",
+                "as in [[1, 3, 5], [2, 4, 6]]",
+            )
+        cylinders = [sorted(order)]
+    cylinders = [listed(bank, "cylinders") for bank in listed(cylinders, "cylinders")]
+    if len(cylinders) != banks:
+        raise SymbalanceError(
+            f"cylinders = {shown(cylinders)}",
+            f"has {len(cylinders)} lists for {banks} bank(s)",
+            "give one list of numbers a bank",
+        )
+    numbers = [n for bank in cylinders for n in bank]
+    if 1 not in numbers:
+        raise SymbalanceError(
+            f"cylinders = {shown(cylinders)}", "lacks cylinder 1", "theta = 0 is its firing"
+        )
+    for number in order:
+        if number not in numbers:
+            raise SymbalanceError(
+                f"firing_order = {shown(order)}",
+                f"names cylinder {number}, which no bank holds",
+                "make order and cylinders agree",
+            )
+    for number in numbers:
+        if number not in order or numbers.count(number) > 1:
+            what = "repeats" if numbers.count(number) > 1 else "holds, but the firing order misses,"
+            raise SymbalanceError(
+                f"cylinders = {shown(cylinders)}",
+                f"{what} cylinder {shown(number)}",
+                "name each cylinder once in both",
+            )
+    return [list(bank) for bank in cylinders]
+
+
+def firing_angles(
+    order: list[int], intervals: Sequence[object] | None, cycle: int
+) -> dict[int, Fraction]:
+    """Return each cylinder's firing angle after cylinder 1, in degrees."""
+    if intervals is None:
+        steps = [Fraction(cycle, len(order))] * len(order)
+    else:
+        given = listed(intervals, "firing_intervals")
+        steps = [exact(step, f"firing_intervals[{i}]") for i, step in enumerate(given, 1)]
+        _check_intervals(steps, len(order), cycle)
+    starts = [Fraction(0), *accumulate(steps)]
+    first = starts[order.index(1)]
+    return {number: (start - first) % cycle for number, start in zip(order, starts, strict=False)}
+
+
+def _check_intervals(steps: list[Fraction], count: int, cycle: int) -> None:
+    if len(steps) != count:
+        raise SymbalanceError(
+            f"{len(steps)} firing_intervals",
+            f"must be {count}, one after each firing",
+            "the last leads back to the first",
+        )
+    if min(steps) < 0:
+        raise SymbalanceError(
+            f"firing interval {shown(min(steps))}",
+            "must not be negative",
+            "use degrees after each firing",
+        )
+    if sum(steps) != cycle:
+        raise SymbalanceError(
+            f"firing_intervals that sum to {shown(sum(steps))}",
+            f"must sum to {cycle}",
+            "720 degrees in a four-stroke, 360 in a two-stroke",
+        )
+
+
+def read_stagger(stagger: Sequence[object] | None, banks: int) -> list[Fraction]:
+    """Return each bank's shift towards the front, in pitches."""
+    if stagger is None:
+        return [Fraction(0)] * banks
+    stagger = listed(stagger, "stagger")
+    if len(stagger) != banks:
+        raise SymbalanceError(
+            f"stagger = {shown(stagger)}",
+            f"has {len(stagger)} values for {banks} bank(s)",
+            "give one value a bank, in pitches",
+        )
+    return [exact(value, f"stagger[{i}]") for i, value in enumerate(stagger, 1)]
+
+
+def stations(numbers: list[list[int]], stagger: list[Fraction]) -> dict[int, Fraction]:
+    """Return each cylinder's station: banks in pitches from the front, staggered, their mean at 0."""
+    raw = {
+        number: shift - place
+        for bank, shift in zip(numbers, stagger, strict=True)
+        for place, number in enumerate(bank)
+    }
+    mean = sum(raw.values(), Fraction(0)) / len(raw)
+    return {number: station - mean for number, station in raw.items()}
