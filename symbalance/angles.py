@@ -60,6 +60,15 @@ class Angle:
         """Return the angle's numeric part in degrees."""
         return self.turns * 360
 
+    def expression(self) -> sympy.Expr:
+        """Return the angle as a SymPy expression in radians."""
+        import sympy
+
+        numeric = 2 * sympy.pi * sympy.Rational(self.turns.numerator, self.turns.denominator)
+        return numeric + sympy.Add(
+            *(sympy.Rational(f.numerator, f.denominator) * symbol for symbol, f in self.symbols)
+        )
+
     def as_text(self) -> str:
         """Return degrees as files write them, symbols appended.
 
@@ -139,10 +148,3 @@ def _from_expression(expression: Any, name: str) -> Angle:
         total = total + part
     degrees(total.turns * 360, name)  # refuses what no number may be either
     return total
-
-
-def expression(part: SymbolPart) -> sympy.Expr:
-    """Return the symbolic part of an angle as a SymPy expression in radians."""
-    import sympy
-
-    return sympy.Add(*(sympy.Rational(f.numerator, f.denominator) * symbol for symbol, f in part))

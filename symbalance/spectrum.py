@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING
 
 from mpmath import mp
 
-from symbalance.angles import SymbolPart, expression
+from symbalance.angles import Angle, SymbolPart
 from symbalance.phasor import ZERO, Phasor
 from symbalance.radicals import evaluated, exact_form, square_root_form
 from symbalance.rational import Real
@@ -71,6 +71,15 @@ class SymbolicPhasor:
         """Return the number times e^(2 pi i turns)."""
         return SymbolicPhasor({s: p.turned(turns) for s, p in self.parts.items()})
 
+    def norm(self) -> SymbolicPhasor:
+        """Return the number times its conjugate."""
+        total = SymbolicPhasor({})
+        for left, p in self.parts.items():
+            for right, q in self.parts.items():
+                between = Angle(Fraction(0), left) - Angle(Fraction(0), right)
+                total = total + SymbolicPhasor.of({between.symbols: p.times(q.conjugate())})
+        return total
+
     def conjugate(self) -> SymbolicPhasor:
         """Return the complex conjugate, the symbols being real."""
         parts = {tuple((x, -f) for x, f in s): p.conjugate() for s, p in self.parts.items()}
@@ -109,11 +118,9 @@ class Component:
 
     @cached_property
     def amplitude(self) -> sympy.Expr:
-        """The amplitude, zero or positive."""
-        import sympy
-
+        """The amplitude, zero or positive; with symbols in it and a fixed phase, of either sign."""
         if isinstance(self.number, SymbolicPhasor):
-            return sympy.sqrt(self.cos**2 + self.sin**2)
+            return _symbolic_amplitude(self.number)
         aligned = self._aligned
         if aligned is not None:
             return exact_form(aligned[1])
@@ -124,8 +131,10 @@ class Component:
         """The phase in (-pi, pi], a fraction of pi or else an unevaluated atan2."""
         import sympy
 
-        if self.is_zero():
+        if self.is_zero() or (self.sin == 0 and isinstance(self.number, SymbolicPhasor)):
             return sympy.S.Zero
+        if self.cos == 0 and isinstance(self.number, SymbolicPhasor):
+            return sympy.pi / 2
         aligned = self._aligned
         if aligned is None:
             return sympy.atan2(self.sin, self.cos, evaluate=False)
@@ -155,10 +164,18 @@ def _real_form(number: Number) -> sympy.Expr:
 
     terms = []
     for symbols, phasor in number.parts.items():
-        angle = expression(symbols)
+        angle = Angle(Fraction(0), symbols).expression()
         terms.append(exact_form(phasor.real()) * sympy.cos(angle))
         terms.append(-exact_form(phasor.imaginary()) * sympy.sin(angle))
     return sympy.Add(*terms)
+
+
+def _symbolic_amplitude(number: SymbolicPhasor) -> sympy.Expr:
+    """Return C where S is 0 and S where C is 0, else the root of C^2 + S^2."""
+    import sympy
+
+    cos, sin = _real_form(number), _real_form(number.turned(-QUARTER))
+    return sympy.sqrt(_real_form(number.norm())) if cos != 0 and sin != 0 else cos + sin
 
 
 def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:

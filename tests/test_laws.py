@@ -435,8 +435,9 @@ def test_a_symbolic_bank_angle_holds_all_the_concrete_ones(name: str) -> None:
                     expected = special.component(order, part).decimal()
                     assert abs(at(found.cos, bank_angle) - expected[0]) < mp.mpf(10) ** -14
                     assert abs(at(found.sin, bank_angle) - expected[1]) < mp.mpf(10) ** -14
-                    size = at(found.amplitude, bank_angle)
-                    assert abs(size - mp.hypot(*expected)) < mp.mpf(10) ** -14
+                    size, phase = (at(e, bank_angle) for e in (found.amplitude, found.phase))
+                    assert abs(size * mp.cos(phase) - expected[0]) < mp.mpf(10) ** -14
+                    assert abs(size * mp.sin(phase) - expected[1]) < mp.mpf(10) ** -14
 
 
 def test_a_symbolic_zero_is_zero_for_all_angles() -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 import sympy
+from sympy.printing.pretty.pretty_symbology import pretty_symbol
 
 from symbalance.symbols import latex_names
 
@@ -44,6 +45,8 @@ class _Text:
         return f"({inside})"
 
     def other(self, expression: sympy.Basic) -> str:
+        if isinstance(expression, sympy.Symbol):
+            return str(pretty_symbol(expression.name))
         return "π" if expression is sympy.pi else str(expression)
 
 
@@ -92,6 +95,16 @@ def latex(expression: sympy.Basic) -> str:
     return _printed(expression, _Latex())
 
 
+def spread_latex(expression: sympy.Expr) -> str:
+    r"""Return a sum as LaTeX with a denominator for each term, so that it can be broken over lines.
+
+    >>> print(spread_latex(sympy.Rational(1, 2) - sympy.cos(2 * sympy.pi / 7) / 2))
+    \frac{1}{2} - \frac{\cos\tfrac{2 \pi}{7}}{2}
+    """
+    terms = sympy.Add.make_args(expression)
+    return _joined([_signed(term, _Latex()) for term in sorted(terms, key=_rank)])
+
+
 def _printed(expression: Any, style: _Style) -> str:
     sign, body = _signed(expression, style)
     return sign + body
@@ -115,14 +128,14 @@ def _signed(expression: Any, style: _Style) -> tuple[str, str]:
 def _sum(expression: Any, style: _Style) -> str:
     common = sympy.ilcm(1, *(t.as_coeff_Mul(rational=True)[0].q for t in expression.args))
     terms = sorted((common * t for t in expression.args), key=_rank)
-    printed = ""
-    for term in terms:
-        sign, body = _signed(term, style)
-        if printed:
-            printed += f" {sign or '+'} {body}"
-        else:
-            printed = sign + body
+    printed = _joined([_signed(term, style) for term in terms])
     return printed if common == 1 else style.fraction(printed, int(common), wrap=True)
+
+
+def _joined(terms: list[tuple[str, str]]) -> str:
+    """Return signed terms as a sum."""
+    (sign, body), *others = terms
+    return sign + body + "".join(f" {sign or '+'} {body}" for sign, body in others)
 
 
 def _rank(term: Any) -> tuple[bool, bool, str]:

@@ -95,15 +95,16 @@ def strokes(layout: Layout) -> str:
     return {2: "two-stroke", 4: "four-stroke"}[layout.strokes]
 
 
-def banks(layout: Layout) -> list[str]:
-    """Return the bank angles, each once, as they stand in the layout; short decimals as decimals."""
-    return list(dict.fromkeys(_degrees(c.bank) for c in layout.cylinders))
+def banks(layout: Layout) -> list[Angle]:
+    """Return the bank angles, each once, as they stand in the layout."""
+    return list(dict.fromkeys(c.bank for c in layout.cylinders))
 
 
-def _degrees(angle: Angle) -> str:
+def degrees_text(angle: Angle) -> str:
+    """Return a number of degrees, short decimals as decimals and others as fractions."""
     number = angle.in_degrees()
-    short = not angle.symbols and 10_000 % number.denominator == 0
-    return f"{float(number):g}" if short and abs(number) < 1000 else angle.as_text()
+    short = 10_000 % number.denominator == 0
+    return f"{float(number):g}" if short else str(number)
 
 
 def plane(balance: Balance) -> str:

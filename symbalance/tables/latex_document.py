@@ -10,16 +10,29 @@ from typing import Any
 import sympy
 from mpmath import mp
 
+from symbalance.angles import Angle
 from symbalance.derivation import Derivation, derivation_latex
 from symbalance.errors import SymbalanceError
 from symbalance.notation import series_latex
 from symbalance.resultants import Balance, Order
 from symbalance.slider_crank import Series
 from symbalance.spectrum import Component
-from symbalance.tables.expressions import latex
-from symbalance.tables.facts import IN_ONE_PLANE, Row, banks, plane, rotating, rows, shown, strokes
+from symbalance.tables.expressions import latex, spread_latex
+from symbalance.tables.facts import (
+    IN_ONE_PLANE,
+    Row,
+    banks,
+    degrees_text,
+    plane,
+    rotating,
+    rows,
+    shown,
+    strokes,
+)
 
 ROWS_PER_TABLE = 36
+WIDEST_LINE = 60
+"""About how many characters a line of formulas holds."""
 LONGEST_SERIES = 160
 LONGEST_NUMERATOR = 30
 LONGEST_CELL = 34
@@ -122,10 +135,8 @@ def _heading(balance: Balance) -> str:
     )
 
 
-def _angle(bank: str) -> str:
-    if any(c.isalpha() for c in bank):
-        return rf"\({sympy.latex(sympy.Symbol(bank))}\)" if bank.isalpha() else rf"\(\mathtt{{{bank}}}\)"
-    return rf"\({bank}^\circ\)"
+def _angle(bank: Angle) -> str:
+    return rf"\({latex(bank.expression())}\)" if bank.symbols else rf"\({degrees_text(bank)}^\circ\)"
 
 
 def _resultant(balance: Balance, name: str, title: str) -> str:
@@ -180,7 +191,17 @@ def _number(decimal: str) -> str:
     return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
 
 
-def _broken(formula: str, limit: int = 60) -> str:
+def _breakable(name: str, value: sympy.Expr) -> tuple[str, str]:
+    """Return name and formula of a number; one too wide for a line without the root or bar over it."""
+    formula = latex(value)
+    if _width(formula) <= WIDEST_LINE or value.has(sympy.Symbol):
+        return name, formula
+    if isinstance(value, sympy.Add):
+        return name, spread_latex(value)
+    return f"{name}^2", spread_latex(sympy.expand(value**2))
+
+
+def _broken(formula: str, limit: int = WIDEST_LINE) -> str:
     """Return a formula broken over the lines of an align, between the terms of its outermost sum."""
     lines, line = [], ""
     for term in _terms(formula):
@@ -204,12 +225,18 @@ def _terms(formula: str) -> list[str]:
 
 def _width(formula: str) -> int:
     """Return about how many characters wide a formula is printed."""
-    flat = re.sub(r"\\t?frac\{([^{}]*(?:\{[^{}]*\})?)\}\{([^{}]*(?:\{[^{}]*\})?)\}", _wider, formula)
-    return len(re.sub(r"\\[a-z]+|[{}^ ]", "", flat)) + flat.count("\\")
+    flat = re.sub(r"\\(sqrt|left|right|operatorname|text)|[\\^ ](?=\{)", "", formula)
+    while (simpler := _INNERMOST.sub(_wider, flat)) != flat:
+        flat = simpler
+    return len(re.sub(r"\\(pi|theta|lambda|cdots)|\\,", "x", flat).replace(" ", ""))
 
 
-def _wider(fraction: re.Match[str]) -> str:
-    return max(fraction[1], fraction[2], key=len)
+_INNERMOST = re.compile(r"\\t?frac\{([^{}]*)\}\{([^{}]*)\}|\{([^{}]*)\}")
+
+
+def _wider(found: re.Match[str]) -> str:
+    """Return the wider part of a fraction, or what a pair of braces holds."""
+    return found[3] if found[1] is None else max(found[1], found[2], key=len)
 
 
 def _exact_forms(found: Sequence[Row]) -> list[str]:
@@ -217,9 +244,9 @@ def _exact_forms(found: Sequence[Row]) -> list[str]:
     places: dict[tuple[str, str], list[str]] = {}
     for row in found:
         for name, value in zip(("C", "S", r"\text{amplitude}"), row.exact(), strict=False):
-            formula = latex(value)
-            if len(formula) > LONGEST_CELL:
-                places.setdefault((formula, rf"\text{{{row.name}}}\ {name}"), []).append(str(row.order))
+            if len(latex(value)) > LONGEST_CELL:
+                what, formula = _breakable(name, value)
+                places.setdefault((formula, rf"\text{{{row.name}}}\ {what}"), []).append(str(row.order))
     if not places:
         return []
     lines = [

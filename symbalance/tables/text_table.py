@@ -5,10 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from textwrap import wrap
 
+from symbalance.angles import Angle
 from symbalance.notation import series_text
 from symbalance.resultants import Balance
 from symbalance.tables.expressions import text
-from symbalance.tables.facts import IN_ONE_PLANE, Row, banks, plane, rotating, rows, shown, strokes
+from symbalance.tables.facts import (
+    IN_ONE_PLANE,
+    Row,
+    banks,
+    degrees_text,
+    plane,
+    rotating,
+    rows,
+    shown,
+    strokes,
+)
 
 WIDTH = 79
 SHORT = 14
@@ -33,7 +44,7 @@ def to_text(balance: Balance) -> str:
 def _heading(balance: Balance) -> str:
     layout = balance.layout
     count = len(layout.cylinders)
-    angles = ", ".join(_degrees(bank) for bank in banks(layout))
+    angles = ", ".join(_angle(bank) for bank in banks(layout))
     lines = [
         f"{layout.name}: {strokes(layout)}, {count} cylinder{'s' if count > 1 else ''}, "
         f"bank{'s' if ',' in angles else ''} at {angles}"
@@ -47,8 +58,8 @@ def _heading(balance: Balance) -> str:
     return "\n".join(part for line in lines for part in _wrapped(line, "  "))
 
 
-def _degrees(angle: str) -> str:
-    return angle.replace("-", "−") + ("°" if not any(c.isalpha() for c in angle) else "")
+def _angle(bank: Angle) -> str:
+    return text(bank.expression()) if bank.symbols else degrees_text(bank).replace("-", "−") + "°"
 
 
 def _wrapped(line: str, indent: str) -> list[str]:

@@ -1,0 +1,66 @@
+"""Typeset results: golden files that hold the source, and a compiler that accepts it."""
+
+import pytest
+import sympy
+
+import symbalance as sb
+from symbalance.catalogue import preset_names
+from symbalance.slider_crank import acceleration_series
+from symbalance.tables.latex_document import in_document
+
+SEVEN = sb.inline("1-3-5-7-6-4-2", name="seven_&_odd", ratio="7/2")
+TWIN = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin", ratio=4)
+
+
+@pytest.mark.parametrize(
+    ("name", "layout", "order"),
+    [
+        ("balance-v12", sb.load("v12-60"), 12),
+        ("balance-v6", sb.load("v6-60"), 6),
+        ("balance-seven", SEVEN, 4),
+        ("balance-twin", TWIN, 2),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_balance_is_as_it_was(golden, name, layout, order):
+    result = sb.balance(layout, order=order)
+    golden(f"{name}.tex", sb.to_latex(result))
+    golden(f"{name}.txt", sb.to_text(result))
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_every_preset_compiles(compile_latex, name):
+    compile_latex(sb.to_latex(sb.balance(sb.load(name)), standalone=True))
+
+
+@pytest.mark.parametrize(
+    ("layout", "arguments"),
+    [
+        (SEVEN, {"order": 60}),
+        (SEVEN, {"order": 8, "power": 60}),
+        (TWIN, {"order": 12}),
+        (sb.load("v8-90"), {"order": 1000}),
+        (sb.vee("45.25", pins=["17.333", "-360/7"], splay="1/3"), {"order": 6}),
+        (sb.inline(throws=[0, 180], name="two ~ \\ $ # ^ { } ü 二"), {"order": 2}),
+    ],
+    ids=["order 60", "power 60", "symbols", "order 1000", "fine angles", "odd name"],
+)
+def test_long_and_odd_results_compile(compile_latex, layout, arguments):
+    compile_latex(sb.to_latex(sb.balance(layout, **arguments), standalone=True))
+
+
+def test_formulas_compile(compile_latex):
+    five = sb.balance(sb.load("inline-5"), order=2)
+    formulas = [
+        sb.to_latex(five[1].couple.vertical),
+        sb.to_latex(five[1].couple.vertical.amplitude),
+        sb.to_latex(acceleration_series(6, 9)),
+        sb.to_latex(sympy.atan2(-1, 3, evaluate=False)),
+    ]
+    assert formulas[1] == r"\sqrt{\frac{25 - 11 \sqrt{5}}{2}}"
+    compile_latex(in_document("\n".join(rf"\[{formula}\]" for formula in formulas)))
+
+
+def test_what_has_no_latex_says_so():
+    with pytest.raises(sb.SymbalanceError, match="no LaTeX form"):
+        sb.to_latex(object())
