@@ -435,7 +435,11 @@ def test_a_symbolic_bank_angle_holds_all_the_concrete_ones(name: str) -> None:
                     expected = special.component(order, part).decimal()
                     assert abs(at(found.cos, bank_angle) - expected[0]) < mp.mpf(10) ** -14
                     assert abs(at(found.sin, bank_angle) - expected[1]) < mp.mpf(10) ** -14
-                    size, phase = (at(e, bank_angle) for e in (found.amplitude, found.phase))
+                    size = at(found.amplitude, bank_angle)
+                    if not any(expected):  # it vanishes at this angle, and has no phase there
+                        assert abs(size) < mp.mpf(10) ** -14
+                        continue
+                    phase = at(found.phase, bank_angle)
                     assert abs(size * mp.cos(phase) - expected[0]) < mp.mpf(10) ** -14
                     assert abs(size * mp.sin(phase) - expected[1]) < mp.mpf(10) ** -14
 

@@ -46,6 +46,7 @@ _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage{amsmath}
 \usepackage{booktabs}
 \setlength{\parindent}{0pt}
+\setlength{\jot}{6pt}
 \allowdisplaybreaks
 \begin{document}
 """
