@@ -1,0 +1,50 @@
+"""The README says what is: its table, its commands, its tour of the tree."""
+
+import re
+from pathlib import Path
+
+from symbalance.cli import run
+
+ROOT = Path(__file__).parent.parent
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def block(language: str, number: int = 0) -> str:
+    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)[number]
+
+
+def test_the_table_is_what_the_command_prints(capsys):
+    assert "symbalance balance v12-60" in block("sh")
+    assert run(["balance", "v12-60"]) == 0
+    assert capsys.readouterr().out == block("text")
+
+
+def test_every_room_is_in_the_tour_and_every_room_of_the_tour_exists():
+    tour = block("text", 1)
+    named = set()
+    for line in tour.splitlines():
+        if line.startswith("  "):
+            rooms = line[2:].split("  ")[0]
+            named |= {room.strip().rstrip("/") for room in rooms.split(",")}
+    package = ROOT / "symbalance"
+    there = {p.stem for p in package.iterdir() if not p.name.startswith("_")}
+    assert named == there
+
+
+def test_the_layers_of_the_contract_are_the_rooms():
+    import tomllib
+
+    table = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    layers = table["tool"]["importlinter"]["contracts"][0]["layers"]
+    named = {room.strip() for layer in layers for room in layer.split("|")}
+    there = {p.stem for p in (ROOT / "symbalance").iterdir() if p.stem not in ("__init__", "__pycache__")}
+    assert named == there
+
+
+def test_the_picture_and_the_engine_file_are_real(tmp_path, capsys):
+    for picture in re.findall(r"!\[.*?\]\((.*?)\)", README):
+        assert (ROOT / picture).stat().st_size > 1000
+    path = tmp_path / "example.toml"
+    path.write_text(block("toml"), encoding="utf-8")
+    assert run(["balance", str(path)]) == 0
+    assert "fires 1-3-4-2" in capsys.readouterr().out
