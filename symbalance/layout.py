@@ -20,6 +20,7 @@ from symbalance.slider_crank import checked_ratio
 
 MOST_CYLINDERS = 1000
 LONGEST_STATION = 10_000
+LONGEST_NAME = 60
 
 
 @dataclass(frozen=True, init=False)
@@ -157,7 +158,7 @@ class Layout:
         train = crank_train or CrankTrain()
         set_field(self, "cylinders", _checked_cylinders(cylinders))
         set_field(self, "strokes", checked_strokes(strokes))
-        set_field(self, "name", str(name))
+        set_field(self, "name", _checked_name(name))
         known = train.ratio if ratio is None else ratio
         set_field(self, "ratio", None if known is None else checked_ratio(known))
         set_field(self, "crank_train", train)
@@ -193,6 +194,17 @@ class Layout:
             ratio=ratio,
             crank_train=self.crank_train,
         )
+
+
+def _checked_name(name: object) -> str:
+    text = str(name)
+    if not text.isprintable() or len(text) > LONGEST_NAME:
+        raise SymbalanceError(
+            f"name = {shown(text)}",
+            f"must be one line of at most {LONGEST_NAME} characters",
+            "shorten it",
+        )
+    return text
 
 
 def _checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:

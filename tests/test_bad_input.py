@@ -446,3 +446,9 @@ LINES = [
 @pytest.mark.parametrize(("text", "line"), LINES, ids=lambda v: v if isinstance(v, int) else "")
 def test_a_refusal_names_the_line(text: str, line: int) -> None:
     assert_refused(lambda: parse_engine(text, PLACE), f"{PLACE}:{line}:")
+
+
+@pytest.mark.parametrize("name", ["two\nlines", "bell\a", "x" * 100])
+def test_names_that_would_break_a_table_are_refused(name: str) -> None:
+    with pytest.raises(SymbalanceError, match="one line"):
+        Layout([Cylinder(1)], name=name)
