@@ -13,6 +13,7 @@ from symbalance.phasor import Phasor, prime_factors
 if TYPE_CHECKING:
     import sympy
 
+MULTIPLIED_OUT = (15, 20, 24, 30, 40, 60, 120)
 MOST_TO_SHORTEN = 100
 """A sum of more cosines is printed as it stands."""
 
@@ -29,14 +30,29 @@ def trigonometric_form(number: Phasor) -> sympy.Expr:
     cosines, sines = _shortest(number, 1), _shortest(rotated, -1)
     as_sines = _length(sines, rotated.modulus) < _length(cosines, number.modulus)
     terms, modulus = (sines, rotated.modulus) if as_sines else (cosines, number.modulus)
-    function = sympy.sin if as_sines else sympy.cos
     return sympy.Add(
         *(
-            sympy.Rational(c.numerator, c.denominator)
-            * function(2 * sympy.pi * sympy.Rational(k, modulus))
+            sympy.Rational(c.numerator, c.denominator) * _wave(as_sines, Fraction(2 * k, modulus))
             for k, c in terms.items()
         )
     )
+
+
+def _wave(as_sine: bool, halves: Fraction) -> sympy.Expr:
+    """Return cos or sin of `halves` times pi, in [0, pi].
+
+    SymPy multiplies some of these out into products of nested radicals (denominators 15 to 120); those
+    are left as they are, brought into the first quadrant as SymPy does with the others.
+    """
+    import sympy
+
+    function = sympy.sin if as_sine else sympy.cos
+    if halves.denominator not in MULTIPLIED_OUT:
+        return function(sympy.pi * sympy.Rational(halves.numerator, halves.denominator))
+    sign = -1 if 2 * halves > 1 and not as_sine else 1
+    acute = min(halves, 1 - halves)
+    angle = sympy.pi * sympy.Rational(acute.numerator, acute.denominator)
+    return sign * function(angle, evaluate=False)
 
 
 def _length(terms: dict[int, Fraction], modulus: int) -> tuple[int, int]:

@@ -14,6 +14,9 @@ from symbalance.radicals.roots import tidy_root
 if TYPE_CHECKING:
     import sympy
 
+MOST_RADICALS = 4
+"""A sum of more radicals is written with cosines where these are fewer."""
+
 
 def exact_form(number: Phasor) -> sympy.Expr:
     """Return a real cyclotomic number as a SymPy expression.
@@ -30,7 +33,11 @@ def exact_form(number: Phasor) -> sympy.Expr:
 def _cached_form(modulus: int, terms: tuple[tuple[int, int | Fraction], ...]) -> sympy.Expr:
     number = Phasor(modulus, dict(terms))
     form = radical_form(number.primitive())
-    return form if form is not None else trigonometric_form(number)
+    if form is None:
+        return trigonometric_form(number)
+    if len(form.args) <= MOST_RADICALS or not form.is_Add:
+        return form
+    return min(form, trigonometric_form(number), key=lambda f: len(f.args))
 
 
 def square_root_form(square: Phasor) -> sympy.Expr:
