@@ -23,7 +23,7 @@ from symbalance.firing import (
     stations,
 )
 from symbalance.layout import MOST_CYLINDERS, Cylinder, Layout, checked_bank, checked_strokes
-from symbalance.rational import listed
+from symbalance.rational import checked_whole, listed
 
 
 def from_firing_order(
@@ -155,10 +155,7 @@ def radial(count: int, *, strokes: int = 4, **about: Any) -> Layout:
     >>> radial(5).firing_order()
     [1, 3, 5, 2, 4]
     """
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_CYLINDERS:
-        raise SymbalanceError(
-            f"count = {shown(count)}", f"must be a whole number from 1 to {MOST_CYLINDERS}"
-        )
+    count = checked_whole(count, "count", 1, MOST_CYLINDERS, "cylinders of one row")
     checked_strokes(strokes)
     cylinders = []
     for i in range(count):

@@ -15,7 +15,7 @@ from math import lcm
 from symbalance.angles import Angle, angle
 from symbalance.errors import SymbalanceError, shown
 from symbalance.phasor import checked_modulus
-from symbalance.rational import exact, listed, whole
+from symbalance.rational import checked_whole, exact, listed
 from symbalance.slider_crank import checked_ratio
 
 MOST_CYLINDERS = 1000
@@ -51,7 +51,9 @@ class Cylinder:
         fires: object = None,
     ) -> None:
         set_field = object.__setattr__
-        set_field(self, "number", _checked_number(number))
+        set_field(
+            self, "number", checked_whole(number, "number", 1, MOST_CYLINDERS, "count from the front")
+        )
         set_field(self, "throw", angle(throw, "throw").normalized())
         set_field(self, "bank", checked_bank(bank))
         set_field(self, "station", _checked_station(station))
@@ -66,17 +68,6 @@ class Cylinder:
     def delay(self) -> Angle:
         """How far its pin leads its axis at theta = 0: throw - bank."""
         return (self.throw - self.bank).normalized()
-
-
-def _checked_number(number: object) -> int:
-    found = whole(number)
-    if found is None or not 1 <= found <= MOST_CYLINDERS:
-        raise SymbalanceError(
-            f"number = {shown(number)}",
-            f"a cylinder's number must be whole, from 1 to {MOST_CYLINDERS}",
-            "count from the front",
-        )
-    return found
 
 
 def _checked_fires(fires: object) -> Fraction:

@@ -91,6 +91,20 @@ def whole(value: Any) -> int | None:
         return None
 
 
+def checked_whole(value: Any, name: str, lowest: int, highest: int, remedy: str) -> int:
+    """Return a whole number of a range, or refuse.
+
+    >>> checked_whole(12, "order", 1, 1000, "12 is usual")
+    12
+    """
+    number = whole(value)
+    if number is None or not lowest <= number <= highest:
+        raise SymbalanceError(
+            f"{name} = {shown(value)}", f"must be a whole number from {lowest} to {highest}", remedy
+        )
+    return number
+
+
 def listed(values: Any, name: str) -> list[Any]:
     """Return several values as a list; text and tables are refused, being no list of values.
 

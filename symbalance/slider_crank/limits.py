@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from symbalance.errors import SymbalanceError, shown
-from symbalance.rational import exact, whole
+from symbalance.rational import checked_whole, exact
 
 HIGHEST_ORDER = 1000
 HIGHEST_POWER = 10_000
@@ -14,14 +14,7 @@ QUANTITIES = ("displacement", "velocity", "acceleration", "force", "rod-angle")
 
 def checked_order(order: int, name: str = "order", highest: int = HIGHEST_ORDER) -> int:
     """Return `order`, or refuse what is no whole number from 1 to `highest`."""
-    number = whole(order)
-    if number is None or not 1 <= number <= highest:
-        raise SymbalanceError(
-            f"{name} = {shown(order)}",
-            f"must be a whole number from 1 to {highest}",
-            "12 shows what matters in most engines",
-        )
-    return number
+    return checked_whole(order, name, 1, highest, "12 shows what matters in most engines")
 
 
 def checked_ratio(ratio: object, name: str = "ratio") -> Fraction:
@@ -49,14 +42,7 @@ def checked_quantity(quantity: str) -> str:
 
 def checked_power(power: int, name: str = "power") -> int:
     """Return a highest power of 1/lambda, or refuse what is no whole number from 0 to `HIGHEST_POWER`."""
-    number = whole(power)
-    if number is None or not 0 <= number <= HIGHEST_POWER:
-        raise SymbalanceError(
-            f"{name} = {shown(power)}",
-            f"must be a whole number from 0 to {HIGHEST_POWER}",
-            "leave it out for the usual powers",
-        )
-    return number
+    return checked_whole(power, name, 0, HIGHEST_POWER, "leave it out for the usual powers")
 
 
 def surviving(order: int) -> bool:

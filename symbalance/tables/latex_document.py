@@ -2,7 +2,6 @@ r"""Results as LaTeX: amsmath and booktabs only, the conventions stated, nothing
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from functools import singledispatch
 from typing import Any
@@ -17,7 +16,7 @@ from symbalance.notation import series_latex
 from symbalance.resultants import Balance, Order
 from symbalance.slider_crank import Series
 from symbalance.spectrum import Component
-from symbalance.tables.expressions import latex, spread_latex
+from symbalance.tables.expressions import latex
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
     Row,
@@ -29,10 +28,9 @@ from symbalance.tables.facts import (
     shown,
     strokes,
 )
+from symbalance.tables.wide_formulas import breakable, broken
 
 ROWS_PER_TABLE = 36
-WIDEST_LINE = 60
-"""About how many characters a line of formulas holds."""
 LONGEST_SERIES = 160
 LONGEST_NUMERATOR = 30
 LONGEST_CELL = 34
@@ -192,66 +190,18 @@ def _number(decimal: str) -> str:
     return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
 
 
-def _breakable(name: str, value: sympy.Expr) -> tuple[str, str]:
-    """Return name and formula of a number; one too wide for a line without the root or bar over it."""
-    formula = latex(value)
-    if _width(formula) <= WIDEST_LINE or value.has(sympy.Symbol):
-        return name, formula
-    if isinstance(value, sympy.Add):
-        return name, spread_latex(value)
-    return f"{name}^2", spread_latex(sympy.expand(value**2))
-
-
-def _broken(formula: str, limit: int = WIDEST_LINE) -> str:
-    """Return a formula broken over the lines of an align, between the terms of its outermost sum."""
-    lines, line = [], ""
-    for term in _terms(formula):
-        if line and _width(line) + _width(term) > limit:
-            lines.append(line)
-            line = ""
-        line += term
-    return r" \\ &\qquad ".join([*lines, line])
-
-
-def _terms(formula: str) -> list[str]:
-    """Return the terms of a sum, each with its sign before it."""
-    terms, depth, start = [], 0, 0
-    for i, character in enumerate(formula):
-        depth += (character in "{(") - (character in "})")
-        if depth == 0 and i and formula[i : i + 3] in (" + ", " - "):
-            terms.append(formula[start:i])
-            start = i
-    return [*terms, formula[start:]]
-
-
-def _width(formula: str) -> int:
-    """Return about how many characters wide a formula is printed."""
-    flat = re.sub(r"\\(sqrt|left|right|operatorname|text)|[\\^ ](?=\{)", "", formula)
-    while (simpler := _INNERMOST.sub(_wider, flat)) != flat:
-        flat = simpler
-    return len(re.sub(r"\\(pi|theta|lambda|cdots)|\\,", "x", flat).replace(" ", ""))
-
-
-_INNERMOST = re.compile(r"\\t?frac\{([^{}]*)\}\{([^{}]*)\}|\{([^{}]*)\}")
-
-
-def _wider(found: re.Match[str]) -> str:
-    """Return the wider part of a fraction, or what a pair of braces holds."""
-    return found[3] if found[1] is None else max(found[1], found[2], key=len)
-
-
 def _exact_forms(found: Sequence[Row]) -> list[str]:
     """Return the exact forms too long for a table, each once, with all the orders it belongs to."""
     places: dict[tuple[str, str], list[str]] = {}
     for row in found:
         for name, value in zip(("C", "S", r"\text{amplitude}"), row.exact(), strict=False):
             if len(latex(value)) > LONGEST_CELL:
-                what, formula = _breakable(name, value)
+                what, formula = breakable(name, value)
                 places.setdefault((formula, rf"\text{{{row.name}}}\ {what}"), []).append(str(row.order))
     if not places:
         return []
     lines = [
-        rf"&n = {', '.join(orders)},\ {what} = {_broken(formula)}"
+        rf"&n = {', '.join(orders)},\ {what} = {broken(formula)}"
         for (formula, what), orders in places.items()
     ]
     return ["Exactly:", r"\begin{align*}", " \\\\\n".join(lines), r"\end{align*}"]
@@ -284,7 +234,7 @@ def _coefficients(balance: Balance) -> str:
     series = [_series(order) for order in balance.orders]
     title = r"\textbf{Coefficients of one cylinder}:"
     if max(map(len, series)) > LONGEST_SERIES:
-        rows = [rf"A_{{{o.order}}} &= {_broken(s)}" for o, s in zip(balance.orders, series, strict=True)]
+        rows = [rf"A_{{{o.order}}} &= {broken(s)}" for o, s in zip(balance.orders, series, strict=True)]
         return "\n".join([title, r"\begin{align*}", " \\\\\n".join(rows), r"\end{align*}"])
     values = [rf"\({_number(shown(v))}\)" for v in balance.values.values()]
     columns, head = "rl", r"\(n\) & \(A_n\) in powers of \(1/\lambda\)"
