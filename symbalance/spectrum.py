@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 COMPONENTS = ("vertical", "lateral", "forward", "backward")
 QUARTER = Fraction(1, 4)
+MOST_IN_A_SQUARE = 60
+"""An amplitude whose square has more terms is written as the root of C^2 + S^2."""
 
 
 @dataclass(frozen=True)
@@ -119,12 +121,17 @@ class Component:
     @cached_property
     def amplitude(self) -> sympy.Expr:
         """The amplitude, zero or positive; with symbols in it and a fixed phase, of either sign."""
+        import sympy
+
         if isinstance(self.number, SymbolicPhasor):
             return _symbolic_amplitude(self.number)
         aligned = self._aligned
         if aligned is not None:
             return exact_form(aligned[1])
-        return square_root_form(self.number.times(self.number.conjugate()))
+        square = self.number.times(self.number.conjugate())
+        if len(square.terms) > MOST_IN_A_SQUARE:
+            return (self.cos**2 + self.sin**2) ** sympy.S.Half
+        return square_root_form(square)
 
     @cached_property
     def phase(self) -> sympy.Expr:

@@ -13,7 +13,8 @@ from symbalance.phasor import Phasor, prime_factors
 if TYPE_CHECKING:
     import sympy
 
-MULTIPLIED_OUT = (15, 20, 24, 30, 40, 60, 120)
+SHORT_RADICALS = (1, 2, 3, 4, 5, 6, 8, 10, 12)
+"""Denominators of pi whose cosines SymPy writes in short radicals."""
 MOST_TO_SHORTEN = 100
 """A sum of more cosines is printed as it stands."""
 
@@ -41,13 +42,13 @@ def trigonometric_form(number: Phasor) -> sympy.Expr:
 def _wave(as_sine: bool, halves: Fraction) -> sympy.Expr:
     """Return cos or sin of `halves` times pi, in [0, pi].
 
-    SymPy multiplies some of these out into products of nested radicals (denominators 15 to 120); those
-    are left as they are, brought into the first quadrant as SymPy does with the others.
+    SymPy takes long over angles without short radicals, and multiplies some of them out (denominators
+    15 to 120): those are only brought into the first quadrant, as it does, and left as they are.
     """
     import sympy
 
     function = sympy.sin if as_sine else sympy.cos
-    if halves.denominator not in MULTIPLIED_OUT:
+    if halves.denominator in SHORT_RADICALS:
         return function(sympy.pi * sympy.Rational(halves.numerator, halves.denominator))
     sign = -1 if 2 * halves > 1 and not as_sine else 1
     acute = min(halves, 1 - halves)

@@ -47,6 +47,8 @@ class _Text:
     def other(self, expression: sympy.Basic) -> str:
         if isinstance(expression, sympy.Symbol):
             return str(pretty_symbol(expression.name))
+        if isinstance(expression, sympy.Pow) and expression.exp == 2:
+            return f"{expression.base}²"
         return "π" if expression is sympy.pi else str(expression)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import sympy
 from mpmath import mp
@@ -39,9 +40,16 @@ class Row:
         return cos_text, sin_text, amplitude, phase
 
     def exact(self) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, sympy.Expr]:
-        """Return cos, sin, amplitude and phase exactly."""
+        """Return cos, sin, amplitude and phase exactly; an endless amplitude as the root of C^2 + S^2."""
         part = self.component
-        return part.cos, part.sin, part.amplitude, part.phase
+        return part.cos, part.sin, _short(part.amplitude), part.phase
+
+
+def _short(amplitude: Any) -> sympy.Expr:
+    squares = amplitude.base.args if amplitude.is_Pow and amplitude.base.is_Add else ()
+    if squares and all(square.is_Pow and square.exp == 2 for square in squares):
+        return sympy.sqrt(sympy.Symbol("C") ** 2 + sympy.Symbol("S") ** 2)
+    return amplitude
 
 
 def rows(balance: Balance, resultant: str) -> list[Row]:
