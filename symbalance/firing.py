@@ -32,7 +32,13 @@ def read_firing_order(firing_order: FiringOrder) -> list[int]:
         order.append(number)
     if not order:
         raise SymbalanceError("firing_order = []", "names no cylinder", "write it like [1, 3, 4, 2]")
-    repeated = sorted({n for n in order if order.count(n) > 1}) if len(order) <= MOST_CYLINDERS else [0]
+    if len(order) > MOST_CYLINDERS:
+        raise SymbalanceError(
+            f"firing_order of {len(order)} numbers",
+            f"an engine has 1 to {MOST_CYLINDERS} cylinders",
+            "shorten it",
+        )
+    repeated = sorted({n for n in order if order.count(n) > 1})
     if repeated:
         raise SymbalanceError(
             f"firing_order = {shown(firing_order)}",

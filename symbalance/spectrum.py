@@ -194,8 +194,9 @@ def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:
         return Fraction(0), ZERO
     steps = 4 * number.modulus
     real, imaginary = evaluated(number.real(), 15), evaluated(number.imaginary(), 15)
-    argument = mp.atan2(imaginary, real) / (2 * mp.pi)
-    turns = Fraction(int(mp.nint(argument * steps)), steps)
+    with mp.workdps(30):  # whatever precision the caller has set
+        argument = mp.atan2(imaginary, real) / (2 * mp.pi)
+        turns = Fraction(int(mp.nint(argument * steps)), steps)
     amplitude = number.turned(-turns)
     if not amplitude.imaginary().is_zero():
         return None

@@ -14,8 +14,10 @@ part of
 
     sum of ((N-1)/2 - j) zeta^j e^(i n theta) = N/(1 - zeta) e^(i n theta)      (u not whole, else 0)
 
-that is N/(2 |sin(2 pi n/N)|) in size: no evenly firing crank in this order is free of couples, only of
-forces. Source: derived here; the force's condition is the u of 000_6d19e3a8fb7bcb72.txt.
+that is N/(2 |sin(2 pi n/N)|) in size: from three cylinders on, every evenly firing crank in this order
+has a first-order couple.
+
+Source: derived here; the force's condition is the u of 000_6d19e3a8fb7bcb72.txt.
 """
 
 from __future__ import annotations

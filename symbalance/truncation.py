@@ -45,6 +45,11 @@ def left_out(order: int, ratio: Fraction, quantity: str = "acceleration") -> Rea
     checked_order(order)
     checked_quantity(quantity)
     ratio = checked_ratio(ratio)
+    with mp.workdps(30):  # whatever precision the caller has set
+        return _left_out(order, ratio, quantity)
+
+
+def _left_out(order: int, ratio: Fraction, quantity: str) -> Real:
     if quantity == "rod-angle":
         return _rod_angle_left_out(order + 1 + order % 2, ratio)
     first = order + 2 - order % 2 if order > 1 else 2

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from symbalance.catalogue import preset_names
 from symbalance.cli import run
 
 GOOD = """
@@ -60,7 +61,7 @@ def test_v12_table_fits_a_terminal_and_holds_one_family(capsys):
     assert "none, to order 12" in out
 
 
-@pytest.mark.parametrize("engine", ["inline-5", "v8-90", "v6-90-splayed", "radial-7", "boxer-6"])
+@pytest.mark.parametrize("engine", preset_names())
 def test_every_table_fits_a_terminal(capsys, engine):
     out = printed(capsys, "balance", engine, "--order", "40")
     assert max(map(len, out.splitlines())) <= 80

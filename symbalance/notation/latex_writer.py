@@ -106,6 +106,11 @@ class InlineLatexWriter(LatexWriter):
     'l/(2 r)'
     """
 
+    def factor(self, value: f.Formula) -> str:
+        """Return a factor, sums and slashed fractions in brackets."""
+        printed = super().factor(value)
+        return f"({printed})" if isinstance(value, f.Over) else printed
+
     def _monomial(self, value: f.Monomial) -> str:
         size, letter = value.coefficient, f.Name(value.letter) ** f.Number(abs(value.exponent))
         power = f.Name(value.letter) if abs(value.exponent) == 1 else letter

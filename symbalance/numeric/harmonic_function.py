@@ -114,7 +114,8 @@ def to_function(
             "has no rod ratio",
             "pass ratio=..., lambda = l/r, often 3 to 4.5",
         )
-    made = tuple(_output(result, name, number) for name in dict.fromkeys(names))
+    with mp.workdps(30):  # whatever precision the caller has set
+        made = tuple(_output(result, name, number) for name in dict.fromkeys(names))
     return HarmonicFunction(made, number, result.highest)
 
 

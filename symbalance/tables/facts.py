@@ -35,7 +35,8 @@ class Row:
         if self.has_symbols:
             return None
         cos, sin = self.component.decimal(SHOWN_DIGITS + 10)
-        values = (cos, sin, mp.hypot(cos, sin), mp.atan2(sin, cos))
+        with mp.workdps(30):  # whatever precision the caller has set
+            values = (cos, sin, mp.hypot(cos, sin), mp.atan2(sin, cos))
         cos_text, sin_text, amplitude, phase = (shown(v) for v in values)
         return cos_text, sin_text, amplitude, phase
 

@@ -58,7 +58,7 @@ def _order(order: Order, balance: Balance) -> dict[str, Any]:
 
 
 def _resultant(resultant: Resultant) -> dict[str, Any]:
-    return {name: _component(resultant.component(name)) for name in COMPONENTS}
+    return {name: dict(_component(resultant.component(name))) for name in COMPONENTS}
 
 
 @lru_cache(maxsize=4096)

@@ -81,34 +81,37 @@ def _components(found: Sequence[Row]) -> list[str]:
         column = max((c for c in _EXACT if c not in below), key=lambda c: max(len(r[c]) for r in table))
         below.append(column)
         table = [[*_HEAD], *(_cells(row, below) for row in found)]
-    return _grid(table) + _exact_lines(found, below)
+    if _width(table) <= WIDTH:
+        return _grid(table) + _exact_lines(found, below)
+    table = [[*_HEAD], *(_cells(row, below, short=0) for row in found)]
+    return _grid(table) + _exact_lines(found, below, short=0)
 
 
 def _width(table: Sequence[Sequence[str]]) -> int:
     return max(map(len, _grid(table)))
 
 
-def _cells(row: Row, below: Sequence[int] = ()) -> list[str]:
+def _cells(row: Row, below: Sequence[int] = (), short: int = SHORT) -> list[str]:
     exact, decimals = [text(e) for e in row.exact()], row.decimals()
     cells = [str(row.order), row.name, *exact[:3], "", exact[3]]
     if decimals is None:
-        return ["see below" if i in below and len(c) > SHORT else c for i, c in enumerate(cells)]
+        return ["see below" if i in below and len(c) > short else c for i, c in enumerate(cells)]
     cos, sin, amplitude, phase = (d.replace("-", "−") for d in decimals)
     if amplitude != exact[2]:
         cells[5] = amplitude
     if len(exact[3]) > LONGEST_PHASE:
         cells[6] = phase
     nearly = {2: cos, 3: sin, 4: ""}
-    return [nearly[i] if i in below and len(c) > SHORT else c for i, c in enumerate(cells)]
+    return [nearly[i] if i in below and len(c) > short else c for i, c in enumerate(cells)]
 
 
-def _exact_lines(found: Sequence[Row], below: Sequence[int]) -> list[str]:
+def _exact_lines(found: Sequence[Row], below: Sequence[int], short: int = SHORT) -> list[str]:
     """Return the exact forms left out of a table, each once, with all the places it belongs to."""
     places: dict[tuple[str, str], list[str]] = {}
     for row in found:
         for column in sorted(below):
             formula = text(row.exact()[column - 2])
-            if len(formula) > SHORT:
+            if len(formula) > max(short, 3):
                 what = f"{row.name} {_HEAD[column].split()[0]}"
                 places.setdefault((formula, what), []).append(str(row.order))
     lines = [
