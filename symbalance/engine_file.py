@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Iterable
+from bisect import bisect_left
+from collections.abc import Callable, Sequence
 from decimal import Decimal
 from difflib import get_close_matches
 from fractions import Fraction
@@ -17,7 +18,7 @@ from typing import Any, TypeVar
 
 from symbalance.builders import from_firing_order
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import CrankTrain, Cylinder, Layout
+from symbalance.layout import CrankTrain, Cylinder, Layout, checked_name, checked_strokes
 from symbalance.rational import exact
 from symbalance.slider_crank import checked_ratio
 
@@ -28,16 +29,8 @@ _TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cy
 _CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset")
 _LAYOUT = ("strokes", "banks", "cylinders", "firing_order", "firing_intervals", "stagger")
 _CYLINDER = ("number", "throw", "bank", "station", "fires")
-_LATER = (
-    "stroke",
-    "rod",
-    "reciprocating_mass",
-    "rotating_mass",
-    "offset",
-    "master",
-    "link_angle",
-    "link_radius",
-)
+_LATER = ("stroke", "rod", "reciprocating_mass", "rotating_mass", "offset")
+_LATER += ("master", "link_angle", "link_radius")
 
 
 def read_engine_file(path: str | Path) -> Layout:
@@ -77,9 +70,8 @@ def parse_engine(text: str, place: str, default_name: str = "engine") -> Layout:
         message = re.sub(r"\s*\(at .*\)$", "", str(problem))
         raise SymbalanceError(where, f"is not valid TOML ({message})", "correct the line") from None
     except (ValueError, RecursionError):
-        raise SymbalanceError(
-            place, "holds a number or a nesting beyond all bounds", "write plain numbers and lists"
-        ) from None
+        rule = "holds a number or a nesting beyond all bounds"
+        raise SymbalanceError(place, rule, "write plain numbers and lists") from None
     return _Reader(text, place).engine(table, default_name)
 
 
@@ -93,153 +85,123 @@ class _Reader:
         self.check_keys(table, _TOP, "", 0)
         for key in ("name", "description", "source"):
             if not isinstance(table.get(key, ""), str):
-                raise self.refusal(key, table[key], "must be text", "write it in quotes", "", 0)
+                raise self.refusal(key, table[key], "must be text", "write it in quotes")
         if ("layout" in table) == ("cylinder" in table):
-            raise SymbalanceError(
-                self.place,
-                "must hold either a [layout] table or [[cylinder]] tables",
-                "describe the engine one way",
-            )
-        about = {
-            "name": table.get("name", default_name),
-            "crank_train": self.crank_train(self.subtable(table, "crank_train")),
-        }
-        if "layout" in table:
-            if "strokes" in table:
-                raise self.refusal(
-                    "strokes", table["strokes"], "belongs into [layout] here", "move it", "", 0
-                )
-            return self.layout(self.subtable(table, "layout"), about)
-        return self.cylinders(table, about)
+            rule = "must hold either a [layout] table or [[cylinder]] tables"
+            raise SymbalanceError(self.place, rule, "describe the engine one way")
+        name = self.guarded("", "name", 0, lambda: checked_name(table.get("name", default_name)))
+        about = {"name": name, "crank_train": self.crank_train(self.subtable(table, "crank_train"))}
+        if "layout" not in table:
+            return self.cylinders(table, about)
+        if "strokes" in table:
+            raise self.refusal("strokes", table["strokes"], "belongs into [layout] here", "move it")
+        return self.layout(self.subtable(table, "layout"), about)
 
     def crank_train(self, table: dict[str, Any]) -> CrankTrain:
-        self.check_keys(table, _CRANK_TRAIN, "crank_train", 0)
+        section = "crank_train"
+        self.check_keys(table, _CRANK_TRAIN, section, 0)
         sizes = {
-            key: self.guarded("crank_train", key, 0, lambda key=key: self.size(key, table[key]))
+            key: self.guarded(section, key, 0, lambda key=key: self.size(key, table[key]))
             for key in _CRANK_TRAIN
             if key in table
         }
         if sizes.pop("offset", Fraction(0)):
-            raise self.refusal(
-                "offset",
-                table["offset"],
-                "offset cylinders are not supported yet",
-                "leave it at 0",
-                "crank_train",
-                0,
-            )
+            rule = "offset cylinders are not supported yet"
+            raise self.refusal("offset", table["offset"], rule, "leave it at 0", section)
         given = sizes.pop("ratio", None)
         train = CrankTrain(**sizes, given_ratio=given)
         if given is not None and (train.rod is not None or train.stroke is not None):
-            raise self.refusal(
-                "ratio",
-                table["ratio"],
-                "is 2*rod/stroke already",
-                "give either ratio, or stroke and rod",
-                "crank_train",
-                0,
-            )
+            rule, remedy = "is 2*rod/stroke already", "give either ratio, or stroke and rod"
+            raise self.refusal("ratio", table["ratio"], rule, remedy, section)
         if train.ratio is not None:
-            key = "ratio" if given is not None else "rod"
-            self.guarded(
-                "crank_train",
-                key,
-                0,
-                lambda: checked_ratio(train.ratio, "2*rod/stroke" if key == "rod" else key),
-            )
+            key, what = ("ratio", "ratio") if given is not None else ("rod", "2*rod/stroke")
+            self.guarded(section, key, 0, lambda: checked_ratio(train.ratio, what))
         return train
 
     def size(self, key: str, value: object) -> Fraction:
         number = exact(value, key)
-        may_be_zero = key in ("offset", "reciprocating_mass", "rotating_mass")
-        if (number < 0 and key != "offset") or (not number and not may_be_zero):
+        least = {"offset": number, "reciprocating_mass": 0, "rotating_mass": 0}
+        if number < least.get(key, 0) or (not number and key not in least):
             raise SymbalanceError(f"{key} = {shown(value)}", "must be positive", "sizes are in mm and kg")
         return number
 
     def layout(self, table: dict[str, Any], about: dict[str, Any]) -> Layout:
         self.check_keys(table, _LAYOUT, "layout", 0)
         if "firing_order" not in table:
+            place = f"{self.place}:{self.line_of('layout', 0)}: [layout]"
             raise SymbalanceError(
-                f"{self.place}:{self.line_of('layout', 0)}: [layout]",
-                "needs firing_order",
-                "write it like firing_order = [1, 3, 4, 2]",
+                place, "needs firing_order", "write it like firing_order = [1, 3, 4, 2]"
             )
         for key in ("banks", "cylinders", "firing_order", "firing_intervals", "stagger"):
             self.check_list(table, key)
-        arguments = {k: v for k, v in table.items() if k != "firing_order"}
-        return self.guarded(
-            "layout", "", 0, lambda: from_firing_order(table["firing_order"], **arguments, **about)
-        )
+        made = self.guarded("layout", "", 0, lambda: from_firing_order(**table, **about))
+        fine = next((k for k in ("firing_intervals", "banks") if k in table), "firing_order")
+        self.guarded("layout", fine, 0, lambda: made.modulus)
+        return made
 
     def check_list(self, table: dict[str, Any], key: str) -> None:
         value = table.get(key, [])
+        rows, rule, remedy = (
+            [value],
+            "must be a list of numbers or fractions",
+            'write it like [-30, "61/2"]',
+        )
+        good: Callable[[object], bool] = _single
         if key == "cylinders":
-            good = isinstance(value, list) and all(
-                isinstance(bank, list) and all(_whole(n) for n in bank) for bank in value
-            )
-            rule, remedy = (
-                "must be a list of lists of numbers",
-                "write it like [[1, 3, 5], [2, 4, 6]]",
-            )
+            rows, good = value if isinstance(value, list) else [None], _whole
+            rule, remedy = "must be a list of lists of numbers", "write it like [[1, 3, 5], [2, 4, 6]]"
         elif key == "firing_order":
-            good = isinstance(value, list) and all(_whole(n) for n in value)
-            rule, remedy = "must be a list of cylinder numbers", "write it like [1, 3, 4, 2]"
-        else:
-            good = isinstance(value, list) and not any(isinstance(v, list | dict) for v in value)
-            rule, remedy = "must be a list of numbers or fractions", 'write it like [-30, "61/2"]'
-        if not good:
-            raise self.refusal(key, value, rule, remedy, "layout", 0)
+            rule, remedy, good = (
+                "must be a list of cylinder numbers",
+                "write it like [1, 3, 4, 2]",
+                _whole,
+            )
+        if not all(isinstance(row, list) and all(map(good, row)) for row in rows):
+            raise self.refusal(key, value, rule, remedy, "layout")
 
     def cylinders(self, table: dict[str, Any], about: dict[str, Any]) -> Layout:
-        rows = table["cylinder"]
+        rows, strokes = table["cylinder"], table.get("strokes", 4)
         if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
-            raise self.refusal(
-                "cylinder", rows, "must be [[cylinder]] tables", "use double brackets", "", 0
-            )
+            raise self.refusal("cylinder", rows, "must be [[cylinder]] tables", "use double brackets")
         cylinders = [self.cylinder(row, i) for i, row in enumerate(rows)]
-        strokes = table.get("strokes", 4)
-        return self.guarded("", "strokes", 0, lambda: Layout(cylinders, strokes=strokes, **about))
+        self.guarded("", "strokes", 0, lambda: checked_strokes(strokes))
+
+        def made(count: int) -> Layout:
+            layout = Layout(cylinders[:count], strokes=strokes, **about)
+            _ = layout.modulus  # refuses angles too fine together
+            return layout
+
+        # What is refused together is refused at the first cylinder that those before it do not bear.
+        counts = range(1, len(cylinders) + 1)
+        last = bisect_left(counts, True, key=lambda count: _is_refused(lambda: made(count)))
+        return self.guarded("cylinder", "", last, lambda: made(min(last + 1, len(cylinders))))
 
     def cylinder(self, row: dict[str, Any], index: int) -> Cylinder:
         for key in _LATER:
             if key in row:
-                raise self.refusal(
-                    key,
-                    row[key],
-                    "unlike cylinders and link rods are not supported yet",
-                    "leave it out",
-                    "cylinder",
-                    index,
-                )
+                rule = "unlike cylinders and link rods are not supported yet"
+                raise self.refusal(key, row[key], rule, "leave it out", "cylinder", index)
         self.check_keys(row, _CYLINDER, "cylinder", index)
         for key in ("number", "throw"):
             if key not in row:
-                raise SymbalanceError(
-                    f"{self.place}:{self.line_of('cylinder', index)}: [[cylinder]]",
-                    f"needs {key}",
-                    f"add {key} = ...",
-                )
+                place = f"{self.place}:{self.line_of('cylinder', index)}: [[cylinder]]"
+                raise SymbalanceError(place, f"needs {key}", f"add {key} = ...")
         return self.guarded("cylinder", "", index, lambda: Cylinder(**row))
-
-    # Where a refusal stands ---------------------------------------------------------------------
 
     def subtable(self, table: dict[str, Any], key: str) -> dict[str, Any]:
         value = table.get(key, {})
         if not isinstance(value, dict):
-            raise self.refusal(
-                key, value, "must be a table", f"write [{key}] on a line of its own", "", 0
-            )
+            raise self.refusal(key, value, "must be a table", f"write [{key}] on a line of its own")
         return value
 
-    def check_keys(self, table: dict[str, Any], known: Iterable[str], section: str, index: int) -> None:
-        known = list(known)
+    def check_keys(self, table: dict[str, Any], known: Sequence[str], section: str, index: int) -> None:
         for key in table:
             if key not in known:
                 near = get_close_matches(key, known, 1)
                 remedy = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(known)}"
-                line = self.line_of(section, index, key)
-                name = f"{section}.{key}" if section else key
-                raise SymbalanceError(f"{self.place}:{line}: {shown(name)}", "is an unknown key", remedy)
+                name = shown(f"{section}.{key}" if section else key)
+                place = f"{self.place}:{self.line_of(section, index, key)}"
+                raise SymbalanceError(name, "is an unknown key", remedy, place)
 
     def guarded(self, section: str, key: str, index: int, make: Callable[[], T]) -> T:
         try:
@@ -250,7 +212,7 @@ class _Reader:
             raise problem.within(f"{self.place}:{line}") from None
 
     def refusal(
-        self, key: str, value: object, rule: str, remedy: str, section: str, index: int
+        self, key: str, value: object, rule: str, remedy: str, section: str = "", index: int = 0
     ) -> SymbalanceError:
         place = f"{self.place}:{self.line_of(section, index, key)}"
         return SymbalanceError(f"{key} = {shown(value)}", rule, remedy, place)
@@ -269,6 +231,18 @@ class _Reader:
             elif inside and key_line and (seen == index or not section) and key_line.match(line):
                 return number
         return start
+
+
+def _single(value: object) -> bool:
+    return not isinstance(value, list | dict)
+
+
+def _is_refused(make: Callable[[], object]) -> bool:
+    try:
+        make()
+    except SymbalanceError:
+        return True
+    return False
 
 
 def _whole(value: object) -> bool:

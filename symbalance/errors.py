@@ -46,3 +46,12 @@ def shown(value: object, limit: int = 40) -> str:
     except ValueError:  # an integer past Python's limit for decimal strings
         return "an integer of thousands of digits"
     return text if len(text) <= limit else f"{text[:20]}...({len(text)} characters)"
+
+
+def written(value: object) -> str:
+    """Return `value` as an error may quote it where text is mistaken for a number: text in quotes.
+
+    >>> written("4"), written(4)
+    ("'4'", '4')
+    """
+    return repr(shown(value)) if isinstance(value, str) else shown(value)

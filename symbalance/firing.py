@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import accumulate
 
+from symbalance.angles import degrees
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import MOST_CYLINDERS
 from symbalance.rational import exact, listed
@@ -55,7 +56,7 @@ def read_cylinders(
     if cylinders is None:
         if banks > 1:
             raise SymbalanceError(
-                f"{banks} banks",
+                f"banks of {banks} angles",
                 "need cylinders, the numbers in each",
                 "as in [[1, 3, 5], [2, 4, 6]]",
             )
@@ -66,6 +67,12 @@ def read_cylinders(
             f"cylinders = {shown(cylinders)}",
             f"has {len(cylinders)} lists for {banks} bank(s)",
             "give one list of numbers a bank",
+        )
+    if not all(cylinders):
+        raise SymbalanceError(
+            f"cylinders = {shown(cylinders)}",
+            "holds an empty bank",
+            "leave the bank out, or name its cylinders",
         )
     numbers = [n for bank in cylinders for n in bank]
     if 1 not in numbers:
@@ -98,7 +105,7 @@ def firing_angles(
         steps = [Fraction(cycle, len(order))] * len(order)
     else:
         given = listed(intervals, "firing_intervals")
-        steps = [exact(step, f"firing_intervals[{i}]") for i, step in enumerate(given, 1)]
+        steps = [degrees(step, f"firing_intervals[{i}]").in_degrees() for i, step in enumerate(given, 1)]
         _check_intervals(steps, len(order), cycle)
     starts = [Fraction(0), *accumulate(steps)]
     first = starts[order.index(1)]
@@ -108,13 +115,13 @@ def firing_angles(
 def _check_intervals(steps: list[Fraction], count: int, cycle: int) -> None:
     if len(steps) != count:
         raise SymbalanceError(
-            f"{len(steps)} firing_intervals",
-            f"must be {count}, one after each firing",
+            f"firing_intervals of {len(steps)} values",
+            f"must hold {count}, one after each firing",
             "the last leads back to the first",
         )
     if min(steps) < 0:
         raise SymbalanceError(
-            f"firing interval {shown(min(steps))}",
+            f"firing_intervals that hold {shown(min(steps))}",
             "must not be negative",
             "use degrees after each firing",
         )

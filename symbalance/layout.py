@@ -12,8 +12,8 @@ from fractions import Fraction
 from functools import cached_property
 from math import lcm
 
-from symbalance.angles import Angle, angle
-from symbalance.errors import SymbalanceError, shown
+from symbalance.angles import Angle, SymbolPart, angle, degrees
+from symbalance.errors import SymbalanceError, shown, written
 from symbalance.phasor import checked_modulus
 from symbalance.rational import checked_whole, exact, listed
 from symbalance.slider_crank import checked_ratio
@@ -71,11 +71,10 @@ class Cylinder:
 
 
 def _checked_fires(fires: object) -> Fraction:
-    value = exact(fires, "fires")
+    value = degrees(fires, "fires").in_degrees()
     if not 0 <= value < 720:
-        raise SymbalanceError(
-            f"fires = {shown(fires)}", "must lie in [0, 720)", "degrees after cylinder 1's firing"
-        )
+        what = f"fires = {shown(fires)}"
+        raise SymbalanceError(what, "must lie in [0, 720)", "degrees after cylinder 1's firing")
     return value
 
 
@@ -83,9 +82,8 @@ def checked_bank(bank: object, name: str = "bank") -> Angle:
     """Return a bank's angle; a number must lie in (-180, 180] degrees from vertical."""
     result = angle(bank, name)
     if not result.symbols and not Fraction(-1, 2) < result.turns <= Fraction(1, 2):
-        raise SymbalanceError(
-            f"{name} = {shown(bank)}", "must lie in (-180, 180]", "degrees from vertical, clockwise"
-        )
+        what = f"{name} = {shown(bank)}"
+        raise SymbalanceError(what, "must lie in (-180, 180]", "degrees from vertical, clockwise")
     return result
 
 
@@ -146,10 +144,11 @@ class Layout:
         crank_train: CrankTrain | None = None,
     ) -> None:
         set_field = object.__setattr__
-        train = crank_train or CrankTrain()
+        train = _checked_train(crank_train)
         set_field(self, "cylinders", _checked_cylinders(cylinders))
         set_field(self, "strokes", checked_strokes(strokes))
-        set_field(self, "name", _checked_name(name))
+        set_field(self, "name", checked_name(name))
+        _check_fires(self.cylinders)
         known = train.ratio if ratio is None else ratio
         set_field(self, "ratio", None if known is None else checked_ratio(known))
         set_field(self, "crank_train", train)
@@ -174,7 +173,9 @@ class Layout:
         """Return the cylinders' numbers as they fire, or None where that is not known."""
         if any(c.fires is None for c in self.cylinders):
             return None
-        return [c.number for c in sorted(self.cylinders, key=lambda c: (c.fires or 0, c.number))]
+        cycle = 180 * self.strokes
+        fired = sorted(((c.fires or 0) % cycle, c.number) for c in self.cylinders)
+        return [number for _, number in fired]
 
     def with_ratio(self, ratio: object) -> Layout:
         """Return the layout with another rod ratio lambda = l/r."""
@@ -187,15 +188,20 @@ class Layout:
         )
 
 
-def _checked_name(name: object) -> str:
+def checked_name(name: object) -> str:
+    """Return an engine's name, or refuse what would break a table's heading."""
     text = str(name)
-    if not text.isprintable() or len(text) > LONGEST_NAME:
-        raise SymbalanceError(
-            f"name = {shown(text)}",
-            f"must be one line of at most {LONGEST_NAME} characters",
-            "shorten it",
-        )
+    if not text.isprintable() or not 1 <= len(text.strip()) <= len(text) <= LONGEST_NAME:
+        rule = f"must be one line of 1 to {LONGEST_NAME} characters"
+        raise SymbalanceError(f"name = {shown(text)!r}", rule, "it heads the tables")
     return text
+
+
+def _checked_train(train: object) -> CrankTrain:
+    if train is not None and not isinstance(train, CrankTrain):
+        rule = "must be a CrankTrain"
+        raise SymbalanceError(f"crank_train = {shown(train)}", rule, "make it with CrankTrain(...)")
+    return train or CrankTrain()
 
 
 def _checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
@@ -208,9 +214,8 @@ def _checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
                 "make each with Cylinder(...)",
             )
     if not 1 <= len(cylinders) <= MOST_CYLINDERS:
-        raise SymbalanceError(
-            f"{len(cylinders)} cylinders", f"an engine has 1 to {MOST_CYLINDERS}", "list each once"
-        )
+        rule = f"an engine has 1 to {MOST_CYLINDERS}"
+        raise SymbalanceError(f"{len(cylinders)} cylinders", rule, "list each once")
     seen: set[int] = set()
     for cylinder in cylinders:
         if cylinder.number in seen:
@@ -221,10 +226,25 @@ def _checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
     return cylinders
 
 
+def _check_fires(cylinders: Iterable[Cylinder]) -> None:
+    """Refuse firing angles that the throws contradict: all cylinders fire at a top dead centre."""
+    fixed: dict[SymbolPart, tuple[Fraction, int]] = {}
+    for cylinder in cylinders:
+        if cylinder.fires is None:
+            continue
+        own = cylinder.delay
+        start = (own.turns + cylinder.fires / 360) % 1
+        first, other = fixed.setdefault(own.symbols, (start, cylinder.number))
+        if start != first:
+            what = f"throw = {cylinder.throw.as_text()} and fires = {cylinder.fires}"
+            rule = f"contradict cylinder {other}'s: throw - bank + fires must be the same, modulo 360"
+            at_top = (first - own.turns) % 1 * 360
+            raise SymbalanceError(what, rule, f"it is at top dead centre at fires = {at_top}")
+
+
 def checked_strokes(strokes: object) -> int:
     """Return 2 or 4, or refuse."""
     if isinstance(strokes, bool) or strokes not in (2, 4) or not isinstance(strokes, int):
-        raise SymbalanceError(
-            f"strokes = {shown(strokes)}", "must be 2 or 4", "strokes of one working cycle"
-        )
+        what = f"strokes = {written(strokes)}"
+        raise SymbalanceError(what, "must be 2 or 4", "a number, without quotes")
     return strokes

@@ -16,7 +16,7 @@ from typing import Any
 
 from mpmath import mp
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, shown, written
 
 Real = Any
 """A decimal of many digits, an mpmath `mpf`: mpmath ships no types."""
@@ -100,19 +100,19 @@ def checked_whole(value: Any, name: str, lowest: int, highest: int, remedy: str)
     number = whole(value)
     if number is None or not lowest <= number <= highest:
         raise SymbalanceError(
-            f"{name} = {shown(value)}", f"must be a whole number from {lowest} to {highest}", remedy
+            f"{name} = {written(value)}", f"must be a whole number from {lowest} to {highest}", remedy
         )
     return number
 
 
-def listed(values: Any, name: str) -> list[Any]:
+def listed(values: Any, name: str, example: str = "[0, 120, 240]") -> list[Any]:
     """Return several values as a list; text and tables are refused, being no list of values.
 
     >>> listed((0, 120, 240), "throws")
     [0, 120, 240]
     """
     if isinstance(values, str | bytes | dict) or not isinstance(values, Iterable):
-        raise SymbalanceError(f"{name} = {shown(values)}", "must be a list", "as in [0, 120, 240]")
+        raise SymbalanceError(f"{name} = {shown(values)}", "must be a list", f"as in {example}")
     return list(values)
 
 

@@ -170,6 +170,15 @@ def balance(
     return result
 
 
+def checked_balance(result: object) -> Balance:
+    """Return a balance, or refuse what is none."""
+    if not isinstance(result, Balance):
+        raise SymbalanceError(
+            f"result = {shown(result)}", "must be a Balance", "make one with balance(layout)"
+        )
+    return result
+
+
 def _check_power(power: int | None, orders: Sequence[int]) -> None:
     if power is None:
         return

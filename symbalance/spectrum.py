@@ -130,7 +130,8 @@ class Component:
             return exact_form(aligned[1])
         square = self.number.times(self.number.conjugate())
         if len(square.terms) > MOST_IN_A_SQUARE:
-            return (self.cos**2 + self.sin**2) ** sympy.S.Half
+            # SymPy would ask both squares whether they are infinite, and take seconds to know.
+            return sympy.Pow(self.cos**2 + self.sin**2, sympy.S.Half, evaluate=False)
         return square_root_form(square)
 
     @cached_property

@@ -22,15 +22,40 @@ Source: derived here; the force's condition is the u of 000_6d19e3a8fb7bcb72.txt
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from symbalance.errors import SymbalanceError, shown, written
 from symbalance.layout import checked_strokes
+from symbalance.rational import whole
 from symbalance.symbols import symbol
 
 if TYPE_CHECKING:
     import sympy
 
     Count = int | sympy.Expr
+
+
+def _read(value: Any, name: str) -> Any:
+    """Return a whole number or a SymPy expression as an expression; text is refused, never evaluated."""
+    import sympy
+
+    number = whole(value)
+    if number is not None:
+        return sympy.Integer(number)
+    real = isinstance(value, sympy.Expr) and value.is_extended_real is not False
+    if not real or (value.is_number and not value.is_finite):
+        rule = "must be a whole number or a real SymPy expression"
+        raise SymbalanceError(f"{name} = {written(value)}", rule, "a symbol stands for any number")
+    return value
+
+
+def _counted(count: Count) -> Any:
+    """Return a number of cylinders, or refuse what cannot be one."""
+    number = _read(count, "count")
+    if number.is_integer is False or number.is_positive is False:
+        rule = "must be a positive whole number or a symbol for one"
+        raise SymbalanceError(f"count = {shown(count)}", rule, "an engine has at least one cylinder")
+    return number
 
 
 def spacing(count: Count, strokes: int = 4) -> sympy.Expr:
@@ -41,7 +66,7 @@ def spacing(count: Count, strokes: int = 4) -> sympy.Expr:
     """
     import sympy
 
-    return checked_strokes(strokes) * sympy.pi / sympy.sympify(count)
+    return checked_strokes(strokes) * sympy.pi / _counted(count)
 
 
 def condition(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
@@ -50,9 +75,7 @@ def condition(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
     >>> [condition(6, n) for n in (1, 2, 3, 4, 6)]
     [1/3, 2/3, 1, 4/3, 2]
     """
-    import sympy
-
-    return sympy.sympify(order) * checked_strokes(strokes) / (2 * sympy.sympify(count))
+    return _read(order, "order") * checked_strokes(strokes) / (2 * _counted(count))
 
 
 def dirichlet_quotient(count: Count, order: Count, spacing: sympy.Expr) -> sympy.Expr:
@@ -65,7 +88,7 @@ def dirichlet_quotient(count: Count, order: Count, spacing: sympy.Expr) -> sympy
     """
     import sympy
 
-    n, N = sympy.sympify(order), sympy.sympify(count)
+    n, N, spacing = _read(order, "order"), _counted(count), _read(spacing, "spacing")
     turns = sympy.simplify(n * spacing / (2 * sympy.pi))
     quotient = sympy.sin(N * n * spacing / 2) / sympy.sin(n * spacing / 2)
     limit = N * sympy.cos(sympy.pi * turns * (N - 1))
@@ -87,9 +110,9 @@ def inline_sum(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
     """
     import sympy
 
-    n, N = sympy.sympify(order), sympy.sympify(count)
-    whole = sympy.Eq(sympy.Mod(condition(N, n, strokes), 1), 0)
-    return sympy.Piecewise((N * sympy.cos(n * symbol("theta")), whole), (0, True))
+    n, N = _read(order, "order"), _counted(count)
+    survives = sympy.Eq(sympy.Mod(condition(N, n, strokes), 1), 0)
+    return sympy.Piecewise((N * sympy.cos(n * symbol("theta")), survives), (0, True))
 
 
 def inline_couple(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
@@ -102,9 +125,9 @@ def inline_couple(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
     """
     import sympy
 
-    n, N = sympy.sympify(order), sympy.sympify(count)
+    n, N = _read(order, "order"), _counted(count)
     half = n * spacing(N, strokes) / 2
-    whole = sympy.Eq(sympy.Mod(condition(N, n, strokes), 1), 0)
+    survives = sympy.Eq(sympy.Mod(condition(N, n, strokes), 1), 0)
     # Cylinders fire later, h each: zeta = e^(-i n h), and 1/(1 - zeta) = e^(i n h/2)/(2i sin(n h/2)).
     couple = N / (2 * sympy.sin(half)) * sympy.cos(n * symbol("theta") + half - sympy.pi / 2)
-    return sympy.Piecewise((sympy.S.Zero, whole), (couple, True))
+    return sympy.Piecewise((sympy.S.Zero, survives), (couple, True))

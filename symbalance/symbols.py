@@ -3,7 +3,8 @@
 =======  ==========  =====  ==========================================================
 name     LaTeX       unit   meaning
 =======  ==========  =====  ==========================================================
-theta    \\theta      rad    crank angle, from straight up, positive with the rotation
+theta    \\theta      rad    crank angle, positive with the rotation; a pin stands at
+                            theta + throw from straight up
 lam      \\lambda     1      rod ratio l/r (rod length over crank radius), above 1
 rho      \\rho        1      crank ratio r/l = 1/lam
 r        r           m      crank radius, half the stroke
@@ -20,6 +21,8 @@ from __future__ import annotations
 
 from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
+
+from symbalance.errors import SymbalanceError, shown
 
 if TYPE_CHECKING:
     import sympy
@@ -56,8 +59,8 @@ def symbol(name: str) -> sympy.Symbol:
     """
     import sympy
 
-    if name not in MEANINGS:
-        raise KeyError(name)
+    if not isinstance(name, str) or name not in MEANINGS:
+        raise SymbalanceError(f"symbol = {shown(name)}", "is unknown", f"known: {', '.join(MEANINGS)}")
     return sympy.Symbol(name, real=True) if name in _REAL_ONLY else sympy.Symbol(name, positive=True)
 
 

@@ -23,12 +23,14 @@ from symbalance.slider_crank import (
     checked_order,
     checked_quantity,
     checked_ratio,
+    integrated,
     rod_angle_value,
+    root_mean,
 )
 
 SLOW = 0.9
 """Above this ratio of neighbouring terms the tail is found from the sum of all instead."""
-ROUNDING = 1 + mp.mpf(10) ** -8
+ROUNDING = 1 + 2.0**-26
 """Covers the rounding of the sums, which carry more digits than this."""
 RELATIVE = Fraction(1, 10**6)
 """The bound may exceed the largest error by this much of itself."""
@@ -65,12 +67,8 @@ def _q(ratio: Fraction) -> Real:
     return (rho / (1 + mp.sqrt((1 - rho) * (1 + rho)))) ** 2
 
 
-def _weight(quantity: str, n: int) -> Fraction:
-    return {"displacement": Fraction(1, n * n), "velocity": Fraction(1, n)}.get(quantity, Fraction(1))
-
-
 def _size(quantity: str, n: int, ratio: Fraction) -> Real:
-    weight = _weight(quantity, n)
+    weight = abs(integrated(quantity, n))
     return abs(acceleration_value(n, ratio)) * weight.numerator / weight.denominator
 
 
@@ -91,7 +89,7 @@ def _tail(first: int, ratio: Fraction, quantity: str, q: Real) -> Real:
 def _rest(first: int, ratio: Fraction, quantity: str) -> Real:
     """Return the sum of all terms less those below `first`, with the digits that takes."""
     quantity = "acceleration" if quantity == "velocity" else quantity
-    weights = {n: _weight(quantity, n) for n in range(2, first, 2)}
+    weights = {n: abs(integrated(quantity, n)) for n in range(2, first, 2)}
     digits = 30
     while True:
         with mp.workdps(digits):
@@ -107,8 +105,7 @@ def _sum_of_all(quantity: str, ratio: Fraction) -> Real:
     rho = mp.mpf(ratio.denominator) / ratio.numerator
     root = mp.sqrt((1 - rho) * (1 + rho))
     if quantity == "displacement":
-        mean = 2 * mp.ellipe(rho * rho) / mp.pi  # c_0, the mean of sqrt(1 - rho^2 sin^2 theta)
-        return (mean - root) / rho
+        return (root_mean(ratio) - root) / rho
     return rho / root
 
 

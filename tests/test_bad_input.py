@@ -18,12 +18,19 @@ from hypothesis import given, settings
 
 from symbalance.angles import angle, degrees
 from symbalance.builders import boxer, from_firing_order, inline, radial, vee, w
+from symbalance.derivation import derive
 from symbalance.engine_file import parse_engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import CrankTrain, Cylinder, Layout
+from symbalance.numeric import to_function
 from symbalance.rational import exact
 from symbalance.resultants import balance
 from symbalance.slider_crank import harmonics
+from symbalance.summation import dirichlet_quotient, inline_couple, inline_sum, spacing
+from symbalance.symbols import symbol
+from symbalance.tables.json_document import to_json
+from symbalance.tables.latex_document import to_latex
+from symbalance.tables.text_table import to_text
 from symbalance.truncation import left_out
 
 X = sympy.Symbol("x")
@@ -199,12 +206,59 @@ REFUSED: dict[str, Callable[[], Any]] = {
     "an unknown quantity": lambda: harmonics("jerk", 4),
     "harmonics of no order": lambda: harmonics("force", 0),
     "a bound of no order": lambda: left_out(0, Fraction(4)),
+    "no name": lambda: Layout(TWIN, name=""),
+    "a name of spaces": lambda: Layout(TWIN, name="  "),
+    "an empty bank": lambda: vee(60, "1-2", cylinders=[[1, 2], []]),
+    "fine intervals": lambda: inline("1-2", firing_intervals=["17.3333333", "702.6666667"]),
+    "a fine firing angle": lambda: Cylinder(1, fires=17.3333333),
+    "firing where the throw does not allow it": lambda: Layout(
+        [Cylinder(1, fires=0), Cylinder(2, throw=180, fires=90)]
+    ),
+    "a number for a crank train": lambda: Layout(TWIN, crank_train=3),  # type: ignore[arg-type]
+    "the text of a number": lambda: to_text(3),  # type: ignore[arg-type]
+    "the document of a number": lambda: to_json(3),  # type: ignore[arg-type]
+    "the LaTeX of a number": lambda: to_latex(3),
+    "the function of a number": lambda: to_function(3),  # type: ignore[arg-type]
+    "a number for outputs": lambda: to_function(
+        balance(inline("1-2"), ratio=4),
+        outputs=5,  # type: ignore[arg-type]
+    ),
+    "a list for a convention": lambda: derive(convention=[1]),  # type: ignore[arg-type]
+    "a list for a quantity": lambda: derive([1]),  # type: ignore[arg-type]
+    "an unknown symbol": lambda: symbol("zz"),
+    "a list for a symbol": lambda: symbol((1,)),  # type: ignore[arg-type]
+    "fewer cylinders than none": lambda: inline_sum(-2, 1),
+    "no cylinders in a couple": lambda: inline_couple(0, 1),
+    "no cylinders in a sum": lambda: inline_sum(0, 1),
+    "half a cylinder": lambda: inline_sum(sympy.Rational(1, 2), 1),
+    "text for a count": lambda: dirichlet_quotient("abc", 1, sympy.pi),  # type: ignore[arg-type]
+    "text for an order": lambda: inline_sum(4, "__import__('os')"),  # type: ignore[arg-type]
+    "text for a spacing": lambda: dirichlet_quotient(4, 1, "h"),  # type: ignore[arg-type]
+    "an endless order": lambda: inline_couple(4, sympy.oo),
+    "an imaginary order": lambda: inline_couple(4, sympy.I),
+    "no interval between no cylinders": lambda: spacing(0),
 }
 
 
 @pytest.mark.parametrize("name", REFUSED)
 def test_engines_that_cannot_be(name: str) -> None:
     assert_refused(REFUSED[name])
+
+
+def test_text_taken_for_a_number_is_quoted() -> None:
+    assert_refused(lambda: Layout(TWIN, strokes="4"), "strokes = '4'")  # type: ignore[arg-type]
+    assert_refused(lambda: Cylinder("1"), "number = '1'")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("start", [0, 30, "360/7"])
+def test_firing_angles_that_agree_are_taken(start: object) -> None:
+    """Throws are angles at theta = 0, wherever cylinder 1 fires; `fires` keeps the half-turn."""
+    first = exact(start, "start")
+    for half in (0, 360):
+        layout = Layout([Cylinder(1, first, fires=0), Cylinder(2, first - 90, 60, fires=150 + half)])
+        assert layout.firing_order() == [1, 2]
+    for turned in (vee(X, "1-3-2-4"), radial(5), boxer("1-4-3-2")):
+        assert Layout(turned.cylinders).firing_order() == turned.firing_order()
 
 
 def test_names_with_line_breaks_do_not_break_the_line() -> None:

@@ -18,6 +18,15 @@ banks = [-30, 30]
 cylinders = [[1, 3, 5], [2, 4, 6]]
 firing_order = [1, 2, 3, 4, 5, 6]
 """
+TWO = """\
+[[cylinder]]
+number = 1
+throw = 0
+fires = 0
+[[cylinder]]
+number = 2
+throw = 180
+"""
 
 
 def refused(capsys, *arguments: str) -> str:
@@ -131,6 +140,21 @@ def test_derive_prints_text_and_latex(capsys):
     assert r"\begin{document}" in printed(capsys, "derive", "--format", "latex", "--order", "4")
 
 
+@pytest.mark.parametrize(
+    ("met", "code", "word"), [(True, 0, "met"), (False, 1, "MISSED"), (None, 0, "1.00 s")]
+)
+def test_a_missed_target_is_an_exit_code(capsys, monkeypatch, met, code, word):
+    import symbalance.bench.derive as bench
+    from symbalance.bench.timing import Measurement, Report
+
+    found = Report(
+        "here", [("title", [Measurement("fine", 1.0), Measurement("x", 1.0, "", None, "1 s", met)])]
+    )
+    monkeypatch.setattr(bench, "report", lambda quick: found)
+    assert run(["bench", "derive"]) == code
+    assert word in capsys.readouterr().out
+
+
 # Refusals -----------------------------------------------------------------------------------------
 
 
@@ -173,6 +197,7 @@ def test_derive_prints_text_and_latex(capsys):
 )
 def test_bad_arguments_are_refused_in_one_line(capsys, arguments, words):
     line = refused(capsys, *arguments)
+    assert line.count("symbalance: ") == 1
     for word in words:
         assert word in line
 
@@ -196,16 +221,31 @@ def test_bad_arguments_are_refused_in_one_line(capsys, arguments, words):
         (GOOD.replace("[-30, 30]", '["import os", 30]'), ["import os"]),
         (GOOD.replace("[-30, 30]", "[1e99999999, 30]"), ["banks"]),
         (GOOD + "firing_intervals = [120,120,120,120,120,119]\n", [":6:", "719", "720"]),
-        (GOOD + "firing_intervals = [360, 360]\n", ["2 firing_intervals", "6"]),
-        (GOOD + "firing_intervals = [840,-120,0,0,0,0]\n", ["negative"]),
+        (GOOD + "firing_intervals = [360, 360]\n", [":6:", "firing_intervals of 2", "must hold 6"]),
+        (GOOD + "firing_intervals = [840,-120,0,0,0,0]\n", [":6:", "hold -120", "negative"]),
+        (
+            GOOD + "firing_intervals = [17.3333333,0,0,0,0,0]\n",
+            [":6:", "firing_intervals[1] = 17.3333333", "52/3"],
+        ),
         (GOOD + "strokes = 3\n", [":6:", "strokes = 3", "2 or 4"]),
+        (GOOD + 'strokes = "4"\n', [":6:", "strokes = '4'", "quotes"]),
+        ("name = ''\n" + GOOD, [":1:", "name = ''", "1 to 60"]),
+        (GOOD.replace("[2, 4, 6]", "[2, 4, 6], []").replace("30]", "30, 0]"), [":4:", "empty bank"]),
+        (GOOD.replace("[-30, 30]", '["1/9973", "1/9967"]'), [":3:", "of a turn", "four places"]),
         ("[crank_train]\nstroke = 80\nrod = 39\n" + GOOD, [":3:", "39/40", "longer"]),
         ("[crank_train]\nstroke = 0\n" + GOOD, [":2:", "stroke = 0", "positive"]),
         ("[crank_train]\noffset = 3\n" + GOOD, [":2:", "offset"]),
         ("[crank_train]\nrod = 1" + "0" * 400 + "\n" + GOOD, [":2:", "rod"]),
         ("[crank_train]\nrod = 1" + "0" * 5000 + "\n" + GOOD, ["beyond all bounds"]),
         ("[[cylinder]]\nnumber = 1\n", [":1:", "throw"]),
-        ("[[cylinder]]\nnumber = 1\nthrow = 0\n[[cylinder]]\nnumber = 1\nthrow = 9\n", ["two cylinders"]),
+        (TWO.replace("number = 2", "number = 1"), [":6:", "two cylinders"]),
+        (
+            TWO.replace("180", '"1/9973"') + "[[cylinder]]\nnumber = 3\nthrow = '1/9967'\n",
+            [":5:", "of a turn"],
+        ),
+        (TWO + "fires = 90\n", [":7:", "throw = 180 and fires = 90", "cylinder 1", "fires = 180"]),
+        (TWO + "strokes = 4\n", [":8:", "unknown key"]),
+        ("strokes = '4'\n" + TWO, [":1:", "strokes = '4'"]),
         ("[[cylinder]]\nnumber = 1\nthrow = 0\nmaster = 1\n", [":4:", "master", "link rods"]),
         ("[[cylinder]]\nnumber = 1\nthrow = 0\nfires = 720\n", [":4:", "fires"]),
         ("[cylinder]\nnumber = 1\nthrow = 0\n", ["[[cylinder]]"]),

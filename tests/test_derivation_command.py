@@ -7,6 +7,7 @@ fails.
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 import time
@@ -129,11 +130,10 @@ def value(formula: f.Formula, at: dict[str, mp.mpf]) -> mp.mpf:
 
 
 def coefficient(letter: str, n: int) -> mp.mpf:
-    """Return what A_n, B_n, V_n, R_n, X_0 or c_0 stands for, by the trapezoidal rule."""
+    """Return what A_n, B_n, V_n, R_n or c_0 stands for, by the trapezoidal rule."""
     if letter in COEFFICIENTS:
-        return (-1 if letter == "B" else 1) * fourier(COEFFICIENTS[letter], n, RATIO)
-    rest = fourier("displacement", 0, RATIO)
-    return rest if letter == "X" else 1 - (rest - 1) / RATIO.numerator
+        return (-1 if letter == "B" and n else 1) * fourier(COEFFICIENTS[letter], n, RATIO)
+    return 1 - (fourier("displacement", 0, RATIO) - 1) / RATIO.numerator
 
 
 def equations(d: Derivation) -> list[f.Equation]:
@@ -291,6 +291,29 @@ def test_golden(name: str, golden) -> None:
 def test_latex_compiles_within_the_margins(quantity: str, order: int, compile_latex) -> None:
     convention = list(CONVENTIONS)[order % 3]
     assert compile_latex(derivation_latex(derive(quantity, order, convention))).exists()
+
+
+def test_a_letter_names_one_thing() -> None:
+    """X is what the root is expanded in; the mean displacement is B_0."""
+    for order in (6, 60):
+        d = derive("displacement", order)
+        assert not any(left == f.Indexed("X", f.Number(0)) for left in (e.left for e in equations(d)))
+        assert "X₀" not in derivation_text(d)
+        assert "B₀" in derivation_text(d)
+
+
+def test_a_fraction_before_a_function_stands_in_brackets() -> None:
+    assert "(1/λ) sin θ" in derivation_text(derive("rod-angle", 1))
+    for quantity in QUANTITIES:
+        assert not re.search(
+            r"·(cos|sin)|/\S*[^)\s] (cos|sin)", derivation_text(derive(quantity, 3, "l/s"))
+        )
+
+
+@pytest.mark.parametrize(("quantity", "order"), [("force", 41), ("displacement", 41), ("rod-angle", 42)])
+def test_what_lies_above_is_said_only_where_something_does(quantity: str, order: int) -> None:
+    above = "Above order 40" in " ".join(derivation_text(derive(quantity, order)).split())
+    assert above == (max(derive(quantity, order).harmonics.terms) > 40)
 
 
 def test_a_power_is_kept_or_refused() -> None:

@@ -33,6 +33,35 @@ def test_every_preset_compiles(compile_latex, name):
     compile_latex(sb.to_latex(sb.balance(sb.load(name)), standalone=True))
 
 
+def w12(banks: list[float], order: str) -> sb.Layout:
+    cylinders = [[1, 3, 5], [2, 4, 6], [7, 9, 11], [8, 10, 12]]
+    return sb.w(banks, order, cylinders=cylinders, ratio=4)
+
+
+EVEN = "1-7-5-11-3-9-6-12-2-8-4-10"
+ODD = {"ratio": 4, "firing_intervals": [100, 170, 150, 140, 160]}
+QUARTERS = ["0.25", "90.5", "181.75", "270.25", "45.5", "135.75", "225.25", "300.5"]
+
+
+@pytest.mark.parametrize(
+    "layout",
+    [
+        w12([-43.5, -28.5, 28.5, 43.5], EVEN),
+        sb.inline("1-2-4-5-3", **ODD),
+        sb.inline("1-2-4-5-3", ratio=4, firing_intervals=["64.5", "211.5", "112.5", "151.5", 180]),
+        sb.from_firing_order(
+            "1-6-5-10-2-7-3-8-4-9", banks=[-37.5, 37.5], cylinders=[[1, 2, 3, 4, 5], [6, 7, 8, 9, 10]]
+        ),
+        sb.inline(throws=QUARTERS, ratio=4),
+    ],
+    ids=["W12", "odd five", "odder five", "V10", "eight in quarter degrees"],
+)
+def test_exact_forms_stay_within_the_margins(compile_latex, layout):
+    result = sb.balance(layout, order=24)
+    compile_latex(sb.to_latex(result, standalone=True))
+    assert max(map(len, sb.to_text(result).splitlines())) <= 79
+
+
 @pytest.mark.parametrize(
     ("layout", "arguments"),
     [

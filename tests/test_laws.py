@@ -9,6 +9,10 @@ from __future__ import annotations
 
 import cmath
 import math
+import subprocess
+import sys
+import time
+from collections.abc import Callable
 from fractions import Fraction
 from random import Random
 
@@ -20,7 +24,11 @@ from mpmath import mp
 
 from symbalance.angles import Angle, angle, degrees
 from symbalance.builders import from_firing_order, inline, vee
+from symbalance.catalogue import load
+from symbalance.derivation import derivation_text, derive
+from symbalance.derivation.bounds import printed_error
 from symbalance.layout import Cylinder, Layout
+from symbalance.numeric import to_function
 from symbalance.phasor import ONE, Phasor
 from symbalance.radicals import (
     evaluated,
@@ -29,9 +37,15 @@ from symbalance.radicals import (
     square_root_form,
     trigonometric_form,
 )
+from symbalance.radicals.forms import _cached_form as exact_form_cache
 from symbalance.rational import exact
 from symbalance.resultants import balance
+from symbalance.slider_crank import QUANTITIES, acceleration_series, harmonics
 from symbalance.spectrum import COMPONENTS, Spectrum
+from symbalance.tables.json_document import document, to_json
+from symbalance.tables.latex_document import to_latex
+from symbalance.tables.text_table import to_text
+from symbalance.truncation import left_out
 
 settings.register_profile("laws", deadline=None, max_examples=60, derandomize=True, database=None)
 settings.load_profile("laws")
@@ -464,6 +478,70 @@ def test_symbols_of_two_angles_stay_apart() -> None:
     numbers = {ALPHA: sympy.Rational(1, 3), beta: sympy.Rational(-5, 7)}
     expected = sympy.cos(ALPHA) ** 2 + sympy.cos(beta)
     assert abs(sympy.N((vertical.cos - expected).subs(numbers), 30)) < 1e-28
+
+
+def timed(work: Callable[[], object]) -> float:
+    start = time.perf_counter()
+    work()
+    return time.perf_counter() - start
+
+
+def test_exact_forms_of_fine_angles_are_integer_work() -> None:
+    """An in-line eight in quarter degrees to order 24, beside 200,000 sums of fractions."""
+    throws = ["0.25", "90.5", "181.75", "270.25", "45.5", "135.75", "225.25", "300.5"]
+    ours = timed(lambda: to_json(balance(inline(throws=throws, ratio=4), 24)))
+    third = Fraction(1, 3)
+    sums = timed(lambda: [third + Fraction(k, 7) for k in range(200_000)])
+    assert ours < 9 * sums
+
+
+# Precision ----------------------------------------------------------------------------------------
+
+
+def printed_at(digits: int) -> list[object]:
+    """Return all that is made with decimals, made anew while the caller works with so many digits."""
+    for cached in (acceleration_series, exact_form_cache):
+        cached.cache_clear()
+    lam = Fraction(4)
+    with mp.workdps(digits):
+        engines = [balance(load(name), order=60) for name in ("v8-90", "v2-45")]
+        seven = balance(inline("1-3-5-7-6-4-2", ratio="7/2"), order=200)
+        function = to_function(seven, outputs="couple.vertical")
+        return [
+            *(form(result) for result in (*engines, seven) for form in (to_text, to_latex, to_json)),
+            *(derivation_text(derive(quantity, n)) for quantity in QUANTITIES for n in (2, 6, 41)),
+            *(printed_error(n, harmonics(quantity, n)) for quantity in QUANTITIES for n in (1, 2, 7)),
+            *(left_out(6, ratio, quantity) for quantity in QUANTITIES for ratio in (lam, lam / 3)),
+            function.outputs,
+        ]
+
+
+def test_results_do_not_depend_on_the_callers_precision() -> None:
+    assert printed_at(4) == printed_at(50)
+
+
+def test_a_bound_is_rounded_up_at_any_precision() -> None:
+    """The factor that covers rounding is no number of the precision set when it was imported."""
+    code = (
+        "import mpmath; mpmath.mp.dps = 4\n"
+        "from symbalance.truncation import ROUNDING, left_out; from fractions import Fraction\n"
+        "mpmath.mp.dps = 30; print(ROUNDING > 1, left_out(6, Fraction(4)))"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    with mp.workdps(30):
+        assert run.stdout.split() == ["True", str(left_out(6, Fraction(4)))]
+
+
+def test_documents_share_nothing_that_can_be_changed() -> None:
+    result = balance(load("v8-90"))
+    before, spoiled = to_json(result), document(result)
+    for order in spoiled["orders"]:
+        for kind in ("force", "couple"):
+            for part in order[kind].values():
+                part["decimal"] = [*part["decimal"], "0"]
+                part["cos"] = "spoiled"
+    assert to_json(result) == before
+    assert isinstance(document(result)["orders"][0]["force"]["vertical"]["decimal"], tuple)
 
 
 # Reading numbers ----------------------------------------------------------------------------------

@@ -27,6 +27,23 @@ class Measurement:
         return None if self.other is None else self.other / self.seconds
 
 
+@dataclass(frozen=True)
+class Report:
+    """Measurements under titles, below a line on what they were made with."""
+
+    head: str
+    parts: Sequence[tuple[str, Sequence[Measurement]]]
+
+    def text(self) -> str:
+        """Return the report as it is printed."""
+        body = "\n\n".join(f"{title}\n{'─' * len(title)}\n{table(rows)}" for title, rows in self.parts)
+        return f"{self.head}\n\n{body}\n"
+
+    def missed(self) -> list[Measurement]:
+        """Return what did not reach the target stated for it."""
+        return [m for _, rows in self.parts for m in rows if m.met is False]
+
+
 def best(
     function: Callable[[], object],
     budget: float = 0.3,

@@ -16,7 +16,13 @@ from mpmath import mp
 from symbalance.derivation.setting import LAM, RHO, L, Prose, R, Setting, prose
 from symbalance.notation.formula import Formula, Name, Number, Over, Scientific, equal
 from symbalance.rational import Real
-from symbalance.slider_crank import Harmonics, acceleration_value, rod_angle_value
+from symbalance.slider_crank import (
+    Harmonics,
+    acceleration_value,
+    integrated,
+    rod_angle_value,
+    root_mean,
+)
 from symbalance.truncation import left_out
 
 RATIO = Fraction(4)
@@ -76,18 +82,19 @@ def printed_error(order: int, found: Harmonics, ratio: Fraction = RATIO) -> Real
     >>> mp.nstr(printed_error(2, harmonics("force", 2)), 3)
     '0.0082'
     """
-    total = left_out(order, ratio, found.quantity)
-    for n, series in found.terms.items():
-        kept = abs(series.at(ratio))
-        total += _size(found.quantity, n, ratio) - mp.mpf(kept.numerator) / kept.denominator
-    if found.quantity == "displacement":
-        kept, rho = found.constant.at(ratio), mp.mpf(ratio.denominator) / ratio.numerator
-        mean = 2 * mp.ellipe(rho * rho) / mp.pi
-        total += 1 + (1 - mean) / rho - mp.mpf(kept.numerator) / kept.denominator
-    return total
+    with mp.workdps(30):  # whatever precision the caller has set
+        total = left_out(order, ratio, found.quantity)
+        for n, series in found.terms.items():
+            kept = abs(series.at(ratio))
+            total += _size(found.quantity, n, ratio) - mp.mpf(kept.numerator) / kept.denominator
+        if found.quantity == "displacement":
+            kept, rho = found.constant.at(ratio), mp.mpf(ratio.denominator) / ratio.numerator
+            total += 1 + (1 - root_mean(ratio)) / rho - mp.mpf(kept.numerator) / kept.denominator
+        return total
 
 
 def _size(quantity: str, n: int, ratio: Fraction) -> Real:
     if quantity == "rod-angle":
         return abs(rod_angle_value(n, ratio))
-    return abs(acceleration_value(n, ratio)) / {"displacement": n * n, "velocity": n}.get(quantity, 1)
+    weight = abs(integrated(quantity, n))
+    return abs(acceleration_value(n, ratio)) * weight.numerator / weight.denominator

@@ -107,7 +107,7 @@ def _result(setting: Setting, found: Harmonics, left: Formula, via: tuple[Formul
         return (_equation(setting, found, left, via),)
     words = "with, to two terms of each (the dots stand for higher powers, of the same sign),"
     parts: Parts = (_long_equation(setting, left, via), prose(words))
-    if setting.order > LONGEST_IN_FULL:
+    if setting.last_order > LONGEST_IN_FULL:
         more = f"Above order {LONGEST_IN_FULL} the fractions are left as the general term gives them."
         return (*parts, *_coefficients(setting, found), prose(more))
     return (*parts, *_coefficients(setting, found))
@@ -155,7 +155,7 @@ def _long_equation(setting: Setting, left: Formula, via: tuple[Formula, ...]) ->
         for n in setting.orders()
     ]
     if setting.quantity == "displacement":
-        rows.insert(0, (1, _letter("X", 0)))
+        rows.insert(0, (1, _letter("B", 0)))
     opening = _OPENING[setting.quantity]
     if len(rows) > opening + 2:
         rows = [*rows[:opening], (sign, DOTS), rows[-1]]
@@ -172,7 +172,7 @@ def _coefficients(setting: Setting, found: Harmonics) -> list[Equation]:
     if setting.quantity == "displacement":
         rows.append(
             _coefficient(
-                setting, _letter("X", 0), list(monomials(found.constant, setting.convention))[:2]
+                setting, _letter("B", 0), list(monomials(found.constant, setting.convention))[:2]
             )
         )
     turned = -1 if setting.quantity == "displacement" else 1

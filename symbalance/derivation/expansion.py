@@ -45,8 +45,6 @@ from symbalance.notation.formula import (
 ROOT_TERMS = 5
 """How many terms of the binomial series a derivation shows at least."""
 BIG_X = Name("X")
-LETTER = {"displacement": "B", "velocity": "V", "acceleration": "A", "force": "A", "rod-angle": "R"}
-"""What a long derivation calls the coefficients."""
 
 
 def geometry(setting: Setting) -> Step:

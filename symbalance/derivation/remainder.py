@@ -46,7 +46,7 @@ from symbalance.notation.formula import (
 from symbalance.notation.series import CONVENTIONS
 from symbalance.slider_crank import Harmonics
 
-REST, MEAN = Indexed("X", Number(0)), Indexed("c", Number(0))
+REST, MEAN = Indexed("B", Number(0)), Indexed("c", Number(0))
 PI, V, A, F = Name("pi"), Name("v"), Name("a"), Name("F")
 _LEFT = {"displacement": X, "velocity": V, "acceleration": A, "force": F}
 
@@ -113,11 +113,7 @@ def _factors(value: Formula) -> tuple[Formula, ...]:
 
 def _exact_piston(setting: Setting, coefficient: Indexed) -> Equation:
     if setting.quantity == "displacement":
-        inside = (
-            Indexed("X", Number(0))
-            - cos(THETA)
-            - Total(K, Number(1), None, coefficient * cos(2 * K * THETA))
-        )
+        inside = REST - cos(THETA) - Total(K, Number(1), None, coefficient * cos(2 * K * THETA))
     else:
         function = "sin" if setting.quantity == "velocity" else "cos"
         rest = Total(K, Number(1), None, coefficient * Applied(function, 2 * K * THETA))
@@ -130,7 +126,7 @@ def _error(quantity: Name) -> Name:
 
 
 def _rest_position(setting: Setting) -> Parts:
-    """Return X_0 = 1 + (1 - c_0)/rho with c_0, the mean of the root."""
+    """Return B_0 = 1 + (1 - c_0)/rho with c_0, the mean of the root."""
     if setting.quantity != "displacement":
         return ()
     mean = HALF * (1 + KAPPA) * Series2F1(-HALF, -HALF, Number(1), Q**2)

@@ -10,7 +10,6 @@ The steps are data; `symbalance.derivation.document` prints them as text or LaTe
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 
 from symbalance.derivation import expansion
 from symbalance.derivation.collection import collection_steps
@@ -18,6 +17,7 @@ from symbalance.derivation.remainder import left_out_step
 from symbalance.derivation.setting import SHORTENED, Setting, Step
 from symbalance.errors import SymbalanceError, shown
 from symbalance.notation.series import convention_named
+from symbalance.rational import checked_whole
 from symbalance.slider_crank import (
     HIGHEST_ORDER,
     QUANTITIES,
@@ -25,6 +25,7 @@ from symbalance.slider_crank import (
     Series,
     acceleration_series,
     checked_order,
+    integrated,
     rod_angle_series,
 )
 from symbalance.slider_crank import harmonics as all_harmonics
@@ -96,9 +97,7 @@ def _checked_power(power: int | None, quantity: str, order: int) -> int:
         least, usual = max(highest - 1, 0), order - 1
     if power is None:
         return usual
-    if isinstance(power, bool) or not isinstance(power, int) or not 0 <= power <= HIGHEST_ORDER:
-        rule = f"must be a whole number from 0 to {HIGHEST_ORDER}"
-        raise SymbalanceError(f"power = {shown(power)}", rule)
+    power = checked_whole(power, "power", 0, HIGHEST_ORDER, "leave it out for the usual powers")
     if power < least:
         rule = f"leaves order {highest} no term"
         raise SymbalanceError(f"power = {power}", rule, f"keep at least {least}")
@@ -120,5 +119,4 @@ def _harmonics(setting: Setting) -> Harmonics:
 def _shortened(setting: Setting, n: int) -> Series:
     """Return the leading terms of one coefficient of a piston quantity."""
     through = min(setting.power, n - 1 + 2 * (SHORTENED - 1)) if n > 1 else 0
-    times = {"displacement": Fraction(-1, n * n), "velocity": Fraction(1, n)}
-    return acceleration_series(n, through).scaled(times.get(setting.quantity, 1))
+    return acceleration_series(n, through).scaled(integrated(setting.quantity, n))

@@ -57,7 +57,7 @@ def convention_named(name: str) -> Convention:
     >>> convention_named("l/s").scale
     2
     """
-    if name not in CONVENTIONS:
+    if not isinstance(name, str) or name not in CONVENTIONS:
         rule = f"must be one of {', '.join(CONVENTIONS)}"
         raise SymbalanceError(f"convention = {shown(name)}", rule, "l/r is the default")
     return CONVENTIONS[name]

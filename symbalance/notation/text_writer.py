@@ -31,8 +31,8 @@ class TextWriter(Visitor):
         return ("[", "]") if holds_a_sum(value) else ("(", ")")
 
     def product(self, left: f.Formula, right: f.Formula) -> str:
-        """Return a dot after a fraction, nothing between a number and a letter, else a space."""
-        if meet(left, right) or (isinstance(left, f.Monomial) and not isinstance(right, f.Sum)):
+        """Return a dot between digits, nothing between a number and a letter, else a space."""
+        if meet(left, right):
             return "·"
         if isinstance(left, f.Number) and isinstance(right, f.Name | f.Power | f.Indexed):
             return ""
@@ -42,7 +42,8 @@ class TextWriter(Visitor):
         """Return a factor, sums and fractions in brackets."""
         if isinstance(value, f.Sum):
             return self.write(value).join(self.fences(value))
-        return f"({self.write(value)})" if isinstance(value, f.Over) else self.write(value)
+        printed = self.write(value)
+        return f"({printed})" if isinstance(value, f.Over | f.Monomial) and "/" in printed else printed
 
     def _tight(self, value: f.Formula) -> str:
         return self.write(value).replace(" ", "")

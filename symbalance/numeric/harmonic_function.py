@@ -12,7 +12,8 @@ import numpy as np
 from mpmath import mp
 
 from symbalance.errors import SymbalanceError, shown
-from symbalance.resultants import Balance, Order
+from symbalance.rational import listed
+from symbalance.resultants import Balance, Order, checked_balance
 from symbalance.slider_crank import acceleration_values, checked_ratio
 from symbalance.spectrum import COMPONENTS, SymbolicPhasor
 
@@ -97,7 +98,8 @@ def to_function(
     >>> float(force(0.0).round(6))
     0.999708
     """
-    names = [outputs] if isinstance(outputs, str) else list(outputs)
+    checked_balance(result)
+    names = [outputs] if isinstance(outputs, str) else listed(outputs, "outputs", '("force.vertical",)')
     if target != "numpy":
         raise SymbalanceError(
             f"target = {shown(target)!r}", "must be numpy", "it is the one target so far"

@@ -8,7 +8,7 @@ from itertools import product
 from math import gcd
 from typing import TYPE_CHECKING
 
-from symbalance.phasor import Phasor, prime_factors
+from symbalance.phasor import ZERO, Phasor, cleared, prime_factors
 from symbalance.radicals.decimals import evaluated
 from symbalance.radicals.roots import tidy_root
 
@@ -25,14 +25,11 @@ def radical_form(number: Phasor) -> sympy.Expr | None:
 
     if number.modulus > LARGEST_RADICAL_FIELD:
         return None
-    parts, left = [], number
-    for character in _even_characters(number.modulus):
-        part = _projected(number, character)
-        if part.is_zero():
-            continue
-        left = left - part
-        parts.append(_part_form(part, character.order))
-    return sympy.Add(*parts) if left.is_zero() else None
+    projected = [(_projected(number, c), c.order) for c in _even_characters(number.modulus)]
+    parts = [(part, order) for part, order in projected if not part.is_zero()]
+    if not (number - sum((part for part, _ in parts), ZERO)).is_zero():
+        return None
+    return sympy.Add(*(_part_form(part, order) for part, order in parts))
 
 
 def _part_form(part: Phasor, order: int) -> sympy.Expr:
@@ -53,17 +50,20 @@ class _Character:
     def __init__(self, logarithms: dict[int, int]) -> None:
         self.logarithms = logarithms
         self.order = 4 // gcd(4, *logarithms.values())
+        real = (1, 0, -1, 0)
+        self.weights = {unit: real[e] for unit, e in logarithms.items() if real[e]}
 
 
 def _projected(number: Phasor, character: _Character) -> Phasor:
     """Return the part of `number` that belongs to a character and its conjugate."""
-    weight = (1, 0, -1, 0)
-    total = Phasor(1, {})
-    for unit, logarithm in character.logarithms.items():
-        if weight[logarithm]:
-            total = total + number.mapped(unit).scaled(weight[logarithm])
-    classes = 2 if character.order == 4 else 1
-    return total.scaled(Fraction(classes, len(character.logarithms)))
+    classes, modulus = 2 if character.order == 4 else 1, number.modulus
+    terms, below = cleared(number.terms)
+    total: dict[int, int] = {}
+    for unit, weight in character.weights.items():
+        for k, c in terms.items():
+            place = k * unit % modulus
+            total[place] = total.get(place, 0) + weight * c
+    return Phasor.of(modulus, total).scaled(Fraction(classes, below * len(character.logarithms)))
 
 
 @cache

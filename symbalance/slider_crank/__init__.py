@@ -3,7 +3,7 @@ r"""One slider-crank: exact harmonics of the piston and of the rod, to any order
 The crank pin turns at radius r, the rod of length l joins it to a piston on an axis through the crank,
 rho = r/l = 1/lambda < 1. With theta = 0 at top dead centre:
 
-    displacement  x/r           = X_0 - cos theta - sum of B_n cos n theta     from top dead centre
+    displacement  x/r           = B_0 - cos theta - sum of B_n cos n theta     from top dead centre
     velocity      v/(r omega)   =       sin theta + sum of n B_n sin n theta
     acceleration  a/(r omega^2) =       cos theta + sum of A_n cos n theta,    A_n = n^2 B_n
     force         F/(m r omega^2) = the same: the inertia force, positive away from the crank
@@ -31,6 +31,7 @@ from symbalance.slider_crank.exact import (
     acceleration_values,
     exact_coefficient,
     rod_angle_value,
+    root_mean,
 )
 from symbalance.slider_crank.limits import (
     HIGHEST_ORDER,
@@ -47,6 +48,7 @@ from symbalance.slider_crank.powers import (
     acceleration_integers,
     acceleration_series,
     harmonics,
+    integrated,
     rod_angle_series,
 )
 from symbalance.slider_crank.series import Series
@@ -67,7 +69,9 @@ __all__ = [
     "checked_ratio",
     "exact_coefficient",
     "harmonics",
+    "integrated",
     "rod_angle_series",
     "rod_angle_value",
+    "root_mean",
     "surviving",
 ]

@@ -73,6 +73,12 @@ def acceleration_values(order: int, ratio: Fraction, digits: int = 20) -> dict[i
     return dict(sorted(values.items()))
 
 
+def root_mean(ratio: Fraction) -> Real:
+    """Return c_0, the mean of sqrt(1 - rho^2 sin^2 theta), to the working precision."""
+    rho = mp.mpf(ratio.denominator) / ratio.numerator
+    return 2 * mp.ellipe(rho * rho) / mp.pi
+
+
 def rod_angle_value(order: int, ratio: Fraction, digits: int = 20) -> Real:
     """Return R_order for a rod ratio, exact in lambda, to `digits` significant digits."""
     if order % 2 == 0:

@@ -98,18 +98,22 @@ def harmonics(quantity: str, order: int, through: int | None = None) -> Harmonic
         return Harmonics(quantity, "sin", Series({}, kept, complete=True), odd)
     kept = order - 1 if through is None else through
     orders = [1, *range(2, order + 1, 2)]
-    rows = {n: acceleration_series(n, kept).scaled(_factor(quantity, n)) for n in orders}
+    rows = {n: acceleration_series(n, kept).scaled(integrated(quantity, n)) for n in orders}
     constant = _rest_position(kept) if quantity == "displacement" else Series({}, kept, complete=True)
     return Harmonics(quantity, "sin" if quantity == "velocity" else "cos", constant, rows)
 
 
-def _factor(quantity: str, n: int) -> Fraction:
-    """Return what A_n is multiplied by: the quantity is the acceleration, integrated so often."""
+def integrated(quantity: str, n: int) -> Fraction:
+    """Return what A_n is multiplied by: the quantity is the acceleration, integrated so often.
+
+    >>> integrated("displacement", 4), integrated("force", 4)
+    (Fraction(-1, 16), Fraction(1, 1))
+    """
     return {"displacement": Fraction(-1, n * n), "velocity": Fraction(1, n)}.get(quantity, Fraction(1))
 
 
 def _rest_position(through: int) -> Series:
-    """Return X_0 = 1 + (1 - c_0)/rho, the mean piston position below top dead centre, over r."""
+    """Return B_0 = 1 + (1 - c_0)/rho, the mean piston position below top dead centre, over r."""
     terms = {0: Fraction(1)}
     for m in range(1, (through + 1) // 2 + 1):
         terms[2 * m - 1] = Fraction(2 * (comb(2 * m - 2, m - 1) // m) * comb(2 * m, m), 1 << 4 * m)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import sympy
@@ -104,16 +106,63 @@ def strokes(layout: Layout) -> str:
     return {2: "two-stroke", 4: "four-stroke"}[layout.strokes]
 
 
-def banks(layout: Layout) -> list[Angle]:
-    """Return the bank angles, each once, as they stand in the layout."""
-    return list(dict.fromkeys(c.bank for c in layout.cylinders))
+def banks(layout: Layout, printed: Callable[[Angle], str]) -> str:
+    """Return where the banks stand, each angle once, in the order of the layout."""
+    angles = list(dict.fromkeys(c.bank for c in layout.cylinders))
+    if angles == [Angle(Fraction(0))]:
+        return "one bank, upright"
+    where = ", ".join(map(printed, angles))
+    return f"{'banks' if len(angles) > 1 else 'one bank'} at {where} from vertical"
+
+
+def firing(layout: Layout) -> str:
+    """Return the firing order and, where they are uneven, the intervals; empty if it is not known.
+
+    >>> from symbalance.catalogue import load
+    >>> firing(load("v2-45")), firing(load("v6-90"))
+    ('1-2 at intervals of 405°, 315°', '1-6-5-4-3-2 at intervals of 150°, 90°, and so on')
+    """
+    order = layout.firing_order()
+    if order is None or len(order) < 2:
+        return ""
+    numbers = "-".join(map(str, order))
+    steps = firing_intervals(layout)
+    if len(set(steps)) == 1:
+        return numbers
+    period = next(k for k in range(1, len(steps) + 1) if steps == (steps[:k] * len(steps))[: len(steps)])
+    intervals = [f"{_decimal(step)}°" for step in steps[:period]]
+    intervals += ["and so on"] if period < len(steps) else []
+    return f"{numbers} at intervals of {', '.join(intervals)}"
+
+
+def firing_intervals(layout: Layout) -> list[Fraction]:
+    """Return the degrees after each firing of a layout whose firing angles are known."""
+    cycle = 180 * layout.strokes
+    starts = sorted(c.fires % cycle for c in layout.cylinders if c.fires is not None)
+    ends = [*starts[1:], starts[0] + cycle]
+    return [end - start for start, end in zip(starts, ends, strict=True)]
+
+
+def origin(layout: Layout, printed: Callable[[Angle], str]) -> str:
+    """Return what stands where at theta = 0.
+
+    >>> from symbalance.builders import inline
+    >>> origin(inline("1-2"), degrees_text), origin(inline(throws=[30, 90]), degrees_text)
+    ('cylinder 1 at firing top dead centre', 'the pin of cylinder 1 at 30 from straight up')
+    """
+    first = min(layout.cylinders, key=lambda c: c.number)
+    if first.delay != Angle(Fraction(0)):
+        return f"the pin of cylinder {first.number} at {printed(first.throw)} from straight up"
+    return f"cylinder {first.number} at {'firing ' if first.fires == 0 else ''}top dead centre"
 
 
 def degrees_text(angle: Angle) -> str:
     """Return a number of degrees, short decimals as decimals and others as fractions."""
-    number = angle.in_degrees()
-    short = 10_000 % number.denominator == 0
-    return f"{float(number):g}" if short else str(number)
+    return _decimal(angle.in_degrees())
+
+
+def _decimal(number: Fraction) -> str:
+    return f"{float(number):.12g}" if 10_000 % number.denominator == 0 else str(number)
 
 
 def plane(balance: Balance) -> str:

@@ -6,9 +6,11 @@ import json
 from functools import lru_cache
 from typing import Any
 
+import sympy
+
 from symbalance.layout import Cylinder
 from symbalance.rational import decimal_text
-from symbalance.resultants import Balance, Order, Resultant
+from symbalance.resultants import Balance, Order, Resultant, checked_balance
 from symbalance.spectrum import COMPONENTS, Component, SymbolicPhasor
 
 DIGITS = 30
@@ -22,6 +24,7 @@ def to_json(balance: Balance) -> str:
 
 def document(balance: Balance) -> dict[str, Any]:
     """Return what `to_json` writes, as plain Python values."""
+    checked_balance(balance)
     plane = "mean of stations" if balance.reference is None else f"station {balance.reference}"
     return {
         "engine": balance.layout.name,
@@ -63,15 +66,18 @@ def _resultant(resultant: Resultant) -> dict[str, Any]:
 
 @lru_cache(maxsize=4096)
 def _component(component: Component) -> dict[str, Any]:
+    """Return a component's values, none of which can be changed: documents share them."""
     symbolic = isinstance(component.number, SymbolicPhasor) and not component.is_zero()
+    cos, sin, phase = str(component.cos), str(component.sin), component.phase
     return {
-        "cos": str(component.cos),
-        "sin": str(component.sin),
+        "cos": cos,
+        "sin": sin,
         "amplitude": str(component.amplitude),
-        "phase": str(component.phase),
+        # An atan2 is that of the two above, which need not be printed again.
+        "phase": str(phase) if not phase.has(sympy.atan2) else f"atan2({sin}, {cos})",
         "decimal": None if symbolic else _decimal(component),
     }
 
 
-def _decimal(component: Component) -> list[str]:
-    return [decimal_text(x, DIGITS) for x in component.decimal(DIGITS)]
+def _decimal(component: Component) -> tuple[str, ...]:
+    return tuple(decimal_text(x, DIGITS) for x in component.decimal(DIGITS))

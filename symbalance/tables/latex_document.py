@@ -2,7 +2,6 @@ r"""Results as LaTeX: amsmath and booktabs only, the conventions stated, nothing
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import singledispatch
 from typing import Any
 
@@ -22,19 +21,19 @@ from symbalance.tables.facts import (
     Row,
     banks,
     degrees_text,
+    firing,
+    origin,
     plane,
     rotating,
     rows,
     shown,
     strokes,
 )
-from symbalance.tables.wide_formulas import breakable, broken
+from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
 
 ROWS_PER_TABLE = 36
 LONGEST_SERIES = 160
 LONGEST_NUMERATOR = 30
-LONGEST_CELL = 34
-"""A cell whose LaTeX is longer than this prints its decimal, and its exact form below the table."""
 
 _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
@@ -112,23 +111,22 @@ def _escaped(text: str) -> str:
 
 
 def _heading(balance: Balance) -> str:
-    layout = balance.layout
-    angles = ", ".join(_angle(bank) for bank in banks(layout))
-    count = len(layout.cylinders)
-    plural = "s" if count > 1 else ""
-    order = layout.firing_order()
-    fires = f", firing {'-'.join(map(str, order))}" if order and count > 1 else ""
-    ratio = (
-        "" if balance.ratio is None else rf", here \(\lambda = {latex(sympy.sympify(balance.ratio))}\)"
-    )
+    layout, ratio = balance.layout, ""
+    count, fires = len(layout.cylinders), firing(layout)
+    noun = "cylinders" if count > 1 else "cylinder"
+    if balance.ratio is not None:
+        ratio = rf", here \(\lambda = {_ratio(balance)}\)"
     return "\n".join(
         [
-            rf"\textbf{{{_escaped(layout.name)}}}: {strokes(layout)}, {count} cylinder{plural},",
-            rf"bank angles {angles}{fires}.\\",
+            rf"\textbf{{{_escaped(layout.name)}}}: {strokes(layout)}, {count} {noun},",
+            rf"{banks(layout, _angle)}{f', firing {_escaped(fires)}' if fires else ''}.\\",
             rf"Convention: \(\lambda = l/r\), connecting rod length over crank radius{ratio};",
             r"\(\theta\) is the crank angle, angles positive in the sense of rotation from straight up,",
-            r"forces positive upwards and to the right, seen from the front; couples positive with the",
-            r"front pushed up or right. Order \(n\) reads",
+            rf"clockwise seen from the front; \(\theta = 0\) has {origin(layout, _angle)};",
+            r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius,",
+            r"\(a\) the pitch of the cylinders; forces are positive upwards and to the right,",
+            r"seen from the front; couples are positive with the front pushed up or right.",
+            r"Order \(n\) reads",
             r"\(C \cos n\theta + S \sin n\theta = \text{amplitude} \cdot \cos(n\theta - \text{phase})\).",
         ]
     )
@@ -144,19 +142,19 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
         return rf"{title}: none, to order {balance.highest}."
     head = r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
     table = _tabulars("rlccccc", head, [_row(row) for row in found])
-    return "\n".join([rf"{title}:", table, *_exact_forms(found), _rotating(balance, name)])
+    return "\n".join([rf"{title}:", table, *exact_forms(found), _rotating(balance, name)])
 
 
 def _row(row: Row) -> str:
     exact, decimals = [latex(e) for e in row.exact()], row.decimals()
-    cells = []
+    cells, nearly = [], r"\approx "
     for i, formula in enumerate(exact):
         if decimals is None:
             cells.append(rf"\({formula}\)" if len(formula) <= LONGEST_CELL else "below")
         elif i == 2 and len(formula) > LONGEST_CELL:
             cells.append("")
         elif len(formula) > LONGEST_CELL or r"\operatorname{atan2}" in formula:
-            cells.append(rf"\({_number(decimals[i])}\)")
+            cells.append(rf"\({nearly if i == 3 else ''}{_number(decimals[i])}\)")
         else:
             cells.append(rf"\({formula}\)")
     near = "" if decimals is None else rf"\({_number(decimals[2])}\)"
@@ -182,29 +180,13 @@ def _turning(row: Row) -> list[str]:
     amplitude, phase = (_number(d) for d in decimals[2:])
     if len(exact[2]) <= LONGEST_CELL and exact[2] != amplitude:
         amplitude = rf"{exact[2]} \approx {amplitude}"
-    return [rf"\({amplitude}\)", rf"\({phase if 'atan2' in exact[3] else exact[3]}\)"]
+    phase = rf"\approx {phase}" if "atan2" in exact[3] else exact[3]
+    return [rf"\({amplitude}\)", rf"\({phase}\)"]
 
 
 def _number(decimal: str) -> str:
     mantissa, *exponent = decimal.split("e")
     return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
-
-
-def _exact_forms(found: Sequence[Row]) -> list[str]:
-    """Return the exact forms too long for a table, each once, with all the orders it belongs to."""
-    places: dict[tuple[str, str], list[str]] = {}
-    for row in found:
-        for name, value in zip(("C", "S", r"\text{amplitude}"), row.exact(), strict=False):
-            if len(latex(value)) > LONGEST_CELL:
-                what, formula = breakable(name, value)
-                places.setdefault((formula, rf"\text{{{row.name}}}\ {what}"), []).append(str(row.order))
-    if not places:
-        return []
-    lines = [
-        rf"&n = {', '.join(orders)},\ {what} = {broken(formula)}"
-        for (formula, what), orders in places.items()
-    ]
-    return ["Exactly:", r"\begin{align*}", " \\\\\n".join(lines), r"\end{align*}"]
 
 
 def _tabulars(columns: str, head: str, lines: list[str], gap: int = 2) -> str:
@@ -234,7 +216,7 @@ def _coefficients(balance: Balance) -> str:
     series = [_series(order) for order in balance.orders]
     title = r"\textbf{Coefficients of one cylinder}:"
     if max(map(len, series)) > LONGEST_SERIES:
-        rows = [rf"A_{{{o.order}}} &= {broken(s)}" for o, s in zip(balance.orders, series, strict=True)]
+        rows = [broken(rf"&A_{{{o.order}}}", s) for o, s in zip(balance.orders, series, strict=True)]
         return "\n".join([title, r"\begin{align*}", " \\\\\n".join(rows), r"\end{align*}"])
     values = [rf"\({_number(shown(v))}\)" for v in balance.values.values()]
     columns, head = "rl", r"\(n\) & \(A_n\) in powers of \(1/\lambda\)"
@@ -250,7 +232,8 @@ def _series(order: Order) -> str:
     power, lead = min(order.coefficient.terms.items())
     if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
         return series_latex(order.coefficient, ellipsis=True)
-    rounded = _number(shown(mp.mpf(lead.numerator) / lead.denominator))
+    with mp.workdps(30):  # whatever precision the caller has set
+        rounded = _number(shown(mp.mpf(lead.numerator) / lead.denominator))
     return rf"{rounded}\ldots\,\lambda^{{-{power}}} + \cdots"
 
 

@@ -7,13 +7,15 @@ from textwrap import wrap
 
 from symbalance.angles import Angle
 from symbalance.notation import series_text
-from symbalance.resultants import Balance
+from symbalance.resultants import Balance, checked_balance
 from symbalance.tables.expressions import text
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
     Row,
     banks,
     degrees_text,
+    firing,
+    origin,
     plane,
     rotating,
     rows,
@@ -25,13 +27,19 @@ WIDTH = 79
 SHORT = 14
 """An exact form up to this long stays in the table, whatever becomes of its column."""
 LONGEST_PHASE = 8
-"""A phase that takes more, an atan2 or a fine fraction of pi, is printed in radians."""
+"""A phase that takes more, an atan2 or a fine fraction of pi, is printed rounded, in radians."""
 _HEAD = ("order", "component", "cos nθ", "sin nθ", "amplitude", "≈", "phase")
 _EXACT = (2, 3, 4)
+_LEGEND = (
+    "m: reciprocating mass of one cylinder, r: crank radius, a: cylinder pitch",
+    "+ is up or right seen from the front; a couple + pushes the front up or right",
+    "C cos nθ + S sin nθ = amplitude · cos(nθ − phase)",
+)
 
 
 def to_text(balance: Balance) -> str:
     """Return a balance as text: the engine, its free force, its free couple, the coefficients A_n."""
+    checked_balance(balance)
     blocks = [
         _heading(balance),
         _resultant(balance, "force", "Free force, unit Fₙ = Aₙ m r ω²"),
@@ -43,18 +51,15 @@ def to_text(balance: Balance) -> str:
 
 def _heading(balance: Balance) -> str:
     layout = balance.layout
-    count = len(layout.cylinders)
-    angles = ", ".join(_angle(bank) for bank in banks(layout))
+    count, fires = len(layout.cylinders), firing(layout)
     lines = [
         f"{layout.name}: {strokes(layout)}, {count} cylinder{'s' if count > 1 else ''}, "
-        f"bank{'s' if ',' in angles else ''} at {angles}"
+        f"{banks(layout, _angle)}",
+        *([f"fires {fires}"] if fires else []),
+        f"θ (clockwise seen from the front) = 0: {origin(layout, _angle)}",
+        f"λ = l/r (rod over crank radius): {'not given' if balance.ratio is None else balance.ratio}",
+        *_LEGEND,
     ]
-    order = layout.firing_order()
-    if order and count > 1:
-        lines.append("fires " + "-".join(map(str, order)))
-    ratio = "not given" if balance.ratio is None else str(balance.ratio)
-    lines.append(f"λ = l/r (rod over crank radius): {ratio}")
-    lines.append("C cos nθ + S sin nθ = amplitude · cos(nθ − phase), + is up or right")
     return "\n".join(part for line in lines for part in _wrapped(line, "  "))
 
 
@@ -100,7 +105,7 @@ def _cells(row: Row, below: Sequence[int] = (), short: int = SHORT) -> list[str]
     if amplitude != exact[2]:
         cells[5] = amplitude
     if len(exact[3]) > LONGEST_PHASE:
-        cells[6] = phase
+        cells[6] = f"≈ {phase}"
     nearly = {2: cos, 3: sin, 4: ""}
     return [nearly[i] if i in below and len(c) > short else c for i, c in enumerate(cells)]
 
@@ -117,9 +122,13 @@ def _exact_lines(found: Sequence[Row], below: Sequence[int], short: int = SHORT)
     lines = [
         part
         for (formula, what), orders in places.items()
-        for part in _wrapped(f"  order {', '.join(orders)} {what} = {formula}", "      ")
+        for part in _wrapped(f"  {_named(orders)} {what} = {formula}", "      ")
     ]
     return ["  exactly:", *lines] if lines else []
+
+
+def _named(orders: Sequence[str]) -> str:
+    return f"order{'s' if len(orders) > 1 else ''} {', '.join(orders)}"
 
 
 def _rotating(balance: Balance, name: str) -> list[str]:
@@ -129,19 +138,22 @@ def _rotating(balance: Balance, name: str) -> list[str]:
         return [f"  {IN_ONE_PLANE}"]
     head = ["order", "forward (with the crank)", "phase", "backward (against it)", "phase"]
     table = [head, *([str(f.order), *_turning(f), *_turning(b)] for f, b in pairs)]
+    if _width(table) > WIDTH:
+        short = ["order", "forward (with crank)", "phase", "backward (against)", "phase"]
+        table = [short, *([str(f.order), *_turning(f, 0), *_turning(b, 0)] for f, b in pairs)]
     return ["", "  as rotating parts", *_grid(table)]
 
 
-def _turning(row: Row) -> list[str]:
+def _turning(row: Row, longest: int = SHORT) -> list[str]:
     if row.component.is_zero():
         return ["0", ""]
     exact, decimals = [text(e) for e in row.exact()], row.decimals()
     if decimals is None:
         return [exact[2], exact[3]]
     amplitude, phase = (d.replace("-", "−") for d in decimals[2:])
-    if len(exact[2]) <= SHORT and exact[2] != amplitude:
+    if len(exact[2]) <= longest and exact[2] != amplitude:
         amplitude = f"{exact[2]} ≈ {amplitude}"
-    return [amplitude, phase if len(exact[3]) > LONGEST_PHASE else exact[3]]
+    return [amplitude, f"≈ {phase}" if len(exact[3]) > LONGEST_PHASE else exact[3]]
 
 
 def _grid(table: Sequence[Sequence[str]]) -> list[str]:
@@ -159,23 +171,19 @@ def _grid(table: Sequence[Sequence[str]]) -> list[str]:
 def _coefficients(balance: Balance) -> str:
     if not balance.orders:
         return ""
-    ratio = balance.ratio
-    head = ["order", "Aₙ in powers of 1/λ", "" if ratio is None else f"Aₙ at λ = {ratio}"]
-    table = [head]
+    at = "" if balance.ratio is None else f"at λ = {balance.ratio}"
+    table = []
     for order in balance.orders:
         series = series_text(order.coefficient, ellipsis=True)
         value = balance.values.get(order.order)
         table.append([str(order.order), series, "" if value is None else shown(value).replace("-", "−")])
-    lines = _grid(table)
+    lines = _grid([["order", "Aₙ in powers of 1/λ", f"Aₙ {at}"], *table])
     if max(map(len, lines)) > WIDTH:
-        lines = _listed(table)
+        lines = [line for n, series, value in table for line in _listed(n, series, value, at)]
     return "\n".join(["Coefficients of one cylinder (the value is exact in λ, rounded)", *lines])
 
 
-def _listed(table: list[list[str]]) -> list[str]:
-    """Return coefficients as wrapped lines, for series too long for a row."""
-    lines: list[str] = []
-    for order, series, value in table[1:]:
-        lines += _wrapped(f"  A_{order} = {series}", "      ")
-        lines += [f"      = {value} at {table[0][2][6:]}"] if value else []
-    return lines
+def _listed(order: str, series: str, value: str, at: str) -> list[str]:
+    """Return one coefficient as wrapped lines, for series too long for a row."""
+    lines = _wrapped(f"  A_{order} = {series}", "      ")
+    return [*lines, f"      = {value} {at}"] if value else lines
