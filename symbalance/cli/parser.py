@@ -16,7 +16,8 @@ class _Parser(argparse.ArgumentParser):
     """A parser whose refusals are one line, like every other refusal."""
 
     def error(self, message: str) -> NoReturn:
-        raise SymbalanceError(self.prog, message, f"see {self.prog} --help")
+        command = self.prog.removeprefix("symbalance").strip() or "command line"
+        raise SymbalanceError(command, message, f"see {self.prog} --help")
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -31,6 +32,7 @@ def build_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     _add_balance(commands)
     _add_derive(commands)
+    _add_check(commands)
     _add_engines(commands)
     _add_bench(commands)
     return parser
@@ -85,6 +87,17 @@ def _add_derive(commands: argparse._SubParsersAction) -> None:
         help="what is expanded in: λ = l/r, ρ = r/l or λ = l/s (s the stroke); default: l/r",
     )
     _add_output(parser, ("text", "latex"))
+
+
+def _add_check(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "check", "A hand derivation, judged equation by equation.")
+    parser.add_argument("notes", metavar="NOTES", help="a .tex, .md or .txt file, left as it is")
+    parser.add_argument(
+        "--symbols",
+        metavar="FILE",
+        help="what the letters mean, and what lines claim; default: NOTES.symbols.toml beside it",
+    )
+    _add_output(parser, ("text", "latex", "json"))
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:

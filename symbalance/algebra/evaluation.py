@@ -1,0 +1,261 @@
+"""From a formula's tree to its form, with letters replaced by what they stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from symbalance.algebra import functions
+from symbalance.algebra.domain import Domain, NoFormError, Polynomial
+from symbalance.algebra.forms import Form
+from symbalance.reading import syntax
+
+DEEPEST = 40
+LONGEST_SUM = 400
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """What the letters of a formula stand for.
+
+    `values` replaces letters by formulas; `rates` gives, for a variable of differentiation, the letters
+    that change with it and how fast; `positive` and `integer` restrict letters.
+    """
+
+    values: Mapping[str, syntax.Node] = field(default_factory=dict)
+    rates: Mapping[str, Mapping[str, syntax.Node]] = field(default_factory=dict)
+    positive: frozenset[str] = frozenset()
+    integer: frozenset[str] = frozenset()
+
+    def domain(self) -> Domain:
+        """Return a fresh domain for formulas of this meaning."""
+        return Domain(self.positive, self.integer)
+
+
+class Evaluator:
+    """Turns trees into forms of one domain.
+
+    >>> half = syntax.Quotient(syntax.Name("s"), syntax.Number(Fraction(2)))
+    >>> evaluator = Evaluator(Domain(), Meaning({"s": syntax.Name("d")}))
+    >>> evaluator.form(half).numerator
+    {((1, 1),): Fraction(1, 2)}
+    """
+
+    def __init__(self, domain: Domain, meaning: Meaning | None = None) -> None:
+        self.domain, self.meaning = domain, meaning or Meaning()
+        self._known: dict[str, Form] = {}
+        self._open: list[str] = []
+
+    def form(self, node: syntax.Node) -> Form:
+        """Return the form of a formula; what has none raises NoFormError, what is too large TooLargeError."""
+        return _RULES[type(node)](self, node)
+
+    def letter(self, name: str) -> Form:
+        """Return what a letter stands for, or the letter itself."""
+        if name not in self.meaning.values or name in self._open:
+            return Form.letter(self.domain, name)
+        if name not in self._known:
+            if len(self._open) > DEEPEST:
+                raise NoFormError("definitions nested too deep")
+            self._open.append(name)
+            try:
+                self._known[name] = self.form(self.meaning.values[name])
+            finally:
+                self._open.pop()
+        return self._known[name]
+
+    def rates(self, variable: str) -> dict[int, Polynomial]:
+        """Return the letters that change with `variable`, and their rates."""
+        own = {self.domain.symbol(variable): {(): Fraction(1)}}
+        for name, rate in self.meaning.rates.get(variable, {}).items():
+            form = self.form(rate)
+            if not form.is_polynomial:
+                raise NoFormError("a rate that is a quotient")
+            own[self.domain.symbol(name)] = form.numerator
+        return own
+
+
+def _number(evaluator: Evaluator, node: syntax.Number) -> Form:
+    return Form.number(evaluator.domain, node.value)
+
+
+def _name(evaluator: Evaluator, node: syntax.Name) -> Form:
+    return evaluator.letter(node.name)
+
+
+def _constant(evaluator: Evaluator, node: syntax.Constant) -> Form:
+    if node.name == "i":
+        return functions.unit(evaluator.domain)
+    if node.name == "infinity":
+        raise NoFormError("infinity")
+    return Form.letter(evaluator.domain, node.name)
+
+
+def _sum(evaluator: Evaluator, node: syntax.Sum) -> Form:
+    total = Form.number(evaluator.domain, 0)
+    for term in node.terms:
+        if not isinstance(term, syntax.Dots):
+            total = total.plus(evaluator.form(term))
+    return total
+
+
+def _product(evaluator: Evaluator, node: syntax.Product) -> Form:
+    total = Form.number(evaluator.domain, 1)
+    for factor in node.factors:
+        total = total.times(evaluator.form(factor))
+    return total
+
+
+def _quotient(evaluator: Evaluator, node: syntax.Quotient) -> Form:
+    return evaluator.form(node.numerator).over(evaluator.form(node.denominator))
+
+
+def _negative(evaluator: Evaluator, node: syntax.Negative) -> Form:
+    return evaluator.form(node.operand).scaled(-1)
+
+
+def _power(evaluator: Evaluator, node: syntax.Power) -> Form:
+    exponent = evaluator.form(node.exponent)
+    if isinstance(node.base, syntax.Constant) and node.base.name == "e":
+        return functions.exponential(exponent)
+    base, value = evaluator.form(node.base), exponent.rational()
+    if value is not None:
+        return rational_power(base, value)
+    if base.rational() == -1:
+        turned = functions.unit(evaluator.domain).times(exponent)
+        return functions.exponential(turned.times(Form.letter(evaluator.domain, "pi")))
+    return functions.exponential(exponent.times(logarithm(base)))
+
+
+def rational_power(base: Form, exponent: Fraction) -> Form:
+    """Return base^exponent; roots other than square ones only of a single term."""
+    if exponent.denominator == 1:
+        return base.raised(int(exponent))
+    if exponent.denominator == 2:
+        return functions.root(base).raised(exponent.numerator)
+    if exponent.denominator > 60 or not base.is_polynomial or len(base.numerator) != 1:
+        raise NoFormError("a root of a sum that is no square root")
+    ((monomial, coefficient),) = base.numerator.items()
+    if coefficient != 1 or any(not base.domain.generators[g].positive for g, _ in monomial):
+        raise NoFormError("a root that is no square root")
+    factor, raised = base.domain.raised(monomial, exponent)
+    return Form.of(base.domain, {raised: Fraction(factor)})
+
+
+def logarithm(base: Form) -> Form:
+    """Return ln base; ln e is 1."""
+    if base.equals(Form.letter(base.domain, "e")):
+        return Form.number(base.domain, 1)
+    if base.rational() == 1:
+        return Form.number(base.domain, 0)
+    return functions.opaque("ln", base)
+
+
+def _call(evaluator: Evaluator, node: syntax.Call) -> Form:
+    argument = evaluator.form(node.argument)
+    return apply(node.function, argument)
+
+
+def apply(function: str, argument: Form) -> Form:
+    """Return a function of a form."""
+    if function in _CIRCULAR:
+        return _CIRCULAR[function](argument)
+    if function in ("asin", "acos", "atan"):
+        return functions.opaque(function, argument)
+    raise NoFormError(f"the function {function}")
+
+
+def _over(first: Callable[[Form], Form], second: Callable[[Form], Form]) -> Callable[[Form], Form]:
+    return lambda x: first(x).over(second(x))
+
+
+def _one(argument: Form) -> Form:
+    return Form.number(argument.domain, 1)
+
+
+def _growing(sign: int) -> Callable[[Form], Form]:
+    def function(x: Form) -> Form:
+        back = functions.exponential(x.scaled(-1)).scaled(sign)
+        return functions.exponential(x).plus(back).scaled(Fraction(1, 2))
+
+    return function
+
+
+_CIRCULAR: dict[str, Callable[[Form], Form]] = {
+    "sin": functions.sine,
+    "cos": functions.cosine,
+    "tan": _over(functions.sine, functions.cosine),
+    "cot": _over(functions.cosine, functions.sine),
+    "sec": _over(_one, functions.cosine),
+    "csc": _over(_one, functions.sine),
+    "sinh": _growing(-1),
+    "cosh": _growing(1),
+    "tanh": _over(_growing(-1), _growing(1)),
+    "exp": functions.exponential,
+    "ln": logarithm,
+    "log": logarithm,
+    "sqrt": functions.root,
+    "abs": lambda x: functions.root(x.times(x)),
+}
+
+
+def _derivative(evaluator: Evaluator, node: syntax.Derivative) -> Form:
+    inner, variable = node.expression, node.variable.name
+    meaning = evaluator.meaning
+    if isinstance(inner, syntax.Name) and inner.name not in {
+        *meaning.values,
+        *meaning.rates.get(variable, ()),
+    }:
+        return Form.letter(evaluator.domain, derivative_name(node))
+    form, rates = evaluator.form(inner), evaluator.rates(variable)
+    for _ in range(node.order):
+        form = form.differentiated(rates)
+    return form
+
+
+def derivative_name(node: syntax.Derivative) -> str:
+    """Return the letter that stands for the derivative of an unknown letter.
+
+    >>> derivative_name(syntax.Derivative(syntax.Name("S"), syntax.Name("t"), 2))
+    'd2S/dt2'
+    """
+    order = "" if node.order == 1 else str(node.order)
+    inner = node.expression.name if isinstance(node.expression, syntax.Name) else "(...)"
+    return f"d{order}{inner}/d{node.variable.name}{order}"
+
+
+def _summation(evaluator: Evaluator, node: syntax.Summation) -> Form:
+    if node.index is None or node.lower is None or node.upper is None:
+        return functions.opaque("sum", evaluator.form(node.body))
+    lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))
+    if lower is None or upper is None or upper - lower > LONGEST_SUM:
+        raise NoFormError("a sum without bounds in numbers")
+    total = Form.number(evaluator.domain, 0)
+    for value in range(int(lower), int(upper) + 1):
+        inner = dict(evaluator.meaning.values) | {node.index.name: syntax.Number(Fraction(value))}
+        replaced = Meaning(
+            inner, evaluator.meaning.rates, evaluator.meaning.positive, evaluator.meaning.integer
+        )
+        total = total.plus(Evaluator(evaluator.domain, replaced).form(node.body))
+    return total
+
+
+def _dots(evaluator: Evaluator, node: syntax.Dots) -> Form:
+    raise NoFormError("dots alone")
+
+
+_RULES: dict[type, Callable[[Evaluator, syntax.Node], Form]] = {
+    syntax.Number: _number,
+    syntax.Name: _name,
+    syntax.Constant: _constant,
+    syntax.Sum: _sum,
+    syntax.Product: _product,
+    syntax.Quotient: _quotient,
+    syntax.Negative: _negative,
+    syntax.Power: _power,
+    syntax.Call: _call,
+    syntax.Derivative: _derivative,
+    syntax.Summation: _summation,
+    syntax.Dots: _dots,
+}  # type: ignore[assignment]

@@ -1,0 +1,174 @@
+"""Forms: quotients of Laurent polynomials, the normal form in which equations are decided."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.algebra import polynomials as poly
+from symbalance.algebra.domain import ONE, Domain, NoFormError, Polynomial
+from symbalance.algebra.zero import is_zero
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Form:
+    """numerator/denominator over one domain; the denominator is 1 or has at least two terms.
+
+    Two forms a/b and c/d are equal exactly when a d - b c is the zero polynomial.
+
+    >>> domain = Domain()
+    >>> s = Form.letter(domain, "s")
+    >>> s.over(s.plus(s)).equals(Form.number(domain, Fraction(1, 2)))
+    True
+    """
+
+    domain: Domain
+    numerator: Polynomial
+    denominator: Polynomial
+
+    @staticmethod
+    def of(domain: Domain, numerator: Polynomial, denominator: Polynomial | None = None) -> Form:
+        """Return the quotient; a denominator of one term is carried into the numerator."""
+        if denominator is None or denominator == {ONE: 1}:
+            return Form(domain, numerator, {ONE: Fraction(1)})
+        if is_zero(domain, denominator) is not False:
+            raise NoFormError("a division by zero")
+        if len(denominator) == 1:
+            ((monomial, coefficient),) = denominator.items()
+            if not any(g in domain.radicals for g, _ in monomial):
+                factor, inverse = domain.raised(monomial, -1)
+                numerator = poly.times(domain, numerator, {inverse: factor / coefficient})
+                return Form(domain, numerator, {ONE: Fraction(1)})
+        return _rationalised(domain, numerator, denominator)
+
+    @staticmethod
+    def number(domain: Domain, value: Fraction | int) -> Form:
+        """Return a rational number."""
+        return Form.of(domain, poly.constant(value))
+
+    @staticmethod
+    def letter(domain: Domain, name: str) -> Form:
+        """Return a letter."""
+        return Form.of(domain, {((domain.symbol(name), 1),): Fraction(1)})
+
+    @property
+    def is_polynomial(self) -> bool:
+        """Tell whether the denominator is 1."""
+        return self.denominator == {ONE: 1}
+
+    def rational(self) -> Fraction | None:
+        """Return the value of a form that is a rational number, else None."""
+        if self.is_polynomial and poly.is_rational(self.numerator):
+            return self.numerator.get(ONE, Fraction(0))
+        return None
+
+    def plus(self, other: Form) -> Form:
+        """Return the sum."""
+        if self.denominator == other.denominator:
+            return Form.of(self.domain, poly.plus(self.numerator, other.numerator), self.denominator)
+        cross = poly.plus(
+            poly.times(self.domain, self.numerator, other.denominator),
+            poly.times(self.domain, other.numerator, self.denominator),
+        )
+        return Form.of(self.domain, cross, poly.times(self.domain, self.denominator, other.denominator))
+
+    def scaled(self, factor: Fraction | int) -> Form:
+        """Return the form times a rational."""
+        return Form(self.domain, poly.scaled(self.numerator, factor), self.denominator)
+
+    def minus(self, other: Form) -> Form:
+        """Return the difference."""
+        return self.plus(other.scaled(-1))
+
+    def times(self, other: Form) -> Form:
+        """Return the product."""
+        return Form.of(
+            self.domain,
+            poly.times(self.domain, self.numerator, other.numerator),
+            poly.times(self.domain, self.denominator, other.denominator),
+        )
+
+    def over(self, other: Form) -> Form:
+        """Return the quotient; a divisor that is zero raises NoFormError."""
+        if is_zero(self.domain, other.numerator) is not False:
+            raise NoFormError("a division by zero")
+        return Form.of(
+            self.domain,
+            poly.times(self.domain, self.numerator, other.denominator),
+            poly.times(self.domain, self.denominator, other.numerator),
+        )
+
+    def raised(self, exponent: int) -> Form:
+        """Return the form to a whole power."""
+        if exponent < 0:
+            return Form.number(self.domain, 1).over(self.raised(-exponent))
+        return Form.of(
+            self.domain,
+            poly.power(self.domain, self.numerator, exponent),
+            poly.power(self.domain, self.denominator, exponent),
+        )
+
+    def is_zero(self) -> bool | None:
+        """Return True or False where it is proved, else None."""
+        return is_zero(self.domain, self.numerator)
+
+    def equals(self, other: Form) -> bool | None:
+        """Return True or False where it is proved, else None."""
+        return self.minus(other).is_zero()
+
+    def differentiated(self, rates: dict[int, Polynomial]) -> Form:
+        """Return the rate of change, given the rates of the letters that change."""
+        top, bottom = self._rate(self.numerator, rates), self._rate(self.denominator, rates)
+        below = Form.of(self.domain, self.denominator)
+        quotient = Form.of(self.domain, self.numerator).over(below)
+        return top.minus(quotient.times(bottom)).over(below)
+
+    def _rate(self, polynomial: Polynomial, rates: dict[int, Polynomial]) -> Form:
+        total = Form.of(self.domain, poly.derivative(self.domain, polynomial, rates))
+        for generator in self.domain.radicals:
+            square = Form.of(self.domain, self.domain.generators[generator].content)
+            with_it = {m: c for m, c in polynomial.items() if any(g == generator for g, _ in m)}
+            if with_it:
+                inner = square.differentiated(rates).over(square).scaled(Fraction(1, 2))
+                total = total.plus(Form.of(self.domain, with_it).times(inner))
+        for generator in self.domain.opaque:
+            with_it = {
+                tuple((g, e - 1) if g == generator else (g, e) for g, e in m): c * dict(m)[generator]
+                for m, c in polynomial.items()
+                if any(g == generator for g, _ in m)
+            }
+            if with_it:
+                cleaned = {tuple(p for p in m if p[1]): c for m, c in with_it.items()}
+                rate = opaque_rate(*self.domain.generators[generator].content, rates)
+                total = total.plus(Form.of(self.domain, cleaned).times(rate))
+        return total
+
+
+def opaque_rate(function: str, argument: Form, rates: dict[int, Polynomial]) -> Form:
+    """Return the rate of change of ln, asin, acos or atan of a form."""
+    from symbalance.algebra.functions import root
+
+    inner, one = argument.differentiated(rates), Form.number(argument.domain, 1)
+    if inner.is_zero():
+        return inner
+    square = argument.times(argument)
+    if function == "ln":
+        return inner.over(argument)
+    if function == "atan":
+        return inner.over(one.plus(square))
+    if function in ("asin", "acos"):
+        return inner.over(root(one.minus(square))).scaled(1 if function == "asin" else -1)
+    raise NoFormError("the derivative of a function that has no rule here")
+
+
+def _rationalised(domain: Domain, numerator: Polynomial, denominator: Polynomial) -> Form:
+    """Return numerator/denominator without radicals below: multiplied by the conjugate of each."""
+    for generator in list(domain.radicals):
+        if any(g == generator for m in denominator for g, _ in m):
+            conjugate = {
+                m: -c if any(g == generator for g, _ in m) else c for m, c in denominator.items()
+            }
+            numerator = poly.times(domain, numerator, conjugate)
+            denominator = poly.times(domain, denominator, conjugate)
+            return Form.of(domain, numerator, denominator)
+    return Form(domain, numerator, denominator)

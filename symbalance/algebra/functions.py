@@ -1,0 +1,201 @@
+"""Roots, exponentials and circular functions of forms.
+
+cos x and sin x are (e^(ix) ± e^(-ix))/2: an argument is split into monomials, each with its own
+generator e^(i m), and multiples of pi become turns. e^(i asin v) = √(1-v²) + i v, and the like.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+
+from symbalance.algebra import polynomials as poly
+from symbalance.algebra.domain import (
+    HALF,
+    ONE,
+    QUARTER,
+    TURN,
+    Domain,
+    Monomial,
+    NoFormError,
+    Polynomial,
+    TooLargeError,
+)
+from symbalance.algebra.forms import Form
+from symbalance.phasor import prime_factors
+
+INVERSES = ("asin", "acos", "atan")
+LARGEST_FACTORED = 10**12
+
+
+def unit(domain: Domain) -> Form:
+    """Return i."""
+    return Form.of(domain, {((TURN, QUARTER),): Fraction(1)})
+
+
+def exponential(argument: Form) -> Form:
+    """Return e^argument: real parts become growth, imaginary ones turns and angles."""
+    domain = argument.domain
+    if not argument.is_polynomial:
+        return _opaque_exponential(argument)
+    result = Form.number(domain, 1)
+    for monomial, coefficient in argument.numerator.items():
+        result = result.times(_exponential_of_term(domain, monomial, coefficient))
+    return result
+
+
+def _exponential_of_term(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
+    turns = dict(monomial).get(TURN, 0)
+    rest = tuple((g, e) for g, e in monomial if g != TURN)
+    if turns == 0:
+        if rest == ONE:
+            return Form.of(domain, {((domain.symbol("e"), coefficient),): Fraction(1)})
+        return Form.of(domain, {((domain.growth(rest), coefficient),): Fraction(1)})
+    if turns != QUARTER:
+        raise NoFormError("a power of e that is neither real nor imaginary")
+    return _phase(domain, rest, coefficient)
+
+
+def _phase(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
+    """Return e^(i coefficient monomial)."""
+    if monomial == ((domain.symbol("pi"), 1),):
+        factor, turn = domain.times(((TURN, coefficient * HALF),), ((TURN, Fraction(0)),))
+        return Form.of(domain, {turn: Fraction(factor)})
+    inverse = _inverse_function(domain, monomial)
+    if inverse is not None and coefficient.denominator == 1:
+        return _phase_of_inverse(*inverse, int(coefficient))
+    generator = domain.exponential(monomial)
+    factor, made = domain.raised(((generator, 1),), coefficient)
+    return Form.of(domain, {made: Fraction(factor)})
+
+
+def _inverse_function(domain: Domain, monomial: Monomial) -> tuple[str, Form] | None:
+    if len(monomial) != 1 or monomial[0][1] != 1:
+        return None
+    generator = domain.generators[monomial[0][0]]
+    if generator.kind == "opaque" and generator.content[0] in INVERSES:
+        return generator.content
+    return None
+
+
+def _phase_of_inverse(function: str, value: Form, multiple: int) -> Form:
+    """Return e^(i multiple f(value)) for f = asin, acos or atan, from cosine and sine of f(value)."""
+    one = Form.number(value.domain, 1)
+    if function == "atan":
+        cosine = one.over(root(one.plus(value.times(value))))
+        sine = value.times(cosine)
+    else:
+        other = root(one.minus(value.times(value)))
+        cosine, sine = (other, value) if function == "asin" else (value, other)
+    sign = 1 if multiple >= 0 else -1
+    return cosine.plus(unit(value.domain).times(sine).scaled(sign)).raised(abs(multiple))
+
+
+def _opaque_exponential(argument: Form) -> Form:
+    return opaque("exp", argument)
+
+
+def cosine(argument: Form) -> Form:
+    """Return cos x = (e^(ix) + e^(-ix))/2."""
+    forward, backward = _both_ways(argument)
+    return forward.plus(backward).scaled(HALF)
+
+
+def sine(argument: Form) -> Form:
+    """Return sin x = (e^(ix) - e^(-ix))/(2i)."""
+    forward, backward = _both_ways(argument)
+    return forward.minus(backward).over(unit(argument.domain)).scaled(HALF)
+
+
+def _both_ways(argument: Form) -> tuple[Form, Form]:
+    turned = unit(argument.domain).times(argument)
+    return exponential(turned), exponential(turned.scaled(-1))
+
+
+def opaque(function: str, argument: Form) -> Form:
+    """Return a function that has no rule here, as a generator; equal arguments share one."""
+    domain = argument.domain
+    for number in domain.opaque:
+        name, known = domain.generators[number].content
+        if name == function and known.equals(argument):
+            return Form.of(domain, {((number, 1),): Fraction(1)})
+    number = domain.opaque_function((function, argument))
+    return Form.of(domain, {((number, 1),): Fraction(1)})
+
+
+def root(form: Form) -> Form:
+    """Return the positive square root, its rational and monomial factors taken out.
+
+    The root of a letter's square is that letter where the letter is positive; otherwise the domain
+    notes the assumption that it is.
+    """
+    domain = form.domain
+    if form.is_polynomial:
+        return _root_of_polynomial(domain, form.numerator)
+    product = poly.times(domain, form.numerator, form.denominator)
+    return _root_of_polynomial(domain, product).over(Form.of(domain, form.denominator))
+
+
+def _root_of_polynomial(domain: Domain, square: Polynomial) -> Form:
+    if not square:
+        return Form.number(domain, 0)
+    monomial, coefficient = _leading(domain, square)
+    outside = _root_of_term(domain, monomial, coefficient)
+    factor, inverse = domain.raised(monomial, -1)
+    inside = poly.times(domain, square, {inverse: Fraction(factor) / coefficient})
+    if inside == {ONE: 1}:
+        return outside
+    return outside.times(Form.of(domain, {((domain.radical(inside), 1),): Fraction(1)}))
+
+
+def _leading(domain: Domain, square: Polynomial) -> tuple[Monomial, Fraction]:
+    """Return the term taken out of a root: positive, free of turns, angles and radicals if one is.
+
+    The choice does not change when the polynomial is multiplied by a positive monomial, so roots of
+    proportional polynomials share one generator.
+    """
+    free = [
+        (m, c)
+        for m, c in square.items()
+        if c > 0 and all(domain.generators[g].kind in ("symbol", "prime", "growth") for g, _ in m)
+    ]
+    if not free:
+        return ONE, Fraction(1)
+    letters = sorted({g for monomial, _ in free for g, _ in monomial})
+    return max(free, key=lambda term: [dict(term[0]).get(g, 0) for g in letters])
+
+
+def _root_of_term(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
+    for generator, exponent in monomial:
+        content = domain.generators[generator]
+        if not content.positive and exponent % 2 == 0 and content.kind == "symbol":
+            domain.assumptions[f"{content.content} ≥ 0"] = None
+    _, halved = domain.raised(monomial, HALF)
+    return root_of_rational(domain, coefficient).times(Form.of(domain, {halved: Fraction(1)}))
+
+
+def root_of_rational(domain: Domain, value: Fraction) -> Form:
+    """Return √value: a rational times roots of distinct primes.
+
+    >>> domain = Domain()
+    >>> root_of_rational(domain, Fraction(9, 4)).rational()
+    Fraction(3, 2)
+    """
+    if value < 0:
+        return unit(domain).times(root_of_rational(domain, -value))
+    whole = value.numerator * value.denominator
+    exact = isqrt(whole)
+    if exact * exact == whole:
+        return Form.number(domain, Fraction(exact, value.denominator))
+    if whole > LARGEST_FACTORED:
+        raise TooLargeError("the root of a large number")
+    outside = 1
+    primes: list[tuple[int, Fraction]] = []
+    for prime in prime_factors(whole):
+        count = 0
+        while whole % prime == 0:
+            whole, count = whole // prime, count + 1
+        outside *= prime ** (count // 2)
+        if count % 2:
+            primes.append((domain.prime(prime), HALF))
+    return Form.of(domain, {tuple(sorted(primes)): Fraction(outside, value.denominator)})

@@ -1,0 +1,129 @@
+"""Laurent polynomials over a `Domain`: sums and products, with the radicals reduced."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.algebra.domain import ONE, Domain, Polynomial, TooLargeError
+
+MOST_WORK = 400_000
+"""Products of two terms a domain may form: about a second's work."""
+LARGEST_EXPONENT = 400
+LARGEST_BITS = 20_000
+
+
+def constant(value: Fraction | int) -> Polynomial:
+    """Return a rational as a polynomial."""
+    return {ONE: Fraction(value)} if value else {}
+
+
+def is_rational(polynomial: Polynomial) -> bool:
+    """Tell whether a polynomial is a rational number."""
+    return not polynomial or (len(polynomial) == 1 and ONE in polynomial)
+
+
+def plus(left: Polynomial, right: Polynomial) -> Polynomial:
+    """Return the sum."""
+    if not left:
+        return right
+    total = dict(left)
+    for monomial, coefficient in right.items():
+        value = total.get(monomial, 0) + coefficient
+        if value:
+            total[monomial] = value
+        else:
+            del total[monomial]
+    return total
+
+
+def scaled(polynomial: Polynomial, factor: Fraction | int) -> Polynomial:
+    """Return the polynomial times a rational."""
+    return {m: c * factor for m, c in polynomial.items()} if factor else {}
+
+
+def minus(left: Polynomial, right: Polynomial) -> Polynomial:
+    """Return the difference."""
+    return plus(left, scaled(right, -1))
+
+
+def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
+    """Return the product, every radical's power below two."""
+    domain.work += len(left) * len(right)
+    if domain.work > MOST_WORK:
+        raise TooLargeError("too many terms")
+    total: Polynomial = {}
+    for first, a in left.items():
+        for second, b in right.items():
+            factor, monomial = domain.times(first, second)
+            value = total.get(monomial, 0) + a * b * factor
+            if value:
+                total[monomial] = value
+            else:
+                del total[monomial]
+    _check_size(total)
+    return _without_squares(domain, total) if domain.radicals else total
+
+
+def _check_size(polynomial: Polynomial) -> None:
+    for coefficient in polynomial.values():
+        if coefficient.numerator.bit_length() + coefficient.denominator.bit_length() > LARGEST_BITS:
+            raise TooLargeError("a coefficient of thousands of digits")
+
+
+def _without_squares(domain: Domain, polynomial: Polynomial) -> Polynomial:
+    """Return the polynomial with radical² replaced by what is under the root."""
+    radicals = set(domain.radicals)
+    kept: Polynomial = {}
+    for monomial, coefficient in polynomial.items():
+        high = next(((g, e) for g, e in monomial if g in radicals and e >= 2), None)
+        if high is None:
+            kept = plus(kept, {monomial: coefficient})
+            continue
+        generator, exponent = high
+        rest = dict(monomial)
+        rest[generator] = exponent % 2
+        square = power(domain, domain.generators[generator].content, int(exponent // 2))
+        cleaned = tuple(sorted((g, e) for g, e in rest.items() if e))
+        kept = plus(kept, times(domain, {cleaned: coefficient}, square))
+    return kept
+
+
+def power(domain: Domain, polynomial: Polynomial, exponent: int) -> Polynomial:
+    """Return the polynomial to a whole power, not negative, by repeated squaring."""
+    if exponent > LARGEST_EXPONENT:
+        raise TooLargeError(f"the power {exponent}")
+    result, square = constant(1), polynomial
+    while exponent:
+        if exponent & 1:
+            result = times(domain, result, square)
+        exponent >>= 1
+        if exponent:
+            square = times(domain, square, square)
+    return result
+
+
+def derivative(domain: Domain, polynomial: Polynomial, rates: dict[int, Polynomial]) -> Polynomial:
+    """Return the sum over symbols of the partial derivative times that symbol's rate.
+
+    Letters without a rate are constants. A radical q^(1/2) gives q' q^(-1/2)/2, which needs a
+    denominator: `forms.differentiated` does that part.
+    """
+    total: Polynomial = {}
+    for monomial, coefficient in polynomial.items():
+        for generator, exponent in monomial:
+            rate = rate_of(domain, generator, rates)
+            if rate:
+                total = plus(total, times(domain, {monomial: coefficient * exponent}, rate))
+    return total
+
+
+def rate_of(domain: Domain, number: int, rates: dict[int, Polynomial]) -> Polynomial:
+    """Return generator'/generator for the generators that are no radicals."""
+    generator = domain.generators[number]
+    if generator.kind == "symbol" and number in rates:
+        return times(domain, {((number, -1),): Fraction(1)}, rates[number])
+    if generator.kind in ("exponential", "growth"):
+        inner = derivative(domain, {generator.content: Fraction(1)}, rates)
+        unit = {((0, Fraction(1, 4)),): Fraction(1)} if generator.kind == "exponential" else constant(1)
+        return times(domain, inner, unit)
+    return {}

@@ -1,0 +1,86 @@
+"""From an answer to a verdict: its word, its place, and the texts that go with it."""
+
+from __future__ import annotations
+
+from symbalance.checking.differences import differences, exact_text
+from symbalance.checking.steps import Answer
+from symbalance.checking.verdicts import (
+    CONDITIONAL,
+    DEFINITION,
+    HOLDS,
+    HOLDS_TO_ORDER,
+    REFUTED,
+    UNDECIDED,
+    UNREADABLE,
+    Verdict,
+)
+from symbalance.reading import render
+from symbalance.reading.equations import Chain, Document, Side, Unreadable
+
+
+def described(document: Document, chain: Chain, k: int, answer: Answer) -> Verdict:
+    """Return the verdict on a relation with its place, texts and differences."""
+    side = chain.sides[k + 1]
+    line, link = position(chain, k)
+    word = word_for(answer)
+    bad = word in (REFUTED, UNDECIDED)
+    return Verdict(
+        line=line,
+        link=link,
+        source=document.source(side.span).strip(),
+        verdict=word,
+        reason=answer.reason,
+        order=answer.order if word != REFUTED else "",
+        assumption=", ".join(answer.assumptions) if word == CONDITIONAL else "",
+        claimed=render(side.node),
+        exact=exact_text(answer) if bad else "",
+        witness=answer.witness if bad else {},
+        differences=differences(answer) if word == REFUTED else (),
+        lines=lines_of(document, side, line),
+        column=document.column_of(side.span[0]),
+        inline=chain.inline,
+        notes=chain.notes,
+        tag=chain.tag,
+        span=side.span,
+    )
+
+
+def word_for(answer: Answer) -> str:
+    """Return the verdict's word."""
+    if answer.status == DEFINITION:
+        return DEFINITION
+    if not answer.proved:
+        return answer.status
+    if answer.assumptions:
+        return CONDITIONAL
+    return HOLDS_TO_ORDER if answer.order else HOLDS
+
+
+def position(chain: Chain, k: int) -> tuple[int, int]:
+    """Return the line of a relation and its number among those on that line of its chain."""
+    if not chain.relations:
+        return chain.lines[0], 1
+    line = chain.relations[k].line
+    return line, 1 + sum(r.line == line for r in chain.relations[:k])
+
+
+def lines_of(document: Document, side: Side, line: int) -> tuple[int, ...]:
+    """Return the lines a relation's right side stands on."""
+    last = document.line_of(max(side.span[1] - 1, side.span[0]))
+    return tuple(range(line, max(last, line) + 1))
+
+
+def unreadable(document: Document, found: Unreadable) -> Verdict:
+    """Return the verdict on what could not be read."""
+    source = document.source(found.span).strip()
+    reason = f"column {found.column}: {found.what}; {found.remedy}"
+    return Verdict(
+        found.line,
+        1,
+        source,
+        UNREADABLE,
+        reason,
+        lines=(found.line,),
+        column=found.column,
+        span=found.span,
+    )

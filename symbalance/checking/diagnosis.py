@@ -1,0 +1,241 @@
+"""The smallest change that makes a refuted line true, looked for and then proved.
+
+First single changes of what is written (`edits`), sieved in floats and proved exactly, cheapest first;
+then integers solved for; then a common factor; then every wrong term by its exact value. A change that is
+not proved is not reported.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.algebra import values
+from symbalance.algebra.domain import NoFormError, TooLargeError
+from symbalance.algebra.forms import Form
+from symbalance.checking.edits import Edit, edits, parts, whole
+from symbalance.checking.floats import NoValueError, Sieve, Values, close
+from symbalance.checking.knowledge import Knowledge
+from symbalance.checking.progressions import replaced, substituted
+from symbalance.checking.steps import Answer
+from symbalance.checking.term_repair import repaired
+from symbalance.reading import syntax
+from symbalance.reading.syntax import Name, Node, Number, Product, Quotient
+
+MOST_PROOFS = 12
+LARGEST = 10**7
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """A changed formula that is proved right: kind, the parts replaced and what replaces them."""
+
+    kind: str
+    node: Node
+    changes: tuple[tuple[Node, Node], ...]
+    cost: float
+
+
+@dataclass(frozen=True)
+class Case:
+    """A refuted side: the formula, the answer that refuted it, and how a changed one is proved."""
+
+    node: Node
+    answer: Answer
+    knowledge: Knowledge
+    proves: Callable[[Node], bool]
+
+
+def diagnosed(case: Case) -> Repair | None:
+    """Return the cheapest change that is proved, or None."""
+    rounded = _rounded(case)
+    if rounded is not None:
+        return rounded
+    sieve = _sieve(case)
+    if sieve is not None:
+        target, quick = sieve
+        for edit in _passing(case, quick, target):
+            changed = replaced(case.node, edit.old, edit.new)
+            if case.proves(changed):
+                return Repair(edit.kind, changed, ((edit.old, edit.new),), edit.cost)
+    return _by_factor(case) or _by_terms(case)
+
+
+def _rounded(case: Case) -> Repair | None:
+    """Return the exact value rounded as the side is, where that is one decimal number."""
+    place = case.node.last_place if isinstance(case.node, Number) else None
+    points = values.sample([case.answer.left]) if place and case.answer.left is not None else []
+    if not place or not points or points[0][0]:
+        return None
+    exact = Fraction(str(points[0][1][0].real))
+    while exact and abs(exact) < 10 * place:  # at least two digits
+        place /= 10
+    number = Number(round(exact / place) * place, place)
+    return Repair("value", number, ((case.node, number),), 1.0) if case.proves(number) else None
+
+
+def _sieve(case: Case) -> tuple[Values, Sieve] | None:
+    """Return the values the side should have at a few points, and a sieve for its changed copies."""
+    answer, knowledge = case.answer, case.knowledge
+    if answer.left is None or answer.right is None or answer.level is None:
+        return None
+    points = _points(case)
+    if not points:
+        return None
+    target = tuple(complex(found[0]) for _, found in points)
+    letters = {name: [complex(f[k]) for _, f in points] for k, name in enumerate(_letters(case), 1)}
+    sieve = Sieve(letters, len(points))
+    evaluator = knowledge.evaluator(answer.level)
+    for part in syntax.walk(case.node):
+        if isinstance(part, syntax.Derivative):
+            try:
+                form = evaluator.form(part)
+                sieve.tell(part, tuple(complex(values.value(form, p)) for p, _ in points))
+            except (NoFormError, TooLargeError, KeyError):
+                return None
+    try:
+        sieve.keep(case.node)
+    except NoValueError:
+        return None
+    return target, sieve
+
+
+def _letters(case: Case) -> list[str]:
+    """Return the letters that stand in the side or may be put into it."""
+    known = dict.fromkeys(sorted(syntax.names(case.node)))
+    extra = [n for n in sorted(case.knowledge.letters) if n not in known][:30]
+    return [
+        *known,
+        *extra,
+        *[n for n in sorted(case.knowledge.definitions) if n not in known and n not in extra][:20],
+    ]
+
+
+def _points(case: Case) -> list[tuple[values.Point, list[object]]]:
+    assert case.answer.left is not None and case.answer.level is not None
+    evaluator = case.knowledge.evaluator(case.answer.level)
+    evaluator.domain = case.answer.left.domain
+    forms: list[Form] = [case.answer.left]
+    for name in _letters(case):
+        try:
+            forms.append(evaluator.letter(name))
+        except (NoFormError, TooLargeError):
+            forms.append(Form.number(case.answer.left.domain, 1))
+    return values.sample(forms)
+
+
+def _passing(case: Case, sieve: Sieve, target: Values) -> list[Edit]:
+    """Return the changes whose values fit, cheapest first."""
+    found: list[Edit] = list(_integers(case, sieve, target))
+    variables = (
+        [case.knowledge.crank.time, *syntax.names(case.knowledge.crank.theta)]
+        if case.knowledge.crank
+        else []
+    )
+    for edit in edits(case.node, _letters(case), variables):
+        if isinstance(edit.new, syntax.Derivative):
+            found.append(edit)
+            continue
+        if _fits(replaced(case.node, edit.old, edit.new), sieve, target):
+            found.append(edit)
+    found += _conventions(case, sieve, target)
+    return sorted(found, key=lambda e: e.cost)[:MOST_PROOFS]
+
+
+def _fits(node: Node, sieve: Sieve, target: Values) -> bool:
+    try:
+        return close(sieve.values(node), target)
+    except NoValueError:
+        return False
+
+
+def _integers(case: Case, sieve: Sieve, target: Values) -> Iterator[Edit]:
+    """Yield the whole numbers and fractions that, put for a printed number, give the right values.
+
+    The side is taken as a + b y, or a + b/y, in that number y; two trial values give a and b.
+    """
+    for part, role in parts(case.node):
+        if (
+            not isinstance(part, Number)
+            or part.value == 0
+            or role in ("exponent", "argument", "angle term", "phase")
+        ):
+            continue
+        try:
+            here = sieve.values(case.node)
+            doubled = sieve.values(replaced(case.node, part, whole(part.value * 2)))
+        except NoValueError:
+            continue
+        for value, inverse in _solutions(here[0], doubled[0], target[0], part.value):
+            if value != part.value and abs(value) <= LARGEST:
+                new = whole(value)
+                if _fits(replaced(case.node, part, new), sieve, target):
+                    simple = value.denominator == 1
+                    shown = f"{value} for {part.value}"
+                    kind = f"number misprinted ({shown})" if abs(value) != abs(part.value) else "sign"
+                    yield Edit(kind, (1.1 if simple else 1.4) + (0.05 if inverse else 0), part, new)
+
+
+def _solutions(
+    here: complex, doubled: complex, target: complex, value: Fraction
+) -> Iterator[tuple[Fraction, bool]]:
+    for inverse in (False, True):
+        step = doubled - here if not inverse else -2 * (doubled - here)
+        if abs(step) < 1e-14 * max(abs(here), 1e-30):
+            continue
+        ratio = 1 + (target - here) / step
+        if abs(ratio.imag) > 1e-7 * max(1, abs(ratio.real)) or abs(ratio) < 1e-9:
+            continue
+        guess = Fraction(ratio.real).limit_denominator(10_000)
+        if guess and abs(float(guess) - ratio.real) < 1e-7 * max(1, abs(ratio.real)):
+            found = value * guess if not inverse else value / guess
+            yield found, inverse
+
+
+def _conventions(case: Case, sieve: Sieve, target: Values) -> Iterator[Edit]:
+    """Yield the side with λ doubled or halved throughout: l/r put for l/s, or the reverse."""
+    small = case.knowledge.crank.small if case.knowledge.crank else None
+    if small is None or small[0] not in syntax.names(case.node):
+        return
+    letter = Name(small[0])
+    for title, new in (
+        ("rod ratio of the other convention (l/r, not l/s)", Product((whole(2), letter))),
+        ("rod ratio of the other convention (l/s, not l/r)", Quotient(letter, whole(2))),
+    ):
+        changed = substituted(case.node, small[0], new)
+        if _fits(changed, sieve, target):
+            yield Edit(title, 1.15, case.node, changed)
+
+
+def _by_factor(case: Case) -> Repair | None:
+    """Return the side times a factor of one term, where exact/claimed is one."""
+    left, right = case.answer.left, case.answer.right
+    if left is None or right is None:
+        return None
+    try:
+        ratio = left.over(right)
+        if not ratio.is_polynomial or len(ratio.numerator) != 1 or right.is_zero() is not False:
+            return None
+        from symbalance.algebra.harmonics import polynomial_node
+
+        factor = polynomial_node(ratio.domain, ratio.numerator)
+    except (NoFormError, TooLargeError):
+        return None
+    changed = Product((factor, case.node))
+    return Repair("factor", changed, ((case.node, changed),), 2.0) if case.proves(changed) else None
+
+
+def _by_terms(case: Case) -> Repair | None:
+    """Return the side with each wrong term replaced by its exact value."""
+    try:
+        found = repaired(case.node, case.answer, case.knowledge)
+    except (NoFormError, TooLargeError):
+        return None
+    if found is None:
+        return None
+    changed, changes = found
+    if not case.proves(changed):
+        return None
+    kind = "term" if len(changes) == 1 else "terms"
+    return Repair(f"{kind} wrong", changed, changes, 2.0 + len(changes))

@@ -1,0 +1,78 @@
+"""A document checked as a whole: from a file or a text, with its sidecar or a mapping of letters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from symbalance.checking.judging import Judge
+from symbalance.checking.sidecar import Declarations, declared, read_sidecar
+from symbalance.checking.verdicts import Checked
+from symbalance.engine_file import read_text
+from symbalance.errors import SymbalanceError, shown
+from symbalance.reading import read_document
+
+SUFFIXES = (".tex", ".md", ".txt", ".text")
+
+
+def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> Checked:
+    """Return the verdicts on every equation of a hand derivation.
+
+    `document` is a file (a Path, or a text that ends in .tex, .md or .txt) or the derivation itself.
+    `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
+    `bind`), or the path of one; without it FILE.symbols.toml beside the file is read.
+
+        >>> from symbalance.checking import check
+        >>> found = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
+        >>> found.verdicts[0].verdict, found.verdicts[0].fix.text
+        ('refuted', '(1 − cos 2x)/2')
+
+    Raises SymbalanceError for a file or a declaration that cannot be used; an equation that cannot be
+    read is a verdict, not an error.
+    """
+    text, name, folder = _text(document)
+    declarations = _declarations(symbols, None if name == "text" else Path(document))
+    names_at = _remembered(declarations)
+    found = read_document(text, name, names_at)
+    beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
+    return Judge(found, declarations, beside).checked()
+
+
+def _remembered(declarations: Declarations) -> Any:
+    """Return the letters declared for a line, each set of scopes looked up once."""
+    known: dict[tuple[int, ...], frozenset[str]] = {}
+
+    def names_at(line: int) -> frozenset[str]:
+        key = declarations.scope_at(line)
+        if key not in known:
+            known[key] = frozenset(declarations.symbols_at(line))
+        return known[key]
+
+    return names_at
+
+
+def _text(document: str | Path) -> tuple[str, str, Path]:
+    if not isinstance(document, str | Path):
+        raise SymbalanceError(
+            f"document = {shown(document)}", "must be a path or a text", 'write check("notes.md")'
+        )
+    if isinstance(document, str) and ("\n" in document or not document.endswith(SUFFIXES)):
+        return document, "text", Path()
+    path = Path(document)
+    return read_text(path), str(document), path.parent
+
+
+def _declarations(symbols: Mapping[str, Any] | str | Path | None, path: Path | None) -> Declarations:
+    if isinstance(symbols, Mapping):
+        return declared(symbols)
+    if symbols is not None:
+        return read_sidecar(symbols)
+    if path is not None:
+        for beside in (
+            path.with_name(f"{path.stem}.symbols.toml"),
+            path.with_name(f"{path.name}.symbols.toml"),
+        ):
+            if beside.exists():
+                return read_sidecar(beside)
+    return Declarations()

@@ -1,0 +1,108 @@
+"""Formulas in complex floats at a few points: a quick sieve before anything is proved."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+from symbalance.reading import syntax
+from symbalance.reading.syntax import Node
+
+Values = tuple[complex, ...]
+CLOSE = 1e-9
+
+_FUNCTIONS: dict[str, Callable[[complex], complex]] = {
+    "sin": cmath.sin,
+    "cos": cmath.cos,
+    "tan": cmath.tan,
+    "cot": lambda x: 1 / cmath.tan(x),
+    "sec": lambda x: 1 / cmath.cos(x),
+    "csc": lambda x: 1 / cmath.sin(x),
+    "asin": cmath.asin,
+    "acos": cmath.acos,
+    "atan": cmath.atan,
+    "sinh": cmath.sinh,
+    "cosh": cmath.cosh,
+    "tanh": cmath.tanh,
+    "exp": cmath.exp,
+    "ln": cmath.log,
+    "log": cmath.log,
+    "sqrt": cmath.sqrt,
+    "abs": abs,
+}
+_CONSTANTS = {"pi": complex(math.pi), "e": complex(math.e), "i": 1j}
+
+
+class NoValueError(Exception):
+    """A formula without a value here: a pole, an unknown letter, a derivative."""
+
+
+class Sieve:
+    """Values of one formula and of its changed copies: parts they share are found once.
+
+    `letters` gives the letters' values, one a point; `known` may give the values of whole parts (of
+    derivatives, which are not evaluated here).
+    """
+
+    def __init__(self, letters: Mapping[str, Sequence[complex]], points: int) -> None:
+        self.letters, self.points = letters, points
+        self._known: dict[int, Values] = {}
+        self._kept: list[Node] = []
+
+    def keep(self, node: Node) -> Values:
+        """Return a formula's values, and keep those of all its parts."""
+        for part in syntax.children(node):
+            try:
+                self.keep(part)
+            except NoValueError:
+                continue
+        found = self.values(node)
+        self.tell(node, found)
+        return found
+
+    def tell(self, node: Node, values: Values) -> None:
+        """Keep the values of a part that were found elsewhere."""
+        self._known[id(node)] = values
+        self._kept.append(node)
+
+    def values(self, node: Node) -> Values:
+        """Return a formula's values at the points."""
+        known = self._known.get(id(node))
+        if known is not None:
+            return known
+        try:
+            return self._found(node)
+        except (ZeroDivisionError, OverflowError, ValueError, KeyError) as problem:
+            raise NoValueError from problem
+
+    def _found(self, node: Node) -> Values:
+        if isinstance(node, syntax.Number):
+            return (complex(float(node.value)),) * self.points
+        if isinstance(node, syntax.Name):
+            return tuple(self.letters[node.name])
+        if isinstance(node, syntax.Constant):
+            return (_CONSTANTS[node.name],) * self.points
+        if isinstance(node, syntax.Negative):
+            return tuple(-v for v in self.values(node.operand))
+        if isinstance(node, syntax.Quotient):
+            pairs = zip(self.values(node.numerator), self.values(node.denominator), strict=True)
+            return tuple(a / b for a, b in pairs)
+        if isinstance(node, syntax.Call):
+            return tuple(_FUNCTIONS[node.function](v) for v in self.values(node.argument))
+        if isinstance(node, syntax.Power):
+            pairs = zip(self.values(node.base), self.values(node.exponent), strict=True)
+            return tuple(a**b for a, b in pairs)
+        if isinstance(node, syntax.Sum):
+            rows = [self.values(t) for t in node.terms if not isinstance(t, syntax.Dots)]
+            return tuple(sum(column) for column in zip(*rows, strict=True))
+        if isinstance(node, syntax.Product):
+            return tuple(
+                math.prod(column) for column in zip(*map(self.values, node.factors), strict=True)
+            )
+        raise NoValueError
+
+
+def close(left: Values, right: Values) -> bool:
+    """Tell whether two rows of values agree, all to nine digits."""
+    return all(abs(a - b) <= CLOSE * max(abs(a), abs(b), 1e-30) for a, b in zip(left, right, strict=True))

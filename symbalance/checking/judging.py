@@ -1,0 +1,213 @@
+"""A document's chains, judged in order: definitions are kept, steps decided, claims compared."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from symbalance.checking import claims, premises
+from symbalance.checking.describing import described, unreadable
+from symbalance.checking.knowledge import Definition, Given, Knowledge
+from symbalance.checking.meanings import MOVING, by_meaning, meaning_of
+from symbalance.checking.mending import mended
+from symbalance.checking.relations import judged, ordering
+from symbalance.checking.sidecar import Bind, Declarations
+from symbalance.checking.steps import Answer, without_dots
+from symbalance.checking.verdicts import DEFINITION, REFUTED, Checked, Verdict
+from symbalance.errors import SymbalanceError
+from symbalance.reading import ReadingError, read_equation
+from symbalance.reading.equations import Chain, Document, Side
+from symbalance.reading.syntax import Name, Node, names
+
+FOLLOWS = "follows from the side before, which is refuted"
+UNIVERSAL = (
+    "crank angle",
+    "rod angle",
+    "time",
+    "rod ratio l/r",
+    "rod ratio l/s",
+    "crank ratio r/l",
+    "integer",
+)
+
+
+@dataclass
+class Judge:
+    """Judges one document; what it has learnt so far is its state."""
+
+    document: Document
+    declarations: Declarations
+    folder: Path = Path()
+    definitions: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
+    seen: set[str] = field(default_factory=set)
+
+    def checked(self) -> Checked:
+        """Return the document with its verdicts."""
+        binds = claims.by_line(self.declarations.binds)
+        found: list[Verdict] = [unreadable(self.document, u) for u in self.document.unreadable]
+        for chain in sorted(self.document.chains, key=lambda c: c.lines[0]):
+            own = [b for line in chain.lines for b in binds.pop(line, [])]
+            found += self.chain(chain, own)
+        for bind in (b for rest in binds.values() for b in rest):
+            found.append(claims.unfound(self.document, bind))
+        for bind in self.declarations.binds:
+            if bind.text:
+                known = self.knowledge(bind.line, bind.convention)
+                names_here = frozenset(self.declarations.symbols_at(bind.line))
+                found.append(claims.piece(self.document, bind, known, names_here, self.folder))
+        return Checked(self.document, tuple(numbered(found)))
+
+    def knowledge(self, line: int, convention: str = "") -> Knowledge:
+        """Return what is known at a line."""
+        symbols = self.declarations.symbols_at(line)
+        meaning, crank = meaning_of(symbols, convention)
+        here = set(self.declarations.scope_at(line))
+        kept = {
+            n: d
+            for n, (d, scopes) in self.definitions.items()
+            if set(scopes) <= here
+            and self.declarations.owner(n, d.line) == self.declarations.owner(n, line)
+        }
+        letters = by_meaning(symbols)
+        universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
+        moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
+        declared = frozenset(symbols)
+        return Knowledge(meaning, crank, kept, self.given(line, declared), declared, moving, universal)
+
+    def given(self, line: int, known: frozenset[str]) -> tuple[Given, ...]:
+        """Return the assumptions at a line, each solved for a letter."""
+        return tuple(
+            read_given(text, known, self.declarations.place) for text in self.declarations.given_at(line)
+        )
+
+    def chain(self, chain: Chain, binds: list[Bind]) -> list[Verdict]:
+        """Return the verdicts on a chain's relations, in order."""
+        found: list[Verdict] = []
+        sound, bad = 0, False
+        bound = {claims.side_of(self.document, chain, b): b for b in binds if not b.text}
+        if not chain.relations:
+            return [self.claim(chain, 0, b, None) for b in bound.values()]
+        for k in range(len(chain.relations)):
+            if k == 0 and 0 in bound:
+                found.append(self.claim(chain, 0, bound[0], None))
+            verdict = self.link(chain, k, sound, bad)
+            if k + 1 in bound:
+                verdict = self.claim(chain, k + 1, bound[k + 1], verdict)
+            found.append(verdict)
+            bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
+            if not bad:
+                sound = k + 1
+        self.seen |= {n for side in chain.sides for n in names(side.node)}
+        return found
+
+    def claim(self, chain: Chain, index: int, bind: Bind, step: Verdict | None) -> Verdict:
+        """Return the verdict on a side that is bound to a quantity; `step` is that of its relation."""
+        known = self.knowledge(chain.lines[0], bind.convention)
+        return claims.side(self.document, chain, index, bind, known, self.folder, step)
+
+    def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on the k-th relation of a chain."""
+        knowledge = self.knowledge(chain.lines[0])
+        relation = chain.relations[k]
+        left, right = chain.sides[k], chain.sides[k + 1]
+        if relation.sign in ("<", ">", "≤", "≥", "≠"):
+            return described(self.document, chain, k, ordering(chain, k, knowledge))
+        defined = self.definition(chain, k, knowledge)
+        if defined is not None:
+            return described(self.document, chain, k, defined)
+        answer, against = judged(left, right, relation.sign, knowledge), left
+        if bad and not answer.proved:
+            other = judged(chain.sides[sound], right, relation.sign, knowledge)
+            if other.proved or answer.status == REFUTED:
+                answer, against = other, chain.sides[sound]
+        elif bad:
+            answer = replace(answer, reason=FOLLOWS)
+        head = chain.sides[0].node
+        if not answer.proved and k and isinstance(head, Name) and head.name in knowledge.meaning.values:
+            answer, against = judged(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+        if not answer.proved:
+            stated = premises.stated(chain, k, self.seen, knowledge)
+            if stated is not None:
+                self.learn(stated.name, stated.node, chain.lines[0])
+                reason = f"read as what fixes {stated.name}"
+                return described(self.document, chain, k, Answer(DEFINITION, reason))
+        return self.mended(
+            described(self.document, chain, k, answer), chain, k, against, answer, knowledge
+        )
+
+    def mended(
+        self, verdict: Verdict, chain: Chain, k: int, left: Side, answer: Answer, knowledge: Knowledge
+    ) -> Verdict:
+        """Return the verdict with the change that would make its relation true, on either side."""
+        right, sign = chain.sides[k + 1], chain.relations[k].sign
+        as_written = "≈" if left is not chain.sides[k] else sign
+
+        def proves_right(node: Node) -> bool:
+            return judged(left, Side((node,), right.span), as_written, knowledge).proved
+
+        def proves_left(node: Node) -> bool:
+            return judged(Side((node,), left.span), right, as_written, knowledge).proved
+
+        lone = isinstance(left.node, Name)
+        other = None if lone else (left, proves_left)
+        return mended(verdict, self.document, right, answer, knowledge, proves_right, other)
+
+    def definition(self, chain: Chain, k: int, knowledge: Knowledge) -> Answer | None:
+        """Return the answer for a relation that gives a letter its value, after learning it."""
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        if k == 0 and isinstance(left, Name) and left.name not in names(right):
+            name, value = left.name, right
+        elif isinstance(right, Name) and right.name not in names(left) and right.name not in self.seen:
+            name, value = right.name, left
+        else:
+            return None
+        line = chain.lines[0]
+        if name in knowledge.meaning.values or knowledge.assumes(name):
+            return None
+        if (
+            knowledge.measures(name)
+            and judged(*chain.sides[k : k + 2], chain.relations[k].sign, knowledge).proved
+        ):
+            return None
+        known = knowledge.definitions.get(name)
+        if known is not None:
+            if judged(
+                Side((known.node,), (0, 0)), chain.sides[k + 1], chain.relations[k].sign, knowledge
+            ).proved:
+                return None
+            if names(known.node) and names(value) and not isinstance(value, Name):
+                return None
+        self.learn(name, without_dots(value)[0], line)
+        return Answer(
+            DEFINITION, "" if known is None else f"a new case: line {known.line} had another value"
+        )
+
+    def learn(self, name: str, node: Node, line: int) -> None:
+        """Keep a letter's value from here on, as far as the scope reaches."""
+        scopes = self.declarations.scope_at(line)
+        self.definitions[name] = (Definition(node, line, not names(node)), scopes)
+
+
+def numbered(verdicts: list[Verdict]) -> Iterator[Verdict]:
+    """Yield the verdicts in the order of the text; `link` counts those on one line."""
+    count, line = 0, 0
+    for verdict in sorted(verdicts, key=lambda v: (v.line, bool(v.piece), v.span, v.link)):
+        count = count + 1 if verdict.line == line else 1
+        line = verdict.line
+        yield replace(verdict, link=count)
+
+
+def read_given(text: str, known: frozenset[str], place: str) -> Given:
+    """Return an assumption of the sidecar, solved for a letter."""
+    try:
+        chain = read_equation(text, known)
+    except ReadingError as problem:
+        raise SymbalanceError(f"given = {text}", problem.what, problem.remedy, place) from None
+    if len(chain.sides) == 2 and chain.relations[0].sign == "=":
+        solved = premises.solved(chain.sides[0].node, chain.sides[1].node)
+        if solved is not None:
+            return Given(text, *solved)
+    raise SymbalanceError(
+        f"given = {text}", "must be an equality that fixes a letter", 'write "α = π/6"', place
+    )

@@ -1,0 +1,55 @@
+"""From a proved repair to what the report says: which piece of which line, and what should stand there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from symbalance.checking.diagnosis import Case, Repair, diagnosed
+from symbalance.checking.knowledge import Knowledge
+from symbalance.checking.steps import Answer
+from symbalance.checking.verdicts import REFUTED, Fault, Fix, Verdict
+from symbalance.reading import render
+from symbalance.reading.equations import Document, Side
+from symbalance.reading.syntax import Node
+
+OTHER_SIDE = 0.2
+
+
+def mended(
+    verdict: Verdict,
+    document: Document,
+    side: Side,
+    answer: Answer,
+    knowledge: Knowledge,
+    proves: Callable[[Node], bool],
+    other: tuple[Side, Callable[[Node], bool]] | None = None,
+) -> Verdict:
+    """Return a refuted verdict with the change that makes its line true, if one is found.
+
+    `other` is the left side and how a changed one is proved: it may hold the slip just as well.
+    """
+    if verdict.verdict != REFUTED or answer.left is None:
+        return verdict
+    found = diagnosed(Case(side.node, answer, knowledge, proves))
+    where, title = side, ""
+    if other is not None and (found is None or found.cost > 1.0 + OTHER_SIDE):
+        turned = replace(answer, left=answer.right, right=answer.left)
+        rival = diagnosed(Case(other[0].node, turned, knowledge, other[1]))
+        if rival is not None and (found is None or rival.cost + OTHER_SIDE < found.cost):
+            found, where, title = rival, other[0], "left side: "
+    if found is None:
+        return verdict
+    return replace(verdict, fix=fix_of(found, document, where, title))
+
+
+def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> Fix:
+    """Return what the report says of a repair."""
+    faults = tuple(_fault(old, new, document, side) for old, new in repair.changes)
+    return Fix(repair.kind, title + render(repair.node), repair.node, faults)
+
+
+def _fault(old: Node, new: Node, document: Document, side: Side) -> Fault:
+    span = old.span if old.span != (0, 0) else (side.span[1], side.span[1])
+    source = document.source(span).strip()
+    return Fault(document.line_of(span[0]), document.column_of(span[0]), source, render(new))

@@ -1,0 +1,133 @@
+"""Premises: relations that state something rather than follow, such as l sin β = r sin θ.
+
+A relation fixes a letter if the letter is new in the document, stands in it once, and can be reached by
+undoing sums, products, powers and functions. Both sides must hold letters of their own: in
+r sin²θ + r cos²θ = 2r nothing is stated, it is just false.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.checking.knowledge import Knowledge
+from symbalance.reading import syntax
+from symbalance.reading.equations import Chain
+from symbalance.reading.syntax import (
+    Call,
+    Derivative,
+    Name,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+)
+
+_INVERSE = {
+    "sin": "asin",
+    "cos": "acos",
+    "tan": "atan",
+    "asin": "sin",
+    "acos": "cos",
+    "atan": "tan",
+    "exp": "ln",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """A letter and the formula a premise gives it."""
+
+    name: str
+    node: Node
+
+
+def counts(node: Node) -> Counter[str]:
+    """Return how often each letter stands in a formula."""
+    return Counter(part.name for part in syntax.walk(node) if isinstance(part, Name))
+
+
+def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated | None:
+    """Return what the k-th relation of a chain states, or None where it must be a step."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
+        return None
+    first, second = counts(left), counts(right)
+    earlier = seen | {n for side in chain.sides[:k] for n in syntax.names(side.node)}
+    own = (set(first) - set(second), set(second) - set(first))
+    zero = right == Number(Fraction(0)) and k == 0 and len(first) >= 2
+    if not zero and not all(own):
+        return None
+    for mine, node, other in ((own[0], left, right), (own[1], right, left)):
+        for name in sorted(mine):
+            free = name not in earlier and not knowledge.knows(name) and name not in knowledge.universal
+            if free and (first + second)[name] == 1 and not _inside_derivative(node, name):
+                found = undone(node, other, name)
+                if found is not None:
+                    return Stated(name, found)
+    derivative = _lone_derivative(left, right, knowledge)
+    return Stated(derivative, right) if derivative else None
+
+
+def _inside_derivative(node: Node, name: str) -> bool:
+    return any(isinstance(p, Derivative) and name in syntax.names(p) for p in syntax.walk(node))
+
+
+def _lone_derivative(left: Node, right: Node, knowledge: Knowledge) -> str:
+    """Return a name for the derivative of an unknown letter, which a relation states."""
+    if isinstance(left, Derivative) and isinstance(left.expression, Name):
+        if not knowledge.knows(left.expression.name) and left.expression.name not in syntax.names(right):
+            from symbalance.algebra.evaluation import derivative_name
+
+            return derivative_name(left)
+    return ""
+
+
+def solved(left: Node, right: Node) -> tuple[str, Node] | None:
+    """Return (letter, formula) from an equality, the left side's letters first."""
+    for node, other in ((left, right), (right, left)):
+        for name, count in counts(node).items():
+            if count == 1 and name not in syntax.names(other):
+                found = undone(node, other, name)
+                if found is not None:
+                    return name, found
+    return None
+
+
+def undone(node: Node, other: Node, name: str) -> Node | None:
+    """Return what `name` equals if node = other, where it stands once in node; None if not reachable."""
+    if isinstance(node, Name):
+        return other
+    parts = [p for p in syntax.children(node) if name in syntax.names(p)]
+    if len(parts) != 1:
+        return None
+    inner = parts[0]
+    outside = _outside(node, inner, other)
+    return None if outside is None else undone(inner, outside, name)
+
+
+def _outside(node: Node, inner: Node, other: Node) -> Node | None:
+    """Return what the part `inner` of `node` equals if node = other."""
+    if isinstance(node, Negative):
+        return Negative(other)
+    if isinstance(node, Sum):
+        rest = tuple(Negative(t) for t in node.terms if t is not inner)
+        return None if any(isinstance(t, syntax.Dots) for t in node.terms) else Sum((other, *rest))
+    if isinstance(node, Product):
+        rest = tuple(f for f in node.factors if f is not inner)
+        return Quotient(other, rest[0] if len(rest) == 1 else Product(rest))
+    if isinstance(node, Quotient):
+        if inner is node.numerator:
+            return Product((other, node.denominator))
+        return Quotient(node.numerator, other)
+    if isinstance(node, Call) and node.function in _INVERSE:
+        return Call(_INVERSE[node.function], other)
+    if isinstance(node, Power) and inner is node.base and node.exponent == Number(Fraction(2)):
+        return Call("sqrt", other)
+    if isinstance(node, Call) and node.function == "sqrt":
+        return Power(other, Number(Fraction(2)))
+    return None

@@ -1,0 +1,138 @@
+"""Sums with a letter in their bounds, proved by induction.
+
+To show that T(1) + T(2) + ⋯ + T(N) equals C(N), with T(N) the last term as written, it suffices that
+
+    C(1) = T(1)    and    C(N) - C(N-1) = T(N)
+
+and both are identities without a sum. The same holds for Σ from k = a to U(N). The letter N stays free:
+definitions that hold it (h = 4π/N) are not used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from symbalance.checking.knowledge import Knowledge
+from symbalance.checking.steps import PROVED, UNDECIDED, Answer, equal
+from symbalance.reading import syntax
+from symbalance.reading.syntax import Dots, Name, Negative, Node, Number, Sum, Summation, names
+
+
+@dataclass(frozen=True, slots=True)
+class Progression:
+    """A sum over a letter: its last term as a function of `letter`, and where it starts."""
+
+    part: Node
+    letter: str
+    first_value: Node
+    first: Node
+    second: Node | None
+    last: Node
+
+
+def substituted(node: Node, name: str, value: Node) -> Node:
+    """Return a formula with a letter replaced."""
+    if isinstance(node, Name) and node.name == name:
+        return value
+    parts = syntax.children(node)
+    changed = tuple(substituted(part, name, value) for part in parts)
+    return (
+        node
+        if all(a is b for a, b in zip(parts, changed, strict=True))
+        else syntax.with_children(node, changed)
+    )
+
+
+def replaced(node: Node, old: Node, new: Node) -> Node:
+    """Return a formula with one of its parts (that very object) replaced."""
+    if node is old:
+        return new
+    parts = syntax.children(node)
+    changed = tuple(replaced(part, old, new) for part in parts)
+    return (
+        node
+        if all(a is b for a, b in zip(parts, changed, strict=True))
+        else syntax.with_children(node, changed)
+    )
+
+
+def whole(value: int) -> Number:
+    """Return a whole number as a formula."""
+    return Number(Fraction(value))
+
+
+def progressions(node: Node) -> Iterator[Progression]:
+    """Yield the ways a formula's one sum with open bounds may be read as a progression in a letter."""
+    for part in syntax.walk(node):
+        if isinstance(part, Summation) and part.index and part.lower and part.upper:
+            yield from _of_summation(part)
+        if isinstance(part, Sum) and any(isinstance(t, Dots) for t in part.terms[:-1]):
+            yield from _of_dots(part)
+
+
+def _of_summation(part: Summation) -> Iterator[Progression]:
+    assert part.index and part.lower and part.upper
+    for letter in sorted(names(part.upper)):
+        gap = Sum((Name(letter), Negative(part.upper), part.lower))  # N - U(N) + a
+        first = substituted(part.body, part.index.name, part.lower)
+        yield Progression(
+            part, letter, gap, first, None, substituted(part.body, part.index.name, part.upper)
+        )
+
+
+def _of_dots(part: Sum) -> Iterator[Progression]:
+    place = next(k for k, t in enumerate(part.terms) if isinstance(t, Dots))
+    before, after = part.terms[:place], part.terms[place + 1 :]
+    if not before or len(after) != 1:
+        return
+    for letter in sorted(names(after[0]) - names(before[0])):
+        second = before[1] if len(before) > 1 else None
+        yield Progression(part, letter, whole(1), before[0], second, after[0])
+
+
+def by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
+    """Decide left = right where one side holds one sum with open bounds; None if there is none."""
+    left, right = _spelled_out(left, knowledge), _spelled_out(right, knowledge)
+    found = list(progressions(left))
+    if not found:
+        found, left, right = list(progressions(right)), right, left
+    if not found:
+        return None
+    for progression in found:
+        if _proved(progression, left, right, _without(knowledge, progression.letter)):
+            return Answer(PROVED, f"by induction over {progression.letter}")
+    return Answer(UNDECIDED, "the sum was not brought to that form by induction")
+
+
+def _spelled_out(node: Node, knowledge: Knowledge) -> Node:
+    """Return a formula with the letters that stand for sums replaced by those."""
+    for name in names(node):
+        known = knowledge.definitions.get(name)
+        if known is not None and next(progressions(known.node), None) is not None:
+            node = substituted(node, name, known.node)
+    return node
+
+
+def _without(knowledge: Knowledge, letter: str) -> Knowledge:
+    kept = {n: d for n, d in knowledge.definitions.items() if letter not in names(d.node) and n != letter}
+    return replace(knowledge, definitions=kept)
+
+
+def _proved(p: Progression, left: Node, right: Node, knowledge: Knowledge) -> bool:
+    before = Sum((Name(p.letter), Negative(whole(1))))
+    around = lambda term: replaced(left, p.part, term)  # noqa: E731
+    if p.letter in names(around(whole(0))):
+        return False
+    if isinstance(p.part, Sum):
+        for k, term in ((1, p.first), (2, p.second)):
+            if (
+                term is not None
+                and not equal(substituted(p.last, p.letter, whole(k)), term, knowledge).proved
+            ):
+                return False
+    start = equal(around(p.first), substituted(right, p.letter, p.first_value), knowledge)
+    difference = Sum((right, Negative(substituted(right, p.letter, before))))
+    added = Sum((around(p.last), Negative(around(whole(0)))))
+    return start.proved and equal(added, difference, knowledge).proved

@@ -1,0 +1,173 @@
+"""One step of a chain: are two sides equal, exactly or through an order? Proved, refuted or undecided."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any
+
+from symbalance.algebra import values
+from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.algebra.evaluation import Meaning
+from symbalance.algebra.forms import Form
+from symbalance.algebra.trees import sample_trees
+from symbalance.checking.knowledge import Knowledge, Level
+from symbalance.reading import syntax
+from symbalance.reading.syntax import Node
+
+PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
+TINY = Fraction(1, 10**25)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What is known of a step, and on what it rests."""
+
+    status: str
+    reason: str = ""
+    order: str = ""
+    assumptions: tuple[str, ...] = ()
+    level: Level | None = None
+    left: Form | None = None
+    right: Form | None = None
+    witness: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def proved(self) -> bool:
+        """Tell whether the step is proved."""
+        return self.status == PROVED
+
+
+def equal(left: Node, right: Node, knowledge: Knowledge) -> Answer:
+    """Decide left = right exactly, with as little knowledge as it takes."""
+    last = Answer(UNDECIDED, "nothing to compare")
+    for level in knowledge.levels(left, right):
+        last = _at_level(left, right, knowledge, level)
+        if last.proved:
+            return last
+    return last
+
+
+def _at_level(left: Node, right: Node, knowledge: Knowledge, level: Level) -> Answer:
+    evaluator = knowledge.evaluator(level)
+    try:
+        first, second = evaluator.form(left), evaluator.form(right)
+        if first.equals(second):
+            noted = tuple(evaluator.domain.assumptions)
+            return Answer(PROVED, "", "", level.assumptions + noted, level, first, second)
+        return _by_numbers(left, right, first, second, level)
+    except NoFormError as problem:
+        return _by_trees(left, right, evaluator.meaning, level, f"no normal form: {problem}")
+    except TooLargeError as problem:
+        return _by_trees(left, right, evaluator.meaning, level, f"too large for a normal form: {problem}")
+
+
+def _by_trees(left: Node, right: Node, meaning: Meaning, level: Level, reason: str) -> Answer:
+    """Return what points in numbers say of two formulas that have no forms: refuted or undecided."""
+    points = sample_trees([left, right], meaning)
+    for point, pair in points:
+        if not _close(*pair):
+            return Answer(REFUTED, reason, level=level, witness=_witness(point, pair))
+    if points:
+        return Answer(UNDECIDED, f"equal at {len(points)} points tried; {reason}", level=level)
+    return Answer(UNDECIDED, reason, level=level)
+
+
+def _by_numbers(left: Node, right: Node, first: Form, second: Form, level: Level) -> Answer:
+    """Return what points in numbers say of two forms that are not identical."""
+    points = values.sample([first, second])
+    if not points:
+        return Answer(
+            UNDECIDED, "no point where both sides are real", "", level.assumptions, level, first, second
+        )
+    same = [_close(*pair) for _, pair in points]
+    if all(same):
+        return Answer(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
+    if _printed_digits(left, right, points):
+        order = "the digits printed"
+        return Answer(PROVED, "", order, level.assumptions, level, first, second)
+    signed = _up_to_sign(left, right, first, second)
+    if signed:
+        return Answer(PROVED, "", "", (*level.assumptions, signed), level, first, second)
+    point, pair = points[same.index(False)]
+    witness = _witness(point, pair)
+    return Answer(REFUTED, "", "", (), level, first, second, witness)
+
+
+def _close(left: Any, right: Any) -> bool:
+    scale = max(abs(left), abs(right), 1e-300)
+    return abs(left - right) <= scale * values.context().mpf(10) ** -25
+
+
+def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:
+    shown = {name: text(value) for name, value in point.items()}
+    return shown | {"left": digits(pair[0]), "right": digits(pair[1])}
+
+
+def text(value: Fraction) -> str:
+    """Return a sample's coordinate as a short decimal."""
+    return str(value.numerator) if value.denominator == 1 else f"{float(value):.6g}"
+
+
+def digits(value: Any, count: int = 12) -> str:
+    """Return an mpmath number with a few digits, its imaginary part only where there is one."""
+    mp = values.context()
+    if abs(value.imag) <= abs(value) * mp.mpf(10) ** -20:
+        return mp.nstr(value.real, count)
+    return mp.nstr(value, count)
+
+
+def decimals(node: Node) -> list[syntax.Number]:
+    """Return the numbers of a formula that are printed with a decimal point."""
+    return [
+        part
+        for part in syntax.walk(node)
+        if isinstance(part, syntax.Number) and part.last_place is not None
+    ]
+
+
+def _printed_digits(left: Node, right: Node, points: list[tuple[values.Point, list[Any]]]) -> bool:
+    """Tell whether a side that is a rounded number agrees to the digits printed.
+
+    Half a unit of the last digit is allowed for a lone decimal; for a decimal that multiplies letters
+    the same relative rounding.
+    """
+    for node in (right, left):
+        found = decimals(node)
+        if len(found) == 1 and found[0].value:
+            room = found[0].last_place / 2 / abs(found[0].value) + TINY  # type: ignore[operator]
+            mp = values.context()
+            allowed = mp.mpf(room.numerator) / room.denominator
+            if all(abs(a - b) <= allowed * max(abs(a), abs(b)) for _, (a, b) in points):
+                return True
+    return False
+
+
+def _up_to_sign(left: Node, right: Node, first: Form, second: Form) -> str:
+    """Return the assumption under which a root equals the other side, or nothing."""
+    for node, form, other in ((right, second, first), (left, first, second)):
+        if isinstance(node, syntax.Call) and node.function in ("sqrt", "abs"):
+            if form.times(form).equals(other.times(other)):
+                from symbalance.reading import render
+
+                return f"{render(left if node is right else right)} ≥ 0"
+    return ""
+
+
+def without_dots(node: Node) -> tuple[Node, bool]:
+    """Return a formula without the dots at the end of its sums, and whether there were any."""
+    if isinstance(node, syntax.Sum):
+        kept = tuple(t for t in node.terms if not isinstance(t, syntax.Dots))
+        parts = [without_dots(t) for t in kept]
+        found = len(kept) < len(node.terms) or any(cut for _, cut in parts)
+        return replace(node, terms=tuple(p for p, _ in parts)), found
+    pairs = [without_dots(part) for part in syntax.children(node)]
+    if not any(cut for _, cut in pairs):
+        return node, False
+    return syntax.with_children(node, tuple(p for p, _ in pairs)), True
+
+
+def domain_of(answer: Answer) -> Domain | None:
+    """Return the domain an answer's forms live in."""
+    return answer.left.domain if answer.left else None

@@ -1,0 +1,24 @@
+"""`symbalance check`: a person's derivation, judged equation by equation."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+
+from symbalance.cli.output import write
+
+
+def run(options: argparse.Namespace) -> int:
+    """Check the document and write the report; 1 if anything is refuted or undecided."""
+    from symbalance.checking import check, report_json, report_latex, report_text
+
+    checked = check(Path(options.notes), options.symbols)
+    if options.format == "json":
+        printed = json.dumps(report_json(checked), ensure_ascii=False, indent=1)
+    elif options.format == "latex":
+        printed = report_latex(checked)
+    else:
+        printed = report_text(checked)
+    write(printed.rstrip("\n") + "\n", options.output)
+    return 1 if checked.failed else 0

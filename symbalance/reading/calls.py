@@ -1,0 +1,118 @@
+"""Functions and how far their argument goes when no bracket says so."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.reading.cursor import multiplied
+from symbalance.reading.failures import ReadingError
+from symbalance.reading.letters import is_greek
+from symbalance.reading.scripts import Scripts
+from symbalance.reading.syntax import Call, Negative, Node, Number, Power, Quotient, names
+
+_INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
+
+
+class Calls(Scripts):
+    """Reads a function with its argument.
+
+    Without brackets the argument is the product that follows: sin 2θ cos θ = sin(2θ)·cos θ,
+    cos n(θ + h) = cos(n(θ + h)). After a whole angle such as θ a bracket or fraction stands outside.
+    """
+
+    open_bars = 0
+
+    def call(self) -> Node:
+        """Read sin x, sin^2 x, sin^{-1} x, sqrt(x), exp(x)."""
+        first = self.place
+        function = self.take()
+        power = self._function_power(function.value)
+        if self.at("under"):
+            raise ReadingError(self.offset, "a logarithm's base is not read", "write log x / log b")
+        self.exponentials += function.value == "exp"
+        argument = self.call_argument(function.value)
+        self.exponentials -= function.value == "exp"
+        name = function.value
+        if power is not None and _is_minus_one(power):
+            name, power = self._inverse(name), None
+        node = Call(name, argument, span=self.since(first))
+        return node if power is None else Power(node, power, span=node.span)
+
+    def _function_power(self, function: str) -> Node | None:
+        if not self.at("sup"):
+            return None
+        if function in ("sqrt", "exp", "abs"):
+            raise ReadingError(self.offset, f"an exponent on {function}", "put the whole in brackets")
+        self.take()
+        return self.exponent()
+
+    def _inverse(self, function: str) -> str:
+        if function not in _INVERSE:
+            what = f"the inverse of {function} is not read"
+            raise ReadingError(self.offset, what, "write it with asin, acos or atan")
+        return _INVERSE[function]
+
+    def call_argument(self, function: str) -> Node:
+        """Read the argument: the bracket that follows at once, else the product that follows."""
+        with self.deeper():
+            if self.at("open") or (self.at("bar") and not self.open_bars):
+                return self._bracket()
+            if function in ("sqrt", "abs"):
+                return self.argument(whole_number=True)
+            if self.now and self.now.is_op("+-"):
+                first, sign = self.place, self.take()
+                inside = self._open_argument()
+                return Negative(inside, span=self.since(first)) if sign.value == "-" else inside
+            return self._open_argument()
+
+    def _bracket(self) -> Node:
+        raise NotImplementedError
+
+    def starts_factor(self) -> bool:
+        """Tell whether a factor begins at the place."""
+        raise NotImplementedError
+
+    def _open_argument(self) -> Node:
+        if self.at("function"):
+            return self.call()
+        if not self.starts_factor():
+            raise ReadingError(self.offset, "a function without an argument", "write its argument")
+        factors = [self.factor()]
+        while self._goes_on(factors):
+            factors.append(self.factor())
+        inside = multiplied(factors)
+        if self._tight_slash() and self.choose() == 1:
+            self.take()
+            bottom = self.factor()
+            return Quotient(inside, bottom, span=(inside.span[0], bottom.span[1]))
+        return inside
+
+    def _tight_slash(self) -> bool:
+        return self.now is not None and self.now.is_op("/") and self.tight() and self.tight(1)
+
+    def _goes_on(self, factors: list[Node]) -> bool:
+        """Tell whether the factor at the place belongs to the argument too."""
+        token = self.now
+        if token is None or not self.starts_factor() or token.kind == "function" or token.is_cmd("sum"):
+            return False
+        if token.kind == "name" and token.value == "e" and "e" not in self.names:
+            return False
+        if token.kind == "number":
+            return False
+        whole = any(is_greek(name) for factor in factors for name in names(factor))
+        if token.kind == "name":
+            return True
+        if (
+            token.kind == "bar"
+            or token.is_cmd("frac", "sqrt", "surd")
+            or token.kind in ("open", "vulgar")
+        ):
+            if token.kind == "open" and not whole:
+                return True
+            usual = not whole
+            return usual if self.choose() == 0 else not usual
+        return True
+
+
+def _is_minus_one(power: Node) -> bool:
+    return power in (Negative(Number(Fraction(1))), Number(Fraction(-1)))

@@ -1,0 +1,130 @@
+"""A chain while its lines are being gathered."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from symbalance.reading.failures import ReadingError
+from symbalance.reading.items import Item
+from symbalance.reading.tokens import CLOSER, Token
+
+EQUALITIES = ("=", "≈", "≡")
+
+
+@dataclass(slots=True)
+class Draft:
+    """A chain while its lines are being gathered."""
+
+    item: Item
+    names: set[str]
+    sides: list[list[Token]] = field(default_factory=lambda: [[]])
+    signs: list[Token] = field(default_factory=list)
+    items: list[Item] = field(default_factory=list)
+    opened: list[Token] = field(default_factory=list)
+    failures: dict[int, ReadingError] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def last(self) -> Item:
+        """The item added last."""
+        return self.items[-1]
+
+    @property
+    def is_unfinished(self) -> bool:
+        """Tell whether the last side wants more: an open bracket, an operator or relation at its end."""
+        side = self.sides[-1]
+        return bool(self.opened) or not side or side[-1].kind == "op"
+
+    def add(self, item: Item, tokens: list[Token]) -> None:
+        """Take the tokens of one more item."""
+        self.items.append(item)
+        if tokens and tokens[0].kind == "rel" and self.opened:
+            self._leave_open()
+        for place, token in enumerate(tokens):
+            if token.kind == "rel" and not self.opened:
+                self.signs.append(token)
+                self.sides.append([])
+            elif self._fits(token, place == len(tokens) - 1):
+                self.sides[-1].append(token)
+
+    def own_letter(self) -> frozenset[str]:
+        """Return the undeclared letter that stands alone on the left: it declares itself."""
+        if not self.signs or self.signs[0].value not in EQUALITIES or len(self.sides[0]) != 1:
+            return frozenset()
+        token = self.sides[0][0]
+        unknown = token.kind == "name" and token.value not in self.names and token.value != "pi"
+        return frozenset({token.value} if unknown else ())
+
+    def finish_alone(self) -> None:
+        """Finish a chain of its own and raise the first failure."""
+        if not self.signs and not self.sides[0]:
+            raise ReadingError(self.item.start, "an empty formula", "write one")
+        self.finish()
+        for failure in self.failures.values():
+            raise failure
+
+    def _leave_open(self) -> None:
+        opener = self.opened[-1]
+        self.fail(ReadingError(opener.start, f"bracket {opener.value} is never closed", "close it"))
+        self.opened.clear()
+
+    def fail(self, error: ReadingError) -> None:
+        """Give up the last side."""
+        self.failures.setdefault(len(self.sides) - 1, error)
+
+    def _fits(self, token: Token, last: bool) -> bool:
+        if token.kind == "open":
+            self.opened.append(token)
+        elif token.kind == "close" and not self.opened:
+            if last and token.value != "}":
+                self.notes.append(f"stray {token.value} dropped")
+            else:
+                what = f"bracket {token.value} was never opened"
+                self.fail(ReadingError(token.start, what, "open it or remove it"))
+            return False
+        elif token.kind == "close":
+            self._close(token)
+        return True
+
+    def _close(self, token: Token) -> None:
+        opener = self.opened.pop()
+        if CLOSER[opener.value] != token.value:
+            what = f"bracket {opener.value} is closed by {token.value}"
+            self.fail(ReadingError(token.start, what, "make them a pair"))
+
+    def finish(self) -> None:
+        """Note what is missing at the end."""
+        if self.opened:
+            self._leave_open()
+        for place, side in enumerate(self.sides):
+            if not side and place not in self.failures:
+                sign = self.signs[place - 1] if place else self.signs[0]
+                where = "right" if place else "left"
+                what = f"nothing stands {where} of {sign.value}"
+                self.failures[place] = ReadingError(sign.start, what, "complete the equation")
+
+
+def is_equation(tokens: list[Token]) -> bool:
+    """Tell whether tokens hold a relation outside brackets and all brackets are paired."""
+    depth, found = 0, False
+    for token in tokens:
+        depth += {"open": 1, "close": -1}.get(token.kind, 0)
+        found = found or (token.kind == "rel" and depth == 0)
+        if depth < 0:
+            return False
+    return found and depth == 0
+
+
+def without_aside(tokens: list[Token]) -> list[Token]:
+    """Read `m (= n/2)` as m = n/2: drop the brackets around a relation at the end."""
+    for place, token in enumerate(tokens[:-2]):
+        following = tokens[place + 1]
+        if token.kind == "open" and token.value == "(" and following.kind == "rel" and place:
+            last = tokens[-1]
+            if (
+                last.kind == "close"
+                and last.value == ")"
+                and is_equation([following, *tokens[place + 2 : -1]])
+            ):
+                return [*tokens[:place], *tokens[place + 1 : -1]]
+    return tokens

@@ -1,0 +1,189 @@
+"""Equations within prose: where a line's mathematics begins and ends."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+
+from symbalance.reading import signs
+from symbalance.reading.letters import (
+    ACCENTS,
+    DOTTED,
+    FONTS,
+    FUNCTION_WORDS,
+    GREEK_SIGN,
+    LOWERED,
+    NAME_OF_SIGN,
+    RAISED,
+    TIME_DOTS,
+    WORDS,
+)
+from symbalance.reading.numerals import VULGAR
+from symbalance.reading.vocabulary import Vocabulary
+from symbalance.reading.wordlists import word_set
+
+_PIECE = re.compile(
+    rf"(?P<prose>\\(?:{'|'.join(sorted(WORDS, key=len, reverse=True))})\s*\{{[^{{}}]*\}})"
+    r"|(?P<argued>\\(?:mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol)\*?\s*\{[^{}]*\})"
+    r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
+    r"|(?P<script>_\{[^{}]*\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)"
+    r"|(?P<word>[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
+    re.DOTALL,
+)
+_MATHEMATICAL = frozenset(
+    "0123456789 \t()[]{}|^_,;'′″°√∂∞Σ∑.&~"
+    + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
+    + "".join(VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫"
+)  # fmt: skip
+_COMMANDS = (
+    frozenset(GREEK_SIGN) | frozenset(FUNCTION_WORDS) | frozenset(signs.RELATION_COMMANDS)
+    | frozenset(signs.OPERATOR_COMMANDS) | signs.DOTS_COMMANDS | signs.SPACE_COMMANDS | signs.STRUCTURE
+    | FONTS | frozenset(ACCENTS) | frozenset(TIME_DOTS) | frozenset(signs.REFUSED)
+    | frozenset(signs.BRACKET_COMMANDS) | {"tag", "label", "circ", "prime", "degree"}
+)  # fmt: skip
+_PLAIN_WORDS = word_set(
+    "a an as at be by do go he if in is it me my no of on or so to up us we and are but can for had has"
+    " her his how its may new not now off old one our out per she the too two use was way who why you"
+    " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins"
+)
+_ARTICLE_FIRST = re.compile(r"(?:a|I|A)\s+(?=[\w\\(])")
+_ARTICLE_LAST = re.compile(r"\s(?:a|I|A)$")
+
+
+def segments(
+    text: str, start: int, end: int, words: Vocabulary, lenient: bool = False
+) -> list[tuple[int, int]]:
+    """Return the stretches of a line without prose; `lenient` takes short unknown words as letters."""
+    found: list[tuple[int, int]] = []
+    first = start
+    for piece in _PIECE.finditer(text, start, end):
+        if _is_mathematical(piece, text, end, words, lenient):
+            continue
+        if text[first : piece.start()].strip():
+            found.append((first, piece.start()))
+        first = piece.end()
+    if text[first:end].strip():
+        found.append((first, end))
+    return found
+
+
+def _is_mathematical(piece: re.Match[str], text: str, end: int, words: Vocabulary, lenient: bool) -> bool:
+    kind, sign = piece.lastgroup, piece.group()
+    if kind == "word":
+        return is_letters(sign, words) or (lenient and len(sign) <= 3)
+    if kind == "command":
+        return sign[1:] in _COMMANDS or lenient
+    if kind == "other":
+        return _is_mathematical_sign(sign, text, piece.start(), end)
+    return kind != "prose"
+
+
+def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
+    if sign == ":":
+        return text[place + 1 : place + 2] == "="
+    if sign in "!%":
+        before, after = text[place - 1 : place], text[place + 1 : end].lstrip()[:1]
+        return (before.isalnum() or before == ")") and bool(after) and not after.isalpha()
+    if sign == ".":
+        return place + 1 < end and text[place + 1].isdecimal()
+    return sign in _MATHEMATICAL
+
+
+def is_letters(word: str, words: Vocabulary) -> bool:
+    """Tell whether a run of letters is one letter, or declared letters and functions side by side."""
+    if len(word) == 1 or word in words.names or word in FUNCTION_WORDS or word == "pi":
+        return True
+    if word.lower() in _PLAIN_WORDS:
+        return False
+    if len(word) > 20:
+        return False
+    if word[1:].isdecimal():
+        return True
+    return _made_of_letters(word, words)
+
+
+def _made_of_letters(word: str, words: Vocabulary) -> bool:
+    place, unknown = 0, 0
+    while place < len(word):
+        if found := words.longest(word, place, len(word)):
+            place += len(found[1])
+        elif word[place].isdecimal() and place:
+            place += 1
+        elif word[place] == "d" and place + 1 < len(word) and place == 0:
+            place += 1
+        else:
+            unknown += 1
+            place += 1
+    return unknown == 0 or (unknown == 1 and _is_factor_before_function(word))
+
+
+def _is_factor_before_function(word: str) -> bool:
+    """Tell whether a run is one letter and a function, as rcos."""
+    return word[1:] in FUNCTION_WORDS and word not in FUNCTION_WORDS
+
+
+def trimmed_segment(text: str, start: int, end: int, line: tuple[int, int]) -> tuple[int, int]:
+    """Return a segment without articles, bullets and brackets that belong to the prose around it."""
+    while start < end and (text[start].isspace() or text[start] in ",;.'′~&"):
+        start += 1
+    if start > line[0] and (found := _ARTICLE_FIRST.match(text, start, end)):
+        start = found.end()
+    while start < end and text[start] in "*-+/•·" and text[start + 1 : start + 2].isspace():
+        start += 1
+        while start < end and text[start].isspace():
+            start += 1
+    while start < end and (text[end - 1].isspace() or text[end - 1] in ",;'~&"):
+        end -= 1
+    if end < line[1] and (found := _ARTICLE_LAST.search(text[max(start, end - 4) : end])):
+        end -= len(found.group())
+    return _within_brackets(text, start, end)
+
+
+def _within_brackets(text: str, start: int, end: int) -> tuple[int, int]:
+    """Drop brackets without partner at the edges, then a pair around all."""
+    for _ in range(3):
+        lone = _lone_brackets(text, start, end)
+        inner = {place for place in lone if start < place < end - 1}
+        if start < end and start in lone:
+            start += 1
+        if start < end and end - 1 in lone:
+            end -= 1
+        if inner:
+            start, end = _longest_between(inner, start, end)
+        while start < end and text[start].isspace():
+            start += 1
+        while start < end and text[end - 1].isspace():
+            end -= 1
+        if _is_enclosed(text, start, end):
+            start, end = start + 1, end - 1
+    return start, end
+
+
+def _longest_between(places: Collection[int], start: int, end: int) -> tuple[int, int]:
+    edges = [start - 1, *sorted(places), end]
+    return max(((a + 1, b) for a, b in zip(edges, edges[1:], strict=False)), key=lambda s: s[1] - s[0])
+
+
+def _lone_brackets(text: str, start: int, end: int) -> set[int]:
+    opened: list[int] = []
+    lone: set[int] = set()
+    for place in range(start, end):
+        if text[place] in "([{":
+            opened.append(place)
+        elif text[place] in ")]}":
+            if opened:
+                opened.pop()
+            else:
+                lone.add(place)
+    return lone | set(opened)
+
+
+def _is_enclosed(text: str, start: int, end: int) -> bool:
+    if end - start < 2 or text[start] != "(" or text[end - 1] != ")":
+        return False
+    depth = 0
+    for place in range(start, end - 1):
+        depth += {"(": 1, ")": -1}.get(text[place], 0)
+        if depth == 0:
+            return False
+    return True

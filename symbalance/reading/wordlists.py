@@ -1,0 +1,17 @@
+"""Word lists as running text."""
+
+from __future__ import annotations
+
+
+def listed(text: str) -> list[str]:
+    """Return the words of a text, in order.
+
+    >>> listed("sin cos")
+    ['sin', 'cos']
+    """
+    return text.split()
+
+
+def word_set(text: str) -> frozenset[str]:
+    """Return the words of a text, as a set."""
+    return frozenset(text.split())
