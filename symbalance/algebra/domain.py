@@ -43,6 +43,17 @@ class NoFormError(Exception):
     """A formula that has no form in this domain; the message says which part."""
 
 
+def plain(exponent: Exponent) -> Exponent:
+    """Return a whole exponent as an int: quicker to add and to hash than a Fraction.
+
+    >>> plain(Fraction(2)), plain(HALF)
+    (2, Fraction(1, 2))
+    """
+    if type(exponent) is int or exponent.denominator != 1:
+        return exponent
+    return exponent.numerator
+
+
 @dataclass(frozen=True, slots=True)
 class Generator:
     """One generator: its kind, what it is made of, and whether it stands for a positive number."""
@@ -123,27 +134,28 @@ class Domain:
         return number
 
     def times(self, left: Monomial, right: Monomial) -> tuple[Fraction | int, Monomial]:
-        """Return the product of two monomials as (rational factor, monomial), radicals left as they are."""
+        """Return the product of two monomials as (rational factor, monomial), radicals left alone."""
         if not left:
             return 1, right
         if not right:
             return 1, left
         total = dict(left)
         for generator, exponent in right:
-            total[generator] = total.get(generator, 0) + exponent
+            total[generator] = plain(total[generator] + exponent) if generator in total else exponent
         return self._settled(total)
 
     def raised(self, monomial: Monomial, exponent: Exponent) -> tuple[Fraction | int, Monomial]:
         """Return the monomial to a rational power, as (rational factor, monomial)."""
-        return self._settled({g: e * exponent for g, e in monomial})
+        return self._settled({g: plain(e * exponent) for g, e in monomial})
 
     def _settled(self, exponents: dict[int, Exponent]) -> tuple[Fraction | int, Monomial]:
         factor: Fraction | int = 1
         if not self._special.isdisjoint(exponents):
             for generator in self._special & exponents.keys():
-                part, exponents[generator] = self._reduced(generator, exponents[generator])
+                part, reduced = self._reduced(generator, exponents[generator])
+                exponents[generator] = plain(reduced)
                 factor *= part
-        return factor, tuple(sorted((g, e) for g, e in exponents.items() if e))
+        return factor, tuple(sorted(item for item in exponents.items() if item[1]))
 
     def _reduced(self, number: int, exponent: Exponent) -> tuple[Fraction | int, Exponent]:
         """Return generator^exponent as a rational times a power in the generator's own range."""

@@ -125,6 +125,9 @@ def _power(evaluator: Evaluator, node: syntax.Power) -> Form:
     if base.rational() == -1:
         turned = functions.unit(evaluator.domain).times(exponent)
         return functions.exponential(turned.times(Form.letter(evaluator.domain, "pi")))
+    phase = functions.exponent_of(base)
+    if phase is not None:
+        return functions.exponential(exponent.times(phase))
     return functions.exponential(exponent.times(logarithm(base)))
 
 

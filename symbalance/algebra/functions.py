@@ -69,6 +69,28 @@ def _phase(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
     return Form.of(domain, {made: Fraction(factor)})
 
 
+def exponent_of(form: Form) -> Form | None:
+    """Return x where a form is e^x, one product of exponentials and turns; None where it is not."""
+    if not form.is_polynomial or len(form.numerator) != 1:
+        return None
+    domain = form.domain
+    ((monomial, coefficient),) = form.numerator.items()
+    total = Form.number(domain, 0)
+    if coefficient != 1:
+        return None
+    for number, exponent in monomial:
+        generator = domain.generators[number]
+        if generator.kind == "turn":
+            inner = Form.letter(domain, "pi").scaled(2).times(unit(domain))
+        elif generator.kind in ("exponential", "growth"):
+            inner = Form.of(domain, {generator.content: Fraction(1)})
+            inner = inner.times(unit(domain)) if generator.kind == "exponential" else inner
+        else:
+            return None
+        total = total.plus(inner.scaled(exponent))
+    return total
+
+
 def _inverse_function(domain: Domain, monomial: Monomial) -> tuple[str, Form] | None:
     if len(monomial) != 1 or monomial[0][1] != 1:
         return None

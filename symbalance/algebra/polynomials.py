@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.algebra.domain import ONE, Domain, Polynomial, TooLargeError
+from symbalance.algebra.domain import ONE, Domain, Monomial, Polynomial, TooLargeError
+from symbalance.phasor import cleared
 
-MOST_WORK = 400_000
+MOST_WORK = 150_000
 """Products of two terms a domain may form: about a second's work."""
 LARGEST_EXPONENT = 400
 LARGEST_BITS = 20_000
+_UNIT: Polynomial = {ONE: Fraction(1)}
 
 
 def constant(value: Fraction | int) -> Polynomial:
@@ -48,20 +50,24 @@ def minus(left: Polynomial, right: Polynomial) -> Polynomial:
 
 def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
     """Return the product, every radical's power below two."""
-    domain.work += len(left) * len(right)
+    _worked(domain, len(left) * len(right))
+    if left == _UNIT or right == _UNIT:
+        return right if left == _UNIT else left
+    (ours, above), (theirs, below) = cleared(left), cleared(right)
+    total: dict[Monomial, int | Fraction] = {}
+    for first, a in ours.items():
+        for second, b in theirs.items():
+            factor, monomial = domain.times(first, second)
+            total[monomial] = total.get(monomial, 0) + a * b * factor
+    product = {m: Fraction(c, above * below) for m, c in total.items() if c}
+    _check_size(product)
+    return _without_squares(domain, product) if domain.radicals else product
+
+
+def _worked(domain: Domain, products: int) -> None:
+    domain.work += products
     if domain.work > MOST_WORK:
         raise TooLargeError("too many terms")
-    total: Polynomial = {}
-    for first, a in left.items():
-        for second, b in right.items():
-            factor, monomial = domain.times(first, second)
-            value = total.get(monomial, 0) + a * b * factor
-            if value:
-                total[monomial] = value
-            else:
-                del total[monomial]
-    _check_size(total)
-    return _without_squares(domain, total) if domain.radicals else total
 
 
 def _check_size(polynomial: Polynomial) -> None:

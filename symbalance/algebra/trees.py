@@ -30,7 +30,9 @@ def letters_behind(node: Node, values: Mapping[str, Node]) -> list[str]:
     return list(found)
 
 
-def sample_trees(nodes: list[Node], meaning: Meaning, tries: int = 24) -> list[tuple[Point, list[Any]]]:
+def sample_trees(
+    nodes: list[Node], meaning: Meaning, wanted: int = 3, tries: int = 24
+) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all formulas are real, with their values to `DIGITS` digits."""
     names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
     found: list[tuple[Point, list[Any]]] = []
@@ -51,7 +53,7 @@ def sample_trees(nodes: list[Node], meaning: Meaning, tries: int = 24) -> list[t
             continue
         if all(abs(v.imag) <= abs(v) * context().mpf(10) ** (-DIGITS // 2) for v in row):
             found.append((point, row))
-        if len(found) == 3:
+        if len(found) == wanted:
             break
     return found
 

@@ -16,8 +16,9 @@ from symbalance.checking.knowledge import Knowledge
 from symbalance.checking.mending import mended
 from symbalance.checking.quantities import quantity
 from symbalance.checking.relations import judged
+from symbalance.checking.rounding import decimals
 from symbalance.checking.sidecar import Bind
-from symbalance.checking.steps import PROVED, REFUTED, UNDECIDED, Answer, decimals
+from symbalance.checking.steps import PROVED, REFUTED, UNDECIDED, Answer
 from symbalance.checking.verdicts import UNREADABLE, Verdict
 from symbalance.errors import SymbalanceError
 from symbalance.reading import ReadingError, read_expression, render
@@ -75,6 +76,8 @@ def side(
     reason = ""
     if step is not None and step.verdict == REFUTED and answer.proved:
         reason = "right as it stands, though it does not follow from the side before"
+    elif step is not None and step.fix is not None and base.fix is not None:
+        base = replace(base, notes=(*base.notes, f"as a step: {step.fix.kind}, {step.fix.text}"))
     return with_answer(base, answer, bind, reason)
 
 
@@ -116,8 +119,8 @@ def answered(claimed: Side, bind: Bind, knowledge: Knowledge, folder: Path) -> A
     if knowledge.crank is None:
         return Answer(UNDECIDED, "no geometry")
     exact = expected(claimed.node, bind, knowledge, folder)
-    through = bind.through
-    return judged(
+    plain = decimals(claimed.node) or not names(claimed.node)
+    return judged(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, bind.through)
         Side((exact,), (0, 0)), claimed, "=" if decimals(claimed.node) else "≈", knowledge, through
     )
 

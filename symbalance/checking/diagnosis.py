@@ -10,20 +10,21 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.forms import Form
-from symbalance.checking.edits import Edit, edits, parts, whole
+from symbalance.checking.edits import Edit, edits, parts, ways, whole
 from symbalance.checking.floats import NoValueError, Sieve, Values, close
 from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.progressions import replaced, substituted
+from symbalance.checking.progressions import substituted
 from symbalance.checking.steps import Answer
 from symbalance.checking.term_repair import repaired
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Name, Node, Number, Product, Quotient
 
-MOST_PROOFS = 12
+MOST_PROOFS = 8
 LARGEST = 10**7
 
 
@@ -56,7 +57,7 @@ def diagnosed(case: Case) -> Repair | None:
     if sieve is not None:
         target, quick = sieve
         for edit in _passing(case, quick, target):
-            changed = replaced(case.node, edit.old, edit.new)
+            changed = edit.applied(ways(case.node))
             if case.proves(changed):
                 return Repair(edit.kind, changed, ((edit.old, edit.new),), edit.cost)
     return _by_factor(case) or _by_terms(case)
@@ -112,8 +113,9 @@ def _letters(case: Case) -> list[str]:
     ]
 
 
-def _points(case: Case) -> list[tuple[values.Point, list[object]]]:
-    assert case.answer.left is not None and case.answer.level is not None
+def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
+    assert case.answer.left is not None
+    assert case.answer.level is not None
     evaluator = case.knowledge.evaluator(case.answer.level)
     evaluator.domain = case.answer.left.domain
     forms: list[Form] = [case.answer.left]
@@ -127,7 +129,8 @@ def _points(case: Case) -> list[tuple[values.Point, list[object]]]:
 
 def _passing(case: Case, sieve: Sieve, target: Values) -> list[Edit]:
     """Return the changes whose values fit, cheapest first."""
-    found: list[Edit] = list(_integers(case, sieve, target))
+    way = ways(case.node)
+    found: list[Edit] = list(_integers(case, sieve, target, way))
     variables = (
         [case.knowledge.crank.time, *syntax.names(case.knowledge.crank.theta)]
         if case.knowledge.crank
@@ -137,7 +140,7 @@ def _passing(case: Case, sieve: Sieve, target: Values) -> list[Edit]:
         if isinstance(edit.new, syntax.Derivative):
             found.append(edit)
             continue
-        if _fits(replaced(case.node, edit.old, edit.new), sieve, target):
+        if _fits(edit.applied(way), sieve, target):
             found.append(edit)
     found += _conventions(case, sieve, target)
     return sorted(found, key=lambda e: e.cost)[:MOST_PROOFS]
@@ -150,7 +153,7 @@ def _fits(node: Node, sieve: Sieve, target: Values) -> bool:
         return False
 
 
-def _integers(case: Case, sieve: Sieve, target: Values) -> Iterator[Edit]:
+def _integers(case: Case, sieve: Sieve, target: Values, way: dict[int, Node]) -> Iterator[Edit]:
     """Yield the whole numbers and fractions that, put for a printed number, give the right values.
 
     The side is taken as a + b y, or a + b/y, in that number y; two trial values give a and b.
@@ -164,13 +167,13 @@ def _integers(case: Case, sieve: Sieve, target: Values) -> Iterator[Edit]:
             continue
         try:
             here = sieve.values(case.node)
-            doubled = sieve.values(replaced(case.node, part, whole(part.value * 2)))
+            doubled = sieve.values(Edit("", 0, part, whole(part.value * 2)).applied(way))
         except NoValueError:
             continue
         for value, inverse in _solutions(here[0], doubled[0], target[0], part.value):
             if value != part.value and abs(value) <= LARGEST:
                 new = whole(value)
-                if _fits(replaced(case.node, part, new), sieve, target):
+                if _fits(Edit("", 0, part, new).applied(way), sieve, target):
                     simple = value.denominator == 1
                     shown = f"{value} for {part.value}"
                     kind = f"number misprinted ({shown})" if abs(value) != abs(part.value) else "sign"
@@ -211,7 +214,9 @@ def _conventions(case: Case, sieve: Sieve, target: Values) -> Iterator[Edit]:
 def _by_factor(case: Case) -> Repair | None:
     """Return the side times a factor of one term, where exact/claimed is one."""
     left, right = case.answer.left, case.answer.right
-    if left is None or right is None:
+    if left is None or right is None or not (left.is_polynomial and right.is_polynomial):
+        return None
+    if max(len(left.numerator), len(right.numerator)) > 60:
         return None
     try:
         ratio = left.over(right)

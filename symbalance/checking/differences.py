@@ -19,7 +19,7 @@ LONGEST = 600
 
 
 def exact_text(answer: Answer) -> str:
-    """Return the left side of an answer as a sum of harmonics, if that is a polynomial of moderate length."""
+    """Return the left side of an answer as a sum of harmonics, if it is short enough to be read."""
     return form_text(answer.left)
 
 

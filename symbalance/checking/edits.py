@@ -10,6 +10,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
+from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.algebra.evaluation import Evaluator
 from symbalance.reading import syntax
 from symbalance.reading.syntax import (
     Call,
@@ -43,6 +45,26 @@ class Edit:
     cost: float
     old: Node
     new: Node
+
+    def applied(self, way: dict[int, Node]) -> Node:
+        """Return the whole formula changed; `way` leads from each part to what it is a part of."""
+        old, new = self.old, self.new
+        while id(old) in way:
+            outer = way[id(old)]
+            new = syntax.with_children(
+                outer, tuple(new if p is old else p for p in syntax.children(outer))
+            )
+            old = outer
+        return new
+
+
+def ways(node: Node) -> dict[int, Node]:
+    """Return, for each part of a formula, the part it stands in."""
+    found: dict[int, Node] = {}
+    for outer in syntax.walk(node):
+        for part in syntax.children(outer):
+            found[id(part)] = outer
+    return found
 
 
 def whole(value: int | Fraction) -> Node:
@@ -196,6 +218,20 @@ def _multiple(term: Node) -> Fraction | None:
 
 
 def _times(factor: Fraction, term: Node) -> Node:
+    """Return factor times a phase, as one fraction of π where it is one.
+
+    >>> from symbalance.reading import render
+    >>> render(_times(Fraction(6), Product((Quotient(whole(1), whole(3)), Constant("pi")))))
+    '2π'
+    """
+    evaluator = Evaluator(Domain())
+    try:
+        of_pi = evaluator.form(term).over(evaluator.form(Constant("pi"))).rational()
+    except (NoFormError, TooLargeError):
+        of_pi = None
+    if of_pi:
+        phase = Product((whole(abs(of_pi * factor)), Constant("pi")))
+        return Negative(phase) if of_pi * factor < 0 else phase
     if isinstance(term, Negative):
         return Negative(_times(factor, term.operand))
     return Product((whole(factor), term))

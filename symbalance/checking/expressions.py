@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -90,23 +90,9 @@ def _knowledge(symbols: Mapping[str, Any], assuming: Iterable[str]) -> Knowledge
 
 def node_of(expression: Any) -> Node:
     """Return a SymPy expression as a formula's tree."""
-    import sympy
-
-    if expression.is_Rational:
-        return Number(Fraction(int(expression.p), int(expression.q)))
-    if expression.is_Float:
-        return Number(Fraction(str(expression)), Fraction(1, 10**15))
-    if expression.is_Symbol:
-        return Name(str(expression))
-    constants = {sympy.pi: "pi", sympy.E: "e", sympy.I: "i"}
-    if expression in constants:
-        return Constant(constants[expression])
-    if expression.is_Add:
-        return Sum(tuple(node_of(part) for part in expression.args))
-    if expression.is_Mul:
-        return Product(tuple(node_of(part) for part in expression.args))
-    if expression.is_Pow:
-        return Power(node_of(expression.base), node_of(expression.exp))
+    for applies, made in _RULES:
+        if applies(expression):
+            return made(expression)
     name = _FUNCTIONS.get(type(expression).__name__)
     if name and len(expression.args) == 1:
         return Call(name, node_of(expression.args[0]))
@@ -115,3 +101,19 @@ def node_of(expression: Any) -> Node:
         f"holds {type(expression).__name__}, which is not known here",
         "use sums, products, powers and circular functions",
     )
+
+
+def _parts(expression: Any) -> tuple[Node, ...]:
+    return tuple(node_of(part) for part in expression.args)
+
+
+_CONSTANTS = {"Pi": "pi", "Exp1": "e", "ImaginaryUnit": "i"}
+_RULES: tuple[tuple[Callable[[Any], bool], Callable[[Any], Node]], ...] = (
+    (lambda x: x.is_Rational, lambda x: Number(Fraction(int(x.p), int(x.q)))),
+    (lambda x: x.is_Float, lambda x: Number(Fraction(str(x)), Fraction(1, 10**15))),
+    (lambda x: x.is_Symbol, lambda x: Name(str(x))),
+    (lambda x: type(x).__name__ in _CONSTANTS, lambda x: Constant(_CONSTANTS[type(x).__name__])),
+    (lambda x: x.is_Add, lambda x: Sum(_parts(x))),
+    (lambda x: x.is_Mul, lambda x: Product(_parts(x))),
+    (lambda x: x.is_Pow, lambda x: Power(*_parts(x))),
+)

@@ -83,24 +83,28 @@ class Sieve:
             return tuple(self.letters[node.name])
         if isinstance(node, syntax.Constant):
             return (_CONSTANTS[node.name],) * self.points
-        if isinstance(node, syntax.Negative):
-            return tuple(-v for v in self.values(node.operand))
-        if isinstance(node, syntax.Quotient):
-            pairs = zip(self.values(node.numerator), self.values(node.denominator), strict=True)
-            return tuple(a / b for a, b in pairs)
-        if isinstance(node, syntax.Call):
-            return tuple(_FUNCTIONS[node.function](v) for v in self.values(node.argument))
-        if isinstance(node, syntax.Power):
-            pairs = zip(self.values(node.base), self.values(node.exponent), strict=True)
-            return tuple(a**b for a, b in pairs)
-        if isinstance(node, syntax.Sum):
-            rows = [self.values(t) for t in node.terms if not isinstance(t, syntax.Dots)]
-            return tuple(sum(column) for column in zip(*rows, strict=True))
-        if isinstance(node, syntax.Product):
-            return tuple(
-                math.prod(column) for column in zip(*map(self.values, node.factors), strict=True)
-            )
+        rule = _rule(node)
+        rows = [self.values(p) for p in syntax.children(node) if not isinstance(p, syntax.Dots)]
+        return tuple(rule(column) for column in zip(*rows, strict=True))
+
+
+def _rule(node: Node) -> Callable[[Sequence[complex]], complex]:
+    """Return what a part does with the values of its parts."""
+    if isinstance(node, syntax.Call):
+        function = _FUNCTIONS[node.function]
+        return lambda column: function(column[0])
+    if type(node) not in _RULES:
         raise NoValueError
+    return _RULES[type(node)]
+
+
+_RULES: dict[type[Node], Callable[[Sequence[complex]], complex]] = {
+    syntax.Negative: lambda column: -column[0],
+    syntax.Quotient: lambda column: column[0] / column[1],
+    syntax.Power: lambda column: column[0] ** column[1],
+    syntax.Sum: sum,
+    syntax.Product: math.prod,
+}
 
 
 def close(left: Values, right: Values) -> bool:

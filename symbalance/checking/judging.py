@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from symbalance.checking import claims, premises
+from symbalance.checking.definitions import Definitions
 from symbalance.checking.describing import described, unreadable
-from symbalance.checking.knowledge import Definition, Given, Knowledge
+from symbalance.checking.knowledge import Given, Knowledge
 from symbalance.checking.meanings import MOVING, by_meaning, meaning_of
 from symbalance.checking.mending import mended
 from symbalance.checking.relations import judged, ordering
 from symbalance.checking.sidecar import Bind, Declarations
-from symbalance.checking.steps import Answer, without_dots
+from symbalance.checking.steps import Answer
 from symbalance.checking.verdicts import DEFINITION, REFUTED, Checked, Verdict
 from symbalance.errors import SymbalanceError
 from symbalance.reading import ReadingError, read_equation
 from symbalance.reading.equations import Chain, Document, Side
-from symbalance.reading.syntax import Name, Node, names
+from symbalance.reading.syntax import Name, Node
 
 FOLLOWS = "follows from the side before, which is refuted"
 UNIVERSAL = (
@@ -39,8 +40,9 @@ class Judge:
     document: Document
     declarations: Declarations
     folder: Path = Path()
-    definitions: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
-    seen: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        self.learnt = Definitions(self.declarations)
 
     def checked(self) -> Checked:
         """Return the document with its verdicts."""
@@ -62,13 +64,7 @@ class Judge:
         """Return what is known at a line."""
         symbols = self.declarations.symbols_at(line)
         meaning, crank = meaning_of(symbols, convention)
-        here = set(self.declarations.scope_at(line))
-        kept = {
-            n: d
-            for n, (d, scopes) in self.definitions.items()
-            if set(scopes) <= here
-            and self.declarations.owner(n, d.line) == self.declarations.owner(n, line)
-        }
+        kept = self.learnt.at(line)
         letters = by_meaning(symbols)
         universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
@@ -98,7 +94,7 @@ class Judge:
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
-        self.seen |= {n for side in chain.sides for n in names(side.node)}
+        self.learnt.use(chain)
         return found
 
     def claim(self, chain: Chain, index: int, bind: Bind, step: Verdict | None) -> Verdict:
@@ -113,7 +109,7 @@ class Judge:
         left, right = chain.sides[k], chain.sides[k + 1]
         if relation.sign in ("<", ">", "≤", "≥", "≠"):
             return described(self.document, chain, k, ordering(chain, k, knowledge))
-        defined = self.definition(chain, k, knowledge)
+        defined = self.learnt.stated(chain, k, knowledge)
         if defined is not None:
             return described(self.document, chain, k, defined)
         answer, against = judged(left, right, relation.sign, knowledge), left
@@ -127,9 +123,9 @@ class Judge:
         if not answer.proved and k and isinstance(head, Name) and head.name in knowledge.meaning.values:
             answer, against = judged(chain.sides[0], right, "≈", knowledge), chain.sides[0]
         if not answer.proved:
-            stated = premises.stated(chain, k, self.seen, knowledge)
+            stated = premises.stated(chain, k, self.learnt.seen, knowledge)
             if stated is not None:
-                self.learn(stated.name, stated.node, chain.lines[0])
+                self.learnt.learn(stated.name, stated.node, chain.lines[0])
                 reason = f"read as what fixes {stated.name}"
                 return described(self.document, chain, k, Answer(DEFINITION, reason))
         return self.mended(
@@ -152,41 +148,6 @@ class Judge:
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
         return mended(verdict, self.document, right, answer, knowledge, proves_right, other)
-
-    def definition(self, chain: Chain, k: int, knowledge: Knowledge) -> Answer | None:
-        """Return the answer for a relation that gives a letter its value, after learning it."""
-        left, right = chain.sides[k].node, chain.sides[k + 1].node
-        if k == 0 and isinstance(left, Name) and left.name not in names(right):
-            name, value = left.name, right
-        elif isinstance(right, Name) and right.name not in names(left) and right.name not in self.seen:
-            name, value = right.name, left
-        else:
-            return None
-        line = chain.lines[0]
-        if name in knowledge.meaning.values or knowledge.assumes(name):
-            return None
-        if (
-            knowledge.measures(name)
-            and judged(*chain.sides[k : k + 2], chain.relations[k].sign, knowledge).proved
-        ):
-            return None
-        known = knowledge.definitions.get(name)
-        if known is not None:
-            if judged(
-                Side((known.node,), (0, 0)), chain.sides[k + 1], chain.relations[k].sign, knowledge
-            ).proved:
-                return None
-            if names(known.node) and names(value) and not isinstance(value, Name):
-                return None
-        self.learn(name, without_dots(value)[0], line)
-        return Answer(
-            DEFINITION, "" if known is None else f"a new case: line {known.line} had another value"
-        )
-
-    def learn(self, name: str, node: Node, line: int) -> None:
-        """Keep a letter's value from here on, as far as the scope reaches."""
-        scopes = self.declarations.scope_at(line)
-        self.definitions[name] = (Definition(node, line, not names(node)), scopes)
 
 
 def numbered(verdicts: list[Verdict]) -> Iterator[Verdict]:

@@ -21,7 +21,6 @@ from symbalance.reading import syntax
 from symbalance.reading.syntax import (
     Call,
     Constant,
-    Derivative,
     Name,
     Node,
     Number,
@@ -163,13 +162,20 @@ class Geometry:
 
     @property
     def velocity(self) -> Node:
-        """dx/dt."""
-        return Derivative(self.displacement, Name(self.time), 1)
+        """dx/dt = r ω (sin θ + (r/l) sin θ cos θ/√), √ being `root`."""
+        sine, cosine = Call("sin", self.theta), Call("cos", self.theta)
+        second = Quotient(Product((self.ratio, sine, cosine)), self.root)
+        return Product((self.radius, self.omega, Sum((sine, second))))
 
     @property
     def acceleration(self) -> Node:
-        """d²x/dt²."""
-        return Derivative(self.displacement, Name(self.time), 2)
+        """d²x/dt² = r ω² (cos θ + (r/l) cos 2θ/√ + (r/l)³ sin² θ cos² θ/√³), √ being `root`."""
+        sine, cosine = Call("sin", self.theta), Call("cos", self.theta)
+        three, root = Number(Fraction(3)), self.root
+        second = Quotient(Product((self.ratio, Call("cos", Product((two(), self.theta))))), root)
+        third = Product((Power(self.ratio, three), square(sine), square(cosine)))
+        bracket = Sum((cosine, second, Quotient(third, Power(root, three))))
+        return Product((self.radius, square(self.omega), bracket))
 
     @property
     def force(self) -> Node:

@@ -1,4 +1,4 @@
-"""From a proved repair to what the report says: which piece of which line, and what should stand there."""
+"""From a proved repair to what the report says: which piece of which line, and what should be there."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from symbalance.reading.equations import Document, Side
 from symbalance.reading.syntax import Node
 
 OTHER_SIDE = 0.2
+MOST_OTHER = 2.0
 
 
 def mended(
@@ -36,7 +37,11 @@ def mended(
     if other is not None and (found is None or found.cost > 1.0 + OTHER_SIDE):
         turned = replace(answer, left=answer.right, right=answer.left)
         rival = diagnosed(Case(other[0].node, turned, knowledge, other[1]))
-        if rival is not None and (found is None or rival.cost + OTHER_SIDE < found.cost):
+        if (
+            rival is not None
+            and rival.cost < MOST_OTHER
+            and (found is None or rival.cost + OTHER_SIDE < found.cost)
+        ):
             found, where, title = rival, other[0], "left side: "
     if found is None:
         return verdict

@@ -1,7 +1,7 @@
 """Agreement through an order: what ≈, and a sum that ends in dots, claim.
 
-The small letter is the rod ratio where it occurs (ρ small, λ large), else a letter the line is a polynomial
-in. The order a line keeps is the highest power of it that stands there; both sides must agree through it.
+The small letter is the rod ratio where it occurs (ρ small, λ large), else a letter in which the line is
+a polynomial. The order a line keeps is the highest power of it there; both sides must agree through it.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from symbalance.algebra.forms import Form
 from symbalance.algebra.harmonics import components
 from symbalance.algebra.series import Expansion, Series
 from symbalance.checking.knowledge import Knowledge, Level
+from symbalance.checking.rounding import agrees_as_printed, decimals
 from symbalance.checking.steps import (
     PROVED,
     REFUTED,
@@ -78,7 +79,7 @@ def _at_level(
     try:
         first, second = evaluator.form(left), evaluator.form(right)
         if not values.letters(first) and not values.letters(second):
-            return _as_numbers(first, second, level)
+            return _as_numbers(left, right, first, second, level)
     except (NoFormError, TooLargeError) as problem:
         return Answer(UNDECIDED, f"no normal form: {problem}", level=level)
     best = Answer(
@@ -95,17 +96,21 @@ def _at_level(
     return best
 
 
-def _as_numbers(first: Form, second: Form, level: Level) -> Answer:
+def _as_numbers(left: Node, right: Node, first: Form, second: Form, level: Level) -> Answer:
+    """Compare two numbers: to the digits printed where there are any, else saying how closely."""
     points = values.sample([first, second])
     if not points:
         return Answer(UNDECIDED, "no value", level=level)
-    left, right = points[0][1]
-    apart = abs(left - right) / max(abs(left), abs(right), values.context().mpf(10) ** -300)
-    if apart <= float(ROUGH):
-        return Answer(PROVED, "", f"relative error {digits(apart, 2)}", (), level, first, second)
-    return Answer(
-        REFUTED, "", "", (), level, first, second, {"left": digits(left), "right": digits(right)}
-    )
+    one, other = points[0][1]
+    apart = abs(one - other) / max(abs(one), abs(other), values.context().mpf(10) ** -300)
+    if decimals(left) or decimals(right):
+        fits, order = agrees_as_printed(left, right, points, generous=True), "the digits printed"
+    else:
+        fits, order = apart <= float(ROUGH), f"relative error {digits(apart, 2)}"
+    if fits:
+        return Answer(PROVED, "", order, level.assumptions, level, first, second)
+    witness = {"left": digits(one), "right": digits(other)}
+    return Answer(REFUTED, "", "", (), level, first, second, witness)
 
 
 def _candidates(first: Form, second: Form, knowledge: Knowledge, through: int | None) -> Iterator[Small]:
@@ -123,8 +128,8 @@ def _candidates(first: Form, second: Form, knowledge: Knowledge, through: int | 
 
 
 def _kept(first: Form, second: Form, letter: str, sign: int) -> int | None:
-    """Return the order kept: the degree of the side that is a polynomial in the letter, None if none is."""
-    degrees = [degree(form, letter, sign) for form in (first, second)]
+    """Return the order kept: the degree of the side that is a polynomial in the letter."""
+    degrees = [degree(form, letter, sign) for form in (first, second) if form.numerator]
     found = [d for d in degrees if d is not None]
     return min(found) if found and min(found) <= HIGHEST else None
 
@@ -152,6 +157,8 @@ def _through(first: Form, second: Form, small: Small, level: Level, loose: bool)
     right = expansion.of(second).cut(small.kept)
     if min(left.through, right.through) < small.kept:
         raise NoFormError("the series does not reach that order")
+    if not left.terms and not right.terms:
+        raise NoFormError("nothing of either side is kept")
     difference = left.plus(right.scaled(Form.number(first.domain, -1)))
     if not difference.terms:
         return Answer(PROVED, "", small.text, level.assumptions, level, first, second)

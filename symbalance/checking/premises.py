@@ -8,9 +8,12 @@ r sin²θ + r cos²θ = 2r nothing is stated, it is just false.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
+from symbalance.algebra.evaluation import derivative_name
 from symbalance.checking.knowledge import Knowledge
 from symbalance.reading import syntax
 from symbalance.reading.equations import Chain
@@ -79,12 +82,10 @@ def _inside_derivative(node: Node, name: str) -> bool:
 
 def _lone_derivative(left: Node, right: Node, knowledge: Knowledge) -> str:
     """Return a name for the derivative of an unknown letter, which a relation states."""
-    if isinstance(left, Derivative) and isinstance(left.expression, Name):
-        if not knowledge.knows(left.expression.name) and left.expression.name not in syntax.names(right):
-            from symbalance.algebra.evaluation import derivative_name
-
-            return derivative_name(left)
-    return ""
+    if not (isinstance(left, Derivative) and isinstance(left.expression, Name)):
+        return ""
+    name = left.expression.name
+    return "" if knowledge.knows(name) or name in syntax.names(right) else derivative_name(left)
 
 
 def solved(left: Node, right: Node) -> tuple[str, Node] | None:
@@ -112,22 +113,43 @@ def undone(node: Node, other: Node, name: str) -> Node | None:
 
 def _outside(node: Node, inner: Node, other: Node) -> Node | None:
     """Return what the part `inner` of `node` equals if node = other."""
-    if isinstance(node, Negative):
-        return Negative(other)
-    if isinstance(node, Sum):
-        rest = tuple(Negative(t) for t in node.terms if t is not inner)
-        return None if any(isinstance(t, syntax.Dots) for t in node.terms) else Sum((other, *rest))
-    if isinstance(node, Product):
-        rest = tuple(f for f in node.factors if f is not inner)
-        return Quotient(other, rest[0] if len(rest) == 1 else Product(rest))
-    if isinstance(node, Quotient):
-        if inner is node.numerator:
-            return Product((other, node.denominator))
-        return Quotient(node.numerator, other)
-    if isinstance(node, Call) and node.function in _INVERSE:
-        return Call(_INVERSE[node.function], other)
-    if isinstance(node, Power) and inner is node.base and node.exponent == Number(Fraction(2)):
-        return Call("sqrt", other)
-    if isinstance(node, Call) and node.function == "sqrt":
+    rule = _UNDONE.get(type(node))
+    return None if rule is None else rule(node, inner, other)
+
+
+def _sum_undone(node: Sum, inner: Node, other: Node) -> Node | None:
+    if any(isinstance(t, syntax.Dots) for t in node.terms):
+        return None
+    return Sum((other, *(Negative(t) for t in node.terms if t is not inner)))
+
+
+def _product_undone(node: Product, inner: Node, other: Node) -> Node | None:
+    rest = tuple(f for f in node.factors if f is not inner)
+    return Quotient(other, rest[0] if len(rest) == 1 else Product(rest))
+
+
+def _quotient_undone(node: Quotient, inner: Node, other: Node) -> Node | None:
+    return (
+        Product((other, node.denominator)) if inner is node.numerator else Quotient(node.numerator, other)
+    )
+
+
+def _call_undone(node: Call, inner: Node, other: Node) -> Node | None:
+    if node.function == "sqrt":
         return Power(other, Number(Fraction(2)))
-    return None
+    return Call(_INVERSE[node.function], other) if node.function in _INVERSE else None
+
+
+def _power_undone(node: Power, inner: Node, other: Node) -> Node | None:
+    square = inner is node.base and node.exponent == Number(Fraction(2))
+    return Call("sqrt", other) if square else None
+
+
+_UNDONE: dict[type[Node], Callable[[Any, Node, Node], Node | None]] = {
+    Negative: lambda node, inner, other: Negative(other),
+    Sum: _sum_undone,
+    Product: _product_undone,
+    Quotient: _quotient_undone,
+    Call: _call_undone,
+    Power: _power_undone,
+}

@@ -73,7 +73,9 @@ def progressions(node: Node) -> Iterator[Progression]:
 
 
 def _of_summation(part: Summation) -> Iterator[Progression]:
-    assert part.index and part.lower and part.upper
+    assert part.index
+    assert part.lower
+    assert part.upper
     for letter in sorted(names(part.upper)):
         gap = Sum((Name(letter), Negative(part.upper), part.lower))  # N - U(N) + a
         first = substituted(part.body, part.index.name, part.lower)

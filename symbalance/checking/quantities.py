@@ -18,7 +18,17 @@ from symbalance.checking.meanings import MORE_POWERS, Geometry, series_node
 from symbalance.checking.sidecar import Bind
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Cylinder, Layout
-from symbalance.reading.syntax import Call, Constant, Negative, Node, Number, Power, Product, Sum
+from symbalance.reading.syntax import (
+    Call,
+    Constant,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+)
 from symbalance.slider_crank import acceleration_value, surviving
 
 UNITS = ("", "F", "F_n")
@@ -30,7 +40,13 @@ ONE_CYLINDER: dict[str, Callable[[Geometry], Node]] = {
     "acceleration": lambda crank: crank.acceleration,
     "force": lambda crank: crank.force,
 }
-OF_AN_ENGINE = ("force", "couple", "force.vertical", "force.lateral", "couple.vertical", "couple.lateral")
+_COMPONENTS = ("force.vertical", "force.lateral", "couple.vertical", "couple.lateral")
+OF_AN_ENGINE = (
+    "force",
+    "couple",
+    *_COMPONENTS,
+    *(f"{c}.{f}" for c in _COMPONENTS for f in ("cos", "sin")),
+)
 QUANTITIES = (*ONE_CYLINDER, *OF_AN_ENGINE[1:], "coefficient", "harmonic", "value")
 
 
@@ -90,13 +106,20 @@ def _coefficient(bind: Bind, crank: Geometry, engine: Layout | None, in_numbers:
 
 def geometry(bind: Bind, engine: Layout, theta: Node) -> Node:
     """Return the sum over the bound cylinders of weight cos n(θ + delay)."""
-    kind, _, component = bind.quantity.partition(".")
+    kind, component, function = (*bind.quantity.split("."), "", "")[:3]
     chosen = [c for c in engine.cylinders if _is_meant(bind, c, engine)]
     if not chosen:
         raise _refusal(bind, "cylinder", bind.cylinder, "name a cylinder or bank the engine has")
     if not component and bind.cylinder is None and len({c.bank for c in chosen}) > 1:
         raise _refusal(bind, "quantity", bind.quantity, f"write {kind}.vertical or {kind}.lateral")
-    terms = [_of_cylinder(c, bind.order or 1, kind, component, engine, theta) for c in chosen]
+    order, plane = Number(Fraction(bind.order or 1)), engine.mean_station
+    wave = Product((order, theta))
+    if function:  # the coefficient of cos nθ or sin nθ alone
+        wave = Number(Fraction(0)) if function == "cos" else Quotient(Constant("pi"), Number(Fraction(2)))
+    terms: list[Node] = []
+    for cylinder in chosen:
+        weight = cylinder.station - plane if kind == "couple" else Fraction(1)
+        terms.append(_of_cylinder(cylinder, bind.order or 1, weight, component, wave))
     return Sum(tuple(terms))
 
 
@@ -109,13 +132,9 @@ def _is_meant(bind: Bind, cylinder: Cylinder, engine: Layout) -> bool:
     return True
 
 
-def _of_cylinder(
-    cylinder: Cylinder, order: int, kind: str, component: str, engine: Layout, theta: Node
-) -> Node:
-    weight = cylinder.station - engine.mean_station if kind == "couple" else Fraction(1)
-    shift = _turned(cylinder.delay.turns * order)
-    wave = Call("cos", Sum((Product((Number(Fraction(order)), theta)), shift)))
-    parts: list[Node] = [rational_node(weight), wave]
+def _of_cylinder(cylinder: Cylinder, order: int, weight: Fraction, component: str, wave: Node) -> Node:
+    shifted = Call("cos", Sum((wave, _turned(cylinder.delay.turns * order))))
+    parts: list[Node] = [rational_node(weight), shifted]
     if component:
         function = "cos" if component == "vertical" else "sin"
         parts.append(Call(function, _turned(cylinder.bank.turns)))

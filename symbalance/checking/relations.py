@@ -12,7 +12,7 @@ from symbalance.checking.progressions import by_induction
 from symbalance.checking.steps import PROVED, REFUTED, UNDECIDED, Answer, digits, equal, without_dots
 from symbalance.checking.verdicts import DEFINITION
 from symbalance.reading.equations import Chain, Side
-from symbalance.reading.syntax import Node
+from symbalance.reading.syntax import Name, Node
 
 MOST_READINGS = 16
 
@@ -42,17 +42,22 @@ def decided(
     if sign == "≈" or cut or dots or through is not None:
         return agree(left, right, knowledge, through=through, loose=cut or dots)
     answer = equal(bare_left, bare_right, knowledge)
-    if answer.status == REFUTED and _is_cut_off(answer, knowledge):
+    if answer.status == REFUTED and _is_cut_off(left, answer, knowledge):
         return agree(left, right, knowledge)
     return answer
 
 
-def _is_cut_off(answer: Answer, knowledge: Knowledge) -> bool:
-    """Tell whether = stands between an exact form and its series, cut off: then ≈ is meant."""
+def _is_cut_off(node: Node, answer: Answer, knowledge: Knowledge) -> bool:
+    """Tell whether = stands between an exact form and its series, cut off: then ≈ is meant.
+
+    The exact form is one that is no polynomial in the ratio, or a letter of known meaning.
+    """
     if knowledge.crank is None or knowledge.crank.small is None or not answer.left or not answer.right:
         return False
     letter, sign = knowledge.crank.small
-    return degree(answer.left, letter, sign) is None and degree(answer.right, letter, sign) is not None
+    known = isinstance(node, Name) and node.name in knowledge.meaning.values
+    exact = known or degree(answer.left, letter, sign) is None
+    return exact and degree(answer.right, letter, sign) is not None
 
 
 def ordering(chain: Chain, k: int, knowledge: Knowledge) -> Answer:
@@ -64,14 +69,11 @@ def ordering(chain: Chain, k: int, knowledge: Knowledge) -> Answer:
     found = _compared(chain.sides[k].node, chain.sides[k + 1].node, sign, knowledge)
     if found is not None:
         return found
-    signs = [r.sign for r in chain.relations]
-    if (len(chain.sides) == 3 and all(s in ("<", "≤") for s in signs)) or all(
-        s in (">", "≥") for s in signs
-    ):
-        if len(chain.sides) == 3:
-            outer = _compared(chain.sides[0].node, chain.sides[2].node, sign, knowledge)
-            if outer is not None and not outer.proved:
-                return Answer(REFUTED, "the range is empty", witness=outer.witness)
+    signs = {r.sign for r in chain.relations}
+    if k == 1 and len(chain.sides) == 3 and (signs <= {"<", "≤"} or signs <= {">", "≥"}):
+        outer = _compared(chain.sides[0].node, chain.sides[2].node, sign, knowledge)
+        if outer is not None and not outer.proved:
+            return Answer(REFUTED, "the range is empty", witness=outer.witness)
     return Answer(DEFINITION, "a stated range")
 
 

@@ -1,4 +1,4 @@
-"""The report as a LaTeX document: every equation with its verdict, corrected lines beside the wrong ones."""
+"""The report as LaTeX: every equation with its verdict, corrected lines beside the wrong ones."""
 
 from __future__ import annotations
 

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from symbalance.checking.report_text import one_line, summary, verdict_words
 from symbalance.checking.verdicts import Checked, Verdict
+from symbalance.reading import render_latex
 
 
 def report_markdown(checked: Checked) -> str:
     """Return one table row for each verdict, in line order, and the count below."""
     rows = [_row(verdict) for verdict in checked.verdicts]
-    head = ["| line | as it stands | verdict | what should stand there, and why |", "|---|---|---|---|"]
+    head = ["| line | as it stands | verdict | corrected, and why |", "|---|---|---|---|"]
     return "\n".join([*head, *rows, "", summary(checked)]) + "\n"
 
 
-def errors_markdown(documents: list[Checked]) -> str:
-    """Return one row for each refuted line of several documents."""
+def corrections_markdown(documents: list[Checked]) -> str:
+    """Return one row for each wrong piece of each refuted line of several documents."""
     head = ["| line | as it stands | should be | kind |", "|---|---|---|---|"]
-    rows = [_error(checked, v) for checked in documents for v in checked.verdicts if v.is_bad]
+    rows = [
+        row for checked in documents for v in checked.verdicts if v.is_bad for row in _errors(checked, v)
+    ]
     return "\n".join([*head, *rows]) + "\n"
 
 
@@ -24,34 +29,36 @@ def _row(verdict: Verdict) -> str:
     place = f"{verdict.line}" if verdict.link == 1 else f"{verdict.line}.{verdict.link}"
     word = verdict_words(verdict)
     shown = f"**{word}**" if verdict.is_bad else word
-    return f"| {place} | {_code(verdict.source)} | {_cell(shown)} | {_cell(explained(verdict))} |"
+    return f"| {place} | {_code(verdict.source)} | {_cell(shown)} | {_explained(verdict)} |"
 
 
-def _error(checked: Checked, verdict: Verdict) -> str:
-    mark = f"{checked.document.name[:3]}:{verdict.line}"
-    kind = verdict.fix.kind if verdict.fix else (verdict.reason or "differs")
-    return f"| {mark} | {_code(verdict.source)} | {_cell(corrected(verdict))} | {_cell(kind)} |"
-
-
-def corrected(verdict: Verdict) -> str:
-    """Return what should stand there: the changed pieces, or the exact value."""
-    if verdict.fix and verdict.fix.faults:
-        return "; ".join(
-            f"`{one_line(f.source, 60)}` → {f.should}" if f.source else f"add {f.should}"
-            for f in verdict.fix.faults
-        )
-    if verdict.differences:
-        return "; ".join(f"{d.term}: {d.exact}, not {d.claimed}" for d in verdict.differences[:4])
-    return verdict.exact
-
-
-def explained(verdict: Verdict) -> str:
-    """Return the reason, the claim and the correction in one line."""
-    parts = [f"claims {verdict.bind}" if verdict.bind else "", verdict.reason]
+def _explained(verdict: Verdict) -> str:
+    """Return the corrected side, the claim, the reason and the notes in one cell."""
+    parts = [f"${_cell(render_latex(verdict.fix.node))}$" if verdict.fix else ""]
     if verdict.is_bad:
-        parts += [corrected(verdict), verdict.fix.kind if verdict.fix else ""]
-    parts += list(verdict.notes)
-    return "; ".join(part for part in parts if part)
+        parts.append(verdict.fix.kind if verdict.fix else _cell(differing(verdict)))
+    parts += [f"claims {verdict.bind}" if verdict.bind else "", verdict.reason, *verdict.notes]
+    return "; ".join(_cell(part) if k else part for k, part in enumerate(parts) if part)
+
+
+def _errors(checked: Checked, verdict: Verdict) -> list[str]:
+    document = Path(checked.document.name).name[:3]
+    if not verdict.fix or not verdict.fix.faults:
+        should = _cell(differing(verdict) or verdict.reason)
+        return [
+            f"| {document}:{verdict.line} | {_code(verdict.source)} | {should} | {_cell(verdict.bind)} |"
+        ]
+    return [
+        f"| {document}:{fault.line} | {_code(fault.source or '(nothing)')} | "
+        f"{_cell(fault.should)} | {_cell(verdict.fix.kind)} |"
+        for fault in verdict.fix.faults
+    ]
+
+
+def differing(verdict: Verdict) -> str:
+    """Return in which coefficients a line differs, or its exact value."""
+    found = [f"{d.term}: {d.exact}, not {d.claimed}" for d in verdict.differences[:4]]
+    return "; ".join(found) or verdict.exact
 
 
 def _code(source: str) -> str:

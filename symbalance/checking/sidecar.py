@@ -180,7 +180,8 @@ class _Reader:
         given = table.get("given", [])
         if not (isinstance(given, list) and all(isinstance(g, str) for g in given)):
             raise self.refusal("given", given, "must be a list of equalities", 'write ["α = π/6"]', start)
-        return Scope(*lines, self.symbols(table.get("symbols", {}), start), tuple(given))
+        symbols = self.symbols(table.get("symbols", {}), start)
+        return Scope(lines[0], lines[1], symbols, tuple(given))
 
     def bind(self, table: dict[str, Any], k: int) -> Bind:
         start = self.header("bind", k)

@@ -13,11 +13,11 @@ from symbalance.algebra.evaluation import Meaning
 from symbalance.algebra.forms import Form
 from symbalance.algebra.trees import sample_trees
 from symbalance.checking.knowledge import Knowledge, Level
-from symbalance.reading import syntax
+from symbalance.checking.rounding import agrees_as_printed, decimals
+from symbalance.reading import render, syntax
 from symbalance.reading.syntax import Node
 
 PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
-TINY = Fraction(1, 10**25)
 
 
 @dataclass(frozen=True)
@@ -42,11 +42,26 @@ class Answer:
 def equal(left: Node, right: Node, knowledge: Knowledge) -> Answer:
     """Decide left = right exactly, with as little knowledge as it takes."""
     last = Answer(UNDECIDED, "nothing to compare")
-    for level in knowledge.levels(left, right):
+    levels = list(knowledge.levels(left, right))
+    for level in levels:
+        if level is not levels[-1] and _apart(left, right, knowledge, level):
+            continue
         last = _at_level(left, right, knowledge, level)
         if last.proved:
             return last
     return last
+
+
+def _apart(left: Node, right: Node, knowledge: Knowledge, level: Level) -> bool:
+    """Tell at one point, quickly, that two sides differ by more than any rounding: no proof is tried."""
+    meaning = replace(knowledge.meaning, values=level.values)
+    points = sample_trees([left, right], meaning, 1)
+    if not points:
+        return False
+    one, other = points[0][1]
+    return abs(abs(one) - abs(other)) > 0.2 * max(abs(one), abs(other)) or (
+        not decimals(left) and not decimals(right) and not _close(abs(one), abs(other))
+    )
 
 
 def _at_level(left: Node, right: Node, knowledge: Knowledge, level: Level) -> Answer:
@@ -82,9 +97,11 @@ def _by_numbers(left: Node, right: Node, first: Form, second: Form, level: Level
             UNDECIDED, "no point where both sides are real", "", level.assumptions, level, first, second
         )
     same = [_close(*pair) for _, pair in points]
+    if all(same) and (signed := _same_square(left, right, first, second)) is not None:
+        return Answer(PROVED, "", "", (*level.assumptions, *signed), level, first, second)
     if all(same):
         return Answer(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
-    if _printed_digits(left, right, points):
+    if agrees_as_printed(left, right, points):
         order = "the digits printed"
         return Answer(PROVED, "", order, level.assumptions, level, first, second)
     signed = _up_to_sign(left, right, first, second)
@@ -118,40 +135,35 @@ def digits(value: Any, count: int = 12) -> str:
     return mp.nstr(value, count)
 
 
-def decimals(node: Node) -> list[syntax.Number]:
-    """Return the numbers of a formula that are printed with a decimal point."""
-    return [
-        part
-        for part in syntax.walk(node)
-        if isinstance(part, syntax.Number) and part.last_place is not None
-    ]
+def _same_square(left: Node, right: Node, first: Form, second: Form) -> tuple[str, ...] | None:
+    """Return the assumptions under which two sides of equal squares are equal, as at the points tried.
 
-
-def _printed_digits(left: Node, right: Node, points: list[tuple[values.Point, list[Any]]]) -> bool:
-    """Tell whether a side that is a rounded number agrees to the digits printed.
-
-    Half a unit of the last digit is allowed for a lone decimal; for a decimal that multiplies letters
-    the same relative rounding.
+    None if their squares are not proved equal. Two numbers need none, nor do two roots.
     """
-    for node in (right, left):
-        found = decimals(node)
-        if len(found) == 1 and found[0].value:
-            room = found[0].last_place / 2 / abs(found[0].value) + TINY  # type: ignore[operator]
-            mp = values.context()
-            allowed = mp.mpf(room.numerator) / room.denominator
-            if all(abs(a - b) <= allowed * max(abs(a), abs(b)) for _, (a, b) in points):
-                return True
-    return False
+    try:
+        if not first.times(first).equals(second.times(second)):
+            return None
+    except (NoFormError, TooLargeError):
+        return None
+    numbers = not values.letters(first) and not values.letters(second)
+    bare = [node for node in (left, right) if not _is_root(node)]
+    if numbers or not bare:
+        return ()
+    return (f"{render(bare[0])} ≥ 0",)
+
+
+def _is_root(node: Node) -> bool:
+    """Tell whether a formula is a square root or an absolute value, perhaps times a positive number."""
+    if isinstance(node, syntax.Product | syntax.Quotient):
+        return all(_is_root(f) or isinstance(f, syntax.Number) for f in syntax.children(node))
+    return isinstance(node, syntax.Call) and node.function in ("sqrt", "abs")
 
 
 def _up_to_sign(left: Node, right: Node, first: Form, second: Form) -> str:
     """Return the assumption under which a root equals the other side, or nothing."""
-    for node, form, other in ((right, second, first), (left, first, second)):
-        if isinstance(node, syntax.Call) and node.function in ("sqrt", "abs"):
-            if form.times(form).equals(other.times(other)):
-                from symbalance.reading import render
-
-                return f"{render(left if node is right else right)} ≥ 0"
+    for node, other in ((right, left), (left, right)):
+        if _is_root(node) and first.times(first).equals(second.times(second)):
+            return f"{render(other)} ≥ 0"
     return ""
 
 

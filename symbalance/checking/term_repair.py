@@ -1,4 +1,4 @@
-"""Wrong terms by their exact values: the difference of two sides, handed out to the terms it belongs to."""
+"""Wrong terms by their exact values: the difference of two sides, handed out to its terms."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Leaf:
 
 
 def repaired(node: Node, answer: Answer, knowledge: Knowledge) -> tuple[Node, Changes] | None:
-    """Return the side with its wrong terms corrected, and the pairs (old, new); None if it cannot be done."""
+    """Return the side with its wrong terms corrected, and the pairs (old, new), or None."""
     left, right, level = answer.left, answer.right, answer.level
     if left is None or right is None or level is None:
         return None

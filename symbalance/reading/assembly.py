@@ -47,9 +47,7 @@ class Assembler:
             draft = self.draft
             assert draft is not None
             draft.names |= names
-        elif item.kind == "inline" and not any(token.kind == "rel" for token in tokens):
-            return
-        elif item.kind == "bare" and not self._is_formula(tokens, item, names):
+        elif not self._is_formula(tokens, item, names):
             return
         else:
             self._finish()
@@ -72,9 +70,11 @@ class Assembler:
             self._report(failure, (item.start, item.end))
 
     def _is_formula(self, tokens: list[Token], item: Item, names: frozenset[str]) -> bool:
-        """Tell whether a bare line without delimiters says something mathematical."""
-        if any(token.kind == "rel" for token in tokens):
+        """Tell whether an item says something: in prose or without LaTeX, not every one does."""
+        if any(token.kind == "rel" for token in tokens) or item.kind == "display":
             return True
+        if item.kind == "inline":
+            return False
         if "\\" in self.text[item.start : item.end]:
             return len(tokens) > 1
         declared = any(token.kind == "name" and token.value in names for token in tokens)
@@ -180,7 +180,7 @@ class Assembler:
 
     def _maybe_report(self, draft: Draft, names: frozenset[str]) -> None:
         """Report prose with a relation only where one undeclared letter is all that is wrong."""
-        wrong = [failure for failure in draft.failures.values()]
+        wrong = list(draft.failures.values())
         letters = {failure.letter for failure in wrong if isinstance(failure, UndeclaredError)}
         if len(letters) != 1 or not all(isinstance(failure, UndeclaredError) for failure in wrong):
             return

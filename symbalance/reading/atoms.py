@@ -122,27 +122,31 @@ class Atoms(Calls, Derivatives, Summations):
         return Call("exp", power, span=self.since(first))
 
     def _command(self, token: Token) -> Node:
-        if token.value == "frac":
-            return self._fraction()
-        if token.value in ("sqrt", "surd"):
-            return self._root()
-        if token.value == "sum":
-            return self.summation()
-        if token.value in TIME_DOTS:
-            return self._dotted(TIME_DOTS[token.value])
-        if token.value in ACCENTS:
-            first = self.place
-            name = self._accented()
-            return self.letter(name, self.since(first))
-        if token.value == "infty":
-            self.take()
-            return Constant("infinity", span=(token.start, token.end))
-        if token.value == "boxed":
-            self.take()
-            return self.group()
+        readers = {
+            "frac": self._fraction,
+            "sqrt": self._root,
+            "surd": self._root,
+            "sum": self.summation,
+            "infty": self._infinity,
+            "boxed": self._boxed,
+        }
+        readers |= dict.fromkeys(TIME_DOTS, self._dotted) | dict.fromkeys(ACCENTS, self._accented)
+        return readers.get(token.value, self._operator)()
+
+    def _operator(self) -> Node:
         if (derivative := self.derivative_in_line()) is not None:
             return derivative
         raise self.unexpected()
+
+    def _infinity(self) -> Node:
+        token = self.take()
+        return Constant("infinity", span=(token.start, token.end))
+
+    def _boxed(self) -> Node:
+        self.take()
+        if not self.at("open"):
+            raise self.unexpected()
+        return self.group()
 
     def _fraction(self) -> Node:
         if (derivative := self.derivative_fraction()) is not None:
@@ -179,19 +183,20 @@ class Atoms(Calls, Derivatives, Summations):
             inside, Quotient(Number(Fraction(1), span=index.span), index, span=index.span), span=span
         )
 
-    def _dotted(self, order: int) -> Node:
+    def _dotted(self) -> Node:
         first = self.place
-        self.take()
-        name, _ = self._bare_name()
+        order = TIME_DOTS[self.take().value]
+        name = self._bare_name()
         span = self.since(first)
         return Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
 
-    def _accented(self) -> str:
+    def _accented(self) -> Node:
+        first = self.place
         accent = ACCENTS[self.take().value]
-        name, scripts = self._bare_name()
-        return f"{accent}_{name}" if not scripts else f"{accent}_{name}_{scripts}"
+        name = f"{accent}_{self._bare_name()}"
+        return self.letter(name, self.since(first))
 
-    def _bare_name(self) -> tuple[str, str]:
+    def _bare_name(self) -> str:
         """Read the letter under an accent and the subscript that follows the accent."""
         token = self.take()
         braced = token.kind == "open" and token.value == "{"
@@ -203,7 +208,7 @@ class Atoms(Calls, Derivatives, Summations):
         if braced:
             self.take()
         scripts = self.take().value if self.at("sub") else ""
-        return (f"{inner.value}_{scripts}", "") if scripts else (inner.value, "")
+        return f"{inner.value}_{scripts}" if scripts else inner.value
 
 
 def _degrees(node: Node, span: Span) -> Node:

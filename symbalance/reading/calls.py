@@ -9,6 +9,7 @@ from symbalance.reading.failures import ReadingError
 from symbalance.reading.letters import is_greek
 from symbalance.reading.scripts import Scripts
 from symbalance.reading.syntax import Call, Negative, Node, Number, Power, Quotient, names
+from symbalance.reading.tokens import Token
 
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
 
@@ -93,25 +94,19 @@ class Calls(Scripts):
     def _goes_on(self, factors: list[Node]) -> bool:
         """Tell whether the factor at the place belongs to the argument too."""
         token = self.now
-        if token is None or not self.starts_factor() or token.kind == "function" or token.is_cmd("sum"):
+        if token is None or not self.starts_factor() or self._ends_argument(token):
             return False
-        if token.kind == "name" and token.value == "e" and "e" not in self.names:
-            return False
-        if token.kind == "number":
-            return False
-        whole = any(is_greek(name) for factor in factors for name in names(factor))
-        if token.kind == "name":
+        if not (token.kind in ("open", "vulgar", "bar") or token.is_cmd("frac", "sqrt", "surd")):
             return True
-        if (
-            token.kind == "bar"
-            or token.is_cmd("frac", "sqrt", "surd")
-            or token.kind in ("open", "vulgar")
-        ):
-            if token.kind == "open" and not whole:
-                return True
-            usual = not whole
-            return usual if self.choose() == 0 else not usual
-        return True
+        whole = any(is_greek(name) for factor in factors for name in names(factor))
+        if token.kind == "open" and not whole:
+            return True
+        return whole == bool(self.choose())
+
+    def _ends_argument(self, token: Token) -> bool:
+        """Tell whether a factor can never belong to an argument already begun."""
+        power_of_e = token.kind == "name" and token.value == "e" and "e" not in self.names
+        return token.kind in ("function", "number") or token.is_cmd("sum") or power_of_e
 
 
 def _is_minus_one(power: Node) -> bool:

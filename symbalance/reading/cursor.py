@@ -13,7 +13,7 @@ DEEPEST = 60
 
 
 class Cursor:
-    """Walks over tokens. Where usage differs, `choose` follows a script of decisions, else takes the usual."""
+    """Walks over tokens; where usage differs, `choose` follows a script of decisions."""
 
     def __init__(
         self,
@@ -141,6 +141,10 @@ class Cursor:
 
     def run_of_factors(self) -> Node:
         """Read factors side by side, with slashes."""
+        raise NotImplementedError
+
+    def atom(self) -> Node:
+        """Read one factor without its powers."""
         raise NotImplementedError
 
     def factor(self) -> Node:

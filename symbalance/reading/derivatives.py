@@ -46,7 +46,9 @@ class Derivatives(Scripts):
             steps += 1
         after = self.ahead(steps)
         braced = after is not None and after.kind == "open" and after.value == "{"
-        return self.ahead(2), self.ahead(steps + 1) if braced else None
+        variable = self.ahead(steps + 2)
+        named = braced and variable is not None and variable.kind in ("name", "cmd")
+        return self.ahead(2), self.ahead(steps + 1) if named else None
 
     def derivative_in_line(self) -> Node | None:
         """Read dx/dt, d^2x/dt^2 or d/dt if it begins at the place, without spaces."""
@@ -103,18 +105,23 @@ class Derivatives(Scripts):
     def _below(self, order: int) -> Name:
         """Read d x^n, with the same n."""
         self.take()
-        token = self.take()
-        if token.kind != "name":
-            raise ReadingError(
-                token.start, "a derivative by something that is no letter", "name the variable"
-            )
+        variable = self._variable()
         place = self.offset
         if self._order() != order:
             raise ReadingError(place, "two different orders in one derivative", "make them equal")
-        span = (token.start, token.end)
-        if token.value != "t":
-            self.letter(token.value, span)
-        return Name(token.value, span=span)
+        return variable
+
+    def _variable(self) -> Name:
+        """Read the letter under the bar; time needs no declaration."""
+        token = self.now
+        if token is not None and token.kind == "name" and token.value == "t":
+            self.take()
+            return Name("t", span=(token.start, token.end))
+        place = self.offset
+        variable = self.atom()
+        if not isinstance(variable, Name):
+            raise ReadingError(place, "a derivative by something that is no letter", "name the variable")
+        return variable
 
     def _whole(self, first: int, order: int, body: Node | None, variable: Name) -> Node:
         if body is None:

@@ -57,8 +57,6 @@ class Draft:
 
     def finish_alone(self) -> None:
         """Finish a chain of its own and raise the first failure."""
-        if not self.signs and not self.sides[0]:
-            raise ReadingError(self.item.start, "an empty formula", "write one")
         self.finish()
         for failure in self.failures.values():
             raise failure
@@ -98,10 +96,14 @@ class Draft:
             self._leave_open()
         for place, side in enumerate(self.sides):
             if not side and place not in self.failures:
-                sign = self.signs[place - 1] if place else self.signs[0]
-                where = "right" if place else "left"
-                what = f"nothing stands {where} of {sign.value}"
-                self.failures[place] = ReadingError(sign.start, what, "complete the equation")
+                self.failures[place] = self._missing(place)
+
+    def _missing(self, place: int) -> ReadingError:
+        if not self.signs:
+            return ReadingError(self.item.start, "an empty formula", "write one")
+        sign = self.signs[place - 1] if place else self.signs[0]
+        what = f"nothing stands {'right' if place else 'left'} of {sign.value}"
+        return ReadingError(sign.start, what, "complete the equation")
 
 
 def is_equation(tokens: list[Token]) -> bool:
@@ -117,14 +119,11 @@ def is_equation(tokens: list[Token]) -> bool:
 
 def without_aside(tokens: list[Token]) -> list[Token]:
     """Read `m (= n/2)` as m = n/2: drop the brackets around a relation at the end."""
-    for place, token in enumerate(tokens[:-2]):
-        following = tokens[place + 1]
-        if token.kind == "open" and token.value == "(" and following.kind == "rel" and place:
-            last = tokens[-1]
-            if (
-                last.kind == "close"
-                and last.value == ")"
-                and is_equation([following, *tokens[place + 2 : -1]])
-            ):
-                return [*tokens[:place], *tokens[place + 1 : -1]]
+    last = tokens[-1] if tokens else None
+    if last is None or last.kind != "close" or last.value != ")":
+        return tokens
+    for place, token in enumerate(tokens[1:-2], 1):
+        if token.kind == "open" and token.value == "(" and tokens[place + 1].kind == "rel":
+            aside = tokens[place + 1 : -1]
+            return [*tokens[:place], *aside] if is_equation(aside) else tokens
     return tokens

@@ -6,10 +6,11 @@ import re
 from bisect import bisect_right
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
+from itertools import islice
 
 from symbalance.reading.failures import ReadingError
 from symbalance.reading.masking import mask_markdown, mask_plain, mask_tex, narrowed
-from symbalance.reading.pieces import has_relation, pieces_of
+from symbalance.reading.pieces import has_any_relation, has_relation, pieces_of
 from symbalance.reading.prose import segments, trimmed_segment
 from symbalance.reading.regions import Region, RegionFinder
 from symbalance.reading.vocabulary import vocabulary
@@ -21,11 +22,12 @@ _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
 LONGEST_LINE = 20_000
 _MARGIN = 200
+MOST_ITEMS = 20_000
 
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """A stretch that may be an equation. Kinds: display, inline (in $ $), bare (a line), prose (in a line).
+    """A stretch that may be an equation: display, inline (in $ $), bare (a line) or prose (in a line).
 
     `block` numbers the display it belongs to; `strict` tells that a refusal is to be reported.
     """
@@ -73,15 +75,18 @@ class ItemFinder:
         regions = [region for region in finder.regions if not self._in_fence(region)]
         regions += [Region(a, a, b, b, True) for a, b in self.fences]
         regions.sort(key=lambda region: region.first)
-        items = [
-            item
-            for number, region in enumerate(regions)
-            if region.start < region.end
-            for item in self._of_region(region, number)
-        ]
-        if self.suffix != ".tex":
-            items.extend(self._outside(regions))
+        items = list(islice(self._all(regions), MOST_ITEMS + 1))
+        if len(items) > MOST_ITEMS:
+            what = f"more than {MOST_ITEMS} stretches of mathematics"
+            self.failures.append(ReadingError(items.pop().start, what, "split the document"))
         return sorted(items, key=lambda item: item.start)
+
+    def _all(self, regions: list[Region]) -> Iterator[Item]:
+        for number, region in enumerate(regions):
+            if region.start < region.end:
+                yield from self._of_region(region, number)
+        if self.suffix != ".tex":
+            yield from self._outside(regions)
 
     def _in_fence(self, region: Region) -> bool:
         return any(
@@ -90,6 +95,8 @@ class ItemFinder:
 
     def _of_region(self, region: Region, block: int) -> Iterator[Item]:
         alone = region.display or self._is_alone(region)
+        if not alone and not has_any_relation(self.text, region.start, region.end):
+            return
         kind = "display" if alone else "inline"
         for piece in pieces_of(self.text, region.start, region.end, region.environment):
             lines = self.line_of(piece.start), self.line_of(piece.end - 1)
@@ -161,7 +168,7 @@ class ItemFinder:
             yield Item(piece.start, piece.end, "bare", strict, line, line, piece.tag)
 
     def _segment(self, span: tuple[int, int], line_span: tuple[int, int], line: int, lenient: bool):
-        if span[1] - span[0] > LONGEST_LINE:
+        if span[1] - span[0] > LONGEST_LINE or not has_any_relation(self.text, *span):
             return
         display = self.text.find("\\displaystyle", *span)
         if display >= 0:

@@ -39,8 +39,8 @@ WORDS = word_set("text textrm textit textbf mbox textnormal hbox textsf textup")
 """Commands whose argument is prose; in a subscript it is the subscript."""
 
 ACCENTS = {
-    "bar": "bar", "overline": "bar", "hat": "hat", "widehat": "hat", "vec": "vec", "overrightarrow": "vec",
-    "tilde": "tilde", "widetilde": "tilde",
+    "bar": "bar", "overline": "bar", "hat": "hat", "widehat": "hat", "vec": "vec",
+    "overrightarrow": "vec", "tilde": "tilde", "widetilde": "tilde",
 }  # fmt: skip
 """Accents make another letter: \\bar x is the letter bar_x."""
 

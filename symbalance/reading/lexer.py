@@ -48,9 +48,9 @@ class Lexer(CommandScanner):
             self._sign(sign)
 
     def _sign(self, sign: str) -> None:
-        if found := _ARROW.match(self.text, self.place, self.end):
-            if found.group() not in ("=>", "<="):
-                raise ReadingError(self.place, *signs.REFUSED["to"])
+        arrow = _ARROW.match(self.text, self.place, self.end)
+        if arrow and arrow.group() != "<=":
+            raise ReadingError(self.place, *signs.REFUSED["to"])
         if found := _RELATION.match(self.text, self.place, self.end):
             self._add("rel", _TWO_SIGNS[found.group()], found.end())
         elif dots := next((d for d in signs.DOTS_SIGNS if self.text.startswith(d, self.place)), None):

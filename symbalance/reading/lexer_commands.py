@@ -100,7 +100,7 @@ class CommandScanner(Scanner):
             self._letter(name, stop)
 
     def _font(self, name: str, stop: int) -> None:
-        """\\mathrm{Lh} is the run Lh, \\operatorname{sin} the function; other contents stay as they are."""
+        """\\mathrm{Lh} is the run Lh, \\operatorname{sin} the function; the rest stays as it is."""
         found = _FONT_WORD.match(self.text, stop, self.end)
         if found and found.group(1) in FUNCTION_WORDS and found.group(1) not in self.words.names:
             self._add("function", FUNCTION_WORDS[found.group(1)], found.end())

@@ -86,7 +86,7 @@ def with_scripts(
 ) -> tuple[str, int]:
     """Return a letter's name with the subscript and primes that follow, and where they end.
 
-    `names` settles how much of an unbraced subscript belongs to it: `m_pr` is m_p r where m_p is declared.
+    `names` settles what of an unbraced subscript belongs to it: `m_pr` is m_p r where m_p is declared.
     """
     subscript, primes, stop = "", 0, start
     while True:

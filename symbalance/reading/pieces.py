@@ -47,12 +47,12 @@ class Piece:
 def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Piece]:
     """Cut a stretch of mathematics into rows and these at separators."""
     found: list[Piece] = []
-    for row, (first, last) in enumerate(_rows(text, start, end, environment)):
-        last, tag = without_tag(text, first, last)
+    for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
+        last, tag = without_tag(text, first, end_of_row)
         spans = [trimmed(text, *span) for span in _separate(text, first, last)]
         spans = [span for span in spans if span[0] < span[1]]
         if len(spans) > 1:
-            spans = [span for span in spans if _has_any_relation(text, *span)] or spans[:1]
+            spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
         for place, (left, right) in enumerate(spans):
             found.append(Piece(left, right, tag if place == len(spans) - 1 else "", row))
     return found
@@ -137,7 +137,8 @@ def _stands_alone(text: str, start: int, end: int) -> bool:
     return has_relation(text, start, end)
 
 
-def _has_any_relation(text: str, start: int, end: int) -> bool:
+def has_any_relation(text: str, start: int, end: int) -> bool:
+    """Tell whether a relation stands anywhere."""
     return _RELATION.search(text, start, end) is not None
 
 

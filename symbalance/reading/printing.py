@@ -1,4 +1,4 @@
-"""What both renderers share: the binding strength of each kind of node, and exact decimals."""
+"""What both renderers share: how tightly each kind of node binds, exact decimals, sums."""
 
 from __future__ import annotations
 
@@ -30,15 +30,18 @@ _STRENGTH: dict[type[Node], int] = {
 
 
 def strength(node: Node) -> int:
-    """Return how tightly a node binds."""
+    """Return how tightly a node binds.
+
+    >>> strength(Number(Fraction(-3))) == SIGN, strength(Name("x")) == ATOM
+    (True, True)
+    """
     if isinstance(node, Number):
         if node.value < 0:
             return SIGN
         return ATOM if numeral(node) else QUOTIENT
-    if isinstance(node, Product):
-        return strength(node.factors[0]) if len(node.factors) == 1 else PRODUCT if node.factors else ATOM
-    if isinstance(node, Sum):
-        return strength(node.terms[0]) if len(node.terms) == 1 else SUM if node.terms else ATOM
+    parts = node.factors if isinstance(node, Product) else node.terms if isinstance(node, Sum) else None
+    if parts is not None and len(parts) < 2:
+        return strength(parts[0]) if parts else ATOM
     return _STRENGTH[type(node)]
 
 
@@ -51,18 +54,17 @@ def numeral(number: Number) -> str:
     value, place = abs(number.value), number.last_place
     if place is None:
         return str(value) if value.denominator == 1 else ""
+    decimals = _decimals(place)
     steps = value / place
-    decimals = _power_of_ten(place)
     if decimals is None or steps.denominator != 1:
         return ""
-    if decimals > 0:
-        digits = str(steps.numerator).rjust(decimals + 1, "0")
-        return f"{digits[:-decimals]}.{digits[-decimals:]}"
-    digits = str(steps.numerator).rjust(2, "0")
-    return f"{digits[:-1]}.{digits[-1]}e{1 - decimals}"
+    kept = max(decimals, 1)
+    digits = str(steps.numerator).rjust(kept + 1, "0")
+    scale = "" if decimals > 0 else f"e{1 - decimals}"
+    return f"{digits[:-kept]}.{digits[-kept:]}{scale}"
 
 
-def _power_of_ten(place: Fraction) -> int | None:
+def _decimals(place: Fraction) -> int | None:
     """Return n of place = 10^-n, or None."""
     top, bottom = place.numerator, place.denominator
     zeros = len(str(max(top, bottom))) - 1
@@ -71,22 +73,82 @@ def _power_of_ten(place: Fraction) -> int | None:
     return -zeros if bottom == 1 and top == 10**zeros else None
 
 
-def merged(number: Number) -> tuple[int, int]:
-    """Return numerator and denominator of a number's absolute value."""
-    value = abs(number.value)
-    return value.numerator, value.denominator
-
-
 def is_whole(node: Node) -> bool:
     """Tell whether a node is a natural number printed without a point."""
-    return (
-        isinstance(node, Number)
-        and node.value >= 0
-        and node.value.denominator == 1
-        and node.last_place is None
-    )
+    if not isinstance(node, Number) or node.last_place is not None:
+        return False
+    return node.value >= 0 and node.value.denominator == 1
 
 
-def begins_with_digit(text: str) -> bool:
-    """Tell whether a text begins with a digit or point."""
-    return text[:1].isdecimal() or text.startswith(".")
+def is_simple_angle(node: Node) -> bool:
+    """Tell whether a function needs no brackets around a node: θ, 2θ."""
+    if isinstance(node, Product) and len(node.factors) == 2:
+        return is_whole(node.factors[0]) and isinstance(node.factors[1], Name)
+    return isinstance(node, Name)
+
+
+class Renderer:
+    """Writes a tree; what each kind of node looks like is the subclass's."""
+
+    dots_sign = "…"
+
+    def __init__(self) -> None:
+        self.exponentials = 0
+
+    def of(self, node: Node, least: int = 0, closed: bool = False) -> str:
+        """Return the text, in brackets if it binds less than `least`.
+
+        `closed` asks for brackets around function arguments, as more is to follow.
+        """
+        writer = getattr(self, type(node).__name__.lower())
+        text = writer(node, closed)
+        return self.bracketed(text) if self.binding(node) < least else text
+
+    def binding(self, node: Node) -> int:
+        """Return how tightly a node binds in this notation."""
+        return strength(node)
+
+    def bracketed(self, text: str) -> str:
+        """Return the text in brackets."""
+        return f"({text})"
+
+    def fraction(self, top: int, bottom: int) -> str:
+        """Return a fraction of two numbers."""
+        raise NotImplementedError
+
+    def number(self, node: Number, _: bool) -> str:
+        """Write a number."""
+        value = abs(node.value)
+        digits = numeral(node)
+        if not digits:
+            whole = value.denominator == 1
+            digits = str(value) if whole else self.fraction(value.numerator, value.denominator)
+        return f"-{digits}" if node.value < 0 else digits
+
+    def negative(self, node: Negative, closed: bool) -> str:
+        """Write -a."""
+        return f"-{self.of(node.operand, PRODUCT, closed)}"
+
+    def sum(self, node: Sum, closed: bool) -> str:
+        """Write a + b - c."""
+        pieces: list[str] = []
+        last = len(node.terms) - 1
+        for place, term in enumerate(node.terms):
+            pieces.append(self._term(term, place, last, closed and place == last))
+        return "".join(pieces) or "0"
+
+    def _term(self, term: Node, place: int, last: int, closed: bool) -> str:
+        if isinstance(term, Dots):
+            return f" + {self.dots_sign}" if place else self.dots_sign
+        if not place:
+            return self.of(term, SIGN if last else 0, closed)
+        if isinstance(term, Negative) and not isinstance(term.operand, Dots):
+            return f" - {self.of(term.operand, PRODUCT, closed)}"
+        return f" + {self.of(term, SIGN if isinstance(term, Summation) else PRODUCT, closed)}"
+
+    def exponential(self, node: Call) -> str:
+        """Write the argument of exp, where i is the imaginary unit."""
+        self.exponentials += 1
+        text = self.of(node.argument)
+        self.exponentials -= 1
+        return text

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from itertools import pairwise
 
 from symbalance.reading import signs
 from symbalance.reading.letters import (
@@ -82,7 +83,7 @@ def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
     if sign == ":":
         return text[place + 1 : place + 2] == "="
     if sign in "!%":
-        before, after = text[place - 1 : place], text[place + 1 : end].lstrip()[:1]
+        before, after = text[place - 1 : place], text[place + 1 : min(place + 9, end)].lstrip()[:1]
         return (before.isalnum() or before == ")") and bool(after) and not after.isalpha()
     if sign == ".":
         return place + 1 < end and text[place + 1].isdecimal()
@@ -107,12 +108,8 @@ def _made_of_letters(word: str, words: Vocabulary) -> bool:
     while place < len(word):
         if found := words.longest(word, place, len(word)):
             place += len(found[1])
-        elif word[place].isdecimal() and place:
-            place += 1
-        elif word[place] == "d" and place + 1 < len(word) and place == 0:
-            place += 1
         else:
-            unknown += 1
+            unknown += not (word[place].isdecimal() or (word[0] == "d" and not place))
             place += 1
     return unknown == 0 or (unknown == 1 and _is_factor_before_function(word))
 
@@ -161,7 +158,7 @@ def _within_brackets(text: str, start: int, end: int) -> tuple[int, int]:
 
 def _longest_between(places: Collection[int], start: int, end: int) -> tuple[int, int]:
     edges = [start - 1, *sorted(places), end]
-    return max(((a + 1, b) for a, b in zip(edges, edges[1:], strict=False)), key=lambda s: s[1] - s[0])
+    return max(((a + 1, b) for a, b in pairwise(edges)), key=lambda span: span[1] - span[0])
 
 
 def _lone_brackets(text: str, start: int, end: int) -> set[int]:

@@ -19,32 +19,35 @@ def read_tokens(
     tokens: Sequence[Token], names: Collection[str], end: int, latex: bool = False
 ) -> tuple[tuple[Node, ...], tuple[str, ...]]:
     """Return the readings of one expression and the remarks on the usual one."""
-    first, usual = _read(tokens, names, (), latex, end)
-    readings, waiting, trials = [usual], deque(_other_scripts(first, ())), 0
+    first, readings, refusal = _read(tokens, names, (), latex, end)
+    waiting, trials, notes = deque(_other_scripts(first, ())), 0, first.notes
     while waiting and len(readings) < MOST_READINGS and trials < _MOST_TRIALS:
         script = waiting.popleft()
         trials += 1
-        try:
-            cursor, node = _read(tokens, names, script, latex, end)
-        except ReadingError:
-            continue
-        if node not in readings:
-            readings.append(node)
+        cursor, found, _ = _read(tokens, names, script, latex, end)
+        notes = notes if readings else cursor.notes
+        readings.extend(node for node in found if node not in readings)
         if len(waiting) < _MOST_TRIALS:
             waiting.extend(_other_scripts(cursor, script))
-    return tuple(readings), tuple(first.notes)
+    if refusal and not readings:
+        raise refusal
+    return tuple(readings), tuple(notes)
 
 
 def _read(
     tokens: Sequence[Token], names: Collection[str], script: Sequence[int], latex: bool, end: int
-) -> tuple[Terms, Node]:
+) -> tuple[Terms, list[Node], ReadingError | None]:
+    """Return the tree that a script of choices leads to, in a list that is empty on a refusal."""
     cursor = Terms(tokens, names, script, latex, end)
-    node = cursor.contents()
-    if cursor.now is not None:
-        raise cursor.unexpected()
-    if _is_too_deep(node):
-        raise ReadingError(node.span[0], "a formula nested too deeply", "write it in parts")
-    return cursor, node
+    try:
+        node = cursor.contents()
+        if cursor.now is not None:
+            raise cursor.unexpected()
+        if _is_too_deep(node):
+            raise ReadingError(node.span[0], "a formula nested too deeply", "write it in parts")
+    except ReadingError as refusal:
+        return cursor, [], refusal
+    return cursor, [node], None
 
 
 def _other_scripts(cursor: Terms, script: Sequence[int]) -> list[tuple[int, ...]]:

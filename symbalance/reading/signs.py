@@ -11,7 +11,7 @@ RELATION_SIGNS = {
 }  # fmt: skip
 
 RELATION_COMMANDS = {
-    **dict.fromkeys(listed("approx simeq fallingdotseq cong doteq doteqdot sim thickapprox approxeq"), "≈"),
+    **dict.fromkeys(listed("approx simeq fallingdotseq cong doteq doteqdot sim approxeq"), "≈"),
     **dict.fromkeys(listed("leq le leqq leqslant"), "≤"),
     **dict.fromkeys(listed("geq ge geqq geqslant"), "≥"),
     **dict.fromkeys(listed("triangleq coloneqq eq defeq"), "="),
@@ -45,7 +45,7 @@ REFUSED: dict[str, tuple[str, str]] = {
         listed("int iint iiint oint intop smallint"),
         ("integrals are not read", "write the integral's value"),
     ),
-    **dict.fromkeys(listed("binom dbinom tbinom choose"), ("binomials are not read", "write the fraction")),
+    **dict.fromkeys(listed("binom dbinom tbinom choose"), ("binomials are not read", "write it out")),
     **dict.fromkeys(listed("pm mp"), ("± is two formulas in one", "write each on its own")),
     **dict.fromkeys(listed("prod coprod"), ("product signs are not read", "write the factors")),
     **dict.fromkeys(listed("lim limsup liminf"), ("limits are not read", "write the limit's value")),
@@ -60,7 +60,8 @@ REFUSED: dict[str, tuple[str, str]] = {
 }  # fmt: skip
 
 REFUSED_SIGNS = {
-    "∫": REFUSED["int"], "∮": REFUSED["int"], "±": REFUSED["pm"], "∓": REFUSED["pm"], "∏": REFUSED["prod"],
+    "∫": REFUSED["int"], "∮": REFUSED["int"], "±": REFUSED["pm"], "∓": REFUSED["pm"],
+    "∏": REFUSED["prod"],
     "→": REFUSED["to"], "⇒": REFUSED["to"], "←": REFUSED["to"], "↔": REFUSED["to"], "⇔": REFUSED["to"],
     "∴": REFUSED["to"], "∵": REFUSED["to"], "∝": REFUSED["propto"],
     "!": ("factorials are not read", "write the number"),
@@ -70,7 +71,8 @@ REFUSED_SIGNS = {
 OPENING = {"(": "(", "[": "[", "{": "{", "〔": "[", "⟨": "<"}
 CLOSING = {")": ")", "]": "]", "}": "}", "〕": "]", "⟩": ">"}
 BRACKET_COMMANDS = {
-    "lbrace": ("open", "\\{"), "rbrace": ("close", "\\}"), "lbrack": ("open", "["), "rbrack": ("close", "]"),
+    "lbrace": ("open", "\\{"), "rbrace": ("close", "\\}"), "lbrack": ("open", "["),
+    "rbrack": ("close", "]"),
     "lparen": ("open", "("), "rparen": ("close", ")"), "langle": ("open", "<"), "rangle": ("close", ">"),
     "lvert": ("open", "|"), "rvert": ("close", "|"), "vert": ("bar", "|"), "mid": ("bar", "|"),
 }  # fmt: skip

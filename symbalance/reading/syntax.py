@@ -7,7 +7,7 @@ document) does not count. Nothing is evaluated, ordered or simplified: `2/4` sta
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 Span = tuple[int, int]
@@ -117,32 +117,39 @@ class Dots(Node):
     """Three dots as a term of a sum: at its end the sum is cut off, within it a progression goes on."""
 
 
+_SINGLE: dict[type[Node], tuple[str, ...]] = {
+    Quotient: ("numerator", "denominator"),
+    Power: ("base", "exponent"),
+    Negative: ("operand",),
+    Call: ("argument",),
+    Derivative: ("expression", "variable"),
+    Summation: ("body", "index", "lower", "upper"),
+}
+
+
 def children(node: Node) -> tuple[Node, ...]:
     """Return the parts of a node, in the order written.
 
     >>> children(Quotient(Number(Fraction(1)), Name("s")))
     (Number(span=(0, 0), value=Fraction(1, 1), last_place=None), Name(span=(0, 0), name='s'))
     """
-    parts: list[Node] = []
-    for entry in fields(node):
-        value = getattr(node, entry.name)
-        if isinstance(value, Node):
-            parts.append(value)
-        elif isinstance(value, tuple):
-            parts.extend(part for part in value if isinstance(part, Node))
-    return tuple(parts)
+    if isinstance(node, Sum):
+        return node.terms
+    if isinstance(node, Product):
+        return node.factors
+    found = (getattr(node, name) for name in _SINGLE.get(type(node), ()))
+    return tuple(part for part in found if part is not None)
 
 
 def with_children(node: Node, parts: tuple[Node, ...]) -> Node:
     """Return the node with its parts (as `children` lists them) replaced."""
     if isinstance(node, Sum):
-        return replace(node, terms=parts)
+        return Sum(parts, span=node.span)
     if isinstance(node, Product):
-        return replace(node, factors=parts)
+        return Product(parts, span=node.span)
     given = iter(parts)
-    changes = {
-        entry.name: next(given) for entry in fields(node) if isinstance(getattr(node, entry.name), Node)
-    }
+    own = (name for name in _SINGLE.get(type(node), ()) if getattr(node, name) is not None)
+    changes = {name: next(given) for name in own}
     return replace(node, **changes) if changes else node
 
 

@@ -1,0 +1,85 @@
+"""Check the founding derivations again and write what is said of them.
+
+    python derivations/checked/regenerate.py                 from the equation sheets in this folder
+    python derivations/checked/regenerate.py --from FOLDER   make the sheets anew from the documents first
+
+A sheet NAME.txt holds the equations of a document at their own lines and columns, and nothing else of it:
+checking the sheet gives the verdicts of the document. NAME.md is the checked document, errors.md the list
+of everything refuted.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+from symbalance.checking import Checked, check, corrections_markdown, report_markdown
+
+HERE = Path(__file__).parent
+NAMES = {
+    "000_6d19e3a8fb7bcb72": "Inertia forces of one cylinder, of in-line and of vee engines",
+    "001_7249841cd23ed9c0": "Balance of piston engines: two tables of unbalance",
+    "002_f1efe5daf3818fe8": "Counterweight and balance shaft of a single-cylinder engine",
+    "003_df624e4641130983": "Inertia forces and couples of a V12",
+}
+
+
+def main(arguments: list[str]) -> None:
+    """Write the sheets (with --from) and the checked documents."""
+    if arguments[:1] == ["--from"]:
+        for name in NAMES:
+            sheet = made_sheet(Path(arguments[1]) / f"{name}.txt", HERE / f"{name}.symbols.toml")
+            (HERE / f"{name}.txt").write_text(sheet, encoding="utf-8")
+    for path, text in documents().items():
+        path.write_text(text, encoding="utf-8")
+
+
+def documents() -> dict[Path, str]:
+    """Return the checked documents and the list of errors, by file."""
+    checked = {name: check(HERE / f"{name}.txt") for name in NAMES}
+    found = {HERE / f"{name}.md": page(name, result) for name, result in checked.items()}
+    return found | {HERE / "errors.md": errors(checked)}
+
+
+def page(name: str, checked: Checked) -> str:
+    """Return one checked document."""
+    return (
+        f"# {NAMES[name]}\n\n"
+        f"Every equation of `{name}.txt`, by line, as `symbalance check` judges it with `{name}.symbols.toml`. "
+        "`29.2` is the second relation of line 29. What is refuted has its correction beside it.\n\n"
+        f"{report_markdown(checked)}"
+    )
+
+
+def errors(checked: dict[str, Checked]) -> str:
+    """Return the list of all that is refuted in the documents."""
+    return (
+        "# Errors found\n\n"
+        "What `symbalance check` refutes in the four documents: document and line, the piece that is wrong, "
+        "what should stand there, and the kind of slip where it was found and proved. λ is each document's own.\n\n"
+        f"{corrections_markdown(list(checked.values()))}"
+    )
+
+
+def made_sheet(document: Path, symbols: Path) -> str:
+    """Return the equations of a document at their places: of its prose, a 、 a run is left, to separate."""
+    checked = check(document, symbols)
+    lines = checked.document.text.split("\n")
+    wanted = {line for chain in checked.document.chains for line in chain.lines}
+    wanted |= {verdict.line for verdict in checked.verdicts}
+    kept = [bare(line).rstrip() if number in wanted else "" for number, line in enumerate(lines, 1)]
+    return "\n".join(kept).rstrip("\n") + "\n"
+
+
+def bare(line: str) -> str:
+    """Return a line with each run of Japanese text as one 、 and blanks.
+
+    >>> bare("連桿比 147.15/36.65=4.02")
+    '、   147.15/36.65=4.02'
+    """
+    return re.sub(r"[\u3000-\u9fff\uff00-\uffef]+", lambda run: "、" + " " * (len(run[0]) - 1), line)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

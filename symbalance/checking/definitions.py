@@ -1,0 +1,95 @@
+"""What a document has defined so far: letters with their values, each as far as its scope reaches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from symbalance.algebra.evaluation import Meaning
+from symbalance.algebra.trees import sample_trees
+from symbalance.checking.knowledge import Definition, Knowledge
+from symbalance.checking.relations import judged
+from symbalance.checking.sidecar import Declarations
+from symbalance.checking.steps import Answer, without_dots
+from symbalance.checking.verdicts import DEFINITION
+from symbalance.reading.equations import Chain, Side
+from symbalance.reading.syntax import Name, Node, names
+
+NEARLY = 0.1
+
+
+@dataclass
+class Definitions:
+    """The letters a document has given values, and those it has used at all."""
+
+    declarations: Declarations
+    known: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
+    seen: set[str] = field(default_factory=set)
+
+    def at(self, line: int) -> dict[str, Definition]:
+        """Return the definitions that reach a line, of the letters as declared there."""
+        here, owner = set(self.declarations.scope_at(line)), self.declarations.owner
+        return {
+            name: definition
+            for name, (definition, scopes) in self.known.items()
+            if set(scopes) <= here and owner(name, definition.line) == owner(name, line)
+        }
+
+    def learn(self, name: str, node: Node, line: int) -> None:
+        """Keep a letter's value from here on."""
+        scopes = self.declarations.scope_at(line)
+        self.known[name] = (Definition(node, line, not names(node)), scopes)
+
+    def use(self, chain: Chain) -> None:
+        """Note the letters of a chain."""
+        self.seen |= {name for side in chain.sides for name in names(side.node)}
+
+    def stated(self, chain: Chain, k: int, knowledge: Knowledge) -> Answer | None:
+        """Return the answer for a relation that gives a letter its value, after learning it."""
+        found = self._letter(chain, k)
+        if found is None:
+            return None
+        name, value = found
+        sign = chain.relations[k].sign
+        if name in knowledge.meaning.values or knowledge.assumes(name):
+            return None
+        if (
+            knowledge.measures(name)
+            and judged(chain.sides[k], chain.sides[k + 1], sign, knowledge).proved
+        ):
+            return None
+        reason = ""
+        earlier = knowledge.definitions.get(name)
+        if earlier is not None:
+            if not _new_case(earlier, value, sign, knowledge):
+                return None
+            reason = f"a new case: line {earlier.line} had another value"
+        self.learn(name, without_dots(value)[0], chain.lines[0])
+        return Answer(DEFINITION, reason)
+
+    def _letter(self, chain: Chain, k: int) -> tuple[str, Node] | None:
+        """Return the letter a relation may define, and its value."""
+        left, right = chain.sides[k].node, chain.sides[k + 1].node
+        if k == 0 and isinstance(left, Name) and left.name not in names(right):
+            return left.name, right
+        if isinstance(right, Name) and right.name not in names(left) | self.seen:
+            return right.name, left
+        return None
+
+
+def _new_case(earlier: Definition, value: Node, sign: str, knowledge: Knowledge) -> bool:
+    """Tell whether another value of a letter starts a new case, and is not a slip.
+
+    It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree.
+    """
+    old = Side((earlier.node,), (0, 0))
+    if sign == "≈" or judged(old, Side((value,), (0, 0)), sign, knowledge).proved:
+        return False
+    if names(earlier.node) and names(value):
+        return isinstance(value, Name)
+    if names(earlier.node) or names(value):
+        return True
+    points = sample_trees([earlier.node, value], Meaning(), 1)
+    if not points:
+        return True
+    one, other = points[0][1]
+    return abs(one - other) > NEARLY * max(abs(one), abs(other))
