@@ -133,6 +133,10 @@ class Domain:
         self.opaque.append(number)
         return number
 
+    def is_free(self, number: int) -> bool:
+        """Tell whether no power of a generator has a relation: it is a letter, an angle or a function."""
+        return number not in self._special
+
     def times(self, left: Monomial, right: Monomial) -> tuple[Fraction | int, Monomial]:
         """Return the product of two monomials as (rational factor, monomial), radicals left alone."""
         if not left:

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from symbalance.algebra import polynomials as poly
 from symbalance.algebra.domain import ONE, Domain, NoFormError, Polynomial
+from symbalance.algebra.division import common
 from symbalance.algebra.zero import is_zero
 
 
@@ -66,11 +67,12 @@ class Form:
         """Return the sum."""
         if self.denominator == other.denominator:
             return Form.of(self.domain, poly.plus(self.numerator, other.numerator), self.denominator)
+        ours, theirs, below = common(self.domain, self.denominator, other.denominator)
         cross = poly.plus(
-            poly.times(self.domain, self.numerator, other.denominator),
-            poly.times(self.domain, other.numerator, self.denominator),
+            poly.times(self.domain, self.numerator, ours),
+            poly.times(self.domain, other.numerator, theirs),
         )
-        return Form.of(self.domain, cross, poly.times(self.domain, self.denominator, other.denominator))
+        return Form.of(self.domain, cross, below)
 
     def scaled(self, factor: Fraction | int) -> Form:
         """Return the form times a rational."""

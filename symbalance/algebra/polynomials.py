@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import lcm
 
 from symbalance.algebra.domain import ONE, Domain, Monomial, Polynomial, TooLargeError
-from symbalance.phasor import cleared
 
 MOST_WORK = 150_000
 """Products of two terms a domain may form: about a second's work."""
 LARGEST_EXPONENT = 400
 LARGEST_BITS = 20_000
-_UNIT: Polynomial = {ONE: Fraction(1)}
+UNIT: Polynomial = {ONE: Fraction(1)}
 
 
 def constant(value: Fraction | int) -> Polynomial:
@@ -50,10 +50,10 @@ def minus(left: Polynomial, right: Polynomial) -> Polynomial:
 
 def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
     """Return the product, every radical's power below two."""
-    _worked(domain, len(left) * len(right))
-    if left == _UNIT or right == _UNIT:
-        return right if left == _UNIT else left
-    (ours, above), (theirs, below) = cleared(left), cleared(right)
+    worked(domain, len(left) * len(right))
+    if left == UNIT or right == UNIT:
+        return right if left == UNIT else left
+    (ours, above), (theirs, below) = _cleared(left), _cleared(right)
     total: dict[Monomial, int | Fraction] = {}
     for first, a in ours.items():
         for second, b in theirs.items():
@@ -64,7 +64,14 @@ def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
     return _without_squares(domain, product) if domain.radicals else product
 
 
-def _worked(domain: Domain, products: int) -> None:
+def _cleared(polynomial: Polynomial) -> tuple[dict[Monomial, int], int]:
+    """Return the coefficients as integers over one denominator: they multiply faster than fractions."""
+    below = lcm(*(c.denominator for c in polynomial.values()))
+    return {m: c.numerator * (below // c.denominator) for m, c in polynomial.items()}, below
+
+
+def worked(domain: Domain, products: int) -> None:
+    """Count products of two terms; too many raise TooLargeError."""
     domain.work += products
     if domain.work > MOST_WORK:
         raise TooLargeError("too many terms")

@@ -73,7 +73,7 @@ class Valuation:
 
     def __init__(self, domain: Domain, point: Mapping[str, Fraction]) -> None:
         self.domain, self.point, self.mp = domain, point, context()
-        self._logs: dict[int, Any] = {}
+        self._powers: dict[tuple[int, int | Fraction], Any] = {}
         self._values: dict[int, Any] = {}
 
     def of(self, form: Form) -> Any:
@@ -100,6 +100,12 @@ class Valuation:
         return result
 
     def _power(self, number: int, exponent: int | Fraction) -> Any:
+        key = (number, exponent)
+        if key not in self._powers:
+            self._powers[key] = self._find_power(number, exponent)
+        return self._powers[key]
+
+    def _find_power(self, number: int, exponent: int | Fraction) -> Any:
         mp, generator = self.mp, self.domain.generators[number]
         power = mp.mpf(exponent.numerator) / exponent.denominator
         if generator.kind == "turn":

@@ -121,8 +121,6 @@ def answered(claimed: Side, bind: Bind, knowledge: Knowledge, folder: Path) -> A
     exact = expected(claimed.node, bind, knowledge, folder)
     plain = decimals(claimed.node) or not names(claimed.node)
     return judged(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, bind.through)
-        Side((exact,), (0, 0)), claimed, "=" if decimals(claimed.node) else "≈", knowledge, through
-    )
 
 
 def expected(claimed: Node, bind: Bind, knowledge: Knowledge, folder: Path) -> Node:
