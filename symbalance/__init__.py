@@ -37,6 +37,8 @@ _HOMES = {
     "inline_sum": "summation",
     "inline_couple": "summation",
     "derive": "derivation",
+    "check": "checking",
+    "check_equal": "checking",
     "to_text": "tables.text_table",
     "to_latex": "tables.latex_document",
     "to_json": "tables.json_document",
@@ -71,6 +73,8 @@ if TYPE_CHECKING:
     from symbalance.builders import w as w
     from symbalance.catalogue import load as load
     from symbalance.catalogue import presets as presets
+    from symbalance.checking import check as check
+    from symbalance.checking import check_equal as check_equal
     from symbalance.derivation import derive as derive
     from symbalance.errors import SymbalanceError as SymbalanceError
     from symbalance.layout import CrankTrain as CrankTrain

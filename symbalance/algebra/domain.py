@@ -20,7 +20,7 @@ pairs in the order of the generators' numbers.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -73,8 +73,14 @@ class Domain:
     (-1, ())
     """
 
-    def __init__(self, positive: Iterable[str] = (), integer: Iterable[str] = ()) -> None:
+    def __init__(
+        self,
+        positive: Iterable[str] = (),
+        integer: Iterable[str] = (),
+        ranges: Mapping[str, tuple[int, int]] | None = None,
+    ) -> None:
         self.positive, self.integer = frozenset(positive) | {"pi", "e"}, frozenset(integer)
+        self.ranges = ranges or {}
         self.generators: list[Generator] = [Generator("turn", None)]
         self._numbers: dict[Hashable, int] = {}
         self._special: set[int] = {TURN}
@@ -99,7 +105,10 @@ class Domain:
     def is_integer(self, monomial: Monomial) -> bool:
         """Tell whether a monomial is a product of letters declared to be whole numbers."""
         return all(
-            self.generators[g].kind == "symbol" and self.generators[g].content in self.integer and e > 0
+            self.generators[g].kind == "symbol"
+            and self.generators[g].content in self.integer
+            and e > 0
+            and e.denominator == 1
             for g, e in monomial
         )
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from symbalance.algebra import functions
-from symbalance.algebra.domain import Domain, NoFormError, Polynomial
+from symbalance.algebra.derivatives import differentiated
+from symbalance.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.algebra.forms import Form
+from symbalance.algebra.polynomials import MOST_WORK
 from symbalance.reading import syntax
 
 DEEPEST = 40
+DEEPEST_TREE = 150
 LONGEST_SUM = 400
 
 
@@ -27,10 +30,12 @@ class Meaning:
     rates: Mapping[str, Mapping[str, syntax.Node]] = field(default_factory=dict)
     positive: frozenset[str] = frozenset()
     integer: frozenset[str] = frozenset()
+    ranges: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    """Where a letter's values are tried, in hundredths: a rod ratio l/r from 300 to 500."""
 
     def domain(self) -> Domain:
         """Return a fresh domain for formulas of this meaning."""
-        return Domain(self.positive, self.integer)
+        return Domain(self.positive, self.integer, self.ranges)
 
 
 class Evaluator:
@@ -46,10 +51,17 @@ class Evaluator:
         self.domain, self.meaning = domain, meaning or Meaning()
         self._known: dict[str, Form] = {}
         self._open: list[str] = []
+        self._depth = 0
 
     def form(self, node: syntax.Node) -> Form:
-        """Return the form of a formula; what has none raises NoFormError, what is too large TooLargeError."""
-        return _RULES[type(node)](self, node)
+        """Return the form of a formula; raises NoFormError without one, TooLargeError past the limits."""
+        self._depth += 1
+        try:
+            if self._depth > DEEPEST_TREE:
+                raise TooLargeError("parts within parts without end")
+            return _RULES[type(node)](self, node)
+        finally:
+            self._depth -= 1
 
     def letter(self, name: str) -> Form:
         """Return what a letter stands for, or the letter itself."""
@@ -65,9 +77,16 @@ class Evaluator:
                 self._open.pop()
         return self._known[name]
 
+    def replacing(self, name: str, value: syntax.Node) -> Evaluator:
+        """Return an evaluator to which one more letter stands for a value: the index of a sum."""
+        values = dict(self.meaning.values) | {name: value}
+        inner = Evaluator(self.domain, replace(self.meaning, values=values))
+        inner._open, inner._depth = [known for known in self._open if known != name], self._depth
+        return inner
+
     def rates(self, variable: str) -> dict[int, Polynomial]:
         """Return the letters that change with `variable`, and their rates."""
-        own = {self.domain.symbol(variable): {(): Fraction(1)}}
+        own: dict[int, Polynomial] = {self.domain.symbol(variable): {(): Fraction(1)}}
         for name, rate in self.meaning.rates.get(variable, {}).items():
             form = self.form(rate)
             if not form.is_polynomial:
@@ -127,6 +146,7 @@ def _power(evaluator: Evaluator, node: syntax.Power) -> Form:
         return functions.exponential(turned.times(Form.letter(evaluator.domain, "pi")))
     phase = functions.exponent_of(base)
     if phase is not None:
+        functions.assume_whole(exponent, base)
         return functions.exponential(exponent.times(phase))
     return functions.exponential(exponent.times(logarithm(base)))
 
@@ -213,7 +233,7 @@ def _derivative(evaluator: Evaluator, node: syntax.Derivative) -> Form:
         return Form.letter(evaluator.domain, derivative_name(node))
     form, rates = evaluator.form(inner), evaluator.rates(variable)
     for _ in range(node.order):
-        form = form.differentiated(rates)
+        form = differentiated(form, rates)
     return form
 
 
@@ -232,15 +252,17 @@ def _summation(evaluator: Evaluator, node: syntax.Summation) -> Form:
     if node.index is None or node.lower is None or node.upper is None:
         return functions.opaque("sum", evaluator.form(node.body))
     lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))
-    if lower is None or upper is None or upper - lower > LONGEST_SUM:
-        raise NoFormError("a sum without bounds in numbers")
+    if lower is None or upper is None or not lower.denominator == upper.denominator == 1:
+        raise NoFormError("a sum without bounds in whole numbers")
+    if upper - lower > LONGEST_SUM:
+        raise NoFormError("a sum of very many terms")
+    evaluator.domain.work += 100 * int(upper - lower)
+    if evaluator.domain.work > MOST_WORK:
+        raise TooLargeError("sums of very many terms")
     total = Form.number(evaluator.domain, 0)
     for value in range(int(lower), int(upper) + 1):
-        inner = dict(evaluator.meaning.values) | {node.index.name: syntax.Number(Fraction(value))}
-        replaced = Meaning(
-            inner, evaluator.meaning.rates, evaluator.meaning.positive, evaluator.meaning.integer
-        )
-        total = total.plus(Evaluator(evaluator.domain, replaced).form(node.body))
+        inner = evaluator.replacing(node.index.name, syntax.Number(Fraction(value)))
+        total = total.plus(inner.form(node.body))
     return total
 
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.algebra import polynomials as poly
-from symbalance.algebra.domain import ONE, Domain, NoFormError, Polynomial
 from symbalance.algebra.division import common
+from symbalance.algebra.domain import ONE, Domain, NoFormError, Polynomial
 from symbalance.algebra.zero import is_zero
 
 
@@ -117,50 +117,6 @@ class Form:
     def equals(self, other: Form) -> bool | None:
         """Return True or False where it is proved, else None."""
         return self.minus(other).is_zero()
-
-    def differentiated(self, rates: dict[int, Polynomial]) -> Form:
-        """Return the rate of change, given the rates of the letters that change."""
-        top, bottom = self._rate(self.numerator, rates), self._rate(self.denominator, rates)
-        below = Form.of(self.domain, self.denominator)
-        quotient = Form.of(self.domain, self.numerator).over(below)
-        return top.minus(quotient.times(bottom)).over(below)
-
-    def _rate(self, polynomial: Polynomial, rates: dict[int, Polynomial]) -> Form:
-        total = Form.of(self.domain, poly.derivative(self.domain, polynomial, rates))
-        for generator in self.domain.radicals:
-            square = Form.of(self.domain, self.domain.generators[generator].content)
-            with_it = {m: c for m, c in polynomial.items() if any(g == generator for g, _ in m)}
-            if with_it:
-                inner = square.differentiated(rates).over(square).scaled(Fraction(1, 2))
-                total = total.plus(Form.of(self.domain, with_it).times(inner))
-        for generator in self.domain.opaque:
-            with_it = {
-                tuple((g, e - 1) if g == generator else (g, e) for g, e in m): c * dict(m)[generator]
-                for m, c in polynomial.items()
-                if any(g == generator for g, _ in m)
-            }
-            if with_it:
-                cleaned = {tuple(p for p in m if p[1]): c for m, c in with_it.items()}
-                rate = opaque_rate(*self.domain.generators[generator].content, rates)
-                total = total.plus(Form.of(self.domain, cleaned).times(rate))
-        return total
-
-
-def opaque_rate(function: str, argument: Form, rates: dict[int, Polynomial]) -> Form:
-    """Return the rate of change of ln, asin, acos or atan of a form."""
-    from symbalance.algebra.functions import root
-
-    inner, one = argument.differentiated(rates), Form.number(argument.domain, 1)
-    if inner.is_zero():
-        return inner
-    square = argument.times(argument)
-    if function == "ln":
-        return inner.over(argument)
-    if function == "atan":
-        return inner.over(one.plus(square))
-    if function in ("asin", "acos"):
-        return inner.over(root(one.minus(square))).scaled(1 if function == "asin" else -1)
-    raise NoFormError("the derivative of a function that has no rule here")
 
 
 def _rationalised(domain: Domain, numerator: Polynomial, denominator: Polynomial) -> Form:

@@ -37,7 +37,8 @@ def exponential(argument: Form) -> Form:
     """Return e^argument: real parts become growth, imaginary ones turns and angles."""
     domain = argument.domain
     if not argument.is_polynomial:
-        return _opaque_exponential(argument)
+        below = opaque("over", Form.of(domain, argument.denominator))
+        argument = Form.of(domain, argument.numerator).times(below)
     result = Form.number(domain, 1)
     for monomial, coefficient in argument.numerator.items():
         result = result.times(_exponential_of_term(domain, monomial, coefficient))
@@ -91,6 +92,17 @@ def exponent_of(form: Form) -> Form | None:
     return total
 
 
+def assume_whole(exponent: Form, base: Form) -> None:
+    """Note that the letters of an exponent are whole: (e^(ix))^n = e^(inx) needs it."""
+    domain = base.domain
+    turning = {"turn", "exponential"} & {domain.generators[g].kind for m in base.numerator for g, _ in m}
+    for monomial in exponent.numerator if turning else ():
+        for number, _ in monomial:
+            generator = domain.generators[number]
+            if generator.kind == "symbol" and generator.content not in domain.integer:
+                domain.assumptions[f"{generator.content} ∈ ℤ"] = None
+
+
 def _inverse_function(domain: Domain, monomial: Monomial) -> tuple[str, Form] | None:
     if len(monomial) != 1 or monomial[0][1] != 1:
         return None
@@ -111,10 +123,6 @@ def _phase_of_inverse(function: str, value: Form, multiple: int) -> Form:
         cosine, sine = (other, value) if function == "asin" else (value, other)
     sign = 1 if multiple >= 0 else -1
     return cosine.plus(unit(value.domain).times(sine).scaled(sign)).raised(abs(multiple))
-
-
-def _opaque_exponential(argument: Form) -> Form:
-    return opaque("exp", argument)
 
 
 def cosine(argument: Form) -> Form:
@@ -162,9 +170,10 @@ def _root_of_polynomial(domain: Domain, square: Polynomial) -> Form:
     if not square:
         return Form.number(domain, 0)
     monomial, coefficient = _leading(domain, square)
-    outside = _root_of_term(domain, monomial, coefficient)
     factor, inverse = domain.raised(monomial, -1)
     inside = poly.times(domain, square, {inverse: Fraction(factor) / coefficient})
+    _assume_not_negative(domain, monomial, alone=inside == {ONE: 1})
+    outside = _root_of_term(domain, monomial, coefficient)
     if inside == {ONE: 1}:
         return outside
     return outside.times(Form.of(domain, {((domain.radical(inside), 1),): Fraction(1)}))
@@ -187,11 +196,16 @@ def _leading(domain: Domain, square: Polynomial) -> tuple[Monomial, Fraction]:
     return max(free, key=lambda term: [dict(term[0]).get(g, 0) for g in letters])
 
 
+def _assume_not_negative(domain: Domain, monomial: Monomial, alone: bool) -> None:
+    """Note the letters whose sign counts in √(m q) = √m √q; a lone √x asks nothing beyond being real."""
+    open_signs = [(g, e) for g, e in monomial if not domain.generators[g].positive]
+    odd = [g for g, e in open_signs if e % 2]
+    for generator, exponent in open_signs:
+        if exponent % 4 == 2 or (exponent % 2 and (len(odd) > 1 or not alone)):
+            domain.assumptions[f"{domain.generators[generator].content} ≥ 0"] = None
+
+
 def _root_of_term(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
-    for generator, exponent in monomial:
-        content = domain.generators[generator]
-        if not content.positive and exponent % 2 == 0 and content.kind == "symbol":
-            domain.assumptions[f"{content.content} ≥ 0"] = None
     _, halved = domain.raised(monomial, HALF)
     return root_of_rational(domain, coefficient).times(Form.of(domain, {halved: Fraction(1)}))
 

@@ -116,8 +116,16 @@ def _power(domain: Domain, number: int, exponent: int | Fraction) -> syntax.Node
         inside = polynomial_node(domain, argument.numerator)
         if not argument.is_polynomial:
             inside = syntax.Quotient(inside, polynomial_node(domain, argument.denominator))
-        base = syntax.Summation(inside) if function == "sum" else syntax.Call(function, inside)
+        base = _function_node(function, inside)
     return base if exponent == 1 else syntax.Power(base, rational_node(Fraction(exponent)))
+
+
+def _function_node(function: str, inside: syntax.Node) -> syntax.Node:
+    if function == "sum":
+        return syntax.Summation(inside)
+    if function == "over":
+        return syntax.Quotient(rational_node(Fraction(1)), inside)
+    return syntax.Call(function, inside)
 
 
 def polynomial_node(domain: Domain, polynomial: Polynomial) -> syntax.Node:

@@ -51,8 +51,10 @@ def minus(left: Polynomial, right: Polynomial) -> Polynomial:
 def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
     """Return the product, every radical's power below two."""
     worked(domain, len(left) * len(right))
-    if left == UNIT or right == UNIT:
-        return right if left == UNIT else left
+    if left == UNIT:
+        return right
+    if right == UNIT:
+        return left
     (ours, above), (theirs, below) = _cleared(left), _cleared(right)
     total: dict[Monomial, int | Fraction] = {}
     for first, a in ours.items():
@@ -113,30 +115,3 @@ def power(domain: Domain, polynomial: Polynomial, exponent: int) -> Polynomial:
         if exponent:
             square = times(domain, square, square)
     return result
-
-
-def derivative(domain: Domain, polynomial: Polynomial, rates: dict[int, Polynomial]) -> Polynomial:
-    """Return the sum over symbols of the partial derivative times that symbol's rate.
-
-    Letters without a rate are constants. A radical q^(1/2) gives q' q^(-1/2)/2, which needs a
-    denominator: `forms.differentiated` does that part.
-    """
-    total: Polynomial = {}
-    for monomial, coefficient in polynomial.items():
-        for generator, exponent in monomial:
-            rate = rate_of(domain, generator, rates)
-            if rate:
-                total = plus(total, times(domain, {monomial: coefficient * exponent}, rate))
-    return total
-
-
-def rate_of(domain: Domain, number: int, rates: dict[int, Polynomial]) -> Polynomial:
-    """Return generator'/generator for the generators that are no radicals."""
-    generator = domain.generators[number]
-    if generator.kind == "symbol" and number in rates:
-        return times(domain, {((number, -1),): Fraction(1)}, rates[number])
-    if generator.kind in ("exponential", "growth"):
-        inner = derivative(domain, {generator.content: Fraction(1)}, rates)
-        unit = {((0, Fraction(1, 4)),): Fraction(1)} if generator.kind == "exponential" else constant(1)
-        return times(domain, inner, unit)
-    return {}

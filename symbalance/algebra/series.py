@@ -126,16 +126,19 @@ class Expansion:
 
     def _expand(self, number: int, exponent: Fraction | int) -> Series:
         generator = self.domain.generators[number]
-        if generator.kind == "radical":
+        if generator.kind == "radical" and exponent == 1:
             return self.root(self.polynomial(generator.content))
         if generator.kind in ("exponential", "growth"):
             inner = self._term(generator.content, Fraction(exponent))
             if generator.kind == "exponential":
                 inner = inner.scaled(functions.unit(self.domain))
             return self._exponential(inner)
-        if generator.kind == "opaque" and exponent == 1:
+        if generator.kind == "opaque" and exponent == int(exponent) and 0 < exponent <= self.limit:
             function, argument = generator.content
-            return self._function(function, self.of(argument))
+            once = total = self._function(function, self.of(argument))
+            for _ in range(int(exponent) - 1):
+                total = total.times(once, self.limit)
+            return total
         raise NoFormError("a part that has no power series here")
 
     def _composed(self, coefficients: list[Fraction], inner: Series) -> Series:
@@ -163,6 +166,8 @@ class Expansion:
 
     def _function(self, function: str, inner: Series) -> Series:
         size = self.limit + 2
+        if function == "over":
+            return self.reciprocal(inner)
         if function == "asin":
             return self._composed(_asin(size), inner)
         if function == "atan":

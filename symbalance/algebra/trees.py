@@ -6,13 +6,14 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.evaluation import Evaluator, Meaning
 from symbalance.algebra.values import DIGITS, Point, Valuation, context, random_point
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Node
 
 DEEPEST = 40
+MOST_TERMS = 2000
 
 
 def letters_behind(node: Node, values: Mapping[str, Node]) -> list[str]:
@@ -37,7 +38,7 @@ def sample_trees(
     names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
     found: list[tuple[Point, list[Any]]] = []
     for seed in range(tries):
-        point = random_point(names, Domain(meaning.positive, meaning.integer), seed)
+        point = random_point(names, meaning.domain(), seed)
         at = TreeValues(meaning, point)
         try:
             row = [at.value(node) for node in nodes]
@@ -65,6 +66,7 @@ class TreeValues:
         self.meaning, self.point, self.mp = meaning, point, context()
         self._known: dict[str, Any] = {}
         self._depth = 0
+        self.terms = 0
 
     def value(self, node: Node) -> Any:
         """Return a formula's value; what has none raises NoFormError or ZeroDivisionError."""
@@ -129,12 +131,15 @@ def _summation(at: TreeValues, node: syntax.Summation) -> Any:
     if node.index is None or node.lower is None or node.upper is None:
         raise NoFormError("a sum without bounds")
     lower, upper = (int(at.value(bound).real) for bound in (node.lower, node.upper))
-    if upper - lower > 200:
+    at.terms += max(upper - lower, 0)
+    if at.terms > MOST_TERMS:
         raise NoFormError("a long sum")
     total = at.mp.mpc(0)
     for k in range(lower, upper + 1):
         inner = TreeValues(at.meaning, {**at.point, node.index.name: Fraction(k)})
+        inner.terms = at.terms
         total += inner.value(node.body)
+        at.terms = inner.terms
     return total
 
 

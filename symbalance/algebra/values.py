@@ -56,10 +56,11 @@ def random_point(names: list[str], domain: Domain, seed: int) -> Point:
         if name in domain.integer:
             point[name] = Fraction(chance.randint(2, 7))
             continue
-        low, high = _RANGES.get(name, (50, 300))
+        low, high = domain.ranges.get(name) or _RANGES.get(name, (50, 300))
         value = Fraction(chance.randint(low, high), 100)
-        negative = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
-        point[name] = -value if negative else value
+        signed = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
+        assumed = f"{name} ≥ 0" in domain.assumptions
+        point[name] = -value if signed and not assumed else value
     return point
 
 
@@ -141,7 +142,9 @@ class Valuation:
     def _function(self, function: str, argument: Any) -> Any:
         if function == "sum":
             raise NoFormError("a sum without bounds")
-        result = {"ln": self.mp.log}.get(function, getattr(self.mp, function, None))(argument)
+        if function == "over":
+            return 1 / argument
+        result = getattr(self.mp, {"ln": "log"}.get(function, function))(argument)
         if abs(result.imag) > self.mp.mpf(10) ** (-DIGITS // 2):
             raise NoFormError("a function outside its range at this point")
         return result

@@ -11,12 +11,15 @@ from __future__ import annotations
 from collections import defaultdict
 from fractions import Fraction
 from functools import cache
+from math import prod
 
 from symbalance.algebra.domain import TURN, Domain, Monomial, Polynomial
 from symbalance.errors import SymbalanceError
 from symbalance.phasor import Phasor
 
 LARGEST_PRIME = 200
+LARGEST_PRODUCT = 5000
+"""√p √q ... is a sum of about p q ... roots of unity."""
 
 
 def is_zero(domain: Domain, polynomial: Polynomial) -> bool | None:
@@ -43,8 +46,8 @@ def _split(domain: Domain, monomial: Monomial) -> tuple[Monomial, Monomial]:
 
 
 def _number_is_zero(domain: Domain, terms: list[tuple[Monomial, Fraction]]) -> bool | None:
-    if len(terms) == 1:
-        return False
+    if all(not monomial or monomial[0][0] != TURN for monomial, _ in terms):
+        return False  # roots of different numbers are independent (Besicovitch 1940)
     try:
         total = sum((_phasor(domain, monomial).scaled(c) for monomial, c in terms), Phasor(1, {}))
         return total.is_zero()
@@ -58,6 +61,8 @@ class _NotCyclotomicError(Exception):
 
 def _phasor(domain: Domain, monomial: Monomial) -> Phasor:
     total = Phasor(1, {0: 1})
+    if prod(domain.generators[g].content for g, _ in monomial if g != TURN) > LARGEST_PRODUCT:
+        raise _NotCyclotomicError
     for generator, exponent in monomial:
         if generator == TURN:
             total = total.turned(Fraction(exponent))

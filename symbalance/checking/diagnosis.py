@@ -15,10 +15,10 @@ from typing import Any
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.forms import Form
+from symbalance.checking.changing import substituted
 from symbalance.checking.edits import Edit, edits, parts, ways, whole
 from symbalance.checking.floats import NoValueError, Sieve, Values, close
 from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.progressions import substituted
 from symbalance.checking.steps import Answer
 from symbalance.checking.term_repair import repaired
 from symbalance.reading import syntax
@@ -189,6 +189,10 @@ def _solutions(
             continue
         ratio = 1 + (target - here) / step
         if abs(ratio.imag) > 1e-7 * max(1, abs(ratio.real)) or abs(ratio) < 1e-9:
+            continue
+        exact = float(value) * ratio.real if not inverse else float(value) / ratio.real
+        if round(exact) and abs(exact - round(exact)) < 1e-6:
+            yield Fraction(round(exact)), inverse
             continue
         guess = Fraction(ratio.real).limit_denominator(10_000)
         if guess and abs(float(guess) - ratio.real) < 1e-7 * max(1, abs(ratio.real)):

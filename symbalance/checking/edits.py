@@ -111,6 +111,8 @@ def parts(node: Node, role: str = "side") -> Iterator[tuple[Node, str]]:
     """Yield every part with its role: side, term, factor, exponent, argument or operand."""
     yield node, role
     for part in syntax.children(node):
+        if isinstance(part, syntax.Dots):
+            continue
         yield from parts(part, _role(node, part, role))
 
 

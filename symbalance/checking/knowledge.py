@@ -88,6 +88,10 @@ class Knowledge:
         """Tell whether an assumption gives a letter its value."""
         return any(given.name == name for given in self.given)
 
+    def has_meaning(self, name: str) -> bool:
+        """Tell whether a letter has a value, or a meaning that relates it to others."""
+        return self.knows(name) or self.measures(name) or name in self.universal
+
     def measures(self, name: str) -> bool:
         """Tell whether the geometry is written in this letter."""
         if self.crank is None:

@@ -80,6 +80,16 @@ _POSITIVE = {
 }
 _HARMONIC = re.compile(r"A_\d{1,3}$")
 MORE_POWERS = 24
+RANGES = {
+    "crank angle": (10, 620),
+    "rod ratio l/r": (300, 500),
+    "rod ratio l/s": (150, 250),
+    "crank ratio r/l": (15, 40),
+    "rod length": (300, 500),
+    "crank radius": (60, 100),
+    "stroke": (120, 200),
+}
+"""Where letters are tried, in hundredths: such that a rod is longer than its crank."""
 UNITS = (
     "m",
     "mm",
@@ -285,7 +295,9 @@ def meaning_of(symbols: Mapping[str, str], convention: str = "") -> tuple[Meanin
         crank
     )
     positive |= {n for n, text in symbols.items() if plain_meaning(text) in UNITS}
-    return Meaning(values, rates, frozenset(positive), frozenset(letters.get("integer", ()))), crank
+    integer = frozenset(letters.get("integer", ()))
+    ranges = {name: size for m, size in RANGES.items() for name in letters.get(m, ())}
+    return Meaning(values, rates, frozenset(positive), integer, ranges), crank
 
 
 def _harmonic(meaning: str, crank: Geometry) -> Node:

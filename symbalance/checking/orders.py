@@ -31,6 +31,7 @@ from symbalance.reading import render
 from symbalance.reading.syntax import Name, Node, Number, Power
 
 HIGHEST = 40
+NO_LETTER = "no letter in which one side is a cut-off series"
 ROUGH = Fraction(1, 20)
 
 
@@ -69,7 +70,7 @@ def agree(
         if found.proved:
             return found
         best = found
-    return exact if best.status == UNDECIDED and exact.status == REFUTED else best
+    return exact if best.reason == NO_LETTER and exact.status == REFUTED else best
 
 
 def _at_level(

@@ -67,7 +67,7 @@ def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated
         return None
     for mine, node, other in ((own[0], left, right), (own[1], right, left)):
         for name in sorted(mine):
-            free = name not in earlier and not knowledge.knows(name) and name not in knowledge.universal
+            free = not (name in earlier or knowledge.has_meaning(name))
             if free and (first + second)[name] == 1 and not _inside_derivative(node, name):
                 found = undone(node, other, name)
                 if found is not None:

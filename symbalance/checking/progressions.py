@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from symbalance.checking.changing import replaced, substituted
 from symbalance.checking.knowledge import Knowledge
 from symbalance.checking.steps import PROVED, UNDECIDED, Answer, equal
 from symbalance.reading import syntax
@@ -30,32 +31,6 @@ class Progression:
     first: Node
     second: Node | None
     last: Node
-
-
-def substituted(node: Node, name: str, value: Node) -> Node:
-    """Return a formula with a letter replaced."""
-    if isinstance(node, Name) and node.name == name:
-        return value
-    parts = syntax.children(node)
-    changed = tuple(substituted(part, name, value) for part in parts)
-    return (
-        node
-        if all(a is b for a, b in zip(parts, changed, strict=True))
-        else syntax.with_children(node, changed)
-    )
-
-
-def replaced(node: Node, old: Node, new: Node) -> Node:
-    """Return a formula with one of its parts (that very object) replaced."""
-    if node is old:
-        return new
-    parts = syntax.children(node)
-    changed = tuple(replaced(part, old, new) for part in parts)
-    return (
-        node
-        if all(a is b for a, b in zip(parts, changed, strict=True))
-        else syntax.with_children(node, changed)
-    )
 
 
 def whole(value: int) -> Number:

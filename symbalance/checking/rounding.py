@@ -6,6 +6,9 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.algebra import values
+from symbalance.algebra.evaluation import Meaning
+from symbalance.algebra.trees import TreeValues
+from symbalance.checking.changing import replaced
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Node, Number
 
@@ -25,20 +28,36 @@ def decimals(node: Node) -> list[Number]:
 def agrees_as_printed(
     left: Node, right: Node, points: list[tuple[values.Point, list[Any]]], *, generous: bool = False
 ) -> bool:
-    """Tell whether a side with one decimal number agrees with the other to its last digit.
+    """Tell whether a rounded side agrees with the other to the last digits printed.
 
     Half a unit of the last place is allowed (a whole one if `generous`: the digits may be cut off, not
     rounded), and as much again, at most twice, as the other side's own decimals may bring in.
     """
-    for result, other in ((right, left), (left, right)):
-        found = decimals(result)
-        if len(found) == 1:
-            room = relative_room(found[0]) * (2 if generous else 1)
-            room += min(sum(map(relative_room, decimals(other)), Fraction(0)), MOST_EXTRA * room) + TINY
-            allowed = values.context().mpf(room.numerator) / room.denominator
-            if all(abs(a - b) <= allowed * max(abs(a), abs(b)) for _, (a, b) in points):
-                return True
+    for k, (result, other) in enumerate(((right, left), (left, right))):
+        for _, pair in points:
+            room = _room(result, abs(pair[1 - k])) * (2 if generous else 1)
+            if not room:
+                break
+            room += min(_room(other, abs(pair[k])), MOST_EXTRA * room)
+            if abs(pair[0] - pair[1]) > room * (1 + 1e-9) + abs(pair[0]) * float(TINY):
+                break
+        else:
+            return True
     return False
+
+
+def _room(node: Node, value: Any) -> Any:
+    """Return how much a side may be off, half a unit in the last place of each of its decimals."""
+    found = decimals(node)
+    if len(found) < 2 or syntax.names(node):
+        return sum(float(relative_room(d)) for d in found) * value
+    here = TreeValues(Meaning(), {})
+    total = 0
+    for number in found:
+        assert number.last_place is not None
+        shifted = replaced(node, number, Number(number.value + number.last_place / 2))
+        total += abs(here.value(shifted) - here.value(node))
+    return total
 
 
 def relative_room(number: Number) -> Fraction:

@@ -10,8 +10,8 @@ from symbalance.algebra.domain import NoFormError, Polynomial
 from symbalance.algebra.evaluation import Evaluator
 from symbalance.algebra.forms import Form
 from symbalance.algebra.harmonics import Components, Place, components, polynomial_node
+from symbalance.checking.changing import replaced
 from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.progressions import replaced
 from symbalance.checking.steps import Answer
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Negative, Node, Number, Product, Quotient, Sum

@@ -9,6 +9,7 @@ from symbalance.reading.equations import Chain, Relation, Side, Unreadable
 from symbalance.reading.failures import ReadingError, UndeclaredError
 from symbalance.reading.items import Item, ItemFinder
 from symbalance.reading.lexer import LONGEST_EQUATION, lex
+from symbalance.reading.pieces import relation_at_start
 from symbalance.reading.readings import read_tokens
 from symbalance.reading.tokens import Token
 
@@ -25,6 +26,7 @@ class Assembler:
         self.chains: list[Chain] = []
         self.unreadable: list[Unreadable] = []
         self.draft: Draft | None = None
+        self._refused: Item | None = None
 
     def run(self) -> None:
         """Fill `chains` and `unreadable`."""
@@ -36,38 +38,55 @@ class Assembler:
 
     def _item(self, item: Item) -> None:
         names = frozenset(self.names_at(item.first_line)) | self.defined
+        if self.draft:
+            names |= self.draft.own_letter()
         try:
             tokens = without_aside(lex(self.text, item.start, item.end, names))
         except ReadingError as failure:
-            self._unlexed(item, failure, names)
+            self._unlexed(item, failure)
             return
         if not tokens:
             return
-        if self._continues(item, tokens):
-            draft = self.draft
-            assert draft is not None
-            draft.names |= names
-        elif not self._is_formula(tokens, item, names):
-            return
-        else:
+        if not self._continues(item, tokens):
+            if not self._is_formula(tokens, item, names):
+                return
             self._finish()
-            draft = self.draft = Draft(item, set(names))
-        draft.add(item, tokens)
+            tokens = tokens[1:] if self._follows_refused(item, tokens) else tokens
+            self.draft = Draft(item, set(names)) if tokens else None
+        if self.draft:
+            self.draft.names |= names
+            self.draft.add(item, tokens)
 
-    def _unlexed(self, item: Item, failure: ReadingError, names: frozenset[str]) -> None:
-        source = self.text[item.start : item.end].lstrip()
-        if (
-            self.draft
-            and item.kind in ("display", "bare")
-            and source[:1] in "+-−"
-            and self._is_next(item)
-        ):
-            self.draft.items.append(item)
-            self.draft.fail(failure)
+    def _follows_refused(self, item: Item, tokens: list[Token]) -> bool:
+        """Tell whether `= c` continues an equation that could not be read; c then starts a chain."""
+        before, self._refused = self._refused, None
+        return tokens[0].kind == "rel" and before is not None and self._is_near(before, item)
+
+    def _unlexed(self, item: Item, failure: ReadingError) -> None:
+        source = self.text[item.start : item.end].lstrip(" \n\t&")
+        if self._continues_unlexed(item, source, failure):
             return
         lone = item.kind == "inline" and not any(sign in source for sign in "=<>≈≤≥")
-        if item.strict and not lone:
+        if not item.strict or lone:
+            return
+        before, self._refused = self._refused, item
+        if not (before and before.block == item.block >= 0 and source[:1] in "+-−="):
+            self._finish()
             self._report(failure, (item.start, item.end))
+
+    def _continues_unlexed(self, item: Item, source: str, failure: ReadingError) -> bool:
+        """Give up a side of the chain above where the line that cannot be read belongs to it."""
+        if self.draft is None or item.kind not in ("display", "bare"):
+            return False
+        relation = relation_at_start(source)
+        if relation and self._is_near(self.draft.last, item):
+            self.draft.add(item, [Token("rel", relation, item.start, item.start + 1)])
+        elif source[:1] in "+-−" and self._is_next(item):
+            self.draft.items.append(item)
+        else:
+            return False
+        self.draft.fail(failure)
+        return True
 
     def _is_formula(self, tokens: list[Token], item: Item, names: frozenset[str]) -> bool:
         """Tell whether an item says something: in prose or without LaTeX, not every one does."""
@@ -164,10 +183,11 @@ class Assembler:
             if draft.signs:
                 self._maybe_report(draft, names)
             return
-        for failure in draft.failures.values():
-            self._report(failure, (draft.item.start, draft.last.end))
         kept = _without_gaps(draft, sides)
-        if len(kept) < (2 if draft.signs else 1):
+        whole = len(kept) >= (2 if draft.signs else 1)
+        for failure in list(draft.failures.values())[: None if whole else 1]:
+            self._report(failure, (draft.item.start, draft.last.end))
+        if not whole:
             return
         relations = tuple(Relation(sign, self.finder.line_of(at)) for _, sign, at in kept[1:])
         lines = sorted({n for i in draft.items for n in range(i.first_line, i.last_line + 1)})

@@ -11,13 +11,14 @@ from itertools import islice
 from symbalance.reading.failures import ReadingError
 from symbalance.reading.masking import mask_markdown, mask_plain, mask_tex, narrowed
 from symbalance.reading.pieces import has_any_relation, has_relation, pieces_of
-from symbalance.reading.prose import segments, trimmed_segment
+from symbalance.reading.prose import line_rules, segments, trimmed_segment
 from symbalance.reading.regions import Region, RegionFinder
-from symbalance.reading.vocabulary import vocabulary
+from symbalance.reading.vocabulary import Vocabulary, vocabulary
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
+_DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
 LONGEST_LINE = 20_000
@@ -135,17 +136,25 @@ class ItemFinder:
             return
         words = vocabulary(self.names_at(line))
         if whole:
-            bullet = _MARKDOWN_BULLET if self.suffix == ".md" else _BULLET
-            found = bullet.match(self.text, start, end)
-            start = found.end() if found else start
+            start = self._after_bullet(start, end)
         command = _COMMAND.search(self.text, start, end)
         lenient = self._is_lenient(start, end)
-        spans = segments(self.text, start, end, words, lenient)
+        spans = segments(self.text, start, end, line_rules(self.text, start, end, words, lenient))
         if whole and len(spans) == 1 and self._covers(spans[0], start, end):
             yield from self._bare(start, end, line, command is not None)
             return
         for span in spans:
-            yield from self._segment(span, (start, end), line, lenient)
+            if not self._is_argument_of_word(span[0], start):
+                yield from self._segment(span, line, lenient, words)
+
+    def _after_bullet(self, start: int, end: int) -> int:
+        """Return where a line begins after its number or bullet; `- a` alone may be a term."""
+        bullet = _MARKDOWN_BULLET if self.suffix == ".md" else _BULLET
+        found = bullet.match(self.text, start, end)
+        start = found.end() if found else start
+        dash = _DASH.match(self.text, start, end)
+        plain = "\\" not in self.text[start:end] and has_relation(self.text, start, end)
+        return dash.end() if dash and plain else start
 
     def _is_lenient(self, start: int, end: int) -> bool:
         if self.text.find("\\displaystyle", start, end) >= 0:
@@ -167,16 +176,23 @@ class ItemFinder:
             strict = command or has_relation(self.text, piece.start, piece.end)
             yield Item(piece.start, piece.end, "bare", strict, line, line, piece.tag)
 
-    def _segment(self, span: tuple[int, int], line_span: tuple[int, int], line: int, lenient: bool):
+    def _is_argument_of_word(self, place: int, start: int) -> bool:
+        """Tell f(x) with a word for f from brackets after a word and a space."""
+        before = self.text[place - 1] if place > start else " "
+        return self.text[place] in "([" and before.isascii() and before.isalnum()
+
+    def _segment(
+        self, span: tuple[int, int], line: int, lenient: bool, words: Vocabulary
+    ) -> Iterator[Item]:
         if span[1] - span[0] > LONGEST_LINE or not has_any_relation(self.text, *span):
             return
         display = self.text.find("\\displaystyle", *span)
         if display >= 0:
             span = (display, span[1])
-        start, end = trimmed_segment(self.text, *span, line_span)
+        start, end = trimmed_segment(self.text, *span, words)
         if not has_relation(self.text, start, end):
             return
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
-                inner = trimmed_segment(self.text, piece.start, piece.end, line_span)
+                inner = trimmed_segment(self.text, piece.start, piece.end, words)
                 yield Item(*inner, "prose", display >= 0, line, line, piece.tag)

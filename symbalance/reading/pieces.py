@@ -154,6 +154,15 @@ def has_relation(text: str, start: int, end: int) -> bool:
     return False
 
 
+def relation_at_start(text: str) -> str:
+    """Return the relation a text begins with, "" if none."""
+    found = _RELATION.match(text)
+    if not found:
+        return ""
+    sign = found.group()
+    return RELATION_COMMANDS[sign[1:]] if sign[0] == "\\" else RELATION_SIGNS.get(sign, "≈")
+
+
 def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
     """Return where an equation ends before its number, and the number.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from dataclasses import dataclass
 from itertools import pairwise
 
 from symbalance.reading import signs
@@ -47,18 +48,43 @@ _PLAIN_WORDS = word_set(
     " her his how its may new not now off old one our out per she the too two use was way who why you"
     " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins"
 )
-_ARTICLE_FIRST = re.compile(r"(?:a|I|A)\s+(?=[\w\\(])")
-_ARTICLE_LAST = re.compile(r"\s(?:a|I|A)$")
+_LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
+_ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
+_ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 
 
-def segments(
-    text: str, start: int, end: int, words: Vocabulary, lenient: bool = False
-) -> list[tuple[int, int]]:
-    """Return the stretches of a line without prose; `lenient` takes short unknown words as letters."""
+@dataclass(frozen=True, slots=True)
+class Line:
+    """What decides about the words of a line: its letters, and how freely runs of them are taken.
+
+    `longest` is how many single letters may stand side by side without being a word: in a line of
+    English "mass" is no product, even of declared letters. `lenient` takes short unknown words too.
+    """
+
+    words: Vocabulary
+    lenient: bool = False
+    longest: int = 3
+
+    def is_mathematical(self, word: str) -> bool:
+        """Tell whether a run of letters is mathematics here."""
+        if self.lenient:
+            return len(word) <= 3 or is_letters(word, self.words, len(word))
+        return is_letters(word, self.words, self.longest)
+
+
+def line_rules(text: str, start: int, end: int, words: Vocabulary, lenient: bool) -> Line:
+    """Return the rules for a line: stricter where it holds words written in these letters."""
+    long_words = (found.group() for found in _LONG_WORD.finditer(text, start, end))
+    english = not lenient and any(not is_letters(word, words, 3) for word in long_words)
+    return Line(words, lenient, 2 if english else 3)
+
+
+def segments(text: str, start: int, end: int, line: Line) -> list[tuple[int, int]]:
+    """Return the stretches of a line without prose."""
     found: list[tuple[int, int]] = []
     first = start
     for piece in _PIECE.finditer(text, start, end):
-        if _is_mathematical(piece, text, end, words, lenient):
+        if _is_mathematical(piece, text, end, line):
             continue
         if text[first : piece.start()].strip():
             found.append((first, piece.start()))
@@ -68,12 +94,12 @@ def segments(
     return found
 
 
-def _is_mathematical(piece: re.Match[str], text: str, end: int, words: Vocabulary, lenient: bool) -> bool:
+def _is_mathematical(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
-        return is_letters(sign, words) or (lenient and len(sign) <= 3)
+        return line.is_mathematical(sign)
     if kind == "command":
-        return sign[1:] in _COMMANDS or lenient
+        return sign[1:] in _COMMANDS or line.lenient
     if kind == "other":
         return _is_mathematical_sign(sign, text, piece.start(), end)
     return kind != "prose"
@@ -83,35 +109,38 @@ def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
     if sign == ":":
         return text[place + 1 : place + 2] == "="
     if sign in "!%":
-        before, after = text[place - 1 : place], text[place + 1 : min(place + 9, end)].lstrip()[:1]
-        return (before.isalnum() or before == ")") and bool(after) and not after.isalpha()
+        return _is_operation(sign, text[place - 1 : place], text[place + 1 : min(place + 9, end)])
     if sign == ".":
         return place + 1 < end and text[place + 1].isdecimal()
     return sign in _MATHEMATICAL
 
 
-def is_letters(word: str, words: Vocabulary) -> bool:
+def _is_operation(sign: str, before: str, after: str) -> bool:
+    """Tell 50% and n! from a percent sign and an exclamation mark of the prose."""
+    operand = before.isdecimal() if sign == "%" else before.isalnum()
+    return (operand or before == ")") and (sign == "%" or not after.lstrip()[:1].isalpha())
+
+
+def is_letters(word: str, words: Vocabulary, longest: int) -> bool:
     """Tell whether a run of letters is one letter, or declared letters and functions side by side."""
     if len(word) == 1 or word in words.names or word in FUNCTION_WORDS or word == "pi":
         return True
-    if word.lower() in _PLAIN_WORDS:
+    if word.lower() in _PLAIN_WORDS or len(word) > 20:
         return False
-    if len(word) > 20:
-        return False
-    if word[1:].isdecimal():
-        return True
-    return _made_of_letters(word, words)
+    return word[1:].isdecimal() or _made_of_letters(word, words, longest)
 
 
-def _made_of_letters(word: str, words: Vocabulary) -> bool:
-    place, unknown = 0, 0
+def _made_of_letters(word: str, words: Vocabulary, longest: int) -> bool:
+    place, unknown, whole = 0, 0, False
     while place < len(word):
-        if found := words.longest(word, place, len(word)):
-            place += len(found[1])
-        else:
-            unknown += not (word[place].isdecimal() or (word[0] == "d" and not place))
-            place += 1
-    return unknown == 0 or (unknown == 1 and _is_factor_before_function(word))
+        found = words.longest(word, place, len(word))
+        known = len(found[1]) if found else 0
+        whole = whole or known > 1
+        unknown += not (known or word[place].isdecimal() or (word[0] == "d" and not place))
+        place += known or 1
+    if unknown:
+        return unknown == 1 and _is_factor_before_function(word)
+    return whole or len(word) <= longest
 
 
 def _is_factor_before_function(word: str) -> bool:
@@ -119,11 +148,11 @@ def _is_factor_before_function(word: str) -> bool:
     return word[1:] in FUNCTION_WORDS and word not in FUNCTION_WORDS
 
 
-def trimmed_segment(text: str, start: int, end: int, line: tuple[int, int]) -> tuple[int, int]:
+def trimmed_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[int, int]:
     """Return a segment without articles, bullets and brackets that belong to the prose around it."""
     while start < end and (text[start].isspace() or text[start] in ",;.'′~&"):
         start += 1
-    if start > line[0] and (found := _ARTICLE_FIRST.match(text, start, end)):
+    if (found := _ARTICLE_FIRST.match(text, start, end)) and found.group(1) not in words.names:
         start = found.end()
     while start < end and text[start] in "*-+/•·" and text[start + 1 : start + 2].isspace():
         start += 1
@@ -131,7 +160,8 @@ def trimmed_segment(text: str, start: int, end: int, line: tuple[int, int]) -> t
             start += 1
     while start < end and (text[end - 1].isspace() or text[end - 1] in ",;'~&"):
         end -= 1
-    if end < line[1] and (found := _ARTICLE_LAST.search(text[max(start, end - 4) : end])):
+    found = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
+    if found and found.group(1) not in words.names:
         end -= len(found.group())
     return _within_brackets(text, start, end)
 

@@ -45,13 +45,14 @@ class Scanner:
             value = FUNCTION_WORDS.get(word, word)
             self._add("name" if kind == "constant" else kind, value, self.place + len(word))
             return
-        word = found[1] if found else self._undeclared_word()
+        word = found[1] if found else self.text[self.place]
+        word += self._touching_digits(self.place + len(word))
         self._letter(word, self.place + len(word))
 
-    def _undeclared_word(self) -> str:
-        """One letter with the digits that touch it: M2 is a letter, x 2 a product."""
-        after = None if self._expects_argument() else _DIGITS.match(self.text, self.place + 1, self.end)
-        return self.text[self.place : after.end() if after else self.place + 1]
+    def _touching_digits(self, place: int) -> str:
+        """Return digits that touch a letter: M2 is a letter of its own, x 2 a product."""
+        found = _DIGITS.match(self.text, place, self.end)
+        return "" if found is None or self._expects_argument() else found.group()
 
     def _expects_argument(self) -> bool:
         last = self.tokens[-1] if self.tokens else None

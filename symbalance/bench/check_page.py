@@ -1,0 +1,151 @@
+"""The page `symbalance bench check` measures with: a derivation of our own, and the truth about it.
+
+`page.md` is read with `page.symbols.toml`, as a user's notes are; `page.truth.toml` lists its known errors
+by line, with what belongs there, and says what its letters are worth, for values found without the checker.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from symbalance.bench.in_sympy import InSympy
+from symbalance.checking import check
+from symbalance.checking.verdicts import Checked
+from symbalance.reading import canonical_name, read_document, read_expression
+from symbalance.reading.equations import Chain, Document
+from symbalance.reading.syntax import names
+
+POSITIVE = frozenset({"r", "l", "lambda", "omega", "m", "b", "U", "q"})
+PAGE = files("symbalance.bench") / "page.md"
+
+
+@dataclass(frozen=True)
+class Error:
+    """A known error: its line, the number of its relation on that line, what is there and what belongs."""
+
+    line: int
+    wrong: str
+    right: str
+    link: int = 1
+
+
+@dataclass(frozen=True)
+class Page:
+    """The page as written, its declarations, its known errors, and the values of its letters."""
+
+    text: str
+    sidecar: Mapping[str, Any]
+    errors: tuple[Error, ...]
+    values: Mapping[str, str]
+    definitions: Mapping[str, int]
+
+    @property
+    def corrected(self) -> str:
+        """The page with every known error put right."""
+        lines = self.text.split("\n")
+        for error in self.errors:
+            if error.wrong not in lines[error.line - 1]:
+                raise ValueError(f"page.truth.toml: line {error.line} does not hold {error.wrong}")
+            lines[error.line - 1] = lines[error.line - 1].replace(error.wrong, error.right)
+        return "\n".join(lines)
+
+    @property
+    def defining(self) -> frozenset[int]:
+        """The lines on which a letter gets its value."""
+        return frozenset(self.definitions.values())
+
+    @property
+    def letters(self) -> frozenset[str]:
+        """The letters declared, by their canonical names."""
+        return frozenset(canonical_name(letter) for letter in self.sidecar["symbols"])
+
+    def read(self, text: str) -> Document:
+        """Return the equations of a text in the letters of this page."""
+        return read_document(text, "page.md", lambda _: self.letters)
+
+    def in_sympy(self) -> InSympy:
+        """Return a converter that knows what the letters of the page are worth."""
+        values = {
+            canonical_name(letter): read_expression(text, self.letters)[0]
+            for letter, text in self.values.items()
+        }
+        return InSympy(values, POSITIVE, frozenset({"n"}))
+
+    def check(self, text: str, lines: Collection[int] | None = None) -> Checked:
+        """Return the verdicts on a text with this page's declarations; binds only of `lines`, if given."""
+        binds = [b for b in self.sidecar.get("bind", []) if lines is None or b["line"] in lines]
+        return check(text, {"symbols": self.sidecar["symbols"], "bind": binds})
+
+
+@cache
+def page() -> Page:
+    """Return the page that comes with the package."""
+    folder = files("symbalance.bench")
+    truth = tomllib.loads((folder / "page.truth.toml").read_text(encoding="utf-8"))
+    return Page(
+        PAGE.read_text(encoding="utf-8"),
+        tomllib.loads((folder / "page.symbols.toml").read_text(encoding="utf-8")),
+        tuple(Error(**error) for error in truth["error"]),
+        truth["values"],
+        {canonical_name(letter): line for letter, line in truth["definitions"].items()},
+    )
+
+
+@dataclass(frozen=True)
+class Block:
+    """A paragraph of the page: its lines, the letters in it, and those it defines."""
+
+    lines: range
+    letters: frozenset[str]
+    defines: frozenset[str]
+
+
+def blocks(page: Page, document: Document) -> list[Block]:
+    """Return the paragraphs of a document of this page that hold relations."""
+    found = []
+    for match in re.finditer(r"(?:[^\n]+\n?)+", document.text):
+        first = document.line_of(match.start())
+        lines = range(first, document.line_of(match.end() - 2) + 1)
+        inside = [c for c in document.chains if c.relations and c.lines[0] in lines]
+        if inside:
+            letters = frozenset().union(*(names(side.node) for c in inside for side in c.sides))
+            own = frozenset(name for name, line in page.definitions.items() if line in lines)
+            found.append(Block(lines, letters, own))
+    return found
+
+
+def context(chosen: Iterable[Block], every: Iterable[Block], follow: bool = False) -> list[Block]:
+    """Return paragraphs with those before them that define their letters.
+
+    With `follow` also the later ones that use the letters which the chosen paragraphs define.
+    """
+    every, kept = list(every), list(chosen)
+    if follow:
+        made = frozenset().union(*(block.defines for block in kept))
+        kept += [block for block in every if block.letters & made and block not in kept]
+    for block in kept:
+        kept += [
+            b
+            for b in every
+            if b.defines & block.letters and b.lines[0] < block.lines[0] and b not in kept
+        ]
+    return sorted(kept, key=lambda block: block.lines[0])
+
+
+def place_of(chain: Chain, k: int) -> tuple[int, int]:
+    """Return the line of a chain's k-th relation and its number among those on that line."""
+    line = chain.relations[k].line
+    return line, 1 + sum(relation.line == line for relation in chain.relations[:k])
+
+
+def masked(text: str, kept: Iterable[Block]) -> str:
+    """Return a text with everything but some paragraphs blank; what is left keeps its lines."""
+    lines = {line for block in kept for line in block.lines}
+    shown = (row if n in lines else "" for n, row in enumerate(text.split("\n"), 1))
+    return "\n".join(shown)
