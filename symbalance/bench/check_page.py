@@ -144,8 +144,13 @@ def place_of(chain: Chain, k: int) -> tuple[int, int]:
     return line, 1 + sum(relation.line == line for relation in chain.relations[:k])
 
 
-def masked(text: str, kept: Iterable[Block]) -> str:
-    """Return a text with everything but some paragraphs blank; what is left keeps its lines."""
+def masked(text: str, kept: Iterable[Block], seen: Iterable[str] = ()) -> str:
+    """Return a text with everything but some paragraphs blank; what is left keeps its lines.
+
+    The first line is given to the letters `seen` in what is left out, for the checker takes a relation
+    that holds a letter for the first time as one that may fix it.
+    """
     lines = {line for block in kept for line in block.lines}
-    shown = (row if n in lines else "" for n, row in enumerate(text.split("\n"), 1))
-    return "\n".join(shown)
+    shown = [row if n in lines else "" for n, row in enumerate(text.split("\n"), 1)]
+    letters = " ".join(rf"\{name}" if len(name) > 1 else name for name in sorted(seen))
+    return "\n".join([f"$$ {letters} = {letters} $$" if letters else shown[0], *shown[1:]])

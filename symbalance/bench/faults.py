@@ -14,9 +14,9 @@ Kind = Callable[[str], Iterator[str]]
 _ANGLE = r"\\(?:theta|alpha|beta)|[AB](?![a-z])"
 _NUMBER = re.compile(r"(?<![\d.^_])(?<!\^\{)\d+(?:\.\d+)?(?![\d.])")
 _NOT_A_COEFFICIENT = re.compile(rf"\s*(?:i\s*)?(?:{_ANGLE}|\^\\circ|\\pi|k \\cdot|\(\\theta)")
-_IN_PHASE = re.compile(r"\\frac\{\d*\\?p?i?\}\{$|\\frac\{\d+\\pi\}\{$|\\frac\{\\pi\}\{$")
+_IN_PHASE = re.compile(r"\\frac\{\d*\\pi\}\{$")
 _BOUNDS = re.compile(r"\\sum_\{[^}]*\}\^\{[^}]*\}")
-_ORDER = re.compile(rf"\d+(?=\s*(?:i\s*)?(?:{_ANGLE}))")
+_ORDER = re.compile(rf"(?<![\d^])\d+(?=\s*(?:i\s*)?(?:{_ANGLE}))")
 _BARE = re.compile(r"(?<=\\cos|\\sin)(\^\d)?\s*(?=\\theta|\\alpha)")
 _DEGREES = re.compile(r"(\d+)(?=\^\\circ)")
 _PI = re.compile(r"\\frac\{(\d*)\\pi\}\{(\d+)\}|(?<![\d{\\a-z])(\d*)\\pi")
@@ -128,7 +128,7 @@ def exponents(text: str) -> Iterator[str]:
     ['x^{3}', 'x^{1}', 'x']
     """
     for found in _EXPONENT.finditer(text):
-        if _BOUNDS.match(text[: found.end()].rpartition(r"\sum")[1]) or text[: found.start()].endswith("}"):
+        if text[: found.start()].endswith("}"):  # the upper bound of a sum
             continue
         value = int(found[1] or found[2])
         for other in (value + 1, value - 1):

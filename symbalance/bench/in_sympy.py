@@ -29,9 +29,10 @@ class InSympy:
     `positive` and `integer` letters get SymPy's assumption of that name, all others `real`.
     A derivative by `time` is one by `angle`, times `speed`.
 
-    >>> x, two = syntax.Name("x"), syntax.Number(Fraction(2))
-    >>> InSympy(values={"y": syntax.Power(x, two)}).of(syntax.Product((two, syntax.Name("y"))))
-    2*x**2
+    >>> from symbalance.reading import read_expression
+    >>> cosine, product = (read_expression(text, "xy")[0] for text in ("cos 2x", "3 x y"))
+    >>> InSympy(values={"y": cosine}).of(product)
+    3*x*cos(2*x)
     """
 
     values: Mapping[str, syntax.Node] = field(default_factory=dict)

@@ -20,7 +20,7 @@ from symbalance.checking.edits import Edit, edits, parts, ways, whole
 from symbalance.checking.floats import NoValueError, Sieve, Values, close
 from symbalance.checking.knowledge import Knowledge
 from symbalance.checking.steps import Answer
-from symbalance.checking.term_repair import repaired
+from symbalance.checking.term_repair import kinds, repaired
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Name, Node, Number, Product, Quotient
 
@@ -246,5 +246,4 @@ def _by_terms(case: Case) -> Repair | None:
     changed, changes = found
     if not case.proves(changed):
         return None
-    kind = "term" if len(changes) == 1 else "terms"
-    return Repair(f"{kind} wrong", changed, changes, 2.0 + len(changes))
+    return Repair(kinds(changes), changed, changes, 2.0 + len(changes))

@@ -8,6 +8,7 @@ from dataclasses import replace
 from symbalance.checking.diagnosis import Case, Repair, diagnosed
 from symbalance.checking.knowledge import Knowledge
 from symbalance.checking.steps import Answer
+from symbalance.checking.term_repair import kind
 from symbalance.checking.verdicts import REFUTED, Fault, Fix, Verdict
 from symbalance.reading import render
 from symbalance.reading.equations import Document, Side
@@ -50,11 +51,15 @@ def mended(
 
 def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> Fix:
     """Return what the report says of a repair."""
-    faults = tuple(_fault(old, new, document, side) for old, new in repair.changes)
+    several = len(repair.changes) > 1
+    faults = tuple(
+        _fault(old, new, document, side, kind(old, new) if several else repair.kind)
+        for old, new in repair.changes
+    )
     return Fix(repair.kind, title + render(repair.node), repair.node, faults)
 
 
-def _fault(old: Node, new: Node, document: Document, side: Side) -> Fault:
+def _fault(old: Node, new: Node, document: Document, side: Side, kind_of: str) -> Fault:
     span = old.span if old.span != (0, 0) else (side.span[1], side.span[1])
     source = document.source(span).strip()
-    return Fault(document.line_of(span[0]), document.column_of(span[0]), source, render(new))
+    return Fault(document.line_of(span[0]), document.column_of(span[0]), source, render(new), kind_of)

@@ -50,7 +50,7 @@ def _errors(checked: Checked, verdict: Verdict) -> list[str]:
         ]
     return [
         f"| {document}:{fault.line} | {_code(fault.source or '(nothing)')} | "
-        f"{_cell(fault.should)} | {_cell(verdict.fix.kind)} |"
+        f"{_cell(fault.should)} | {_cell(fault.kind)} |"
         for fault in verdict.fix.faults
     ]
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from symbalance.algebra import polynomials as poly
-from symbalance.algebra.domain import NoFormError, Polynomial
+from symbalance.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.algebra.evaluation import Evaluator
 from symbalance.algebra.forms import Form
 from symbalance.algebra.harmonics import Components, Place, components, polynomial_node
@@ -112,7 +112,7 @@ def _likeness(place: Place, leaf: Leaf, small: int | None) -> float:
                 small, 0
             )
             best = max(best, 3.0 + shared + same[0] + 1.5 * power)
-        elif same[2] and place.letters and (same[1] or own.angle):
+        elif same[2] and place.letters and place.angle and own.angle:
             best = max(best, 2.0)
     return best / (1 + 0.05 * (len(leaf.places) - 1))
 
@@ -154,20 +154,53 @@ def _rebuilt(
         changed = replaced(changed, old_node, new_node)
     if extra:
         added = polynomial_node(left.domain, extra)
-        changed = Sum((changed, added))
+        own = changed.terms if isinstance(changed, Sum) else (changed,)
+        changed = Sum((*own, *(added.terms if isinstance(added, Sum) else (added,))), span=node.span)
         changes.append((Number(Fraction(0)), added))
     return (changed, tuple(changes)) if changes else None
 
 
+def _ratio(old: Polynomial, new: Polynomial) -> Fraction | None:
+    """Return new/old where that is a rational number."""
+    first = next(iter(old), None)
+    if first is None or first not in new:
+        return None
+    ratio = new[first] / old[first]
+    return None if poly.minus(new, poly.scaled(old, ratio)) else ratio
+
+
+def kinds(changes: Changes) -> str:
+    """Return in words what kinds of slip a set of changed terms is.
+
+    >>> from symbalance.reading.syntax import Name
+    >>> kinds(((Name("s"), Negative(Name("s"))), (Number(Fraction(0)), Name("r"))))
+    'sign; term missing'
+    """
+    return "; ".join(dict.fromkeys(kind(old, new) for old, new in changes))
+
+
+def kind(old: Node, new: Node) -> str:
+    """Return what kind of slip one changed term is."""
+    zero = Number(Fraction(0))
+    if old == zero or new == zero:
+        return "term missing" if old == zero else "term too many"
+    evaluator = Evaluator(Domain())
+    try:
+        ratio = _ratio(evaluator.form(old).numerator, evaluator.form(new).numerator)
+    except (NoFormError, TooLargeError):
+        ratio = None
+    if ratio is not None:
+        return "sign" if ratio == -1 else f"factor {ratio}"
+    waves = [{c.function for c in syntax.walk(n) if isinstance(c, syntax.Call)} for n in (old, new)]
+    if waves in ([{"sin"}, {"cos"}], [{"cos"}, {"sin"}]):
+        return "sin for cos" if "sin" in waves[1] else "cos for sin"
+    return "term"
+
+
 def _in_proportion(leaf: Leaf, old: Form, left: Form) -> Form | None:
     """Return the term's right value where that is a rational multiple of what stands there."""
-    first = next(iter(old.numerator), None)
-    if first is None or first not in leaf.missing or leaf.own is None:
-        return None
-    ratio = leaf.missing[first] / old.numerator[first]
-    if poly.minus(leaf.missing, poly.scaled(old.numerator, ratio)):
-        return None
-    return leaf.own.scaled(1 + ratio)
+    ratio = _ratio(old.numerator, leaf.missing)
+    return None if ratio is None or leaf.own is None else leaf.own.scaled(1 + ratio)
 
 
 def _all_places(leaf: Leaf, left: Form) -> Polynomial:

@@ -37,6 +37,7 @@ class Fault:
     column: int
     source: str
     should: str
+    kind: str = ""
 
 
 @dataclass(frozen=True, slots=True)
