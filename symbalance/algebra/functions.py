@@ -7,7 +7,7 @@ generator e^(i m), and multiples of pi become turns. e^(i asin v) = √(1-v²) +
 from __future__ import annotations
 
 from fractions import Fraction
-from math import isqrt
+from math import gcd, isqrt, lcm
 
 from symbalance.algebra import polynomials as poly
 from symbalance.algebra.domain import (
@@ -167,12 +167,12 @@ def root(form: Form) -> Form:
 
 
 def _root_of_polynomial(domain: Domain, square: Polynomial) -> Form:
-    if not square:
-        return Form.number(domain, 0)
+    if poly.is_rational(square):
+        return root_of_rational(domain, square.get(ONE, Fraction(0)))
     monomial, coefficient = _leading(domain, square)
     factor, inverse = domain.raised(monomial, -1)
     inside = poly.times(domain, square, {inverse: Fraction(factor) / coefficient})
-    _assume_not_negative(domain, monomial, alone=inside == {ONE: 1})
+    _assume_not_negative(domain, monomial)
     outside = _root_of_term(domain, monomial, coefficient)
     if inside == {ONE: 1}:
         return outside
@@ -180,28 +180,55 @@ def _root_of_polynomial(domain: Domain, square: Polynomial) -> Form:
 
 
 def _leading(domain: Domain, square: Polynomial) -> tuple[Monomial, Fraction]:
-    """Return the term taken out of a root: positive, free of turns, angles and radicals if one is.
+    """Return the term taken out of a root, without angles and radicals: a whole one of positive letters.
 
-    The choice does not change when the polynomial is multiplied by a positive monomial, so roots of
-    proportional polynomials share one generator.
+    Where there is none, the positive letters of one term and the common divisor of the coefficients. The
+    choice does not change when the polynomial is multiplied by a positive monomial, so roots of
+    proportional polynomials share one generator. Other letters leave by even powers all terms share.
     """
-    free = [
-        (m, c)
-        for m, c in square.items()
-        if c > 0 and all(domain.generators[g].kind in ("symbol", "prime", "growth") for g, _ in m)
-    ]
-    if not free:
-        return ONE, Fraction(1)
-    letters = sorted({g for monomial, _ in free for g, _ in monomial})
-    return max(free, key=lambda term: [dict(term[0]).get(g, 0) for g in letters])
+    if len(square) == 1:
+        ((alone, factor),) = square.items()
+        if factor > 0 and all(domain.generators[g].kind in _FREE for g, _ in alone):
+            return alone, factor
+    parts = {m: tuple((g, e) for g, e in m if _is_positive(domain, g)) for m in square}
+    whole = [m for m, c in square.items() if c > 0 and parts[m] == m]
+    letters = sorted({g for part in parts.values() for g, _ in part})
+    lead = max(whole or parts.values(), key=lambda m: [dict(m).get(g, 0) for g in letters])
+    _, monomial = domain.times(lead, _shared_squares(domain, square))
+    return monomial, square[lead] if whole else _content(square)
 
 
-def _assume_not_negative(domain: Domain, monomial: Monomial, alone: bool) -> None:
-    """Note the letters whose sign counts in √(m q) = √m √q; a lone √x asks nothing beyond being real."""
+_FREE = ("symbol", "prime", "growth")
+
+
+def _is_positive(domain: Domain, number: int) -> bool:
+    generator = domain.generators[number]
+    return generator.positive and generator.kind in _FREE
+
+
+def _shared_squares(domain: Domain, square: Polynomial) -> Monomial:
+    """Return the largest even powers of letters of unknown sign that divide every term."""
+    exponents = [dict(monomial) for monomial in square]
+    shared = []
+    for number in sorted({g for monomial in square for g, _ in monomial}):
+        if domain.generators[number].kind == "symbol" and not domain.generators[number].positive:
+            lowest = min(own.get(number, 0) for own in exponents)
+            shared.append((number, lowest // 2 * 2))
+    return tuple((g, e) for g, e in shared if e)
+
+
+def _content(polynomial: Polynomial) -> Fraction:
+    """Return the greatest common divisor of the coefficients."""
+    below = lcm(*(c.denominator for c in polynomial.values()))
+    return Fraction(gcd(*(int(c * below) for c in polynomial.values())), below)
+
+
+def _assume_not_negative(domain: Domain, monomial: Monomial) -> None:
+    """Note the letters whose sign counts in √(x²) = x or √(xy) = √x √y; √x alone only has to be real."""
     open_signs = [(g, e) for g, e in monomial if not domain.generators[g].positive]
     odd = [g for g, e in open_signs if e % 2]
     for generator, exponent in open_signs:
-        if exponent % 4 == 2 or (exponent % 2 and (len(odd) > 1 or not alone)):
+        if exponent % 4 == 2 or (exponent % 2 and len(odd) > 1):
             domain.assumptions[f"{domain.generators[generator].content} ≥ 0"] = None
 
 

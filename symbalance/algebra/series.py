@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.algebra import functions
-from symbalance.algebra.domain import Domain, Monomial, NoFormError, Polynomial
+from symbalance.algebra.domain import HALF, Domain, Monomial, NoFormError, Polynomial
 from symbalance.algebra.forms import Form
 
 SLACK = 6
@@ -34,6 +34,10 @@ class Series:
         """Return the series known only through a lower order, zeros dropped."""
         kept = {k: f for k, f in self.terms.items() if k <= through and f.is_zero() is not True}
         return Series(self.domain, kept, min(through, self.through))
+
+    def settled(self) -> Series:
+        """Return the series without the terms that are zero."""
+        return self.cut(self.through)
 
     def plus(self, other: Series) -> Series:
         """Return the sum."""
@@ -71,6 +75,7 @@ class Expansion:
         self.domain, self.sign, self.limit = domain, sign, through + SLACK
         self.number = domain.symbol(letter)
         self._known: dict[tuple[int, Fraction | int], Series] = {}
+        self._halved: set[int] = set()
 
     def of(self, form: Form) -> Series:
         """Return the series of a form; raises NoFormError where there is none in whole powers."""
@@ -91,12 +96,14 @@ class Expansion:
     def _term(self, monomial: Monomial, coefficient: Fraction) -> Series:
         free = [(g, e) for g, e in monomial if not self.depends(g)]
         result = self.constant(Form.of(self.domain, {tuple(free): coefficient}))
+        shift: Fraction | int = 0
         for number, exponent in monomial:
             if number == self.number:
-                result = result.shifted(_whole(exponent * self.sign))
+                shift += exponent * self.sign
             elif self.depends(number):
                 result = result.times(self.power(number, exponent), self.limit)
-        return result
+                shift -= HALF if number in self._halved else 0
+        return result.shifted(_whole(shift))
 
     def depends(self, number: int) -> bool:
         """Tell whether a generator holds the letter."""
@@ -118,7 +125,7 @@ class Expansion:
         return False
 
     def power(self, number: int, exponent: Fraction | int) -> Series:
-        """Return the series of a generator to a power."""
+        """Return the series of a generator to a power; of a root in `_halved`, times the letter^(1/2)."""
         key = (number, exponent)
         if key not in self._known:
             self._known[key] = self._expand(number, exponent)
@@ -127,7 +134,11 @@ class Expansion:
     def _expand(self, number: int, exponent: Fraction | int) -> Series:
         generator = self.domain.generators[number]
         if generator.kind == "radical" and exponent == 1:
-            return self.root(self.polynomial(generator.content))
+            square = self.polynomial(generator.content).settled()
+            if square.start % 2:
+                self._halved.add(number)
+                square = square.shifted(1)
+            return self.root(square)
         if generator.kind in ("exponential", "growth"):
             inner = self._term(generator.content, Fraction(exponent))
             if generator.kind == "exponential":
@@ -183,7 +194,7 @@ class Expansion:
 
     def _normalised(self, series: Series) -> tuple[Form, int, Series]:
         """Return (c, k, u) with series = c e^k (1 + u) and u of order 1 or higher."""
-        first = series.cut(series.through)
+        first = series.settled()
         if not first.terms:
             raise NoFormError("a series with no leading term")
         start = first.start

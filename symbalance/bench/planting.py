@@ -124,7 +124,7 @@ class Planter:
         try:
             if self.values.same(node, chain.sides[k].node):
                 return NO_FAULT
-        except (ZeroDivisionError, ValueError, TypeError):
+        except (ZeroDivisionError, ValueError, TypeError, KeyError):
             return UNREAD
         if k < 2 and place_of(chain, 0)[0] in self.page.defining:
             return DEFINITION
@@ -138,7 +138,7 @@ class Planter:
         refuted = [v for v in checked.verdicts if v.verdict == REFUTED]
         fixes = [v.fix for v in refuted if v.fix]
         right = place.chain.sides[place.side].node
-        back = [f for f in fixes if self.restores(f.node, right, place)]
+        back = [f for f in fixes if self.restores(f.node, right)]
         here = [v.verdict for v in checked.verdicts if v.line in place.chain.lines]
         chosen = (back or fixes or [None])[0]
         return replace(
@@ -147,17 +147,23 @@ class Planter:
             verdicts=tuple(dict.fromkeys(here)),
             fix=chosen.text if chosen else "",
             rightly=bool(back),
-            other_side=bool(chosen) and not back and self.restores(chosen.node, node, place),
+            other_side=bool(chosen) and not back and self.fits(chosen.node, node),
         )
 
-    def restores(self, fixed: Node, right: Node, place: Place) -> bool:
-        """Tell whether a corrected side has the value it should have, through the order it keeps."""
+    def restores(self, fixed: Node, right: Node) -> bool:
+        """Tell whether a corrected side has the value it should have, through the order it kept."""
         try:
             if self.values.same(fixed, right):
                 return True
             kept = self.values.degree(right)
-            cut = place.side and place.chain.relations[place.side - 1].sign == "≈"
-            return bool(cut) and kept is not None and self.values.agreement(fixed, right) > kept
+            return bool(kept) and self.values.agreement(fixed, right) > kept
+        except (ZeroDivisionError, ValueError, TypeError, KeyError):
+            return False
+
+    def fits(self, fixed: Node, wrong: Node) -> bool:
+        """Tell whether a changed side agrees with the faulty one, through the order it keeps."""
+        try:
+            return self.values.same(fixed, wrong) or self.values.is_true_to_order(fixed, wrong)
         except (ZeroDivisionError, ValueError, TypeError, KeyError):
             return False
 

@@ -70,6 +70,7 @@ def side(
         inline=chain.inline,
         span=claimed.span,
         claimed=render(claimed.node),
+        node=claimed.node,
     )
     if answer.status == REFUTED and knowledge.crank is not None and bind.quantity != "harmonic":
         base = _mended(base, document, claimed, answer, bind, knowledge, folder)
@@ -189,7 +190,7 @@ def piece(
         return replace(base, reason=f"{problem.what}; {problem.remedy}", bind=bind.title)
     claimed = Side(readings, span)
     answer = answered(claimed, bind, knowledge, folder)
-    base = replace(base, claimed=render(claimed.node), verdict=word_for(answer))
+    base = replace(base, claimed=render(claimed.node), node=claimed.node, verdict=word_for(answer))
     if answer.status == REFUTED and bind.quantity != "harmonic":
         base = _mended(base, document, claimed, answer, bind, knowledge, folder)
     return with_answer(base, answer, bind)

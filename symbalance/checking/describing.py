@@ -42,6 +42,7 @@ def described(document: Document, chain: Chain, k: int, answer: Answer) -> Verdi
         notes=chain.notes,
         tag=chain.tag,
         span=side.span,
+        node=side.node,
     )
 
 

@@ -26,7 +26,7 @@ def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None =
         >>> from symbalance.checking import check
         >>> found = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
         >>> found.verdicts[0].verdict, found.verdicts[0].fix.text
-        ('refuted', '(1 − cos 2x)/2')
+        ('refuted', '(1 - cos 2x)/2')
 
     Raises SymbalanceError for a file or a declaration that cannot be used; an equation that cannot be
     read is a verdict, not an error.

@@ -224,7 +224,7 @@ def _times(factor: Fraction, term: Node) -> Node:
 
     >>> from symbalance.reading import render
     >>> render(_times(Fraction(6), Product((Quotient(whole(1), whole(3)), Constant("pi")))))
-    '2π'
+    '2 π'
     """
     evaluator = Evaluator(Domain())
     try:

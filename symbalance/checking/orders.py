@@ -27,8 +27,9 @@ from symbalance.checking.steps import (
     text,
     without_dots,
 )
+from symbalance.notation.series import raised
 from symbalance.reading import render
-from symbalance.reading.syntax import Name, Node, Number, Power
+from symbalance.reading.syntax import Name, Node
 
 HIGHEST = 40
 NO_LETTER = "no letter in which one side is a cut-off series"
@@ -48,7 +49,7 @@ class Small:
         """The order kept, as a power of the letter."""
         if not self.kept:
             return "leading term"
-        return render(Power(Name(self.letter), Number(Fraction(self.sign * self.kept))))
+        return render(Name(self.letter)) + raised(str(self.sign * self.kept).replace("-", "−"))
 
 
 def agree(

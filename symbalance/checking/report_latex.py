@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
+
 from symbalance.checking.report_text import summary, verdict_words, witness_text
-from symbalance.checking.verdicts import Checked, Verdict
+from symbalance.checking.verdicts import REFUTED, Checked, Verdict
 from symbalance.reading import render_latex
+from symbalance.reading.syntax import Negative, Node, Sum
 
 _HEAD = r"""\documentclass[a4paper,10pt]{article}
 \usepackage[T1]{fontenc}
@@ -34,23 +38,21 @@ _SPECIAL = {
 def report_latex(checked: Checked) -> str:
     """Return a document that compiles with pdflatex: amsmath, booktabs and longtable only."""
     parts = [_HEAD, rf"\section*{{{escaped(checked.document.name)}}}", "\n"]
-    parts += [_entry(checked, verdict) for verdict in checked.verdicts]
+    parts += [_entry(verdict) for verdict in checked.verdicts]
     parts += [r"\medskip\hrule\medskip", "\n", escaped(summary(checked)), "\n", r"\end{document}", "\n"]
     return "".join(parts)
 
 
-def _entry(checked: Checked, verdict: Verdict) -> str:
+def _entry(verdict: Verdict) -> str:
     place = f"{verdict.line}" if verdict.link == 1 else f"{verdict.line}.{verdict.link}"
-    head = rf"\textbf{{{place}}}\quad {_words(verdict)}\\" + "\n"
-    body = rf"{{\small\ttfamily\raggedright {_source(verdict)}\par}}" + "\n"
-    lines = [_note(f"claims to be: {verdict.bind}")] if verdict.bind else []
-    lines += [_note(verdict.reason)] if verdict.reason else []
-    if verdict.is_bad and verdict.witness:
-        lines.append(_note(f"witness: {witness_text(verdict)}"))
-    if verdict.fix:
-        lines.append(_note(f"found: {verdict.fix.kind}; it should read"))
-        lines.append(displayed(render_latex(verdict.fix.node)))
-    return r"\begin{samepage}" + head + body + "".join(lines) + r"\end{samepage}\medskip" + "\n\n"
+    parts = [rf"\textbf{{{place}}}\quad {_words(verdict)}\\" + "\n", _source(verdict)]
+    parts += [_note(f"claims to be: {verdict.bind}")] if verdict.bind else []
+    parts += [_note(verdict.reason)] if verdict.reason else []
+    if verdict.verdict == REFUTED:
+        parts += [_note(f"witness: {witness_text(verdict)}")] if verdict.witness else []
+        parts += [_note(f"found: {verdict.fix.kind}")] if verdict.fix else []
+        parts.append(_beside(verdict))
+    return r"\begin{samepage}" + "".join(parts) + r"\end{samepage}\medskip" + "\n\n"
 
 
 def _words(verdict: Verdict) -> str:
@@ -58,14 +60,72 @@ def _words(verdict: Verdict) -> str:
     return rf"\fbox{{\textsc{{{words.lower()}}}}}" if verdict.is_bad else rf"\textit{{{words}}}"
 
 
-def displayed(formula: str) -> str:
-    """Return a formula on its own line, made to fit if it is wide."""
-    return rf"\[\begin{{gathered}}{formula}\end{{gathered}}\]" + "\n"
+def _beside(verdict: Verdict) -> str:
+    """Return the line as it stands and as it should be, one above the other, typeset alike."""
+    rows = [("stands", verdict.node)] if verdict.node is not None else []
+    rows += [("right", verdict.fix.node)] if verdict.fix else []
+    if not rows:
+        return ""
+    broken = [(title, _lines(node)) for title, node in rows]
+    size = _size(max(visible_length(line) for _, lines in broken for line in lines))
+    printed = [(title, _aligned(lines)) for title, lines in broken]
+    lines = rf"\\[1.2ex]{chr(10)}".join(
+        rf"\textit{{{title}}} & \displaystyle {formula}" for title, formula in printed
+    )
+    return rf"{{{size}\[\begin{{array}}{{@{{}}l@{{\quad}}l@{{}}}}{lines}\end{{array}}\]}}" + "\n"
+
+
+def _lines(node: Node) -> list[str]:
+    """Return a formula in lines that fit, broken between the terms of its outermost sum."""
+    if not isinstance(node, Sum):
+        return [render_latex(node)]
+    lines: list[str] = []
+    for k, term in enumerate(node.terms):
+        negative = isinstance(term, Negative)
+        printed = render_latex(term)
+        signed = printed if k == 0 else (printed if negative else f"+ {printed}")
+        if lines and visible_length(lines[-1] + signed) <= WIDEST:
+            lines[-1] = f"{lines[-1]} {signed}"
+        else:
+            lines.append(signed)
+    return lines
+
+
+def _aligned(lines: list[str]) -> str:
+    if len(lines) == 1:
+        return lines[0]
+    joined = rf"\\{chr(10)}&\quad ".join(lines)
+    return rf"\begin{{aligned}}[t]&{joined}\end{{aligned}}"
+
+
+WIDEST = 60
+_SIZES = ((WIDEST, ""), (72, r"\small"), (84, r"\footnotesize"), (100, r"\scriptsize"))
+
+
+def _size(length: int) -> str:
+    return next((size for limit, size in _SIZES if length <= limit), r"\tiny")
+
+
+def visible_length(formula: str) -> int:
+    r"""Return about how many letters wide a formula is: a fraction counts its longer half.
+
+    >>> visible_length(r"\frac{15}{4096 \lambda^{5}} \cos 2 \theta")
+    11
+    """
+    while found := _FRACTION.search(formula):
+        longer = max(found[1], found[2], key=visible_length)
+        formula = formula[: found.start()] + longer + formula[found.end() :]
+    formula = re.sub(r"\\(sin|cos|tan|quad|exp|ln)", "abc", formula)
+    return len(re.sub(r"\\(left|right|,|;)|[{}^_\s]", "", re.sub(r"\\[a-zA-Z]+", "a", formula)))
+
+
+_FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
 
 
 def _source(verdict: Verdict) -> str:
-    joined = " ".join(verdict.source.split())
-    return escaped(joined if len(joined) <= 600 else joined[:599] + "...")
+    joined = " ".join(verdict.source.replace(r"\displaystyle", " ").split())
+    shown = escaped(joined if len(joined) <= 600 else joined[:599] + "...")
+    return rf"{{\small\ttfamily\raggedright {shown}\par}}" + "\n"
 
 
 def _note(text: str) -> str:
@@ -81,9 +141,10 @@ def escaped(text: str) -> str:
     return "".join(_SPECIAL.get(c, c if c.isascii() else _letter(c)) for c in text)
 
 
-def _letter(character: str) -> str:
-    import unicodedata
+_RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 
+
+def _letter(character: str) -> str:
     known = {
         "≈": r"$\approx$",
         "≥": r"$\geq$",
@@ -96,6 +157,8 @@ def _letter(character: str) -> str:
     }
     if character in known:
         return known[character]
+    if character in _RAISED:
+        return rf"$^{{{'-0123456789'[_RAISED.index(character)]}}}$"
     name = unicodedata.name(character, "")
     if name.startswith("GREEK SMALL LETTER "):
         letter = name.removeprefix("GREEK SMALL LETTER ").lower().replace("lamda", "lambda")

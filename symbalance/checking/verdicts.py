@@ -74,6 +74,7 @@ class Verdict:
     notes: tuple[str, ...] = ()
     tag: str = ""
     span: Span = (0, 0)
+    node: Node | None = None
 
     @property
     def is_bad(self) -> bool:

@@ -8,7 +8,17 @@ from symbalance.reading.cursor import multiplied
 from symbalance.reading.failures import ReadingError
 from symbalance.reading.letters import is_greek
 from symbalance.reading.scripts import Scripts
-from symbalance.reading.syntax import Call, Negative, Node, Number, Power, Quotient, names
+from symbalance.reading.syntax import (
+    Call,
+    Constant,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Quotient,
+    names,
+    walk,
+)
 from symbalance.reading.tokens import Token
 
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
@@ -98,7 +108,7 @@ class Calls(Scripts):
             return False
         if not (token.kind in ("open", "vulgar", "bar") or token.is_cmd("frac", "sqrt", "surd")):
             return True
-        whole = any(is_greek(name) for factor in factors for name in names(factor))
+        whole = any(map(_is_whole_angle, factors))
         if token.kind == "open" and not whole:
             return True
         return whole == bool(self.choose())
@@ -107,6 +117,13 @@ class Calls(Scripts):
         """Tell whether a factor can never belong to an argument already begun."""
         power_of_e = token.kind == "name" and token.value == "e" and "e" not in self.names
         return token.kind in ("function", "number") or token.is_cmd("sum") or power_of_e
+
+
+def _is_whole_angle(factor: Node) -> bool:
+    """Tell whether a factor is an angle already: it holds a Greek letter, or is a number of π or degrees."""
+    letters = names(factor)
+    pi = any(isinstance(part, Constant) and part.name == "pi" for part in walk(factor))
+    return any(map(is_greek, letters)) or (pi and not letters)
 
 
 def _is_minus_one(power: Node) -> bool:

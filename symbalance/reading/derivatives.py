@@ -69,8 +69,10 @@ class Derivatives(Scripts):
             steps += 1
         slash = self.ahead(steps)
         letter = self.ahead(steps + 2)
-        whole = slash is not None and slash.is_op("/") and _is_d(self.ahead(steps + 1))
-        return whole and letter is not None and letter.kind == "name" and self._all_tight(steps + 2)
+        if slash is None or not (slash.is_op("/") or slash.is_cmd("over")):
+            return False
+        named = _is_d(self.ahead(steps + 1)) and letter is not None and letter.kind == "name"
+        return named and (slash.is_cmd("over") or self._all_tight(steps + 2))
 
     def _all_tight(self, steps: int) -> bool:
         return all(self.tight(step) for step in range(1, steps + 1))
@@ -83,7 +85,11 @@ class Derivatives(Scripts):
         """Read d^n f; f may be missing."""
         self.take()
         order = self._order()
-        ended = self.at("close", "}") if stop == "{" else bool(self.now and self.now.is_op("/"))
+        ended = (
+            self.at("close", "}")
+            if stop == "{"
+            else bool(self.now and (self.now.is_op("/") or self.now.is_cmd("over")))
+        )
         if ended:
             return order, None
         if stop == "/":

@@ -21,6 +21,7 @@ _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
 _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
+_RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
 LONGEST_LINE = 20_000
 _MARGIN = 200
 MOST_ITEMS = 20_000
@@ -134,13 +135,16 @@ class ItemFinder:
         source = self.text[start:end]
         if self.suffix == ".md" and source.lstrip().startswith(("#", "|")):
             return
+        if _RULE.fullmatch(source):
+            return
         words = vocabulary(self.names_at(line))
         if whole:
             start = self._after_bullet(start, end)
         command = _COMMAND.search(self.text, start, end)
         lenient = self._is_lenient(start, end)
         spans = segments(self.text, start, end, line_rules(self.text, start, end, words, lenient))
-        if whole and len(spans) == 1 and self._covers(spans[0], start, end):
+        marked = self.text.startswith("\\displaystyle", start) and not _CJK.search(self.text, start, end)
+        if whole and (marked or (len(spans) == 1 and self._covers(spans[0], start, end))):
             yield from self._bare(start, end, line, command is not None)
             return
         for span in spans:

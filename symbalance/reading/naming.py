@@ -10,6 +10,7 @@ from symbalance.reading.letters import ACCENTS, FONTS, GREEK_SIGN, LOWERED, NAME
 
 _COMMAND = re.compile(r"\\([A-Za-z]+)\s*")
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")
+_CANONICAL = re.compile(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+'*")
 _PRIMES = re.compile(r"(?:['′’″]|\^\s*\{?\s*(?:\\prime\s*)+\}?)+")
 LONGEST_SUBSCRIPT = 80
 
@@ -21,6 +22,8 @@ def canonical_name(text: str) -> str:
     ('m_rec', 'm_1', "bar_x'")
     """
     bare = text.strip().strip("$").strip()
+    if _CANONICAL.fullmatch(bare):
+        return bare
     base, stop = _base(bare)
     name, stop = with_scripts(bare, base, stop, len(bare))
     if not bare or stop != len(bare):

@@ -28,8 +28,9 @@ _TAG = re.compile(
     r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\))\s*$"
 )
 _TRAILING = re.compile(
-    r"(?:\s|[.,;。、]|\\[,;:! ]|\\q?quad|\\nonumber|\\notag|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
+    r"(?:\s|[.,;。、&]|\\end\s*\{[A-Za-z]*\*?\}|\\[,;:! ]|\\q?quad|\\nonumber|\\notag|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
 )
+_BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
 _ALIGNED = word_set("align aligned alignat alignedat flalign")
 _BRACKETS = {"{": 1, "(": 1, "[": 1, "}": -1, ")": -1, "]": -1}
 
@@ -49,13 +50,21 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pi
     found: list[Piece] = []
     for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
         last, tag = without_tag(text, first, end_of_row)
-        spans = [trimmed(text, *span) for span in _separate(text, first, last)]
+        spans = [_unboxed(text, *trimmed(text, *span)) for span in _separate(text, first, last)]
         spans = [span for span in spans if span[0] < span[1]]
         if len(spans) > 1:
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
         for place, (left, right) in enumerate(spans):
             found.append(Piece(left, right, tag if place == len(spans) - 1 else "", row))
     return found
+
+
+def _unboxed(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return what stands in a frame, \\boxed{...}, where that is the whole span."""
+    found = _BOXED.match(text, start, end)
+    if not found or text[end - 1] != "}" or _after_words(text, found.end() - 1, end) != end:
+        return start, end
+    return trimmed(text, found.end(), end - 1)
 
 
 def _rows(text: str, start: int, end: int, environment: str) -> list[tuple[int, int]]:

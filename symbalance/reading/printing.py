@@ -101,8 +101,9 @@ class Renderer:
         `closed` asks for brackets around function arguments, as more is to follow.
         """
         writer = getattr(self, type(node).__name__.lower())
-        text = writer(node, closed)
-        return self.bracketed(text) if self.binding(node) < least else text
+        if self.binding(node) < least:
+            return self.bracketed(writer(node, False))
+        return writer(node, closed)
 
     def binding(self, node: Node) -> int:
         """Return how tightly a node binds in this notation."""

@@ -136,7 +136,9 @@ def _made_of_letters(word: str, words: Vocabulary, longest: int) -> bool:
         found = words.longest(word, place, len(word))
         known = len(found[1]) if found else 0
         whole = whole or known > 1
-        unknown += not (known or word[place].isdecimal() or (word[0] == "d" and not place))
+        unknown += not (
+            known or word[place].isdecimal() or word[place] == "i" or (word[0] == "d" and not place)
+        )
         place += known or 1
     if unknown:
         return unknown == 1 and _is_factor_before_function(word)
