@@ -197,6 +197,11 @@ REFUSED = [
         [(1, 7, "cases, arrays and matrices are not read")],
         [],
     ),
+    (
+        "$$(x+a$$\n$$(x+a)) = 2$$",
+        [(1, 3, "bracket ( is never closed"), (2, 8, "bracket ) was never opened")],
+        [],
+    ),
     (r"x \propto y", [(1, 3, "proportionality is not read")], []),
     ("質量は x = m Q である", [(1, 11, "letter Q is not declared")], []),
     ("質量は Z = K Q である", [], []),

@@ -73,12 +73,16 @@ def made_sheet(document: Path, symbols: Path) -> str:
 
 
 def bare(line: str) -> str:
-    """Return a line with each run of Japanese text as one 、 and blanks.
+    """Return a line with each run of Japanese text as one 、 and blanks; 度 after a number stays.
 
     >>> bare("連桿比 147.15/36.65=4.02")
     '、   147.15/36.65=4.02'
     """
-    return re.sub(r"[\u3000-\u9fff\uff00-\uffef]+", lambda run: "、" + " " * (len(run[0]) - 1), line)
+    return re.sub(
+        r"(?:(?!(?<=[0-9])度)[\u3000-\u9fff\uff00-\uffef])+",
+        lambda run: "、" + " " * (len(run[0]) - 1),
+        line,
+    )
 
 
 if __name__ == "__main__":

@@ -79,6 +79,19 @@ class Planter:
                     start -= 5 if self.text[:start].endswith(r"\left") else 0
                     yield Place(chain, k, block, start, end)
 
+    def known_errors(self) -> tuple[int, int]:
+        """Return how many known errors of the page are refuted, and how many of those fixed rightly."""
+        sides = {
+            place_of(chain, k): chain.sides[k + 1].node
+            for chain in self.document.chains
+            for k in range(len(chain.relations))
+        }
+        wrong = {(error.line, error.link) for error in self.page.errors}
+        verdicts = self.page.check(self.page.text).verdicts
+        found = [v for v in verdicts if (v.line, v.link) in wrong and v.verdict == REFUTED]
+        right = [v for v in found if v.fix and self.restores(v.fix.node, sides[v.line, v.link])]
+        return len(found), len(right)
+
     def candidates(self, kind: str) -> list[tuple[Place, str]]:
         """Return all places with the texts a kind of fault makes of them, in the order of the page."""
         found = [(p, t) for p in self.places() for t in KINDS[kind](self.text[p.start : p.end])]

@@ -109,7 +109,7 @@ def _add_engines(commands: argparse._SubParsersAction) -> None:
 
 def _add_bench(commands: argparse._SubParsersAction) -> None:
     parser = _command(commands, "bench", "Measurements on this machine, against named alternatives.")
-    parser.add_argument("topic", choices=("derive",), help="what to measure")
+    parser.add_argument("topic", choices=("derive", "check"), help="what to measure")
     parser.add_argument(
         "--quick", action="store_true", help="fewer repeats, and no alternative over 10 s"
     )

@@ -110,7 +110,7 @@ class Assembler:
             return False
         if first.is_op("+-"):
             return True
-        if not draft.is_unfinished:
+        if not draft.is_unfinished or item.block != draft.last.block:
             return False
         return not (draft.opened and is_equation(tokens))
 
