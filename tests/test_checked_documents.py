@@ -1,21 +1,19 @@
 """The founding documents: the checked pages are up to date, and hold every error known, no other."""
 
-import importlib.util
 import re
+import runpy
 from pathlib import Path
 
 import pytest
 
 CHECKED = Path(__file__).parent.parent / "derivations" / "checked"
-spec = importlib.util.spec_from_file_location("regenerate", CHECKED / "regenerate.py")
-regenerate = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(regenerate)
+DOCUMENTS = runpy.run_path(str(CHECKED / "regenerate.py"))["documents"]
 
 IN_PROSE = {
     ("000", 32), ("000", 145), ("000", 156), ("001", 57), ("001", 65), ("001", 108), ("001", 132),
     ("001", 153), ("003", 103),
 }  # fmt: skip
-"""Errors of derivations/README.md that no equation states: prose, a missing cell, notation read as meant."""
+"""Errors of derivations/README.md that no equation states: prose, a missing cell, notation as meant."""
 
 STEPS = {("003", line) for line in (100, 101, 102, 115, 116, 117)}
 """Sound steps of a chain whose first line is wrong."""
@@ -23,7 +21,7 @@ STEPS = {("003", line) for line in (100, 101, 102, 115, 116, 117)}
 
 @pytest.fixture(scope="module")
 def written():
-    return regenerate.documents()
+    return DOCUMENTS()
 
 
 def test_the_checked_documents_are_what_the_command_writes(written):
@@ -47,7 +45,7 @@ def refuted(written) -> set[tuple[str, int]]:
 
 def test_what_is_refuted_is_what_the_hand_derivations_found(written):
     found, known = refuted(written), errors_by_hand()
-    moved = {("001", 63), ("001", 61), ("001", 66)}  # one missing constant, said of the line it is added to
+    moved = {("001", 63), ("001", 61), ("001", 66)}  # a constant is missing: said where it is added
     assert known - IN_PROSE - STEPS - found <= moved
     assert found - known <= moved | {("002", 100)}
 

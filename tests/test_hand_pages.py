@@ -1,8 +1,8 @@
-"""Hand derivations whose truth was worked out apart from the checker: errors found, nothing right accused.
+"""Hand derivations of known truth: errors are found, nothing right is accused.
 
-`hand/NAME.truth.toml` says of every relation of `hand/NAME.*` what may be said of it (the best first), and
-of planted errors what they are. A relation marked `hard` needs more than the checker claims to do (two
-relations that fix two letters together); there it may say `undecided` or `refuted`.
+`hand/NAME.truth.toml`, worked out apart from the checker, says of every relation of a page what may be
+said of it (the best first), and of planted errors what they are. A relation marked `hard` needs more than
+the checker claims to do (two relations that fix two letters together); there it may be wrong.
 """
 
 import tomllib

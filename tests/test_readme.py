@@ -20,7 +20,7 @@ def test_the_table_is_what_the_command_prints(capsys):
 
 
 def test_every_room_is_in_the_tour_and_every_room_of_the_tour_exists():
-    tour = block("text", 1)
+    tour = next(b for b in re.findall(r"```text\n(.*?)```", README, re.DOTALL) if "rooms from" in b)
     named = set()
     for line in tour.splitlines():
         if line.startswith("  "):
@@ -48,3 +48,11 @@ def test_the_picture_and_the_engine_file_are_real(tmp_path, capsys):
     path.write_text(block("toml"), encoding="utf-8")
     assert run(["balance", str(path)]) == 0
     assert "fires 1-3-4-2" in capsys.readouterr().out
+
+
+def test_the_checked_lines_are_what_the_command_prints(capsys):
+    command = re.search(r"`symbalance (check derivations/\S+)` says", README)
+    assert command
+    where = command[1].split()
+    assert run(["check", str(ROOT / where[1])]) == 1
+    assert block("text", 1) in capsys.readouterr().out

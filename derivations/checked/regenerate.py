@@ -46,8 +46,9 @@ def page(name: str, checked: Checked) -> str:
     """Return one checked document."""
     return (
         f"# {NAMES[name]}\n\n"
-        f"Every equation of `{name}.txt`, by line, as `symbalance check` judges it with `{name}.symbols.toml`. "
-        "`29.2` is the second relation of line 29. What is refuted has its correction beside it.\n\n"
+        f"Every equation of `{name}.txt`, by line, as `symbalance check` judges it with "
+        f"`{name}.symbols.toml`. `29.2` is the second relation of line 29. "
+        "What is refuted has its correction beside it.\n\n"
         f"{report_markdown(checked)}"
     )
 
@@ -56,14 +57,15 @@ def errors(checked: dict[str, Checked]) -> str:
     """Return the list of all that is refuted in the documents."""
     return (
         "# Errors found\n\n"
-        "What `symbalance check` refutes in the four documents: document and line, the piece that is wrong, "
-        "what should stand there, and the kind of slip where it was found and proved. λ is each document's own.\n\n"
+        "What `symbalance check` refutes in the four documents: document and line, the piece that is "
+        "wrong, what should stand there, and the kind of slip where it was found and proved. λ is each "
+        "document's own.\n\n"
         f"{corrections_markdown(list(checked.values()))}"
     )
 
 
 def made_sheet(document: Path, symbols: Path) -> str:
-    """Return the equations of a document at their places: of its prose, a 、 a run is left, to separate."""
+    """Return the equations of a document at their places: a run of its prose leaves a 、."""
     checked = check(document, symbols)
     lines = checked.document.text.split("\n")
     wanted = {line for chain in checked.document.chains for line in chain.lines}

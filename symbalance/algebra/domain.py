@@ -87,6 +87,7 @@ class Domain:
         self.radicals: list[int] = []
         self.opaque: list[int] = []
         self.assumptions: dict[str, None] = {}
+        self.positive_polynomials: list[Polynomial] = []
         self.work = 0
 
     def _number(self, key: Hashable, generator: Generator) -> int:
@@ -141,6 +142,12 @@ class Domain:
         self.generators.append(Generator("opaque", content))
         self.opaque.append(number)
         return number
+
+    def assume_positive(self, polynomial: Polynomial) -> None:
+        """Note that what stands below in √(a/b) = √(ab)/b is positive."""
+        self.assumptions["denominators under roots > 0"] = None
+        if polynomial not in self.positive_polynomials:
+            self.positive_polynomials.append(polynomial)
 
     def is_free(self, number: int) -> bool:
         """Tell whether no power of a generator has a relation: it is a letter, an angle or a function."""

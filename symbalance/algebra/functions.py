@@ -22,6 +22,7 @@ from symbalance.algebra.domain import (
     TooLargeError,
 )
 from symbalance.algebra.forms import Form
+from symbalance.algebra.signs import is_never_negative
 from symbalance.phasor import prime_factors
 
 INVERSES = ("asin", "acos", "atan")
@@ -134,7 +135,7 @@ def cosine(argument: Form) -> Form:
 def sine(argument: Form) -> Form:
     """Return sin x = (e^(ix) - e^(-ix))/(2i)."""
     forward, backward = _both_ways(argument)
-    return forward.minus(backward).over(unit(argument.domain)).scaled(HALF)
+    return forward.minus(backward).times(unit(argument.domain)).scaled(-HALF)
 
 
 def _both_ways(argument: Form) -> tuple[Form, Form]:
@@ -162,8 +163,13 @@ def root(form: Form) -> Form:
     domain = form.domain
     if form.is_polynomial:
         return _root_of_polynomial(domain, form.numerator)
-    product = poly.times(domain, form.numerator, form.denominator)
-    return _root_of_polynomial(domain, product).over(Form.of(domain, form.denominator))
+    below, sign = form.denominator, 1
+    if is_never_negative(domain, poly.scaled(below, -1)):
+        below, sign = poly.scaled(below, -1), -1
+    elif not is_never_negative(domain, below):
+        domain.assume_positive(below)
+    product = poly.scaled(poly.times(domain, form.numerator, below), sign)
+    return _root_of_polynomial(domain, product).over(Form.of(domain, below))
 
 
 def _root_of_polynomial(domain: Domain, square: Polynomial) -> Form:

@@ -76,13 +76,24 @@ class Valuation:
         self.domain, self.point, self.mp = domain, point, context()
         self._powers: dict[tuple[int, int | Fraction], Any] = {}
         self._values: dict[int, Any] = {}
+        self._checked = 0
 
     def of(self, form: Form) -> Any:
         """Return the value of a form."""
+        self._check_assumptions()
         below = self.polynomial(form.denominator)
         if abs(below) < self.mp.mpf(10) ** (-DIGITS // 2):
             raise NoFormError("a division by nearly zero at this point")
         return self.polynomial(form.numerator) / below
+
+    def _check_assumptions(self) -> None:
+        waiting = self.domain.positive_polynomials[self._checked :]
+        self._checked += len(waiting)
+        for polynomial in waiting:
+            found: dict[str, None] = {}
+            _collect(self.domain, polynomial, found)
+            if found.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
+                raise NoFormError("a denominator under a root is negative at this point")
 
     def polynomial(self, polynomial: Polynomial) -> Any:
         """Return the value of a polynomial."""

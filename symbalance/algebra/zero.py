@@ -8,10 +8,11 @@ e^(2 pi i x) and square roots of primes. A root of a prime p is a sum of p-th (o
 
 from __future__ import annotations
 
+from cmath import rect
 from collections import defaultdict
 from fractions import Fraction
 from functools import cache
-from math import prod
+from math import isfinite, prod, tau
 
 from symbalance.algebra.domain import TURN, Domain, Monomial, Polynomial
 from symbalance.errors import SymbalanceError
@@ -48,11 +49,33 @@ def _split(domain: Domain, monomial: Monomial) -> tuple[Monomial, Monomial]:
 def _number_is_zero(domain: Domain, terms: list[tuple[Monomial, Fraction]]) -> bool | None:
     if all(not monomial or monomial[0][0] != TURN for monomial, _ in terms):
         return False  # roots of different numbers are independent (Besicovitch 1940)
+    if _is_clearly_not_zero(domain, terms):
+        return False
     try:
         total = sum((_phasor(domain, monomial).scaled(c) for monomial, c in terms), Phasor(1, {}))
         return total.is_zero()
     except (SymbalanceError, _NotCyclotomicError):
         return None
+
+
+def _is_clearly_not_zero(domain: Domain, terms: list[tuple[Monomial, Fraction]]) -> bool:
+    """Tell whether the sum is far beyond what rounding in floats explains."""
+    try:
+        parts = [float(coefficient) * _float(domain, monomial) for monomial, coefficient in terms]
+    except OverflowError:
+        return False
+    size = sum(abs(part) for part in parts)
+    return isfinite(size) and abs(sum(parts)) > 1e-9 * size
+
+
+def _float(domain: Domain, monomial: Monomial) -> complex:
+    value = complex(1)
+    for generator, exponent in monomial:
+        if generator == TURN:
+            value *= rect(1.0, tau * float(exponent))
+        else:
+            value *= domain.generators[generator].content ** float(exponent)
+    return value
 
 
 class _NotCyclotomicError(Exception):

@@ -1,8 +1,8 @@
 """`symbalance bench check`: what judging a hand derivation costs, how often it is right, what it catches.
 
-Measured on a page of our own (`page.md`: some 115 relations, a dozen of them wrong), beside
-`sympy.simplify(lhs - rhs)` on the same relations (`simplifying` says how that is kept fair), and on faults
-planted by program in the page put right.
+Measured on a page of our own (`page.md`: 116 relations, a dozen of them wrong), beside
+`sympy.simplify(lhs - rhs)` on the same relations (`simplifying` says how that is kept fair), and on
+faults planted by program in the page put right.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ def report(quick: bool = False) -> CheckReport:
 
 
 def notes_on(planter: Planter) -> list[str]:
-    """Return what else is to be said of the page: its known errors, and false alarms where there are none."""
+    """Return what else is to be said: the page's known errors, and alarms where there are none."""
     refuted, fixed = planter.known_errors()
     return [
         f"known errors of the page: {len(planter.page.errors)}, refuted {refuted}, fixed rightly {fixed}",
@@ -94,7 +94,7 @@ def _timed(command: Sequence[str]) -> float:
 
 
 def in_process(here: Page) -> list[Measurement]:
-    """Measure reading, judging and diagnosing the page, and count how many relations are judged rightly."""
+    """Measure reading, judging and diagnosing the page, and count what is judged rightly."""
     progress("judging the page")
     taken = best(lambda: here.check(here.text), budget=1)
     checked = here.check(here.text)
@@ -177,7 +177,7 @@ def fault_table(faults: Sequence[Fault], notes: Sequence[str]) -> str:
         lines.append(f"{name:<24}" + "".join(f"{row[c]:>11}" for c in columns))
     drawn = Counter(fault.where for fault in faults)
     lines += [
-        "rightly: the fix has the value the side had; other side: it changes the other one to fit the fault",
+        "rightly: the fix has the value the side had; other side: it changes the other to fit the fault",
         "in a definition: contradicted only where a later line says otherwise",
         f"drawn, but no faults: {drawn[NO_FAULT]} of the same value, {drawn[LOWERED]} true to a lower"
         f" order, {drawn[UNREAD]} no formula any more",

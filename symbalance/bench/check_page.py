@@ -1,7 +1,8 @@
 """The page `symbalance bench check` measures with: a derivation of our own, and the truth about it.
 
-`page.md` is read with `page.symbols.toml`, as a user's notes are; `page.truth.toml` lists its known errors
-by line, with what belongs there, and says what its letters are worth, for values found without the checker.
+`page.md` is read with `page.symbols.toml`, as a user's notes are; `page.truth.toml` lists its known
+errors by line, with what belongs there, and says what its letters are worth, for values found without
+the checker.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ PAGE = files("symbalance.bench") / "page.md"
 
 @dataclass(frozen=True)
 class Error:
-    """A known error: its line, the number of its relation on that line, what is there and what belongs."""
+    """A known error: its line, the number of its relation there, what it says and what belongs."""
 
     line: int
     wrong: str
@@ -78,7 +79,7 @@ class Page:
         return InSympy(values, POSITIVE, frozenset({"n"}))
 
     def check(self, text: str, lines: Collection[int] | None = None) -> Checked:
-        """Return the verdicts on a text with this page's declarations; binds only of `lines`, if given."""
+        """Return the verdicts on a text in this page's letters; binds only of `lines`, if given."""
         binds = [b for b in self.sidecar.get("bind", []) if lines is None or b["line"] in lines]
         return check(text, {"symbols": self.sidecar["symbols"], "bind": binds})
 

@@ -25,8 +25,8 @@ _STEP = re.compile(r"\d+ k \\cdot")
 _EXPONENT = re.compile(r"\^(?:\{(\d+)\}|(\d))")
 _LETTER = re.compile(r"(?<![\\A-Za-z_])(?:\\lambda|\\omega|[rlmbuqUL])(?![a-zA-Z])(\^\d)?")
 _SWAPS = {
-    r"\lambda": (r"\omega", "r"), r"\omega": (r"\lambda", "m"), "r": ("l", "m"), "l": ("r",), "m": ("b", "r"),
-    "b": ("r", "m"), "u": ("q",), "q": ("r",), "U": ("m",), "L": ("K",),
+    r"\lambda": (r"\omega", "r"), r"\omega": (r"\lambda", "m"), "r": ("l", "m"), "l": ("r",),
+    "m": ("b", "r"), "b": ("r", "m"), "u": ("q",), "q": ("r",), "U": ("m",), "L": ("K",),
     "A": ("B",), "B": ("A",), r"\alpha": (r"\theta",), r"\beta": (r"\theta",),
 }  # fmt: skip
 _SWAPPED = re.compile(r"(?<![\\A-Za-z_])(?:\\(?:lambda|omega|alpha|beta)|[rlmbuqULAB])(?![a-zA-Z])")
@@ -45,7 +45,7 @@ def signs(text: str) -> Iterator[str]:
 
 
 def coefficients(text: str) -> Iterator[str]:
-    """Yield copies with one number 2, 3 or 10 times what it was, or the next one, and with a factor put in.
+    """Yield copies with one number 2, 3 or 10 times what it was, or one off, and with a factor put in.
 
     >>> list(coefficients("3 x^2"))
     ['6 x^2', '9 x^2', '30 x^2', '4 x^2', '2 x^2']

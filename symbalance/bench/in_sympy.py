@@ -16,8 +16,9 @@ from symbalance.reading import syntax
 
 _FUNCTIONS = {
     "abs": sympy.Abs, "ln": sympy.log, "log": sympy.log, "sqrt": sympy.sqrt,
-    **{name: getattr(sympy, name) for name in "sin cos tan cot sec csc asin acos atan exp".split()},
-    **{name: getattr(sympy, name) for name in "sinh cosh tanh".split()},
+    "sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "cot": sympy.cot, "sec": sympy.sec,
+    "csc": sympy.csc, "asin": sympy.asin, "acos": sympy.acos, "atan": sympy.atan, "exp": sympy.exp,
+    "sinh": sympy.sinh, "cosh": sympy.cosh, "tanh": sympy.tanh,
 }  # fmt: skip
 _CONSTANTS = {"pi": sympy.pi, "e": sympy.E, "i": sympy.I, "infinity": sympy.oo}
 

@@ -116,7 +116,9 @@ class Planter:
         fault = Fault(kind, place.chain.lines[0], before, text)
         changed = self.text[: place.start] + text + self.text[place.end :]
         node = self.reading(changed, place)
-        where = UNREAD if node is None else self.where(place, node)
+        if node is None:
+            return replace(fault, where=UNREAD)
+        where = self.where(place, node)
         if where in (STEP, DEFINITION):
             kept = context([place.block], self.blocks, follow=where == DEFINITION)
             lines = {line for block in kept for line in block.lines}
@@ -199,5 +201,3 @@ def tally(faults: Sequence[Fault]) -> dict[str, Counter[str]]:
         row["rightly"] += fault.rightly
         row["other side"] += fault.other_side
     return rows
-
-

@@ -79,10 +79,14 @@ def _link(
     large = convert.symbol("lambda")
     if large not in difference.free_symbols:
         small = convert.symbol("u")
-        return Link(*place, difference, right, small, int(sympy.degree(convert.of(other), small)))
+        return Link(*place, difference, right, small, _degree(convert.of(other), small))
     small = sympy.Symbol("rho", positive=True)
-    kept = sympy.degree(sympy.expand(convert.of(other).subs(large, 1 / small)), small)
-    return Link(*place, difference.subs(large, 1 / small), right, small, int(kept))
+    kept = _degree(convert.of(other).subs(large, 1 / small), small)
+    return Link(*place, difference.subs(large, 1 / small), right, small, kept)
+
+
+def _degree(expression: Any, letter: sympy.Symbol) -> int:
+    return int(sympy.Poly(sympy.expand(expression), letter).degree())
 
 
 def _has_decimals(node: syntax.Node) -> bool:
@@ -90,7 +94,7 @@ def _has_decimals(node: syntax.Node) -> bool:
 
 
 def simplified(chosen: Sequence[Link], limit: float = LIMIT) -> Iterator[Outcome]:
-    """Yield what SymPy says of each relation, asked in a process of its own that is ended at the limit."""
+    """Yield what SymPy says of each relation, in a process of its own that is ended at the limit."""
     worker = _Worker()
     try:
         for link in chosen:

@@ -46,10 +46,12 @@ class PageValues:
         return all(abs(a - b) <= 1e-15 * max(abs(a), abs(b), 1e-6) for a, b in pairs)
 
     def degree(self, node: Node) -> int | None:
-        """Return the highest power of the small letter in a formula; None if it is no polynomial in it."""
+        """Return the highest power of the small letter in a formula; None if it is no polynomial."""
         small = sympy.Symbol("small", positive=True)
         found = sympy.expand(self.convert.of(node).subs(self._large, 1 / small).subs(self._small, small))
-        return int(sympy.degree(found, small)) if found.is_polynomial(small) and found != 0 else None
+        return (
+            int(sympy.Poly(found, small).degree()) if found.is_polynomial(small) and found != 0 else None
+        )
 
     def agreement(self, one: Node, other: Node) -> float:
         """Return the power of the small letter with which two formulas begin to differ."""

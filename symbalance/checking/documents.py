@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from symbalance.checking.header import without_header
 from symbalance.checking.judging import Judge
-from symbalance.checking.sidecar import Declarations, declared, read_sidecar
+from symbalance.checking.sidecar import Declarations, declared, parse_sidecar, read_sidecar
 from symbalance.checking.verdicts import Checked
 from symbalance.engine_file import read_text
 from symbalance.errors import SymbalanceError, shown
@@ -21,7 +22,8 @@ def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None =
 
     `document` is a file (a Path, or a text that ends in .tex, .md or .txt) or the derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
-    `bind`), or the path of one; without it FILE.symbols.toml beside the file is read.
+    `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
+    the document.
 
         >>> from symbalance.checking import check
         >>> found = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
@@ -33,6 +35,10 @@ def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None =
     """
     text, name, folder = _text(document)
     declarations = _declarations(symbols, None if name == "text" else Path(document))
+    body, header = without_header(text, Path(name).suffix)
+    if declarations is None:
+        declarations = parse_sidecar(header, name) if header else Declarations()
+        text = body
     names_at = _remembered(declarations)
     found = read_document(text, name, names_at)
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
@@ -63,7 +69,10 @@ def _text(document: str | Path) -> tuple[str, str, Path]:
     return read_text(path), str(document), path.parent
 
 
-def _declarations(symbols: Mapping[str, Any] | str | Path | None, path: Path | None) -> Declarations:
+def _declarations(
+    symbols: Mapping[str, Any] | str | Path | None, path: Path | None
+) -> Declarations | None:
+    """Return what is declared apart from the document; None where it may have a header of its own."""
     if isinstance(symbols, Mapping):
         return declared(symbols)
     if symbols is not None:
@@ -75,4 +84,4 @@ def _declarations(symbols: Mapping[str, Any] | str | Path | None, path: Path | N
         ):
             if beside.exists():
                 return read_sidecar(beside)
-    return Declarations()
+    return None

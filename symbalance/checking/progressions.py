@@ -64,9 +64,9 @@ def _of_dots(part: Sum) -> Iterator[Progression]:
     before, after = part.terms[:place], part.terms[place + 1 :]
     if not before or len(after) != 1:
         return
-    for letter in sorted(names(after[0]) - names(before[0])):
-        second = before[1] if len(before) > 1 else None
-        yield Progression(part, letter, whole(1), before[0], second, after[0])
+    first, *others = before
+    for letter in sorted(names(after[0]) - names(first)):
+        yield Progression(part, letter, whole(1), first, others[0] if others else None, after[0])
 
 
 def by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from pathlib import Path
 
 from symbalance.checking.report_text import summary, verdict_words, witness_text
 from symbalance.checking.verdicts import REFUTED, Checked, Verdict
@@ -37,7 +38,7 @@ _SPECIAL = {
 
 def report_latex(checked: Checked) -> str:
     """Return a document that compiles with pdflatex: amsmath, booktabs and longtable only."""
-    parts = [_HEAD, rf"\section*{{{escaped(checked.document.name)}}}", "\n"]
+    parts = [_HEAD, rf"\section*{{{escaped(Path(checked.document.name).name)}}}", "\n"]
     parts += [_entry(verdict) for verdict in checked.verdicts]
     parts += [r"\medskip\hrule\medskip", "\n", escaped(summary(checked)), "\n", r"\end{document}", "\n"]
     return "".join(parts)
@@ -125,6 +126,7 @@ _FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\}
 def _source(verdict: Verdict) -> str:
     joined = " ".join(verdict.source.replace(r"\displaystyle", " ").split())
     shown = escaped(joined if len(joined) <= 600 else joined[:599] + "...")
+    shown = re.sub(r"(?=\\textbackslash)|(?<=[,=+}])", r"\\allowbreak ", shown)
     return rf"{{\small\ttfamily\raggedright {shown}\par}}" + "\n"
 
 

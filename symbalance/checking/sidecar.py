@@ -117,7 +117,8 @@ def parse_sidecar(text: str, place: str) -> Declarations:
         found = re.search(r"\(at line (\d+), column (\d+)\)", str(problem))
         where = f"{place}:{found[1]}:{found[2]}" if found else place
         message = re.sub(r"\s*\(at .*\)$", "", str(problem))
-        raise SymbalanceError(where, f"is not valid TOML ({message})", "correct the line") from None
+        remedy = 'correct the line; a letter such as θ stands in quotes: "θ" = "crank angle"'
+        raise SymbalanceError(where, f"is not valid TOML ({message})", remedy) from None
     except (ValueError, RecursionError):
         raise SymbalanceError(
             place, "holds a number or a nesting beyond all bounds", "simplify it"

@@ -182,7 +182,7 @@ def kinds(changes: Changes) -> str:
 def kind(old: Node, new: Node) -> str:
     """Return what kind of slip one changed term is."""
     zero = Number(Fraction(0))
-    if old == zero or new == zero:
+    if zero in (old, new):
         return "term missing" if old == zero else "term too many"
     evaluator = Evaluator(Domain())
     try:

@@ -120,7 +120,7 @@ class Calls(Scripts):
 
 
 def _is_whole_angle(factor: Node) -> bool:
-    """Tell whether a factor is an angle already: it holds a Greek letter, or is a number of π or degrees."""
+    """Tell whether a factor is an angle already: it holds a Greek letter, or is a part of π."""
     letters = names(factor)
     pi = any(isinstance(part, Constant) and part.name == "pi" for part in walk(factor))
     return any(map(is_greek, letters)) or (pi and not letters)

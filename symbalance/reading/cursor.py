@@ -122,7 +122,7 @@ class Cursor:
         return (self.tokens[place].start, self.tokens[last].end) if self.tokens else (self.end, self.end)
 
     def letter(self, name: str, span: Span) -> Node:
-        """Return a letter's node: a declared or bound name, π, the imaginary i, or j in an exponential."""
+        """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
         if name in self.names or name in self.bound:
             return Name(name, span=span)
         if name == "pi":

@@ -28,7 +28,8 @@ _TAG = re.compile(
     r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\))\s*$"
 )
 _TRAILING = re.compile(
-    r"(?:\s|[.,;。、&]|\\end\s*\{[A-Za-z]*\*?\}|\\[,;:! ]|\\q?quad|\\nonumber|\\notag|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
+    r"(?:\s|[.,;。、&]|\\end\s*\{[A-Za-z]*\*?\}|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
+    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
 )
 _BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
 _ALIGNED = word_set("align aligned alignat alignedat flalign")

@@ -11,9 +11,14 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 Span = tuple[int, int]
-"""First and one past the last character, as offsets in the document's text; (0, 0) when made by program."""
+"""First and one past the last character, as offsets in the document's text; (0, 0): made by program."""
 
-FUNCTIONS = frozenset("sin cos tan cot sec csc asin acos atan sinh cosh tanh exp ln log abs sqrt".split())
+FUNCTIONS = frozenset(
+    {
+        *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
+        *("sinh", "cosh", "tanh", "exp", "ln", "log", "abs", "sqrt"),
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)

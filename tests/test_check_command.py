@@ -1,0 +1,180 @@
+"""`symbalance check`, `sb.check` and `sb.check_equal`: formats, exit codes, declarations, refusals."""
+
+import json
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+import symbalance as sb
+from symbalance.checking import report_latex
+from symbalance.cli import run
+
+LETTERS = {
+    "theta": "crank angle",
+    "r": "crank radius",
+    "lambda": "rod ratio l/r",
+    "x": "displacement from top dead centre",
+    "k": "any",
+}
+GOOD = r"$$x \approx r(1-\cos\theta) + \frac{r}{4\lambda}(1-\cos 2\theta)$$" + "\n"
+BAD = r"$$x \approx r(1-\cos\theta) + \frac{r}{2\lambda}(1-\cos 2\theta)$$" + "\n"
+SIDECAR = "[symbols]\n" + "".join(f'{k} = "{v}"\n' for k, v in LETTERS.items())
+
+
+def written(folder: Path, text: str, sidecar: str = SIDECAR) -> str:
+    (folder / "notes.md").write_text(text, encoding="utf-8")
+    (folder / "notes.symbols.toml").write_text(sidecar, encoding="utf-8")
+    return str(folder / "notes.md")
+
+
+def test_exit_codes(tmp_path, capsys):
+    assert run(["check", written(tmp_path, GOOD)]) == 0
+    assert run(["check", written(tmp_path, BAD)]) == 1
+    assert run(["check", written(tmp_path, r"$$x = q$$")]) == 0  # unreadable accuses nothing
+    assert run(["check", str(tmp_path / "missing.md")]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_json_has_the_agreed_keys_and_refers_continued_lines(tmp_path, capsys):
+    page = "\\displaystyle x \\fallingdotseq r(1-\\cos\\theta)\n"
+    page += "\\displaystyle +\\frac{r}{4\\lambda}(1+\\cos 2\\theta)\n"
+    assert run(["check", written(tmp_path, page), "--format", "json"]) == 1
+    report = json.loads(capsys.readouterr().out)
+    assert report["document"].endswith("notes.md")
+    first, second = report["links"]
+    agreed = {"line", "link", "source", "verdict", "claimed", "exact", "witness", "fix"}
+    assert agreed <= set(first)
+    assert (first["line"], first["link"], first["verdict"]) == (1, 1, "refuted")
+    assert first["witness"]["left"] != first["witness"]["right"]
+    assert second == {"line": 2, "link": 1, "continues": 1, "verdict": "refuted"}
+    assert [(w["line"], w["should"]) for w in first["wrong"]] == [(2, "-cos 2θ")]
+
+
+def test_coefficients_that_differ_are_named(tmp_path):
+    found = sb.check(Path(written(tmp_path, BAD))).verdicts[0]
+    assert {d.term: (d.claimed, d.exact) for d in found.differences} == {
+        "r/λ": ("1/2", "1/4"),
+        "r/λ cos 2θ": ("-1/2", "-1/4"),
+    }
+    assert found.fix.text == "r (1 - cos θ) + r/(4λ) (1 - cos 2θ)"
+
+
+def test_links_count_the_relations_of_a_line():
+    found = sb.check(r"$k = r,\quad x = k - r$ and $2k = 2r = k + r$", LETTERS)
+    assert [(v.line, v.link) for v in found.verdicts] == [(1, 1), (1, 2), (1, 3), (1, 4)]
+
+
+def test_a_side_is_compared_with_the_last_sound_one():
+    found = sb.check(r"$$\sin 2\theta = \sin\theta\cos\theta = 2\sin\theta\cos\theta$$", LETTERS)
+    assert [v.verdict for v in found.verdicts] == ["refuted", "holds"]
+
+
+def test_one_letter_may_mean_two_things(tmp_path):
+    text = "$$k = 2r$$\n\n$$k = 3\\theta$$\n\n$$k + \\theta = 4\\theta$$\n"
+    scope = SIDECAR + '[[scope]]\nlines = [3, 5]\nsymbols = { k = "another" }\n'
+    found = sb.check(Path(written(tmp_path, text, scope)))
+    assert [v.verdict for v in found.verdicts] == ["definition", "definition", "holds"]
+    found = sb.check(Path(written(tmp_path, text)))
+    assert [v.verdict for v in found.verdicts] == ["definition", "refuted", "refuted"]
+
+
+def test_a_given_makes_a_step_conditional(tmp_path):
+    scope = SIDECAR + '[[scope]]\nlines = [1, 1]\ngiven = ["theta = π/6"]\n'
+    found = sb.check(Path(written(tmp_path, r"$$2r\cos\theta = \sqrt3 r$$", scope))).verdicts[0]
+    assert (found.verdict, found.assumption) == ("conditional", "theta = π/6")
+
+
+def test_a_line_bound_to_a_quantity_is_held_to_it(tmp_path):
+    bind = SIDECAR + (
+        '[[bind]]\nline = 1\nquantity = "force.vertical"\nengine = "v12-60"\norder = 6\nunit = "F_n"\n'
+    )
+    right = r"$$4\sqrt3\cos 6\theta + 2\sqrt3 \cos 6\theta = 6\sqrt3\cos 6\theta$$"
+    assert sb.check(Path(written(tmp_path, right, bind))).verdicts[0].verdict == "holds"
+    wrong = r"$$4\cos 6\theta + 5\cos 6\theta = 9\cos 6\theta$$"  # sound as a step, wrong as the force
+    found = sb.check(Path(written(tmp_path, wrong, bind))).verdicts[0]
+    assert (found.verdict, found.bind) == ("refuted", "force.vertical, order 6 of v12-60")
+
+
+def test_declarations_may_head_the_document(tmp_path):
+    for suffix, opening, mark, closing in (
+        (".md", "<!-- ", "", "-->\n"),
+        (".tex", "% ", "% ", ""),
+        (".txt", "# ", "# ", ""),
+    ):
+        head = opening + SIDECAR.replace("\n", "\n" + mark).removesuffix(mark) + closing
+        path = tmp_path / f"headed{suffix}"
+        path.write_text(head + (BAD if suffix != ".txt" else BAD.replace("$$", "")), encoding="utf-8")
+        found = sb.check(path).verdicts
+        assert [v.verdict for v in found] == ["refuted"], suffix
+        assert found[0].line == head.count("\n") + 1
+
+
+BAD_SIDECARS = {
+    "letter = [1]": "'letter'",
+    '[symbols]\nk = 3': ":2: k = 3: must be text",
+    '[symbols]\n"m_1" = "a"\n"m_{1}" = "b"': "twice",
+    '[[scope]]\nlines = [5, 2]': ":8: lines = [5, 2]: must go upwards",
+    '[[scope]]\nlines = [1, 2]\ngiven = ["r < 3"]': "given",
+    '[[bind]]\nline = 1': "has no quantity",
+    '[[bind]]\nline = 1\nquantity = "colour"': "known are",
+    '[[bind]]\nline = 1\nquantity = "coefficient"': "add order",
+    '[[bind]]\nline = 1\nquantity = "force.vertical"\norder = 2\nengine = "no-such"': "no-such",
+    '[[bind]]\nline = 99\nquantity = "velocity"': "line",
+    '[[bind]]\nline = 1\ntext = "zz"\nquantity = "velocity"': "does not stand on line 1",
+    '[[bind]]\nline = 1\nquantity = "velocity"\nconvention = "r/s"': "l/r, r/l, l/s",
+    "[symbols": "TOML",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("sidecar", BAD_SIDECARS)
+def test_bad_declarations_are_refused_in_one_line(sidecar, tmp_path, capsys):
+    known = "" if sidecar.startswith("[symbols") else SIDECAR
+    assert run(["check", written(tmp_path, GOOD, known + sidecar)]) == 2
+    message = capsys.readouterr().err
+    assert message.count("\n") == 1
+    assert BAD_SIDECARS[sidecar].strip("'") in message
+
+
+@pytest.mark.parametrize("wrong", [3, None, ["a"], b"x = 1"])
+def test_what_is_no_document_is_refused(wrong):
+    with pytest.raises(sb.SymbalanceError):
+        sb.check(wrong)
+
+
+def test_the_latex_report_compiles_and_shows_both_lines(compile_latex, tmp_path):
+    found = sb.check(Path(written(tmp_path, BAD + r"$$x = \unknown_1$$" + "\n" + GOOD)))
+    printed = report_latex(found)
+    assert r"\textit{stands}" in printed
+    assert r"\textit{right}" in printed
+    compile_latex(printed)
+
+
+def test_check_equal_decides_sympy_expressions():
+    x, n = sp.Symbol("x"), sp.Symbol("n", integer=True)
+    a = sp.Symbol("a", positive=True)
+    assert sb.check_equal(sp.cos(3 * x), 4 * sp.cos(x) ** 3 - 3 * sp.cos(x)).verdict == "holds"
+    assert sb.check_equal(sp.sqrt(a**2 * 3), sp.sqrt(3) * a).verdict == "holds"
+    assert sb.check_equal(sp.sqrt(x**2), x).verdict == "conditional"
+    assert sb.check_equal(sp.exp(2 * sp.I * sp.pi * n), 1).verdict == "holds"
+    assert sb.check_equal(2 * x, sp.pi / 3, assuming=["x = pi/6"]).verdict == "conditional"
+    series = sb.check_equal(sp.sqrt(1 - a**2), 1 - a**2 / 2, approximately=True)
+    assert (series.verdict, series.order) == ("holds_to_order", "a²")
+    wrong = sb.check_equal(sp.sqrt(1 - a**2), 1 - a**2 / 4, approximately=True)
+    assert wrong.verdict == "refuted"
+    with pytest.raises(sb.SymbalanceError):
+        sb.check_equal(sp.gamma(x), x)
+    with pytest.raises(sb.SymbalanceError):
+        sb.check_equal("x", x)
+
+
+def test_seven_cylinders_cancel_where_simplify_does_not():
+    theta = sp.Symbol("theta")
+    total = sum(sp.cos(2 * (theta + 2 * sp.pi * k / 7)) for k in range(7))
+    assert sb.check_equal(total, 0).verdict == "holds"
+
+
+def test_an_undecided_step_is_never_a_pass(tmp_path):
+    page = r"$$\ln(k^2) = 2\ln k$$"
+    found = sb.check(Path(written(tmp_path, page)))
+    assert found.verdicts[0].verdict in ("undecided", "conditional", "refuted")
