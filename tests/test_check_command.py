@@ -110,6 +110,17 @@ def test_declarations_may_head_the_document(tmp_path):
         assert found[0].line == head.count("\n") + 1
 
 
+def test_missing_declarations_are_listed_to_be_filled_in(tmp_path, capsys):
+    path = tmp_path / "notes.md"
+    path.write_text("$$F = m a$$\n\n$$F = m r \\omega^2$$\n", encoding="utf-8")
+    assert run(["check", str(path), "--declare"]) == 0
+    printed = capsys.readouterr().out
+    (tmp_path / "notes.symbols.toml").write_text(printed, encoding="utf-8")
+    assert [line[:3] for line in printed.splitlines()[1:5]] == ['"m"', '"a"', '"r"', '"ω"']
+    assert run(["check", str(path)]) in (0, 1)
+    assert "UNREADABLE" not in capsys.readouterr().out
+
+
 BAD_SIDECARS = {
     "letter = [1]": "'letter'",
     '[symbols]\nk = 3': ":2: k = 3: must be text",

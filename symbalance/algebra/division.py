@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from fractions import Fraction
 
 from symbalance.algebra.domain import Domain, Exponent, Monomial, Polynomial, plain
@@ -12,21 +13,42 @@ Exponents = tuple[Exponent, ...]
 
 
 def quotient(domain: Domain, dividend: Polynomial, divisor: Polynomial) -> Polynomial | None:
-    """Return dividend/divisor where it is a polynomial free of turns, roots and functions, else None.
+    """Return dividend/divisor where it is a polynomial, else None; a divisor of turns or roots is not tried.
 
-    Leading term by leading term, in the lexicographic order of exponents. Every exponent of the quotient
-    lies between the differences of the lowest and of the highest ones: a term outside ends the search.
+    Before each product of turns and roots the dividend must be divisible for itself.
 
     >>> x, one = ((1, 1),), Fraction(1)
     >>> quotient(Domain(), {((1, 2),): one, (): -one}, {x: one, (): -one})
     {((1, 1),): Fraction(1, 1), (): Fraction(1, 1)}
     """
-    numbers = sorted({g for p in (dividend, divisor) for m in p for g, _ in m})
-    if not divisor or any(not domain.is_free(g) for g in numbers):
+    if not divisor or any(not domain.is_free(g) for m in divisor for g, _ in m):
         return None
+    groups: dict[Monomial, Polynomial] = defaultdict(dict)
+    for monomial, coefficient in dividend.items():
+        bound = tuple((g, e) for g, e in monomial if not domain.is_free(g))
+        free = tuple((g, e) for g, e in monomial if domain.is_free(g)) if bound else monomial
+        groups[bound][free] = coefficient
+    found: Polynomial = {}
+    for bound, group in groups.items():
+        part = _free_quotient(domain, group, divisor)
+        if part is None:
+            return None
+        found |= {tuple(sorted((*bound, *m))): c for m, c in part.items()}
+    return found
+
+
+def _free_quotient(domain: Domain, dividend: Polynomial, divisor: Polynomial) -> Polynomial | None:
+    """Divide leading term by leading term, in the lexicographic order of exponents.
+
+    Every exponent of the quotient lies between the differences of the lowest and of the highest ones: a
+    term outside ends the search.
+    """
+    numbers = sorted({g for p in (dividend, divisor) for m in p for g, _ in m})
     rest, by = _rows(dividend, numbers), _rows(divisor, numbers)
     pairs = zip(_box(rest), _box(by), strict=True)
     box = [(low - low_, high - high_) for (low, high), (low_, high_) in pairs]
+    if any(low > high for low, high in box):
+        return None
     lead, found = max(by), dict[Exponents, Fraction]()
     while rest:
         first = max(rest)

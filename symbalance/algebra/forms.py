@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.algebra import polynomials as poly
-from symbalance.algebra.division import common
+from symbalance.algebra.division import common, quotient
 from symbalance.algebra.domain import ONE, Domain, NoFormError, Polynomial
 from symbalance.algebra.zero import is_zero
 
@@ -129,4 +129,5 @@ def _rationalised(domain: Domain, numerator: Polynomial, denominator: Polynomial
             numerator = poly.times(domain, numerator, conjugate)
             denominator = poly.times(domain, denominator, conjugate)
             return Form.of(domain, numerator, denominator)
-    return Form(domain, numerator, denominator)
+    whole = quotient(domain, numerator, denominator)
+    return Form(domain, numerator, denominator) if whole is None else Form.of(domain, whole)

@@ -29,13 +29,17 @@ def plus(left: Polynomial, right: Polynomial) -> Polynomial:
     if not left:
         return right
     total = dict(left)
-    for monomial, coefficient in right.items():
+    _add(total, right)
+    return total
+
+
+def _add(total: Polynomial, more: Polynomial) -> None:
+    for monomial, coefficient in more.items():
         value = total.get(monomial, 0) + coefficient
         if value:
             total[monomial] = value
         else:
             del total[monomial]
-    return total
 
 
 def scaled(polynomial: Polynomial, factor: Fraction | int) -> Polynomial:
@@ -88,19 +92,23 @@ def _check_size(polynomial: Polynomial) -> None:
 def _without_squares(domain: Domain, polynomial: Polynomial) -> Polynomial:
     """Return the polynomial with radical² replaced by what is under the root."""
     radicals = set(domain.radicals)
-    kept: Polynomial = {}
-    for monomial, coefficient in polynomial.items():
-        high = next(((g, e) for g, e in monomial if g in radicals and e >= 2), None)
-        if high is None:
-            kept = plus(kept, {monomial: coefficient})
-            continue
-        generator, exponent = high
-        rest = dict(monomial)
-        rest[generator] = exponent % 2
-        square = power(domain, domain.generators[generator].content, int(exponent // 2))
-        cleaned = tuple(sorted((g, e) for g, e in rest.items() if e))
-        kept = plus(kept, times(domain, {cleaned: coefficient}, square))
+    high = [m for m in polynomial if any(e >= 2 and g in radicals for g, e in m)]
+    if not high:
+        return polynomial
+    kept = dict(polynomial)
+    for monomial in high:
+        _add(kept, {monomial: -polynomial[monomial]})
+        _add(kept, _square_replaced(domain, radicals, monomial, polynomial[monomial]))
     return kept
+
+
+def _square_replaced(
+    domain: Domain, radicals: set[int], monomial: Monomial, coefficient: Fraction
+) -> Polynomial:
+    number, exponent = next((g, e) for g, e in monomial if g in radicals and e >= 2)
+    square = power(domain, domain.generators[number].content, int(exponent // 2))
+    rest = tuple((g, exponent % 2 if g == number else e) for g, e in monomial)
+    return times(domain, {tuple((g, e) for g, e in rest if e): coefficient}, square)
 
 
 def power(domain: Domain, polynomial: Polynomial, exponent: int) -> Polynomial:

@@ -28,8 +28,8 @@ class Fault:
     """One changed side: its kind, where, the text before and after, and what the checker made of it.
 
     `where` is STEP or DEFINITION, or says why it is no fault. `fix` is the corrected side as the checker
-    gives it, `rightly` whether that has the value the side had, `other_side` whether it keeps the fault
-    and changes the other side to fit.
+    gives it, `rightly` whether that has the value the side had (or the one before, where it was
+    rounded), `other_side` whether it keeps the fault and changes the other side to fit.
     """
 
     kind: str
@@ -152,8 +152,8 @@ class Planter:
         """Return the fault with what the checker says of the changed page."""
         refuted = [v for v in checked.verdicts if v.verdict == REFUTED]
         fixes = [v.fix for v in refuted if v.fix]
-        right = place.chain.sides[place.side].node
-        back = [f for f in fixes if self.restores(f.node, right)]
+        rights = [s.node for s in place.chain.sides[max(place.side - 1, 0) : place.side + 1]]
+        back = [f for f in fixes if any(self.restores(f.node, right) for right in rights)]
         here = [v.verdict for v in checked.verdicts if v.line in place.chain.lines]
         chosen = (back or fixes or [None])[0]
         return replace(

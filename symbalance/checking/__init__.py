@@ -1,5 +1,6 @@
 """Hand derivations, checked line by line: verdicts, claims, diagnosis and reports."""
 
+from symbalance.checking.declaring import sidecar_draft as sidecar_draft
 from symbalance.checking.documents import check as check
 from symbalance.checking.expressions import check_equal as check_equal
 from symbalance.checking.report_json import report_json as report_json

@@ -33,16 +33,22 @@ def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None =
     Raises SymbalanceError for a file or a declaration that cannot be used; an equation that cannot be
     read is a verdict, not an error.
     """
-    text, name, folder = _text(document)
-    declarations = _declarations(symbols, None if name == "text" else Path(document))
-    body, header = without_header(text, Path(name).suffix)
-    if declarations is None:
-        declarations = parse_sidecar(header, name) if header else Declarations()
-        text = body
-    names_at = _remembered(declarations)
-    found = read_document(text, name, names_at)
+    text, name, folder = text_of(document)
+    declarations, text = declarations_of(document, symbols, text, name)
+    found = read_document(text, name, _remembered(declarations))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
     return Judge(found, declarations, beside).checked()
+
+
+def declarations_of(
+    document: str | Path, symbols: Mapping[str, Any] | str | Path | None, text: str, name: str
+) -> tuple[Declarations, str]:
+    """Return what is declared about a document, and its text without a header that declared it."""
+    apart = _declarations(symbols, None if name == "text" else Path(document))
+    body, header = without_header(text, Path(name).suffix)
+    if apart is not None:
+        return apart, text
+    return (parse_sidecar(header, name), body) if header else (Declarations(), text)
 
 
 def _remembered(declarations: Declarations) -> Any:
@@ -58,7 +64,8 @@ def _remembered(declarations: Declarations) -> Any:
     return names_at
 
 
-def _text(document: str | Path) -> tuple[str, str, Path]:
+def text_of(document: str | Path) -> tuple[str, str, Path]:
+    """Return a document's text, its name and its folder; a text without a file is called `text`."""
     if not isinstance(document, str | Path):
         raise SymbalanceError(
             f"document = {shown(document)}", "must be a path or a text", 'write check("notes.md")'

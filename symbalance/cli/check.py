@@ -11,8 +11,11 @@ from symbalance.cli.output import write
 
 def run(options: argparse.Namespace) -> int:
     """Check the document and write the report; 1 if anything is refuted or undecided."""
-    from symbalance.checking import check, report_json, report_latex, report_text
+    from symbalance.checking import check, report_json, report_latex, report_text, sidecar_draft
 
+    if options.declare:
+        write(sidecar_draft(Path(options.notes)), options.output)
+        return 0
     checked = check(Path(options.notes), options.symbols)
     if options.format == "json":
         printed = json.dumps(report_json(checked), ensure_ascii=False, indent=1)

@@ -97,6 +97,9 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
         metavar="FILE",
         help="what the letters mean, and what lines claim; default: NOTES.symbols.toml beside it",
     )
+    parser.add_argument(
+        "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
+    )
     _add_output(parser, ("text", "latex", "json"))
 
 

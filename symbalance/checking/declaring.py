@@ -1,0 +1,46 @@
+"""The sidecar a document still needs: its undeclared letters, ready to be given their meanings."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from symbalance.checking.documents import declarations_of, text_of
+from symbalance.checking.meanings import KNOWN
+from symbalance.reading import read_document, render
+from symbalance.reading.syntax import Name
+
+_UNDECLARED = re.compile(r"letter (\S+) is not declared$")
+MOST_ROUNDS = 60
+
+
+def sidecar_draft(document: str | Path) -> str:
+    """Return a sidecar with a line for each letter that is not declared, and the line it first stands on."""
+    found = undeclared(document)
+    lines = ["[symbols]"]
+    for name, line in sorted(found.items(), key=lambda pair: pair[1]):
+        lines.append(f'"{render(Name(name))}" = ""{"":12}# line {line}')
+    known = "\n".join(f"#   {meaning}" for meaning in KNOWN)
+    return (
+        "\n".join(lines)
+        + f"\n\n# meanings the checker knows; any other text is just a letter:\n{known}\n"
+    )
+
+
+def undeclared(document: str | Path) -> dict[str, int]:
+    """Return the letters of a document that are not declared, and where each is first missed.
+
+    >>> undeclared("$$E = m c^2$$")
+    {'m': 1, 'c': 1}
+    """
+    text, name, _ = text_of(document)
+    declarations, text = declarations_of(document, None, text, name)
+    found: dict[str, int] = {}
+    for _ in range(MOST_ROUNDS):
+        read = read_document(text, name, lambda line: {*declarations.symbols_at(line), *found})
+        missing = [(_UNDECLARED.search(u.what), u.line) for u in read.unreadable]
+        fresh = {m[1]: line for m, line in reversed(missing) if m and m[1] not in found}
+        if not fresh:
+            break
+        found |= fresh
+    return found
