@@ -13,7 +13,7 @@ Exponents = tuple[Exponent, ...]
 
 
 def quotient(domain: Domain, dividend: Polynomial, divisor: Polynomial) -> Polynomial | None:
-    """Return dividend/divisor where it is a polynomial, else None; a divisor of turns or roots is not tried.
+    """Return dividend/divisor where it is a polynomial, else None; no divisor of turns or roots is tried.
 
     Before each product of turns and roots the dividend must be divisible for itself.
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.algebra import functions
+from symbalance.algebra import functions, named
 from symbalance.algebra.derivatives import differentiated
 from symbalance.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.algebra.forms import Form
@@ -148,7 +148,7 @@ def _power(evaluator: Evaluator, node: syntax.Power) -> Form:
     if phase is not None:
         functions.assume_whole(exponent, base)
         return functions.exponential(exponent.times(phase))
-    return functions.exponential(exponent.times(logarithm(base)))
+    return functions.exponential(exponent.times(named.logarithm(base)))
 
 
 def rational_power(base: Form, exponent: Fraction) -> Form:
@@ -166,61 +166,9 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
     return Form.of(base.domain, {raised: Fraction(factor)})
 
 
-def logarithm(base: Form) -> Form:
-    """Return ln base; ln e is 1."""
-    if base.equals(Form.letter(base.domain, "e")):
-        return Form.number(base.domain, 1)
-    if base.rational() == 1:
-        return Form.number(base.domain, 0)
-    return functions.opaque("ln", base)
-
-
 def _call(evaluator: Evaluator, node: syntax.Call) -> Form:
     argument = evaluator.form(node.argument)
-    return apply(node.function, argument)
-
-
-def apply(function: str, argument: Form) -> Form:
-    """Return a function of a form."""
-    if function in _CIRCULAR:
-        return _CIRCULAR[function](argument)
-    if function in ("asin", "acos", "atan"):
-        return functions.opaque(function, argument)
-    raise NoFormError(f"the function {function}")
-
-
-def _over(first: Callable[[Form], Form], second: Callable[[Form], Form]) -> Callable[[Form], Form]:
-    return lambda x: first(x).over(second(x))
-
-
-def _one(argument: Form) -> Form:
-    return Form.number(argument.domain, 1)
-
-
-def _growing(sign: int) -> Callable[[Form], Form]:
-    def function(x: Form) -> Form:
-        back = functions.exponential(x.scaled(-1)).scaled(sign)
-        return functions.exponential(x).plus(back).scaled(Fraction(1, 2))
-
-    return function
-
-
-_CIRCULAR: dict[str, Callable[[Form], Form]] = {
-    "sin": functions.sine,
-    "cos": functions.cosine,
-    "tan": _over(functions.sine, functions.cosine),
-    "cot": _over(functions.cosine, functions.sine),
-    "sec": _over(_one, functions.cosine),
-    "csc": _over(_one, functions.sine),
-    "sinh": _growing(-1),
-    "cosh": _growing(1),
-    "tanh": _over(_growing(-1), _growing(1)),
-    "exp": functions.exponential,
-    "ln": logarithm,
-    "log": logarithm,
-    "sqrt": functions.root,
-    "abs": lambda x: functions.root(x.times(x)),
-}
+    return named.apply(node.function, argument)
 
 
 def _derivative(evaluator: Evaluator, node: syntax.Derivative) -> Form:

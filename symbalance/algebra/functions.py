@@ -7,7 +7,7 @@ generator e^(i m), and multiples of pi become turns. e^(i asin v) = √(1-v²) +
 from __future__ import annotations
 
 from fractions import Fraction
-from math import gcd, isqrt, lcm
+from math import isqrt
 
 from symbalance.algebra import polynomials as poly
 from symbalance.algebra.domain import (
@@ -186,30 +186,31 @@ def _root_of_polynomial(domain: Domain, square: Polynomial) -> Form:
 
 
 def _leading(domain: Domain, square: Polynomial) -> tuple[Monomial, Fraction]:
-    """Return the term taken out of a root, without angles and radicals: a whole one of positive letters.
+    """Return what is taken out of a root: the positive letters and the coefficient of one positive term.
 
-    Where there is none, the positive letters of one term and the common divisor of the coefficients. The
-    choice does not change when the polynomial is multiplied by a positive monomial, so roots of
-    proportional polynomials share one generator. Other letters leave by even powers all terms share.
+    Terms of positive letters only come first, those with angles or radicals are not asked. The choice
+    does not change when the polynomial is multiplied by a positive monomial, so roots of proportional
+    polynomials share one generator. Other letters leave by the even powers that all terms share; a
+    single term leaves whole.
     """
-    if len(square) == 1:
-        ((alone, factor),) = square.items()
-        if factor > 0 and all(domain.generators[g].kind in _FREE for g, _ in alone):
-            return alone, factor
-    parts = {m: tuple((g, e) for g, e in m if _is_positive(domain, g)) for m in square}
-    whole = [m for m, c in square.items() if c > 0 and parts[m] == m]
-    letters = sorted({g for part in parts.values() for g, _ in part})
-    lead = max(whole or parts.values(), key=lambda m: [dict(m).get(g, 0) for g in letters])
-    _, monomial = domain.times(lead, _shared_squares(domain, square))
-    return monomial, square[lead] if whole else _content(square)
+    terms = [(m, c) for m, c in square.items() if c > 0 and all(_is_letter(domain, g) for g, _ in m)]
+    if len(square) == len(terms) == 1:
+        return terms[0]
+    shared = _shared_squares(domain, square)
+    if not terms:
+        return shared, Fraction(1)
+    positive = [term for term in terms if term[0] == _positive_part(domain, term[0])]
+    letters = sorted({g for monomial, _ in terms for g, _ in monomial})
+    lead, coefficient = max(positive or terms, key=lambda t: [dict(t[0]).get(g, 0) for g in letters])
+    return domain.times(_positive_part(domain, lead), shared)[1], coefficient
 
 
-_FREE = ("symbol", "prime", "growth")
+def _is_letter(domain: Domain, number: int) -> bool:
+    return domain.generators[number].kind in ("symbol", "prime", "growth")
 
 
-def _is_positive(domain: Domain, number: int) -> bool:
-    generator = domain.generators[number]
-    return generator.positive and generator.kind in _FREE
+def _positive_part(domain: Domain, monomial: Monomial) -> Monomial:
+    return tuple((g, e) for g, e in monomial if domain.generators[g].positive)
 
 
 def _shared_squares(domain: Domain, square: Polynomial) -> Monomial:
@@ -221,12 +222,6 @@ def _shared_squares(domain: Domain, square: Polynomial) -> Monomial:
             lowest = min(own.get(number, 0) for own in exponents)
             shared.append((number, lowest // 2 * 2))
     return tuple((g, e) for g, e in shared if e)
-
-
-def _content(polynomial: Polynomial) -> Fraction:
-    """Return the greatest common divisor of the coefficients."""
-    below = lcm(*(c.denominator for c in polynomial.values()))
-    return Fraction(gcd(*(int(c * below) for c in polynomial.values())), below)
 
 
 def _assume_not_negative(domain: Domain, monomial: Monomial) -> None:
