@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
-from symbalance.algebra import functions
 from symbalance.algebra.domain import HALF, Domain, NoFormError, Polynomial
 from symbalance.algebra.forms import Form
+from symbalance.algebra.roots import root, unit
 
 Rates = Mapping[int, Polynomial]
 
@@ -60,7 +60,7 @@ class _Differentiation:
             return Form.of(domain, self.rates.get(number, {})).over(_itself(domain, number))
         if generator.kind in ("exponential", "growth"):
             inner = self.polynomial({generator.content: Fraction(1)})
-            return inner.times(functions.unit(domain)) if generator.kind == "exponential" else inner
+            return inner.times(unit(domain)) if generator.kind == "exponential" else inner
         if generator.kind == "radical":
             rate = self.polynomial(generator.content)
             return rate.over(Form.of(domain, generator.content)).scaled(HALF) if rate.numerator else rate
@@ -93,7 +93,7 @@ def _square_and_one(argument: Form, sign: int) -> Form:
 _SLOPES: dict[str, Callable[[Form], Form]] = {
     "ln": _one_over,
     "atan": lambda x: _one_over(_square_and_one(x, 1)),
-    "asin": lambda x: _one_over(functions.root(_square_and_one(x, -1))),
-    "acos": lambda x: _one_over(functions.root(_square_and_one(x, -1))).scaled(-1),
+    "asin": lambda x: _one_over(root(_square_and_one(x, -1))),
+    "acos": lambda x: _one_over(root(_square_and_one(x, -1))).scaled(-1),
     "over": lambda x: _one_over(x.times(x)).scaled(-1),
 }

@@ -11,6 +11,7 @@ from symbalance.algebra.derivatives import differentiated
 from symbalance.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.algebra.forms import Form
 from symbalance.algebra.polynomials import MOST_WORK
+from symbalance.algebra.roots import root, unit
 from symbalance.reading import syntax
 
 DEEPEST = 40
@@ -105,7 +106,7 @@ def _name(evaluator: Evaluator, node: syntax.Name) -> Form:
 
 def _constant(evaluator: Evaluator, node: syntax.Constant) -> Form:
     if node.name == "i":
-        return functions.unit(evaluator.domain)
+        return unit(evaluator.domain)
     if node.name == "infinity":
         raise NoFormError("infinity")
     return Form.letter(evaluator.domain, node.name)
@@ -142,7 +143,7 @@ def _power(evaluator: Evaluator, node: syntax.Power) -> Form:
     if value is not None:
         return rational_power(base, value)
     if base.rational() == -1:
-        turned = functions.unit(evaluator.domain).times(exponent)
+        turned = unit(evaluator.domain).times(exponent)
         return functions.exponential(turned.times(Form.letter(evaluator.domain, "pi")))
     phase = functions.exponent_of(base)
     if phase is not None:
@@ -156,7 +157,7 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
     if exponent.denominator == 1:
         return base.raised(int(exponent))
     if exponent.denominator == 2:
-        return functions.root(base).raised(exponent.numerator)
+        return root(base).raised(exponent.numerator)
     if exponent.denominator > 60 or not base.is_polynomial or len(base.numerator) != 1:
         raise NoFormError("a root of a sum that is no square root")
     ((monomial, coefficient),) = base.numerator.items()
@@ -179,9 +180,21 @@ def _derivative(evaluator: Evaluator, node: syntax.Derivative) -> Form:
         *meaning.rates.get(variable, ()),
     }:
         return Form.letter(evaluator.domain, derivative_name(node))
+    if variable in meaning.values and meaning.rates:
+        return _by_chain_rule(evaluator, evaluator.form(inner), node)
     form, rates = evaluator.form(inner), evaluator.rates(variable)
     for _ in range(node.order):
         form = differentiated(form, rates)
+    return form
+
+
+def _by_chain_rule(evaluator: Evaluator, form: Form, node: syntax.Derivative) -> Form:
+    """Return df/dx = (df/dt)/(dx/dt) where x itself is a motion."""
+    time = next(iter(evaluator.meaning.rates))
+    rates = evaluator.rates(time)
+    below = differentiated(evaluator.letter(node.variable.name), rates)
+    for _ in range(node.order):
+        form = differentiated(form, rates).over(below)
     return form
 
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 from symbalance.algebra import functions
 from symbalance.algebra.domain import NoFormError
 from symbalance.algebra.forms import Form
+from symbalance.algebra.roots import root
 
 
 def apply(function: str, argument: Form) -> Form:
@@ -62,6 +63,6 @@ _CIRCULAR: dict[str, Callable[[Form], Form]] = {
     "exp": functions.exponential,
     "ln": logarithm,
     "log": logarithm,
-    "sqrt": functions.root,
-    "abs": lambda x: functions.root(x.times(x)),
+    "sqrt": root,
+    "abs": lambda x: root(x.times(x)),
 }

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from symbalance.algebra import polynomials as poly
-from symbalance.algebra.domain import ONE, Domain, Polynomial
-from symbalance.algebra.functions import root_of_rational
+from symbalance.algebra.domain import ONE, QUARTER, TURN, Domain, Polynomial
+from symbalance.algebra.roots import root_of_rational
 from symbalance.algebra.values import Valuation, context
 from symbalance.algebra.zero import is_zero
 from symbalance.reading import syntax
@@ -19,10 +19,29 @@ def number_node(domain: Domain, number: Polynomial) -> syntax.Node:
     """Return a number made of turns and roots as a formula: q√d where it is one, else a sum."""
     if poly.is_rational(number):
         return rational_node(number.get(ONE, Fraction(0)))
+    imaginary = _imaginary(domain, number)
+    if is_zero(domain, imaginary) is False:
+        unit, rest = syntax.Constant("i"), poly.minus(number, _times_i(domain, imaginary))
+        along = syntax.Product((number_node(domain, imaginary), unit))
+        return along if is_zero(domain, rest) else syntax.Sum((number_node(domain, rest), along))
     simple = as_root(domain, number)
     if simple is not None:
         return _root_node(*simple)
     return _sum_node(domain, number)
+
+
+def _imaginary(domain: Domain, number: Polynomial) -> Polynomial:
+    """Return the imaginary part, (z - conj z)/(2i), as a polynomial in turns and primes."""
+    conjugate: Polynomial = {}
+    for monomial, coefficient in number.items():
+        turned = domain.raised(tuple((g, -e) if g == TURN else (g, e) for g, e in monomial), 1)
+        conjugate = poly.plus(conjugate, {turned[1]: coefficient * turned[0]})
+    difference = poly.scaled(poly.minus(number, conjugate), Fraction(-1, 2))
+    return _times_i(domain, difference)
+
+
+def _times_i(domain: Domain, number: Polynomial) -> Polynomial:
+    return poly.times(domain, number, {((TURN, QUARTER),): Fraction(1)})
 
 
 def as_root(domain: Domain, number: Polynomial) -> tuple[Fraction, int] | None:

@@ -13,6 +13,7 @@ from fractions import Fraction
 from symbalance.algebra import functions
 from symbalance.algebra.domain import HALF, Domain, Monomial, NoFormError, Polynomial
 from symbalance.algebra.forms import Form
+from symbalance.algebra.roots import root, unit
 
 SLACK = 6
 
@@ -142,7 +143,7 @@ class Expansion:
         if generator.kind in ("exponential", "growth"):
             inner = self._term(generator.content, Fraction(exponent))
             if generator.kind == "exponential":
-                inner = inner.scaled(functions.unit(self.domain))
+                inner = inner.scaled(unit(self.domain))
             return self._exponential(inner)
         if generator.kind == "opaque" and exponent == int(exponent) and 0 < exponent <= self.limit:
             function, argument = generator.content
@@ -219,7 +220,7 @@ class Expansion:
         for k in range(1, self.limit + 2):
             value *= (Fraction(1, 2) - (k - 1)) / k
             coefficients.append(value)
-        return self._composed(coefficients, rest).scaled(functions.root(leading)).shifted(start // 2)
+        return self._composed(coefficients, rest).scaled(root(leading)).shifted(start // 2)
 
 
 def _whole(exponent: Fraction | int) -> int:

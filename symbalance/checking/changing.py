@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from symbalance.reading import syntax
-from symbalance.reading.syntax import Name, Node
+from symbalance.reading.syntax import Name, Node, Number, Product, Quotient
 
 
 def substituted(node: Node, name: str, value: Node) -> Node:
@@ -30,3 +32,31 @@ def replaced(node: Node, old: Node, new: Node) -> Node:
         if all(a is b for a, b in zip(parts, changed, strict=True))
         else syntax.with_children(node, changed)
     )
+
+
+def upright(node: Node) -> Node:
+    """Return a formula without fractions below a fraction: a/(b/c) is a c/b.
+
+    >>> from symbalance.reading import render
+    >>> from symbalance.reading.syntax import Number
+    >>> one = Number(Fraction(1))
+    >>> render(upright(Quotient(one, Product((Number(Fraction(4)), Quotient(one, Name("l")))))))
+    'l/4'
+    """
+    parts = tuple(upright(part) for part in syntax.children(node))
+    if parts != syntax.children(node):
+        node = syntax.with_children(node, parts)
+    if not isinstance(node, Quotient):
+        return node
+    factors = node.denominator.factors if isinstance(node.denominator, Product) else (node.denominator,)
+    raised = [f.denominator for f in factors if isinstance(f, Quotient)]
+    if not raised:
+        return node
+    below = [f.numerator if isinstance(f, Quotient) else f for f in factors]
+    above, under = _product([node.numerator, *raised]), _product(below)
+    return above if under == Number(Fraction(1)) else Quotient(above, under)
+
+
+def _product(factors: list[Node]) -> Node:
+    kept = [f for f in factors if f != Number(Fraction(1))] or [Number(Fraction(1))]
+    return kept[0] if len(kept) == 1 else Product(tuple(kept))

@@ -13,7 +13,7 @@ from symbalance.algebra.harmonics import components
 from symbalance.checking.describing import lines_of, position, word_for
 from symbalance.checking.differences import differences, exact_text
 from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.mending import mended
+from symbalance.checking.mending import mended, repaired
 from symbalance.checking.quantities import quantity
 from symbalance.checking.relations import judged
 from symbalance.checking.rounding import decimals
@@ -53,6 +53,7 @@ def side(
     knowledge: Knowledge,
     folder: Path,
     step: Verdict | None,
+    excused: bool = False,
 ) -> Verdict:
     """Return the verdict on a bound side; where its relation was judged too, the claim decides."""
     claimed = chain.sides[index]
@@ -75,6 +76,10 @@ def side(
     if answer.status == REFUTED and knowledge.crank is not None and bind.quantity != "harmonic":
         base = _mended(base, document, claimed, answer, bind, knowledge, folder)
     reason = ""
+    if step is not None and step.verdict == REFUTED and answer.proved and not excused:
+        return replace(
+            step, bind=bind.title, reason="the right side is what it claims to be, the left is not"
+        )
     if step is not None and step.verdict == REFUTED and answer.proved:
         reason = "right as it stands, though it does not follow from the side before"
     elif step is not None and step.fix is not None and base.fix is not None:
@@ -92,7 +97,7 @@ def _mended(
     folder: Path,
 ) -> Verdict:
     def proves(node: Node) -> bool:
-        return answered(Side((node,), claimed.span), bind, knowledge, folder).proved
+        return repaired(answered(Side((node,), claimed.span), bind, knowledge, folder), answer)
 
     return mended(base, document, claimed, answer, knowledge, proves)
 

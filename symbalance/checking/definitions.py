@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from symbalance.algebra.evaluation import Meaning
+from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.algebra.evaluation import Evaluator, Meaning
+from symbalance.algebra.numbers import rational_node
 from symbalance.algebra.trees import sample_trees
+from symbalance.algebra.values import letters
 from symbalance.checking.knowledge import Definition, Knowledge
 from symbalance.checking.relations import judged
 from symbalance.checking.sidecar import Declarations
 from symbalance.checking.steps import Answer, without_dots
 from symbalance.checking.verdicts import DEFINITION
+from symbalance.reading import render
 from symbalance.reading.equations import Chain, Side
 from symbalance.reading.syntax import Name, Node, names
 
@@ -50,13 +54,12 @@ class Definitions:
             return None
         name, value = found
         sign = chain.relations[k].sign
-        if name in knowledge.meaning.values or knowledge.assumes(name):
+        if knowledge.assumes(name):
             return None
-        if (
-            knowledge.measures(name)
-            and judged(chain.sides[k], chain.sides[k + 1], sign, knowledge).proved
-        ):
-            return None
+        if name in knowledge.meaning.values:
+            return self._size(name, value, chain.lines[0], knowledge)
+        if knowledge.measures(name) and name in _letters_of(value, knowledge):
+            return None  # λ = 2l/r: it says something of the geometry, and may be wrong
         reason = ""
         earlier = knowledge.definitions.get(name)
         if earlier is not None:
@@ -66,6 +69,24 @@ class Definitions:
         self.learn(name, without_dots(value)[0], chain.lines[0])
         return Answer(DEFINITION, reason)
 
+    def _size(self, name: str, value: Node, line: int, knowledge: Knowledge) -> Answer | None:
+        """Return the answer for a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
+        if knowledge.crank is None or knowledge.crank.small is None or name in knowledge.moving:
+            return None
+        small, evaluator = knowledge.crank.small[0], Evaluator(Domain(), knowledge.meaning)
+        try:
+            ratio = evaluator.letter(name).over(evaluator.form(value))
+        except (NoFormError, TooLargeError):
+            return None
+        if not ratio.is_polynomial or len(ratio.numerator) != 1 or letters(ratio) != [small]:
+            return None
+        ((monomial, coefficient),) = ratio.numerator.items()
+        if [abs(exponent) for _, exponent in monomial] != [1]:
+            return None
+        number = 1 / coefficient if monomial[0][1] > 0 else coefficient
+        self.learn(small, rational_node(number), line)
+        return Answer(DEFINITION, f"a case: {render(Name(small))} = {number}")
+
     def _letter(self, chain: Chain, k: int) -> tuple[str, Node] | None:
         """Return the letter a relation may define, and its value."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
@@ -74,6 +95,14 @@ class Definitions:
         if isinstance(right, Name) and right.name not in names(left) | self.seen:
             return right.name, left
         return None
+
+
+def _letters_of(value: Node, knowledge: Knowledge) -> list[str]:
+    """Return the letters a formula comes down to by the meanings alone."""
+    try:
+        return letters(Evaluator(Domain(), knowledge.meaning).form(value))
+    except (NoFormError, TooLargeError):
+        return []
 
 
 def _new_case(earlier: Definition, value: Node, sign: str, knowledge: Knowledge) -> bool:

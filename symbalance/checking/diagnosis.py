@@ -15,10 +15,11 @@ from typing import Any
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.forms import Form
-from symbalance.checking.changing import substituted
+from symbalance.checking.changing import substituted, upright
 from symbalance.checking.edits import Edit, edits, parts, ways, whole
 from symbalance.checking.floats import NoValueError, Sieve, Values, close
 from symbalance.checking.knowledge import Knowledge
+from symbalance.checking.premises import counts
 from symbalance.checking.steps import Answer
 from symbalance.checking.term_repair import kinds, repaired
 from symbalance.reading import syntax
@@ -55,8 +56,8 @@ def diagnosed(case: Case) -> Repair | None:
         return rounded
     sieve = _sieve(case)
     if sieve is not None:
-        target, quick = sieve
-        for edit in _passing(case, quick, target):
+        targets, quick = sieve
+        for edit in _passing(case, quick, targets):
             changed = edit.applied(ways(case.node))
             if case.proves(changed):
                 return Repair(edit.kind, changed, ((edit.old, edit.new),), edit.cost)
@@ -76,7 +77,7 @@ def _rounded(case: Case) -> Repair | None:
     return Repair("value", number, ((case.node, number),), 1.0) if case.proves(number) else None
 
 
-def _sieve(case: Case) -> tuple[Values, Sieve] | None:
+def _sieve(case: Case) -> tuple[list[Values], Sieve] | None:
     """Return the values the side should have at a few points, and a sieve for its changed copies."""
     answer, knowledge = case.answer, case.knowledge
     if answer.left is None or answer.right is None or answer.level is None:
@@ -84,8 +85,9 @@ def _sieve(case: Case) -> tuple[Values, Sieve] | None:
     points = _points(case)
     if not points:
         return None
-    target = tuple(complex(found[0]) for _, found in points)
-    letters = {name: [complex(f[k]) for _, f in points] for k, name in enumerate(_letters(case), 1)}
+    count = 1 + len(answer.further)
+    targets = [tuple(complex(found[n]) for _, found in points) for n in range(count)]
+    letters = {name: [complex(f[k]) for _, f in points] for k, name in enumerate(_letters(case), count)}
     sieve = Sieve(letters, len(points))
     evaluator = knowledge.evaluator(answer.level)
     for part in syntax.walk(case.node):
@@ -99,7 +101,7 @@ def _sieve(case: Case) -> tuple[Values, Sieve] | None:
         sieve.keep(case.node)
     except NoValueError:
         return None
-    return target, sieve
+    return targets, sieve
 
 
 def _letters(case: Case) -> list[str]:
@@ -118,7 +120,7 @@ def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
     assert case.answer.level is not None
     evaluator = case.knowledge.evaluator(case.answer.level)
     evaluator.domain = case.answer.left.domain
-    forms: list[Form] = [case.answer.left]
+    forms: list[Form] = [case.answer.left, *case.answer.further]
     for name in _letters(case):
         try:
             forms.append(evaluator.letter(name))
@@ -127,10 +129,10 @@ def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
     return values.sample(forms)
 
 
-def _passing(case: Case, sieve: Sieve, target: Values) -> list[Edit]:
+def _passing(case: Case, sieve: Sieve, targets: list[Values]) -> list[Edit]:
     """Return the changes whose values fit, cheapest first."""
     way = ways(case.node)
-    found: list[Edit] = list(_integers(case, sieve, target, way))
+    found: list[Edit] = list(_integers(case, sieve, targets, way))
     variables = (
         [case.knowledge.crank.time, *syntax.names(case.knowledge.crank.theta)]
         if case.knowledge.crank
@@ -140,20 +142,21 @@ def _passing(case: Case, sieve: Sieve, target: Values) -> list[Edit]:
         if isinstance(edit.new, syntax.Derivative):
             found.append(edit)
             continue
-        if _fits(edit.applied(way), sieve, target):
+        if _fits(edit.applied(way), sieve, targets):
             found.append(edit)
-    found += _conventions(case, sieve, target)
+    found += _conventions(case, sieve, targets)
     return sorted(found, key=lambda e: e.cost)[:MOST_PROOFS]
 
 
-def _fits(node: Node, sieve: Sieve, target: Values) -> bool:
+def _fits(node: Node, sieve: Sieve, targets: list[Values]) -> bool:
     try:
-        return close(sieve.values(node), target)
+        found = sieve.values(node)
+        return any(close(found, target) for target in targets)
     except NoValueError:
         return False
 
 
-def _integers(case: Case, sieve: Sieve, target: Values, way: dict[int, Node]) -> Iterator[Edit]:
+def _integers(case: Case, sieve: Sieve, targets: list[Values], way: dict[int, Node]) -> Iterator[Edit]:
     """Yield the whole numbers and fractions that, put for a printed number, give the right values.
 
     The side is taken as a + b y, or a + b/y, in that number y; two trial values give a and b.
@@ -170,14 +173,16 @@ def _integers(case: Case, sieve: Sieve, target: Values, way: dict[int, Node]) ->
             doubled = sieve.values(Edit("", 0, part, whole(part.value * 2)).applied(way))
         except NoValueError:
             continue
-        for value, inverse in _solutions(here[0], doubled[0], target[0], part.value):
+        for value, inverse in _solutions(here[0], doubled[0], targets[0][0], part.value):
             if value != part.value and abs(value) <= LARGEST:
                 new = whole(value)
-                if _fits(Edit("", 0, part, new).applied(way), sieve, target):
+                if _fits(Edit("", 0, part, new).applied(way), sieve, targets):
                     simple = value.denominator == 1
                     shown = f"{value} for {part.value}"
                     kind = f"number misprinted ({shown})" if abs(value) != abs(part.value) else "sign"
-                    yield Edit(kind, (1.1 if simple else 1.4) + (0.05 if inverse else 0), part, new)
+                    odd = 0.6 if value.denominator > 12 or abs(value) > 20 * abs(part.value) else 0
+                    cost = (1.1 if simple else 1.4) + (0.05 if inverse else 0) + odd
+                    yield Edit(kind, cost, part, new)
 
 
 def _solutions(
@@ -195,24 +200,28 @@ def _solutions(
             yield Fraction(round(exact)), inverse
             continue
         guess = Fraction(ratio.real).limit_denominator(10_000)
+        if guess.denominator > 64 or abs(guess.numerator) > 64:
+            continue
         if guess and abs(float(guess) - ratio.real) < 1e-7 * max(1, abs(ratio.real)):
             found = value * guess if not inverse else value / guess
             yield found, inverse
 
 
-def _conventions(case: Case, sieve: Sieve, target: Values) -> Iterator[Edit]:
+def _conventions(case: Case, sieve: Sieve, targets: list[Values]) -> Iterator[Edit]:
     """Yield the side with λ doubled or halved throughout: l/r put for l/s, or the reverse."""
     small = case.knowledge.crank.small if case.knowledge.crank else None
     if small is None or small[0] not in syntax.names(case.node):
         return
     letter = Name(small[0])
     for title, new in (
+        ("rod ratio inverted (l/r for r/l)", Quotient(whole(1), letter)),
         ("rod ratio of the other convention (l/r, not l/s)", Product((whole(2), letter))),
         ("rod ratio of the other convention (l/s, not l/r)", Quotient(letter, whole(2))),
     ):
-        changed = substituted(case.node, small[0], new)
-        if _fits(changed, sieve, target):
-            yield Edit(title, 1.15, case.node, changed)
+        changed = upright(substituted(case.node, small[0], new))
+        if _fits(changed, sieve, targets):
+            once = counts(case.node)[small[0]] == 1 and "inverted" not in title
+            yield Edit(title, 1.15 if once else 0.95, case.node, changed)
 
 
 def _by_factor(case: Case) -> Repair | None:
@@ -228,11 +237,20 @@ def _by_factor(case: Case) -> Repair | None:
             return None
         from symbalance.algebra.harmonics import polynomial_node
 
+        (coefficient,) = ratio.numerator.values()
+        if not (_is_simple(coefficient.numerator) and _is_simple(coefficient.denominator)):
+            return None
         factor = polynomial_node(ratio.domain, ratio.numerator)
     except (NoFormError, TooLargeError):
         return None
     changed = Product((factor, case.node))
     return Repair("factor", changed, ((case.node, changed),), 2.0) if case.proves(changed) else None
+
+
+def _is_simple(number: int) -> bool:
+    """Tell whether a whole number is small, or a power of two: what a slip may have put in."""
+    number = abs(number)
+    return number <= 64 or (number & (number - 1) == 0 and number < 2**24)
 
 
 def _by_terms(case: Case) -> Repair | None:

@@ -7,21 +7,23 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from symbalance.checking import claims, premises
+from symbalance.checking.cases import numbers_put_in, with_ratio_put_in
 from symbalance.checking.definitions import Definitions
 from symbalance.checking.describing import described, unreadable
 from symbalance.checking.knowledge import Given, Knowledge
 from symbalance.checking.meanings import MOVING, by_meaning, meaning_of
-from symbalance.checking.mending import mended
+from symbalance.checking.mending import mended, repaired
 from symbalance.checking.relations import judged, ordering
 from symbalance.checking.sidecar import Bind, Declarations
 from symbalance.checking.steps import Answer
-from symbalance.checking.verdicts import DEFINITION, REFUTED, Checked, Verdict
+from symbalance.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked, Verdict
 from symbalance.errors import SymbalanceError
 from symbalance.reading import ReadingError, read_equation
 from symbalance.reading.equations import Chain, Document, Side
 from symbalance.reading.syntax import Name, Node
 
 FOLLOWS = "follows from the side before, which is refuted"
+ANGLES = ("crank angle", "rod angle", "time", "integer")
 UNIVERSAL = (
     "crank angle",
     "rod angle",
@@ -68,8 +70,11 @@ class Judge:
         letters = by_meaning(symbols)
         universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
+        angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
         declared = frozenset(symbols)
-        return Knowledge(meaning, crank, kept, self.given(line, declared), declared, moving, universal)
+        return Knowledge(
+            meaning, crank, kept, self.given(line, declared), declared, moving, angles, universal
+        )
 
     def given(self, line: int, known: frozenset[str]) -> tuple[Given, ...]:
         """Return the assumptions at a line, each solved for a letter."""
@@ -89,7 +94,8 @@ class Judge:
                 found.append(self.claim(chain, 0, bound[0], None))
             verdict = self.link(chain, k, sound, bad)
             if k + 1 in bound:
-                verdict = self.claim(chain, k + 1, bound[k + 1], verdict)
+                excused = bad or isinstance(chain.sides[k].node, Name)
+                verdict = self.claim(chain, k + 1, bound[k + 1], verdict, excused)
             found.append(verdict)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
@@ -97,10 +103,15 @@ class Judge:
         self.learnt.use(chain)
         return found
 
-    def claim(self, chain: Chain, index: int, bind: Bind, step: Verdict | None) -> Verdict:
-        """Return the verdict on a side that is bound to a quantity; `step` is that of its relation."""
+    def claim(
+        self, chain: Chain, index: int, bind: Bind, step: Verdict | None, excused: bool = False
+    ) -> Verdict:
+        """Return the verdict on a side that is bound to a quantity; `step` is that of its relation.
+
+        `excused` tells that the side before is known to be wrong, or only a name.
+        """
         known = self.knowledge(chain.lines[0], bind.convention)
-        return claims.side(self.document, chain, index, bind, known, self.folder, step)
+        return claims.side(self.document, chain, index, bind, known, self.folder, step, excused)
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
@@ -120,9 +131,13 @@ class Judge:
         elif bad:
             answer = replace(answer, reason=FOLLOWS)
         head = chain.sides[0].node
-        if not answer.proved and k and isinstance(head, Name) and head.name in knowledge.meaning.values:
+        valued = k and isinstance(head, Name) and head.name in knowledge.meaning.values
+        if valued and (relation.sign == "≈" or not answer.proved):
             answer, against = judged(chain.sides[0], right, "≈", knowledge), chain.sides[0]
-        if not answer.proved:
+        if answer.status == REFUTED:
+            case = numbers_put_in(chain, k, answer, knowledge)
+            answer = case or with_ratio_put_in(against.node, right.node, knowledge) or answer
+        if answer.status in (REFUTED, UNDECIDED):
             stated = premises.stated(chain, k, self.learnt.seen, knowledge)
             if stated is not None:
                 self.learnt.learn(stated.name, stated.node, chain.lines[0])
@@ -140,10 +155,10 @@ class Judge:
         as_written = "≈" if left is not chain.sides[k] else sign
 
         def proves_right(node: Node) -> bool:
-            return judged(left, Side((node,), right.span), as_written, knowledge).proved
+            return repaired(judged(left, Side((node,), right.span), as_written, knowledge), answer)
 
         def proves_left(node: Node) -> bool:
-            return judged(Side((node,), left.span), right, as_written, knowledge).proved
+            return repaired(judged(Side((node,), left.span), right, as_written, knowledge), answer)
 
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)

@@ -48,6 +48,7 @@ class Knowledge:
     letters: frozenset[str] = frozenset()
     moving: frozenset[str] = frozenset()
     """Letters whose meaning is a motion or a force: left alone where a step holds without."""
+    angles: frozenset[str] = frozenset()
     universal: frozenset[str] = frozenset()
     """Letters that stay free although a line gives them a number: crank angle, rod angle, time."""
 

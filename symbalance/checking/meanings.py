@@ -21,6 +21,7 @@ from symbalance.reading import syntax
 from symbalance.reading.syntax import (
     Call,
     Constant,
+    Derivative,
     Name,
     Node,
     Number,
@@ -80,6 +81,8 @@ _POSITIVE = {
 }
 _HARMONIC = re.compile(r"A_\d{1,3}$")
 MORE_POWERS = 24
+SAME_POWER = 31
+"""The power of r/l through which every declared A_n is taken: one for all, so that sums of them compare."""
 RANGES = {
     "crank angle": (10, 620),
     "rod ratio l/r": (300, 500),
@@ -146,6 +149,7 @@ class Geometry:
     omega: Node
     mass: Node
     time: str
+    pitch: Node | None
     small: tuple[str, int] | None
     """The letter the document expands in: ("lambda", -1) where it is large, ("rho", 1) where small."""
 
@@ -224,6 +228,7 @@ def geometry(symbols: Mapping[str, str], convention: str = "") -> Geometry:
         omega=first("angular speed") or by_rpm or Name("omega"),
         mass=first("reciprocating mass") or Name("m"),
         time=letters.get("time", ["t"])[0],
+        pitch=first("cylinder pitch"),
         small=small,
     )
 
@@ -288,6 +293,11 @@ def meaning_of(symbols: Mapping[str, str], convention: str = "") -> tuple[Meanin
         for name in letters.get(meaning, []):
             if name not in base:
                 values[name] = node
+    for name in [n for m in MOVING for n in letters.get(m, ())]:
+        for order in (1, 2):
+            primed = name + "'" * order
+            if primed not in symbols and isinstance(crank.theta, Name):
+                values[primed] = Derivative(Name(name), crank.theta, order)
     rates: dict[str, Mapping[str, Node]] = {}
     if isinstance(crank.theta, Name):
         rates[crank.time] = {crank.theta.name: crank.omega}
@@ -303,7 +313,7 @@ def meaning_of(symbols: Mapping[str, str], convention: str = "") -> tuple[Meanin
 def _harmonic(meaning: str, crank: Geometry) -> Node:
     """Return A_n of the acceleration as a series in r/l, far beyond what anybody writes."""
     order = int(meaning[2:])
-    return series_node(order, order + MORE_POWERS, crank.ratio)
+    return series_node(order, max(SAME_POWER, order + 7), crank.ratio)
 
 
 def series_node(order: int, power: int, ratio: Node) -> Node:

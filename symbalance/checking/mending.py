@@ -49,6 +49,15 @@ def mended(
     return replace(verdict, fix=fix_of(found, document, where, title))
 
 
+def repaired(changed: Answer, refuted: Answer) -> bool:
+    """Tell whether a changed line is proved, and as much as it was to say: through no lower an order."""
+    if not changed.proved:
+        return False
+    if refuted.kept is None:
+        return changed.kept is None
+    return changed.kept is None or changed.kept >= refuted.kept
+
+
 def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> Fix:
     """Return what the report says of a repair."""
     several = len(repair.changes) > 1

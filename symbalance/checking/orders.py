@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, Polynomial, TooLargeError
+from symbalance.algebra.evaluation import Evaluator
 from symbalance.algebra.forms import Form
 from symbalance.algebra.harmonics import components
 from symbalance.algebra.series import Expansion, Series
@@ -32,6 +33,7 @@ from symbalance.reading import render
 from symbalance.reading.syntax import Name, Node
 
 HIGHEST = 40
+HIGHEST_SHOWN = 26
 NO_LETTER = "no letter in which one side is a cut-off series"
 ROUGH = Fraction(1, 20)
 
@@ -49,6 +51,8 @@ class Small:
         """The order kept, as a power of the letter."""
         if not self.kept:
             return "leading term"
+        if self.kept > HIGHEST_SHOWN:
+            return "all powers written"
         return render(Name(self.letter)) + raised(str(self.sign * self.kept).replace("-", "−"))
 
 
@@ -81,7 +85,7 @@ def _at_level(
     try:
         first, second = evaluator.form(left), evaluator.form(right)
         if not values.letters(first) and not values.letters(second):
-            return _as_numbers(left, right, first, second, level)
+            return _as_numbers(left, right, evaluator, (first, second), level)
     except (NoFormError, TooLargeError) as problem:
         return Answer(UNDECIDED, f"no normal form: {problem}", level=level)
     best = Answer(
@@ -98,15 +102,18 @@ def _at_level(
     return best
 
 
-def _as_numbers(left: Node, right: Node, first: Form, second: Form, level: Level) -> Answer:
+def _as_numbers(
+    left: Node, right: Node, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
+) -> Answer:
     """Compare two numbers: to the digits printed where there are any, else saying how closely."""
+    first, second = forms
     points = values.sample([first, second])
     if not points:
         return Answer(UNDECIDED, "no value", level=level)
     one, other = points[0][1]
     apart = abs(one - other) / max(abs(one), abs(other), values.context().mpf(10) ** -300)
     if decimals(left) or decimals(right):
-        fits, order = agrees_as_printed(left, right, points, generous=True), "the digits printed"
+        fits, order = agrees_as_printed(left, right, evaluator.form, generous=True), "the digits printed"
     else:
         fits, order = apart <= float(ROUGH), f"relative error {digits(apart, 2)}"
     if fits:
@@ -163,11 +170,11 @@ def _through(first: Form, second: Form, small: Small, level: Level, loose: bool)
         raise NoFormError("nothing of either side is kept")
     difference = left.plus(right.scaled(Form.number(first.domain, -1)))
     if not difference.terms:
-        return Answer(PROVED, "", small.text, level.assumptions, level, first, second)
+        return Answer(PROVED, "", small.text, level.assumptions, level, first, second, kept=small.kept)
     kept_left, kept_right = summed(left, small), summed(right, small)
     if loose and _only_higher(kept_left, kept_right):
         order = f"{small.text}, harmonics to {_highest(kept_right)}"
-        return Answer(PROVED, "", order, level.assumptions, level, kept_left, kept_right)
+        return Answer(PROVED, "", order, level.assumptions, level, kept_left, kept_right, kept=small.kept)
     order = f"{small.text}"
     points = values.sample([kept_left, kept_right])
     witness: dict[str, str] = {}
@@ -175,7 +182,8 @@ def _through(first: Form, second: Form, small: Small, level: Level, loose: bool)
         point, pair = points[0]
         witness = {n: text(v) for n, v in point.items()}
         witness |= {"left": digits(pair[0]), "right": digits(pair[1])}
-    return Answer(REFUTED, "", order, (), level, kept_left, kept_right, witness)
+    further = tuple(summed(expansion.of(first).cut(small.kept + n), small) for n in (1, 2))
+    return Answer(REFUTED, "", order, (), level, kept_left, kept_right, witness, small.kept, further)
 
 
 def summed(series: Series, small: Small) -> Form:

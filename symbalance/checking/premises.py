@@ -8,7 +8,7 @@ r sin²θ + r cos²θ = 2r nothing is stated, it is just false.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -59,13 +59,18 @@ def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
         return None
+    if chain.relations[k].sign != "=" or any(isinstance(p, syntax.Dots) for p in _parts(left, right)):
+        return None
     first, second = counts(left), counts(right)
     earlier = seen | {n for side in chain.sides[:k] for n in syntax.names(side.node)}
-    own = (set(first) - set(second), set(second) - set(first))
-    zero = right == Number(Fraction(0)) and k == 0 and len(first) >= 2
-    if not zero and not all(own):
+    if right == Number(Fraction(0)):
+        pairs = [(_apart_from_others(left), left, right)] if k == 0 else []
+    elif set(first) - set(second) and set(second) - set(first):
+        own = [(set(first) - set(second), left, right), (set(second) - set(first), right, left)]
+        pairs = own if k == 0 else own[:1]
+    else:
         return None
-    for mine, node, other in ((own[0], left, right), (own[1], right, left)):
+    for mine, node, other in pairs:
         for name in sorted(mine):
             free = not (name in earlier or knowledge.has_meaning(name))
             if free and (first + second)[name] == 1 and not _inside_derivative(node, name):
@@ -74,6 +79,25 @@ def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated
                     return Stated(name, found)
     derivative = _lone_derivative(left, right, knowledge)
     return Stated(derivative, right) if derivative else None
+
+
+def _parts(*nodes: Node) -> Iterator[Node]:
+    for node in nodes:
+        yield from syntax.walk(node)
+
+
+def _apart_from_others(node: Node) -> set[str]:
+    """Return the letters of F_1 + F_2 = 0: each in a term of its own beside terms with other letters."""
+    terms = node.terms if isinstance(node, Sum) else (node,)
+    found = [syntax.names(term) for term in terms]
+    if len(found) < 2:
+        return set()
+    return {
+        n
+        for k, mine in enumerate(found)
+        for n in mine
+        if all(mine - o and o - mine for o in found[:k] + found[k + 1 :])
+    }
 
 
 def _inside_derivative(node: Node, name: str) -> bool:
@@ -85,7 +109,8 @@ def _lone_derivative(left: Node, right: Node, knowledge: Knowledge) -> str:
     if not (isinstance(left, Derivative) and isinstance(left.expression, Name)):
         return ""
     name = left.expression.name
-    return "" if knowledge.knows(name) or name in syntax.names(right) else derivative_name(left)
+    known = knowledge.has_meaning(name) or name in syntax.names(right)
+    return "" if known else derivative_name(left)
 
 
 def solved(left: Node, right: Node) -> tuple[str, Node] | None:

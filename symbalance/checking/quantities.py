@@ -75,6 +75,7 @@ def quantity(bind: Bind, crank: Geometry, folder: Path, in_numbers: bool) -> Nod
         parts.append(coefficient)
     if bind.unit == "":
         parts += [crank.mass, crank.radius, Power(crank.omega, Number(Fraction(2)))]
+        parts += [crank.pitch] if bind.quantity.startswith("couple") and crank.pitch is not None else []
     return Product(tuple(parts))
 
 

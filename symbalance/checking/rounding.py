@@ -1,19 +1,26 @@
-"""Rounded numbers: does a printed decimal agree with the other side to the digits it shows?"""
+"""Rounded numbers: does a printed decimal agree with what it stands for, to the digits it shows?
+
+A lone decimal is the result of what stands on the other side, whose own numbers count as exact. Among letters
+every coefficient is compared for itself, and may be off by what half a unit in the last place of each
+decimal in it brings.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from symbalance.algebra import values
-from symbalance.algebra.evaluation import Meaning
-from symbalance.algebra.trees import TreeValues
+from symbalance.algebra import polynomials as poly
+from symbalance.algebra.forms import Form
+from symbalance.algebra.harmonics import Components, components
+from symbalance.algebra.values import Valuation, context, letters
 from symbalance.checking.changing import replaced
 from symbalance.reading import syntax
-from symbalance.reading.syntax import Node, Number
+from symbalance.reading.syntax import Negative, Node, Number
 
-TINY = Fraction(1, 10**25)
-MOST_EXTRA = 2
+LONG = 3
+"""A decimal of this many digits on the way to a result may itself be rounded."""
 
 
 def decimals(node: Node) -> list[Number]:
@@ -26,45 +33,95 @@ def decimals(node: Node) -> list[Number]:
 
 
 def agrees_as_printed(
-    left: Node, right: Node, points: list[tuple[values.Point, list[Any]]], *, generous: bool = False
+    left: Node, right: Node, form_of: Callable[[Node], Form], *, generous: bool = False
 ) -> bool:
-    """Tell whether a rounded side agrees with the other to the last digits printed.
+    """Tell whether two sides agree to the last digits printed; `form_of` gives a side's form.
 
-    Half a unit of the last place is allowed (a whole one if `generous`: the digits may be cut off, not
-    rounded), and as much again, at most twice, as the other side's own decimals may bring in.
+    A lone decimal may be off by half a unit of its last place; by a whole one towards zero if `generous`
+    (cut off, not rounded), or if the other side goes through long decimals.
     """
-    for k, (result, other) in enumerate(((right, left), (left, right))):
-        for _, pair in points:
-            room = _room(result, abs(pair[1 - k])) * (2 if generous else 1)
-            if not room:
-                break
-            room += min(_room(other, abs(pair[k])), MOST_EXTRA * room)
-            if abs(pair[0] - pair[1]) > room * (1 + 1e-9) + abs(pair[0]) * float(TINY):
-                break
-        else:
-            return True
-    return False
+    if not decimals(left) and not decimals(right):
+        return False
+    first, second = form_of(left), form_of(right)
+    if not letters(first) and not letters(second):
+        for node, value, exact, other in (
+            (right, second, first, left),
+            (left, first, second, right),
+        ):
+            lone = _lone(node, generous) if decimals(node) or decimals(other) else None
+            if lone is not None:
+                return _is_rounded(lone, _number(value), _number(exact), decimals(other), generous)
+    return _coefficients_agree(left, right, first, second, form_of)
 
 
-def _room(node: Node, value: Any) -> Any:
-    """Return how much a side may be off, half a unit in the last place of each of its decimals."""
+def _as_printed(number: Number, generous: bool) -> Number | None:
+    """Return a whole number as the result it is: to its units, its closing zeros open if `generous`."""
+    if number.value.denominator != 1 or not number.value:
+        return None
+    digits = str(abs(number.value.numerator))
+    zeros = len(digits) - len(digits.rstrip("0")) if generous else 0
+    return Number(number.value, Fraction(10**zeros))
+
+
+def _lone(node: Node, generous: bool) -> Number | None:
+    """Return the decimal a side consists of, up to its sign and a factor without decimals."""
+    if isinstance(node, Negative):
+        return _lone(node.operand, generous)
+    if isinstance(node, Number):
+        return node if node.last_place is not None else _as_printed(node, generous)
     found = decimals(node)
-    if len(found) < 2 or syntax.names(node):
-        return sum(float(relative_room(d)) for d in found) * value
-    here = TreeValues(Meaning(), {})
-    total = 0
-    for number in found:
-        assert number.last_place is not None
-        shifted = replaced(node, number, Number(number.value + number.last_place / 2))
-        total += abs(here.value(shifted) - here.value(node))
-    return total
+    simple = isinstance(node, syntax.Product) and len(found) == 1 and not syntax.names(node)
+    return found[0] if simple and found[0] in node.factors else None
 
 
-def relative_room(number: Number) -> Fraction:
-    """Return half a unit of a decimal's last place, relative to it.
+def _number(form: Form) -> Any:
+    return Valuation(form.domain, {}).of(form)
 
-    >>> relative_room(Number(Fraction(1, 4), Fraction(1, 100)))
-    Fraction(1, 50)
+
+def _is_rounded(lone: Number, value: Any, exact: Any, others: list[Number], generous: bool) -> bool:
+    assert lone.last_place is not None
+    half = abs(value) * float(lone.last_place / 2 / abs(lone.value))
+    wide = any(significant(number) >= LONG for number in others)
+    wide = wide or (generous and abs(value) <= abs(exact))
+    return abs(value - exact) <= half * (2 if wide else 1) * (1 + 1e-12)
+
+
+def significant(number: Number) -> int:
+    """Return how many digits of a decimal count.
+
+    >>> significant(Number(Fraction(1, 25), Fraction(1, 1000)))  # 0.040
+    2
     """
     assert number.last_place is not None
-    return number.last_place / 2 / abs(number.value)
+    return len(str(abs(number.value / number.last_place).numerator))
+
+
+def _coefficients_agree(
+    left: Node, right: Node, first: Form, second: Form, form_of: Callable[[Node], Form]
+) -> bool:
+    if not (first.is_polynomial and second.is_polynomial):
+        return False
+    domain = first.domain
+    exact, claimed = _parts(first), _parts(second)
+    room: dict[Any, Any] = {}
+    for side, own in ((left, exact), (right, claimed)):
+        for number in decimals(side):
+            assert number.last_place is not None
+            moved = Number(number.value + number.last_place / 2, number.last_place)
+            shifted = _parts(form_of(replaced(side, number, moved)))
+            for place in {*own, *shifted}:
+                change = poly.minus(shifted.get(place, {}), own.get(place, {}))
+                room[place] = room.get(place, 0) + abs(Valuation(domain, {}).polynomial(change))
+    for place in {*exact, *claimed}:
+        apart = poly.minus(exact.get(place, {}), claimed.get(place, {}))
+        if abs(Valuation(domain, {}).polynomial(apart)) > room.get(place, 0) * (1 + 1e-12) + _tiny():
+            return False
+    return True
+
+
+def _parts(form: Form) -> Components:
+    return components(form.domain, form.numerator)
+
+
+def _tiny() -> Any:
+    return context().mpf(10) ** -25

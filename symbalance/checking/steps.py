@@ -9,7 +9,7 @@ from typing import Any
 
 from symbalance.algebra import values
 from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.algebra.evaluation import Meaning
+from symbalance.algebra.evaluation import Evaluator, Meaning
 from symbalance.algebra.forms import Form
 from symbalance.algebra.trees import sample_trees
 from symbalance.checking.knowledge import Knowledge, Level
@@ -32,6 +32,10 @@ class Answer:
     left: Form | None = None
     right: Form | None = None
     witness: Mapping[str, str] = field(default_factory=dict)
+    kept: int | None = None
+    """The order through which two sides were compared, None for an exact comparison."""
+    further: tuple[Form, ...] = ()
+    """The exact side cut off one and two orders later: what a repaired side may come to."""
 
     @property
     def proved(self) -> bool:
@@ -71,7 +75,7 @@ def _at_level(left: Node, right: Node, knowledge: Knowledge, level: Level) -> An
         if first.equals(second):
             noted = tuple(evaluator.domain.assumptions)
             return Answer(PROVED, "", "", level.assumptions + noted, level, first, second)
-        return _by_numbers(left, right, first, second, level)
+        return _by_numbers(left, right, evaluator, (first, second), level)
     except NoFormError as problem:
         return _by_trees(left, right, evaluator.meaning, level, f"no normal form: {problem}")
     except TooLargeError as problem:
@@ -89,8 +93,11 @@ def _by_trees(left: Node, right: Node, meaning: Meaning, level: Level, reason: s
     return Answer(UNDECIDED, reason, level=level)
 
 
-def _by_numbers(left: Node, right: Node, first: Form, second: Form, level: Level) -> Answer:
+def _by_numbers(
+    left: Node, right: Node, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
+) -> Answer:
     """Return what points in numbers say of two forms that are not identical."""
+    first, second = forms
     points = values.sample([first, second])
     if not points:
         return Answer(
@@ -101,10 +108,10 @@ def _by_numbers(left: Node, right: Node, first: Form, second: Form, level: Level
         return Answer(PROVED, "", "", (*level.assumptions, *signed), level, first, second)
     if all(same):
         return Answer(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
-    if agrees_as_printed(left, right, points):
+    if agrees_as_printed(left, right, evaluator.form):
         order = "the digits printed"
         return Answer(PROVED, "", order, level.assumptions, level, first, second)
-    signed = _up_to_sign(left, right, first, second)
+    signed = _up_to_sign(left, right, first, second) if any(same) else ""
     if signed:
         return Answer(PROVED, "", "", (*level.assumptions, signed), level, first, second)
     point, pair = points[same.index(False)]
@@ -155,7 +162,9 @@ def _same_square(left: Node, right: Node, first: Form, second: Form) -> tuple[st
 def _is_root(node: Node) -> bool:
     """Tell whether a formula is a square root or an absolute value, perhaps times a positive number."""
     if isinstance(node, syntax.Product | syntax.Quotient):
-        return all(_is_root(f) or isinstance(f, syntax.Number) for f in syntax.children(node))
+        parts = syntax.children(node)
+        roots = [part for part in parts if _is_root(part)]
+        return bool(roots) and all(p in roots or isinstance(p, syntax.Number) for p in parts)
     return isinstance(node, syntax.Call) and node.function in ("sqrt", "abs")
 
 

@@ -152,6 +152,7 @@ def _rebuilt(
     changed = node
     for old_node, new_node in changes:
         changed = replaced(changed, old_node, new_node)
+    changed = _without_zeros(changed)
     if extra:
         added = polynomial_node(left.domain, extra)
         own = changed.terms if isinstance(changed, Sum) else (changed,)
@@ -195,6 +196,16 @@ def kind(old: Node, new: Node) -> str:
     if waves in ([{"sin"}, {"cos"}], [{"cos"}, {"sin"}]):
         return "sin for cos" if "sin" in waves[1] else "cos for sin"
     return "term"
+
+
+def _without_zeros(node: Node) -> Node:
+    """Return a formula whose sums have no terms 0."""
+    parts = tuple(_without_zeros(part) for part in syntax.children(node))
+    if isinstance(node, Sum):
+        kept = tuple(p for p in parts if p != Number(Fraction(0)))
+        return kept[0] if len(kept) == 1 else Sum(kept or parts[:1], span=node.span)
+    same = all(a is b for a, b in zip(parts, syntax.children(node), strict=True))
+    return node if same else syntax.with_children(node, parts)
 
 
 def _in_proportion(leaf: Leaf, old: Form, left: Form) -> Form | None:

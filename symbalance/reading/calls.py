@@ -111,6 +111,8 @@ class Calls(Scripts):
         whole = any(map(_is_whole_angle, factors))
         if token.kind == "open" and not whole:
             return True
+        if token.kind == "open" and not any(map(names, factors)):
+            return False  # cos 45° [...]: an angle in numbers is complete
         return whole == bool(self.choose())
 
     def _ends_argument(self, token: Token) -> bool:

@@ -1,0 +1,72 @@
+"""Cases: numbers put in for letters, and conditions on an angle. They state something, and accuse nobody.
+
+F = m r ω² = 0.5·0.04·628² = 7888       the second = puts numbers in, the third is arithmetic
+cos θ = 0,  2θ = 180°                   a condition
+"""
+
+from __future__ import annotations
+
+from symbalance.algebra.domain import NoFormError, TooLargeError
+from symbalance.algebra.harmonics import polynomial_node
+from symbalance.algebra.series import Expansion
+from symbalance.algebra.values import letters
+from symbalance.checking.changing import substituted
+from symbalance.checking.knowledge import Knowledge
+from symbalance.checking.orders import Small, summed
+from symbalance.checking.steps import PROVED, Answer, equal
+from symbalance.checking.verdicts import DEFINITION
+from symbalance.reading import render
+from symbalance.reading.equations import Chain
+from symbalance.reading.syntax import Call, Name, Negative, Node, Number, Product, names
+
+HIGHEST = 8
+
+
+def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) -> Answer | None:
+    """Return the answer for a refuted relation that only puts numbers in, or states a condition; else None."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if names(right) or not names(left) or refuted.left is None:
+        return None
+    free = set(letters(refuted.left))
+    if not free:
+        return None
+    if free & knowledge.angles:
+        simple = k == 0 and len(chain.relations) == 1 and is_simple(left)
+        return Answer(DEFINITION, "a condition") if simple else None
+    known = {n for n, d in knowledge.definitions.items() if d.numeric}
+    return None if names(left) <= known else Answer(DEFINITION, "numbers put in")
+
+
+def with_ratio_put_in(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
+    """Return the answer for a ≈ r ω²(cos θ + ¼ cos 2θ) after λ = 4: cut off at an order, then put in.
+
+    None unless the ratio has a number, does not stand on the right, and some order agrees.
+    """
+    small = knowledge.crank.small if knowledge.crank else None
+    known = knowledge.definitions.get(small[0]) if small else None
+    if small is None or known is None or not known.numeric or small[0] in names(right):
+        return None
+    level = list(knowledge.levels(left, right))[-1]
+    evaluator = knowledge.evaluator(level)
+    try:
+        exact = Expansion(evaluator.domain, *small, HIGHEST).of(evaluator.form(left))
+        for order in range(HIGHEST + 1):
+            cut_off = summed(exact.cut(order), Small(*small, order))
+            node = substituted(polynomial_node(evaluator.domain, cut_off.numerator), small[0], known.node)
+            if equal(node, right, knowledge).proved:
+                name = Small(*small, order).text
+                return Answer(PROVED, f"with {render(Name(small[0]))} of line {known.line}", name)
+    except (NoFormError, TooLargeError):
+        return None
+    return None
+
+
+def is_simple(node: Node) -> bool:
+    """Tell whether a side is a function of an angle, or a multiple of a letter: what a condition names."""
+    if isinstance(node, Negative):
+        return is_simple(node.operand)
+    if isinstance(node, Product):
+        return (
+            len(node.factors) == 2 and isinstance(node.factors[0], Number) and is_simple(node.factors[1])
+        )
+    return isinstance(node, Name | Call)
