@@ -101,6 +101,7 @@ FOR_SMALL_RHO = [
     "tan(rho)",
     "tanh(rho*a)",
     "rho/(exp(rho) - 1)",
+    "exp(rho)/(exp(rho) - 1 - rho)",
     "1/(rho**2*(1 + rho)**5)",
     "(cos(rho) - sqrt(1 - rho**2))*(sin(rho) - rho)/rho**5",
     "sqrt(1 + sqrt(1 + rho))",

@@ -126,7 +126,13 @@ def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
             forms.append(evaluator.letter(name))
         except (NoFormError, TooLargeError):
             forms.append(Form.number(case.answer.left.domain, 1))
-    return values.sample(forms)
+    found = values.sample(forms)
+    if found:
+        return found
+    count = 1 + len(case.answer.further)  # some letter has no value: leave it out
+    one = Form.number(case.answer.left.domain, 1)
+    usable = [f if values.sample([case.answer.left, f]) else one for f in forms[count:]]
+    return values.sample([*forms[:count], *usable])
 
 
 def _passing(case: Case, sieve: Sieve, targets: list[Values]) -> list[Edit]:

@@ -80,7 +80,6 @@ _POSITIVE = {
     *("angular speed", "engine speed rpm", "reciprocating mass", "cylinder pitch", "positive"),
 }
 _HARMONIC = re.compile(r"A_\d{1,3}$")
-MORE_POWERS = 24
 SAME_POWER = 31
 """The power of r/l through which every declared A_n is taken: one for all, so that sums of them compare."""
 RANGES = {
@@ -313,7 +312,12 @@ def meaning_of(symbols: Mapping[str, str], convention: str = "") -> tuple[Meanin
 def _harmonic(meaning: str, crank: Geometry) -> Node:
     """Return A_n of the acceleration as a series in r/l, far beyond what anybody writes."""
     order = int(meaning[2:])
-    return series_node(order, max(SAME_POWER, order + 7), crank.ratio)
+    return series_node(order, far_power(order), crank.ratio)
+
+
+def far_power(order: int) -> int:
+    """Return the power of r/l through which A_n is taken where nobody says."""
+    return max(SAME_POWER, order + 7)
 
 
 def series_node(order: int, power: int, ratio: Node) -> Node:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from symbalance.algebra.numbers import rational_node
 from symbalance.catalogue import load
-from symbalance.checking.meanings import MORE_POWERS, Geometry, series_node
+from symbalance.checking.meanings import Geometry, far_power, series_node
 from symbalance.checking.sidecar import Bind
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Cylinder, Layout
@@ -101,7 +101,7 @@ def _coefficient(bind: Bind, crank: Geometry, engine: Layout | None, in_numbers:
         if engine is None or engine.ratio is None:
             raise _refusal(bind, "engine", bind.engine, "name an engine with a rod ratio")
         return Number(Fraction(str(acceleration_value(order, engine.ratio, 30))))
-    power = bind.power if bind.power is not None else order + MORE_POWERS
+    power = bind.power if bind.power is not None else far_power(order)
     return series_node(order, power, crank.ratio)
 
 
