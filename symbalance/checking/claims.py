@@ -10,15 +10,15 @@ from pathlib import Path
 
 from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.harmonics import components
+from symbalance.checking.deciding.knowledge import Knowledge
+from symbalance.checking.deciding.relations import judged
+from symbalance.checking.deciding.rounding import decimals
+from symbalance.checking.deciding.steps import PROVED, REFUTED, UNDECIDED, Answer
 from symbalance.checking.describing import lines_of, position, word_for
 from symbalance.checking.differences import differences, exact_text
-from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.mending import mended, repaired
 from symbalance.checking.quantities import quantity
-from symbalance.checking.relations import judged
-from symbalance.checking.rounding import decimals
+from symbalance.checking.repair.mending import mended, repaired
 from symbalance.checking.sidecar import Bind
-from symbalance.checking.steps import PROVED, REFUTED, UNDECIDED, Answer
 from symbalance.checking.verdicts import UNREADABLE, Verdict
 from symbalance.errors import SymbalanceError
 from symbalance.reading import ReadingError, read_expression, render

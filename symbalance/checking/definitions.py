@@ -9,10 +9,10 @@ from symbalance.algebra.evaluation import Evaluator, Meaning
 from symbalance.algebra.numbers import rational_node
 from symbalance.algebra.trees import sample_trees
 from symbalance.algebra.values import letters
-from symbalance.checking.knowledge import Definition, Knowledge
-from symbalance.checking.relations import judged
+from symbalance.checking.deciding.knowledge import Definition, Knowledge
+from symbalance.checking.deciding.relations import judged
+from symbalance.checking.deciding.steps import Answer, without_dots
 from symbalance.checking.sidecar import Declarations
-from symbalance.checking.steps import Answer, without_dots
 from symbalance.checking.verdicts import DEFINITION
 from symbalance.reading import render
 from symbalance.reading.equations import Chain, Side

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from symbalance.checking.deciding.steps import Answer
 from symbalance.checking.differences import differences, exact_text
-from symbalance.checking.steps import Answer
 from symbalance.checking.verdicts import (
     CONDITIONAL,
     DEFINITION,

@@ -9,7 +9,7 @@ from symbalance.algebra.harmonics import components, ordered, place_node, polyno
 from symbalance.algebra.numbers import number_node
 from symbalance.algebra.values import Valuation
 from symbalance.algebra.zero import is_zero
-from symbalance.checking.steps import Answer, digits
+from symbalance.checking.deciding.steps import Answer, digits
 from symbalance.checking.verdicts import Difference
 from symbalance.reading import render
 from symbalance.reading.syntax import Number, walk

@@ -7,11 +7,11 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.algebra.evaluation import Meaning
+from symbalance.checking.deciding.knowledge import Knowledge
+from symbalance.checking.deciding.relations import judged
 from symbalance.checking.describing import described
 from symbalance.checking.judging import read_given
-from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.mending import mended
-from symbalance.checking.relations import judged
+from symbalance.checking.repair.mending import mended
 from symbalance.checking.verdicts import Verdict
 from symbalance.errors import SymbalanceError, shown
 from symbalance.reading import render

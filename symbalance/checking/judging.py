@@ -7,15 +7,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from symbalance.checking import claims, premises
-from symbalance.checking.cases import numbers_put_in, with_ratio_put_in
+from symbalance.checking.deciding.cases import numbers_put_in, with_ratio_put_in
+from symbalance.checking.deciding.knowledge import Given, Knowledge
+from symbalance.checking.deciding.relations import judged, ordering
+from symbalance.checking.deciding.steps import Answer
 from symbalance.checking.definitions import Definitions
 from symbalance.checking.describing import described, unreadable
-from symbalance.checking.knowledge import Given, Knowledge
 from symbalance.checking.meanings import MOVING, by_meaning, meaning_of
-from symbalance.checking.mending import mended, repaired
-from symbalance.checking.relations import judged, ordering
+from symbalance.checking.repair.mending import mended, repaired
 from symbalance.checking.sidecar import Bind, Declarations
-from symbalance.checking.steps import Answer
 from symbalance.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked, Verdict
 from symbalance.errors import SymbalanceError
 from symbalance.reading import ReadingError, read_equation

@@ -14,7 +14,7 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.algebra.evaluation import derivative_name
-from symbalance.checking.knowledge import Knowledge
+from symbalance.checking.deciding.knowledge import Knowledge
 from symbalance.reading import syntax
 from symbalance.reading.equations import Chain
 from symbalance.reading.syntax import (

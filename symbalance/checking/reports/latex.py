@@ -6,7 +6,7 @@ import re
 import unicodedata
 from pathlib import Path
 
-from symbalance.checking.report_text import summary, verdict_words, witness_text
+from symbalance.checking.reports.text import summary, verdict_words, witness_text
 from symbalance.checking.verdicts import REFUTED, Checked, Verdict
 from symbalance.reading import render_latex
 from symbalance.reading.syntax import Negative, Node, Sum

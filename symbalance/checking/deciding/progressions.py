@@ -14,9 +14,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from symbalance.checking.changing import replaced, substituted
-from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.steps import PROVED, UNDECIDED, Answer, equal
+from symbalance.checking.deciding.changing import replaced, substituted
+from symbalance.checking.deciding.knowledge import Knowledge
+from symbalance.checking.deciding.steps import PROVED, UNDECIDED, Answer, equal
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Dots, Name, Negative, Node, Number, Sum, Summation, names
 

@@ -16,9 +16,9 @@ from symbalance.algebra.evaluation import Evaluator
 from symbalance.algebra.forms import Form
 from symbalance.algebra.harmonics import components
 from symbalance.algebra.series import Expansion, Series
-from symbalance.checking.knowledge import Knowledge, Level
-from symbalance.checking.rounding import agrees_as_printed, decimals
-from symbalance.checking.steps import (
+from symbalance.checking.deciding.knowledge import Knowledge, Level
+from symbalance.checking.deciding.rounding import agrees_as_printed, decimals
+from symbalance.checking.deciding.steps import (
     PROVED,
     REFUTED,
     UNDECIDED,

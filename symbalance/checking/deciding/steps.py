@@ -12,8 +12,8 @@ from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.algebra.evaluation import Evaluator, Meaning
 from symbalance.algebra.forms import Form
 from symbalance.algebra.trees import sample_trees
-from symbalance.checking.knowledge import Knowledge, Level
-from symbalance.checking.rounding import agrees_as_printed, decimals
+from symbalance.checking.deciding.knowledge import Knowledge, Level
+from symbalance.checking.deciding.rounding import agrees_as_printed, decimals
 from symbalance.reading import render, syntax
 from symbalance.reading.syntax import Node
 

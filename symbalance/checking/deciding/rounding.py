@@ -15,7 +15,7 @@ from symbalance.algebra import polynomials as poly
 from symbalance.algebra.forms import Form
 from symbalance.algebra.harmonics import Components, components
 from symbalance.algebra.values import Valuation, context, letters
-from symbalance.checking.changing import replaced
+from symbalance.checking.deciding.changing import replaced
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Negative, Node, Number
 
@@ -70,8 +70,9 @@ def _lone(node: Node, generous: bool) -> Number | None:
     if isinstance(node, Number):
         return node if node.last_place is not None else _as_printed(node, generous)
     found = decimals(node)
-    simple = isinstance(node, syntax.Product) and len(found) == 1 and not syntax.names(node)
-    return found[0] if simple and found[0] in node.factors else None
+    if not isinstance(node, syntax.Product) or len(found) != 1 or syntax.names(node):
+        return None
+    return found[0] if found[0] in node.factors else None
 
 
 def _number(form: Form) -> Any:

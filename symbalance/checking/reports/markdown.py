@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from symbalance.checking.report_text import one_line, summary, verdict_words
+from symbalance.checking.reports.text import one_line, summary, verdict_words
 from symbalance.checking.verdicts import Checked, Verdict
 from symbalance.reading import render_latex
 

@@ -10,9 +10,9 @@ from symbalance.algebra.domain import Domain, NoFormError, Polynomial, TooLargeE
 from symbalance.algebra.evaluation import Evaluator
 from symbalance.algebra.forms import Form
 from symbalance.algebra.harmonics import Components, Place, components, polynomial_node
-from symbalance.checking.changing import replaced
-from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.steps import Answer
+from symbalance.checking.deciding.changing import replaced
+from symbalance.checking.deciding.knowledge import Knowledge
+from symbalance.checking.deciding.steps import Answer
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Negative, Node, Number, Product, Quotient, Sum
 

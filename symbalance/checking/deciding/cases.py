@@ -10,10 +10,10 @@ from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.harmonics import polynomial_node
 from symbalance.algebra.series import Expansion
 from symbalance.algebra.values import letters
-from symbalance.checking.changing import substituted
-from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.orders import Small, summed
-from symbalance.checking.steps import PROVED, Answer, equal
+from symbalance.checking.deciding.changing import substituted
+from symbalance.checking.deciding.knowledge import Knowledge
+from symbalance.checking.deciding.orders import Small, summed
+from symbalance.checking.deciding.steps import PROVED, Answer, equal
 from symbalance.checking.verdicts import DEFINITION
 from symbalance.reading import render
 from symbalance.reading.equations import Chain

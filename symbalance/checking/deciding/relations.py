@@ -6,10 +6,18 @@ from itertools import product
 
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, TooLargeError
-from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.orders import agree, degree
-from symbalance.checking.progressions import by_induction
-from symbalance.checking.steps import PROVED, REFUTED, UNDECIDED, Answer, digits, equal, without_dots
+from symbalance.checking.deciding.knowledge import Knowledge
+from symbalance.checking.deciding.orders import agree, degree
+from symbalance.checking.deciding.progressions import by_induction
+from symbalance.checking.deciding.steps import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Answer,
+    digits,
+    equal,
+    without_dots,
+)
 from symbalance.checking.verdicts import DEFINITION
 from symbalance.reading.equations import Chain, Side
 from symbalance.reading.syntax import Name, Node

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from symbalance.checking.diagnosis import Case, Repair, diagnosed
-from symbalance.checking.knowledge import Knowledge
-from symbalance.checking.steps import Answer
-from symbalance.checking.term_repair import kind
+from symbalance.checking.deciding.knowledge import Knowledge
+from symbalance.checking.deciding.steps import Answer
+from symbalance.checking.repair.diagnosis import Case, Repair, diagnosed
+from symbalance.checking.repair.term_repair import kind
 from symbalance.checking.verdicts import REFUTED, Fault, Fix, Verdict
 from symbalance.reading import render
 from symbalance.reading.equations import Document, Side

@@ -15,13 +15,13 @@ from typing import Any
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.forms import Form
-from symbalance.checking.changing import substituted, upright
-from symbalance.checking.edits import Edit, edits, parts, ways, whole
-from symbalance.checking.floats import NoValueError, Sieve, Values, close
-from symbalance.checking.knowledge import Knowledge
+from symbalance.checking.deciding.changing import substituted, upright
+from symbalance.checking.deciding.knowledge import Knowledge
+from symbalance.checking.deciding.steps import Answer
 from symbalance.checking.premises import counts
-from symbalance.checking.steps import Answer
-from symbalance.checking.term_repair import kinds, repaired
+from symbalance.checking.repair.edits import Edit, edits, parts, ways, whole
+from symbalance.checking.repair.floats import NoValueError, Sieve, Values, close
+from symbalance.checking.repair.term_repair import kinds, repaired
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Name, Node, Number, Product, Quotient
 
