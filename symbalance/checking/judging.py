@@ -13,7 +13,8 @@ from symbalance.checking.deciding.relations import judged, ordering
 from symbalance.checking.deciding.steps import Answer
 from symbalance.checking.definitions import Definitions
 from symbalance.checking.describing import described, unreadable
-from symbalance.checking.meanings import MOVING, by_meaning, meaning_of
+from symbalance.checking.letters import meaning_of
+from symbalance.checking.meanings import MOVING, by_meaning
 from symbalance.checking.repair.mending import mended, repaired
 from symbalance.checking.sidecar import Bind, Declarations
 from symbalance.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked, Verdict

@@ -14,7 +14,8 @@ from pathlib import Path
 
 from symbalance.algebra.numbers import rational_node
 from symbalance.catalogue import load
-from symbalance.checking.meanings import Geometry, far_power, series_node
+from symbalance.checking.geometry import Geometry
+from symbalance.checking.letters import far_power, series_node
 from symbalance.checking.sidecar import Bind
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Cylinder, Layout

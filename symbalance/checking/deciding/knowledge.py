@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from symbalance.algebra.evaluation import Evaluator, Meaning
-from symbalance.checking.meanings import Geometry
+from symbalance.checking.geometry import Geometry
 from symbalance.reading.syntax import Node, names
 
 
