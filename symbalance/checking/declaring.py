@@ -15,7 +15,7 @@ MOST_ROUNDS = 60
 
 
 def sidecar_draft(document: str | Path) -> str:
-    """Return a sidecar with a line for each letter that is not declared, and the line it first stands on."""
+    """Return a sidecar with an entry for each undeclared letter, and the line it first stands on."""
     found = undeclared(document)
     lines = ["[symbols]"]
     for name, line in sorted(found.items(), key=lambda pair: pair[1]):
@@ -36,11 +36,15 @@ def undeclared(document: str | Path) -> dict[str, int]:
     text, name, _ = text_of(document)
     declarations, text = declarations_of(document, None, text, name)
     found: dict[str, int] = {}
+
+    def names_at(line: int) -> set[str]:
+        return {*declarations.symbols_at(line), *found}
+
     for _ in range(MOST_ROUNDS):
-        read = read_document(text, name, lambda line: {*declarations.symbols_at(line), *found})
+        read = read_document(text, name, names_at)
         missing = [(_UNDECLARED.search(u.what), u.line) for u in read.unreadable]
         fresh = {m[1]: line for m, line in reversed(missing) if m and m[1] not in found}
         if not fresh:
             break
-        found |= fresh
+        found.update(fresh)
     return found

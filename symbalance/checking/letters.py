@@ -36,7 +36,7 @@ from symbalance.reading.syntax import (
 from symbalance.slider_crank import acceleration_series, surviving
 
 SAME_POWER = 31
-"""The power of r/l through which every declared A_n is taken: one for all, so that sums of them compare."""
+"""The power of r/l through which every declared A_n is taken: one for all, so that sums compare."""
 
 
 def meaning_of(symbols: Mapping[str, str], convention: str = "") -> tuple[Meaning, Geometry]:

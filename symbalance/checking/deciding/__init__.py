@@ -1,1 +1,1 @@
-"""Is one relation true? Decided by what is known at its line: exactly, through an order, or by rounding."""
+"""Is a relation true, by what is known at its line? Exactly, through an order, or to the digits."""

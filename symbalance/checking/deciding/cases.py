@@ -23,7 +23,7 @@ HIGHEST = 8
 
 
 def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) -> Answer | None:
-    """Return the answer for a refuted relation that only puts numbers in, or states a condition; else None."""
+    """Return the answer for a refuted relation that only puts numbers in, or states a condition."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if names(right) or not names(left) or refuted.left is None:
         return None
@@ -62,7 +62,7 @@ def with_ratio_put_in(left: Node, right: Node, knowledge: Knowledge) -> Answer |
 
 
 def is_simple(node: Node) -> bool:
-    """Tell whether a side is a function of an angle, or a multiple of a letter: what a condition names."""
+    """Tell whether a side is a function of an angle, or a multiple of a letter, as in a condition."""
     if isinstance(node, Negative):
         return is_simple(node.operand)
     if isinstance(node, Product):

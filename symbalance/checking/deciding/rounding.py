@@ -1,8 +1,8 @@
 """Rounded numbers: does a printed decimal agree with what it stands for, to the digits it shows?
 
-A lone decimal is the result of what stands on the other side, whose own numbers count as exact. Among letters
-every coefficient is compared for itself, and may be off by what half a unit in the last place of each
-decimal in it brings.
+A lone decimal is the result of what stands on the other side, whose own numbers count as exact. Among
+letters every coefficient is compared for itself, and may be off by what half a unit in the last place of
+each decimal in it brings.
 """
 
 from __future__ import annotations

@@ -7,20 +7,18 @@ not proved is not reported.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, TooLargeError
-from symbalance.algebra.forms import Form
 from symbalance.checking.deciding.changing import substituted, upright
-from symbalance.checking.deciding.knowledge import Knowledge
-from symbalance.checking.deciding.steps import Answer
 from symbalance.checking.premises import counts
-from symbalance.checking.repair.edits import Edit, edits, parts, ways, whole
-from symbalance.checking.repair.floats import NoValueError, Sieve, Values, close
+from symbalance.checking.repair.change import Edit, parts, ways, whole
+from symbalance.checking.repair.edits import edits
+from symbalance.checking.repair.floats import NoValueError, Sieve, Values
+from symbalance.checking.repair.sieving import Case, fits, letters_of, sieve_of
 from symbalance.checking.repair.term_repair import kinds, repaired
 from symbalance.reading import syntax
 from symbalance.reading.syntax import Name, Node, Number, Product, Quotient
@@ -39,22 +37,12 @@ class Repair:
     cost: float
 
 
-@dataclass(frozen=True)
-class Case:
-    """A refuted side: the formula, the answer that refuted it, and how a changed one is proved."""
-
-    node: Node
-    answer: Answer
-    knowledge: Knowledge
-    proves: Callable[[Node], bool]
-
-
 def diagnosed(case: Case) -> Repair | None:
     """Return the cheapest change that is proved, or None."""
     rounded = _rounded(case)
     if rounded is not None:
         return rounded
-    sieve = _sieve(case)
+    sieve = sieve_of(case)
     if sieve is not None:
         targets, quick = sieve
         for edit in _passing(case, quick, targets):
@@ -77,64 +65,6 @@ def _rounded(case: Case) -> Repair | None:
     return Repair("value", number, ((case.node, number),), 1.0) if case.proves(number) else None
 
 
-def _sieve(case: Case) -> tuple[list[Values], Sieve] | None:
-    """Return the values the side should have at a few points, and a sieve for its changed copies."""
-    answer, knowledge = case.answer, case.knowledge
-    if answer.left is None or answer.right is None or answer.level is None:
-        return None
-    points = _points(case)
-    if not points:
-        return None
-    count = 1 + len(answer.further)
-    targets = [tuple(complex(found[n]) for _, found in points) for n in range(count)]
-    letters = {name: [complex(f[k]) for _, f in points] for k, name in enumerate(_letters(case), count)}
-    sieve = Sieve(letters, len(points))
-    evaluator = knowledge.evaluator(answer.level)
-    for part in syntax.walk(case.node):
-        if isinstance(part, syntax.Derivative):
-            try:
-                form = evaluator.form(part)
-                sieve.tell(part, tuple(complex(values.value(form, p)) for p, _ in points))
-            except (NoFormError, TooLargeError, KeyError):
-                return None
-    try:
-        sieve.keep(case.node)
-    except NoValueError:
-        return None
-    return targets, sieve
-
-
-def _letters(case: Case) -> list[str]:
-    """Return the letters that stand in the side or may be put into it."""
-    known = dict.fromkeys(sorted(syntax.names(case.node)))
-    extra = [n for n in sorted(case.knowledge.letters) if n not in known][:30]
-    return [
-        *known,
-        *extra,
-        *[n for n in sorted(case.knowledge.definitions) if n not in known and n not in extra][:20],
-    ]
-
-
-def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
-    assert case.answer.left is not None
-    assert case.answer.level is not None
-    evaluator = case.knowledge.evaluator(case.answer.level)
-    evaluator.domain = case.answer.left.domain
-    forms: list[Form] = [case.answer.left, *case.answer.further]
-    for name in _letters(case):
-        try:
-            forms.append(evaluator.letter(name))
-        except (NoFormError, TooLargeError):
-            forms.append(Form.number(case.answer.left.domain, 1))
-    found = values.sample(forms)
-    if found:
-        return found
-    count = 1 + len(case.answer.further)  # some letter has no value: leave it out
-    one = Form.number(case.answer.left.domain, 1)
-    usable = [f if values.sample([case.answer.left, f]) else one for f in forms[count:]]
-    return values.sample([*forms[:count], *usable])
-
-
 def _passing(case: Case, sieve: Sieve, targets: list[Values]) -> list[Edit]:
     """Return the changes whose values fit, cheapest first."""
     way = ways(case.node)
@@ -144,22 +74,14 @@ def _passing(case: Case, sieve: Sieve, targets: list[Values]) -> list[Edit]:
         if case.knowledge.crank
         else []
     )
-    for edit in edits(case.node, _letters(case), variables):
+    for edit in edits(case.node, letters_of(case), variables):
         if isinstance(edit.new, syntax.Derivative):
             found.append(edit)
             continue
-        if _fits(edit.applied(way), sieve, targets):
+        if fits(edit.applied(way), sieve, targets):
             found.append(edit)
     found += _conventions(case, sieve, targets)
     return sorted(found, key=lambda e: e.cost)[:MOST_PROOFS]
-
-
-def _fits(node: Node, sieve: Sieve, targets: list[Values]) -> bool:
-    try:
-        found = sieve.values(node)
-        return any(close(found, target) for target in targets)
-    except NoValueError:
-        return False
 
 
 def _integers(case: Case, sieve: Sieve, targets: list[Values], way: dict[int, Node]) -> Iterator[Edit]:
@@ -182,7 +104,7 @@ def _integers(case: Case, sieve: Sieve, targets: list[Values], way: dict[int, No
         for value, inverse in _solutions(here[0], doubled[0], targets[0][0], part.value):
             if value != part.value and abs(value) <= LARGEST:
                 new = whole(value)
-                if _fits(Edit("", 0, part, new).applied(way), sieve, targets):
+                if fits(Edit("", 0, part, new).applied(way), sieve, targets):
                     simple = value.denominator == 1
                     shown = f"{value} for {part.value}"
                     kind = f"number misprinted ({shown})" if abs(value) != abs(part.value) else "sign"
@@ -225,7 +147,7 @@ def _conventions(case: Case, sieve: Sieve, targets: list[Values]) -> Iterator[Ed
         ("rod ratio of the other convention (l/s, not l/r)", Quotient(letter, whole(2))),
     ):
         changed = upright(substituted(case.node, small[0], new))
-        if _fits(changed, sieve, targets):
+        if fits(changed, sieve, targets):
             once = counts(case.node)[small[0]] == 1 and "inverted" not in title
             yield Edit(title, 1.15 if once else 0.95, case.node, changed)
 

@@ -7,11 +7,10 @@ A change names the part it replaces, so that the report can point at it. Nothing
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.algebra.evaluation import Evaluator
+from symbalance.checking.repair.angle_slips import multiples, phases
+from symbalance.checking.repair.change import Edit, parts, whole
 from symbalance.reading import syntax
 from symbalance.reading.syntax import (
     Call,
@@ -37,45 +36,6 @@ _SWAPS = {
 MOST_LETTERS = 24
 
 
-@dataclass(frozen=True, slots=True)
-class Edit:
-    """The part `old` of a formula replaced by `new`; `cost` ranks changes of equal effect."""
-
-    kind: str
-    cost: float
-    old: Node
-    new: Node
-
-    def applied(self, way: dict[int, Node]) -> Node:
-        """Return the whole formula changed; `way` leads from each part to what it is a part of."""
-        old, new = self.old, self.new
-        while id(old) in way:
-            outer = way[id(old)]
-            new = syntax.with_children(
-                outer, tuple(new if p is old else p for p in syntax.children(outer))
-            )
-            old = outer
-        return new
-
-
-def ways(node: Node) -> dict[int, Node]:
-    """Return, for each part of a formula, the part it stands in."""
-    found: dict[int, Node] = {}
-    for outer in syntax.walk(node):
-        for part in syntax.children(outer):
-            found[id(part)] = outer
-    return found
-
-
-def whole(value: int | Fraction) -> Node:
-    """Return a rational as a formula."""
-    value = Fraction(value)
-    if value < 0:
-        return Negative(whole(-value))
-    above = Number(Fraction(value.numerator))
-    return above if value.denominator == 1 else Quotient(above, Number(Fraction(value.denominator)))
-
-
 def edits(node: Node, letters: Iterable[str], variables: Iterable[str]) -> Iterator[Edit]:
     """Yield the single changes of a formula; `letters` may be put in, `variables` differentiated by."""
     known = list(letters)[:MOST_LETTERS]
@@ -85,8 +45,8 @@ def edits(node: Node, letters: Iterable[str], variables: Iterable[str]) -> Itera
         yield from _functions(part)
         yield from _exponents(part, role)
         yield from _letters(part, known)
-        yield from _phases(part)
-        yield from _multiples(part, role)
+        yield from phases(part)
+        yield from multiples(part, role)
         yield from _missing(part, role, known)
         if isinstance(part, Derivative):
             for name in variables:
@@ -105,29 +65,6 @@ def edits(node: Node, letters: Iterable[str], variables: Iterable[str]) -> Itera
                         part,
                         Derivative(part.expression, part.variable, order),
                     )
-
-
-def parts(node: Node, role: str = "side") -> Iterator[tuple[Node, str]]:
-    """Yield every part with its role: side, term, factor, exponent, argument or operand."""
-    yield node, role
-    for part in syntax.children(node):
-        if isinstance(part, syntax.Dots):
-            continue
-        yield from parts(part, _role(node, part, role))
-
-
-def _role(node: Node, part: Node, role: str) -> str:
-    inherited = role if role in ("argument", "angle term", "phase", "exponent") else ""
-    if isinstance(node, Sum):
-        angle = "angle term" if syntax.names(part) else "phase"
-        return angle if inherited else "term"
-    if isinstance(node, Power):
-        return "exponent" if part is node.exponent else inherited or "operand"
-    if isinstance(node, Call):
-        return "argument"
-    if inherited:
-        return inherited
-    return "factor" if isinstance(node, Product | Quotient) else "operand"
 
 
 def _signs(part: Node, role: str) -> Iterator[Edit]:
@@ -183,76 +120,6 @@ def _letters(part: Node, letters: list[str]) -> Iterator[Edit]:
     if isinstance(part, Name):
         for value in (1, 2):
             yield Edit("letter too many" if value == 1 else f"2 for {part.name}", 1.5, part, whole(value))
-
-
-def _phases(part: Node) -> Iterator[Edit]:
-    """A phase inside cos(nθ - φ) that was not multiplied by n, or was."""
-    if not (
-        isinstance(part, Call) and isinstance(part.argument, Sum) and part.function in ("sin", "cos")
-    ):
-        return
-    multiple = _multiple(part.argument.terms[0])
-    for term in part.argument.terms[1:]:
-        for factor in dict.fromkeys(
-            [
-                multiple,
-                1 / multiple if multiple else None,
-                Fraction(2),
-                Fraction(1, 2),
-                Fraction(3),
-                Fraction(4),
-            ]
-        ):
-            if factor and factor != 1:
-                times = f"times the order {multiple}" if factor == multiple else f"times {factor}"
-                yield Edit(
-                    f"phase not multiplied ({times})",
-                    1.0 if factor == multiple else 1.15,
-                    term,
-                    _times(factor, term),
-                )
-
-
-def _multiple(term: Node) -> Fraction | None:
-    factors = term.factors if isinstance(term, Product) else (term,)
-    found = [f.value for f in factors if isinstance(f, Number)]
-    return found[0] if found else None
-
-
-def _times(factor: Fraction, term: Node) -> Node:
-    """Return factor times a phase, as one fraction of π where it is one.
-
-    >>> from symbalance.reading import render
-    >>> render(_times(Fraction(6), Product((Quotient(whole(1), whole(3)), Constant("pi")))))
-    '2 π'
-    """
-    evaluator = Evaluator(Domain())
-    try:
-        of_pi = evaluator.form(term).over(evaluator.form(Constant("pi"))).rational()
-    except (NoFormError, TooLargeError):
-        of_pi = None
-    if of_pi:
-        phase = Product((whole(abs(of_pi * factor)), Constant("pi")))
-        return Negative(phase) if of_pi * factor < 0 else phase
-    if isinstance(term, Negative):
-        return Negative(_times(factor, term.operand))
-    return Product((whole(factor), term))
-
-
-def _multiples(part: Node, role: str) -> Iterator[Edit]:
-    """The order inside cos nθ: another whole number."""
-    kind = "phase" if role == "phase" else "order"
-    if role in ("argument", "angle term", "phase"):
-        if isinstance(part, Number) and part.value.denominator == 1 and part.last_place is None:
-            for value in range(1, 13):
-                if value != part.value:
-                    yield Edit(kind, 1.1 + abs(value - float(part.value)) / 100, part, whole(value))
-        elif isinstance(part, Name):
-            for value in (2, 3, 4, 6):
-                yield Edit("order", 1.15 + value / 100, part, Product((whole(value), part)))
-        elif isinstance(part, Constant) and part.name == "pi":
-            for factor in (Fraction(2), Fraction(1, 2)):
-                yield Edit("phase", 1.3, part, Product((whole(factor), part)))
 
 
 def _missing(part: Node, role: str, letters: list[str]) -> Iterator[Edit]:

@@ -7,7 +7,8 @@ from dataclasses import replace
 
 from symbalance.checking.deciding.knowledge import Knowledge
 from symbalance.checking.deciding.steps import Answer
-from symbalance.checking.repair.diagnosis import Case, Repair, diagnosed
+from symbalance.checking.repair.diagnosis import Repair, diagnosed
+from symbalance.checking.repair.sieving import Case
 from symbalance.checking.repair.term_repair import kind
 from symbalance.checking.verdicts import REFUTED, Fault, Fix, Verdict
 from symbalance.reading import render
