@@ -39,6 +39,9 @@ _HOMES = {
     "derive": "derivation",
     "check": "checking",
     "check_equal": "checking",
+    "report_text": "checking",
+    "report_latex": "checking",
+    "report_json": "checking",
     "to_text": "tables.text_table",
     "to_latex": "tables.latex_document",
     "to_json": "tables.json_document",
@@ -75,6 +78,9 @@ if TYPE_CHECKING:
     from symbalance.catalogue import presets as presets
     from symbalance.checking import check as check
     from symbalance.checking import check_equal as check_equal
+    from symbalance.checking import report_json as report_json
+    from symbalance.checking import report_latex as report_latex
+    from symbalance.checking import report_text as report_text
     from symbalance.derivation import derive as derive
     from symbalance.errors import SymbalanceError as SymbalanceError
     from symbalance.layout import CrankTrain as CrankTrain

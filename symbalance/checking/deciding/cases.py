@@ -6,6 +6,8 @@ cos θ = 0,  2θ = 180°                   a condition
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.harmonics import polynomial_node
 from symbalance.algebra.series import Expansion
@@ -33,6 +35,8 @@ def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) 
     if free & knowledge.angles:
         simple = k == 0 and len(chain.relations) == 1 and is_simple(left)
         return Answer(DEFINITION, "a condition") if simple else None
+    if right == Number(Fraction(0)):
+        return None
     known = {n for n, d in knowledge.definitions.items() if d.numeric}
     return None if names(left) <= known else Answer(DEFINITION, "numbers put in")
 
