@@ -142,6 +142,7 @@ _PIECES = r"""
 \frac { } ( ) [ ] \left \right | ^ _ \sqrt \sum \cos sin = + - * / \cdot … \cdots x θ \theta 1 2.5 1e5
 e i \dot \bar d dx/dt \frac{d}{dt} \mathrm{ \text{ $ $$ \[ \] \begin{align} \end{align} & \\ , ; \quad
 (1) \tag{1} ° 度 √ ² ⁻¹ ₁ ' ½ ! % ∫ ± < > ≤ → \over \displaystyle あ 。 word \foo ẋ ＝ # ``` \( \)
+\, \mathrm{mm} \text{kN} [mm] rpm \unit{ \therefore ∴ \underbrace{ }_{ O( O \left( \bigr) \vec x( (t)
 \prime \circ \infty pi M1 Δ m_{1 x_ \begin{cases} \begin{aligned} ٣ \{ \} ~ := --> = = x x s 3
 """
 junk = st.lists(

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection
 
-from symbalance.reading.drafts import EQUALITIES, Draft, is_equation, without_aside
+from symbalance.reading.drafts import EQUALITIES, Draft, has_own_relation, is_equation, without_aside
 from symbalance.reading.equations import Chain, Relation, Side, Unreadable
 from symbalance.reading.failures import ReadingError, UndeclaredError
 from symbalance.reading.items import Item, ItemFinder
 from symbalance.reading.lexer import LONGEST_EQUATION, lex
-from symbalance.reading.pieces import relation_at_start
+from symbalance.reading.pieces import has_relation, relation_at_start
 from symbalance.reading.readings import read_tokens
 from symbalance.reading.tokens import Token
 
@@ -70,7 +70,8 @@ class Assembler:
         if not item.strict or lone:
             return
         before, self._refused = self._refused, item
-        if not (before and before.block == item.block >= 0 and source[:1] in "+-−="):
+        goes_on = source[:1] == "=" or self._is_term(source)
+        if not (before and before.block == item.block >= 0 and goes_on):
             self._finish()
             self._report(failure, (item.start, item.end))
 
@@ -81,12 +82,16 @@ class Assembler:
         relation = relation_at_start(source)
         if relation and self._is_near(self.draft.last, item):
             self.draft.add(item, [Token("rel", relation, item.start, item.start + 1)])
-        elif source[:1] in "+-−" and self._is_next(item):
+        elif self._is_term(source) and self._is_next(item):
             self.draft.items.append(item)
         else:
             return False
         self.draft.fail(failure)
         return True
+
+    def _is_term(self, source: str) -> bool:
+        """Tell whether a line that cannot be read is `+ a` or `- a`, without a relation of its own."""
+        return source[:1] in ("+", "-", "−") and not has_relation(source, 0, len(source))
 
     def _is_formula(self, tokens: list[Token], item: Item, names: frozenset[str]) -> bool:
         """Tell whether an item says something: in prose or without LaTeX, not every one does."""
@@ -109,7 +114,8 @@ class Assembler:
         if draft.last.kind in ("inline", "prose") or not self._is_next(item):
             return False
         if first.is_op("+-"):
-            return True
+            closed = -1 not in (item.block, draft.last.block) and item.block != draft.last.block
+            return not closed and not has_own_relation(tokens)
         if not draft.is_unfinished or item.block != draft.last.block:
             return False
         return not (draft.opened and is_equation(tokens))

@@ -193,7 +193,11 @@ class Atoms(Calls, Derivatives, Summations):
     def _accented(self) -> Node:
         first = self.place
         accent = ACCENTS[self.take().value]
-        name = f"{accent}_{self._bare_name()}"
+        bare = self._bare_name()
+        name = f"{accent}_{bare}"
+        if accent == "vec" and name not in self.names and bare in self.names:
+            name = bare
+            self.note(f"vector {bare} read as {bare}")
         return self.letter(name, self.since(first))
 
     def _bare_name(self) -> str:

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from symbalance.reading.cursor import multiplied
 from symbalance.reading.failures import ReadingError
-from symbalance.reading.letters import is_greek
+from symbalance.reading.letters import TIME_DOTS, is_greek
 from symbalance.reading.scripts import Scripts
 from symbalance.reading.syntax import (
     Call,
@@ -21,6 +21,7 @@ from symbalance.reading.syntax import (
 )
 from symbalance.reading.tokens import Token
 
+_INDICES = ("i", "j", "k", "n", "N")
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
 
 
@@ -55,7 +56,16 @@ class Calls(Scripts):
         if function in ("sqrt", "exp", "abs"):
             raise ReadingError(self.offset, f"an exponent on {function}", "put the whole in brackets")
         self.take()
+        if self.now is not None and self._is_power_and_multiple(self.now):
+            self.split_digit(self.now)
         return self.exponent()
+
+    def _is_power_and_multiple(self, token: Token) -> bool:
+        """Tell sin^22θ, which is sin²(2θ), from sin^10θ and sin^22 θ."""
+        following = self.ahead(1)
+        touched = following is not None and following.kind == "name" and self.tight(1)
+        digits = token.kind == "number" and token.value.isdecimal() and len(token.value) > 1
+        return digits and touched and token.value[0] in "23456789" and token.value[1] != "0"
 
     def _inverse(self, function: str) -> str:
         if function not in _INVERSE:
@@ -106,14 +116,29 @@ class Calls(Scripts):
         token = self.now
         if token is None or not self.starts_factor() or self._ends_argument(token):
             return False
+        whole = any(map(_is_whole_angle, factors))
+        if whole and (self._leaves_angle(token) or self._may_leave_angle(token, factors)):
+            return not self._leaves_angle(token) and self.choose() == 1
         if not (token.kind in ("open", "vulgar", "bar") or token.is_cmd("frac", "sqrt", "surd")):
             return True
-        whole = any(map(_is_whole_angle, factors))
         if token.kind == "open" and not whole:
             return True
         if token.kind == "open" and not any(map(names, factors)):
             return False  # cos 45° [...]: an angle in numbers is complete
         return whole == bool(self.choose())
+
+    def _leaves_angle(self, token: Token) -> bool:
+        """Tell whether a factor after a whole angle is outside: \\cos\\phi\\,r, \\cos\\phi\\dot\\phi."""
+        if _is_time(token):
+            return False
+        degrees = self.tokens[self.place - 1].kind == "degree"
+        latin = _is_latin(token) and (degrees or not (self.latex or self.tight()))
+        return token.spaced or latin or token.is_cmd(*TIME_DOTS)
+
+    def _may_leave_angle(self, token: Token, factors: list[Node]) -> bool:
+        """Tell whether a Latin letter follows a Greek angle, \\cos\\theta r: usually it is outside."""
+        greek = any(is_greek(name) for factor in factors for name in names(factor))
+        return greek and _is_latin(token) and not _is_time(token)
 
     def _ends_argument(self, token: Token) -> bool:
         """Tell whether a factor can never belong to an argument already begun."""
@@ -126,6 +151,16 @@ def _is_whole_angle(factor: Node) -> bool:
     letters = names(factor)
     pi = any(isinstance(part, Constant) and part.name == "pi" for part in walk(factor))
     return any(map(is_greek, letters)) or (pi and not letters)
+
+
+def _is_latin(token: Token) -> bool:
+    """Tell whether a token is a Latin letter that counts nothing; n and k are multipliers."""
+    greek = is_greek(token.value) or token.value == "pi"
+    return token.kind == "name" and not greek and token.value not in _INDICES
+
+
+def _is_time(token: Token) -> bool:
+    return token.kind == "name" and token.value.split("_")[0] == "t"
 
 
 def _is_minus_one(power: Node) -> bool:

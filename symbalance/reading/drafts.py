@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from symbalance.reading.failures import ReadingError
 from symbalance.reading.items import Item
+from symbalance.reading.notation import head_and_argument, is_value, is_variable, refusal, shortened
 from symbalance.reading.tokens import CLOSER, Token
 
 EQUALITIES = ("=", "≈", "≡")
@@ -23,6 +24,7 @@ class Draft:
     opened: list[Token] = field(default_factory=list)
     failures: dict[int, ReadingError] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
+    called: list[str] = field(default_factory=list)
 
     @property
     def last(self) -> Item:
@@ -46,6 +48,26 @@ class Draft:
                 self.sides.append([])
             elif self._fits(token, place == len(tokens) - 1):
                 self.sides[-1].append(token)
+        if self.signs:
+            self._without_argument(0)
+
+    def _without_argument(self, place: int) -> None:
+        """Read x(θ), all of the left side, as x, and refuse x(0); x is so called on later sides too."""
+        side = self.sides[place]
+        if place in self.failures or not (parts := head_and_argument(side)):
+            return
+        head, inside = parts
+        name = "".join(token.value for token in head)
+        if place and name not in self.called:
+            return
+        if is_variable(inside):
+            self.sides[place], note = shortened(head, inside, side[-1])
+            self.notes += [note] if note not in self.notes else []
+        elif is_value(inside):
+            self.failures[place] = refusal(head, inside)
+        else:
+            return
+        self.called.append(name)
 
     def own_letter(self) -> frozenset[str]:
         """Return the undeclared letter that stands alone on the left: it declares itself."""
@@ -97,6 +119,8 @@ class Draft:
         for place, side in enumerate(self.sides):
             if not side and place not in self.failures:
                 self.failures[place] = self._missing(place)
+            elif place:
+                self._without_argument(place)
 
     def _missing(self, place: int) -> ReadingError:
         if not self.signs:
@@ -104,6 +128,16 @@ class Draft:
         sign = self.signs[place - 1] if place else self.signs[0]
         what = f"nothing stands {'right' if place else 'left'} of {sign.value}"
         return ReadingError(sign.start, what, "complete the equation")
+
+
+def has_own_relation(tokens: list[Token]) -> bool:
+    """Tell whether a relation stands outside the brackets opened among the tokens."""
+    depth = 0
+    for token in tokens:
+        depth += {"open": 1, "close": -1}.get(token.kind, 0)
+        if depth < 0 or (token.kind == "rel" and depth == 0):
+            return depth == 0
+    return False
 
 
 def is_equation(tokens: list[Token]) -> bool:

@@ -157,7 +157,8 @@ class ItemFinder:
         found = bullet.match(self.text, start, end)
         start = found.end() if found else start
         dash = _DASH.match(self.text, start, end)
-        plain = "\\" not in self.text[start:end] and has_relation(self.text, start, end)
+        closing = self.text.count(")", start, end) > self.text.count("(", start, end)
+        plain = "\\" not in self.text[start:end] and has_relation(self.text, start, end) and not closing
         return dash.end() if dash and plain else start
 
     def _is_lenient(self, start: int, end: int) -> bool:
@@ -170,7 +171,7 @@ class ItemFinder:
 
     def _covers(self, span: tuple[int, int], start: int, end: int) -> bool:
         around = self.text[start : span[0]] + self.text[span[1] : end]
-        return not around.strip(" \t.,;")
+        return not around.strip(" \t.,;∴⇒")
 
     def _bare(self, start: int, end: int, line: int, command: bool) -> Iterator[Item]:
         if end - start > LONGEST_LINE:

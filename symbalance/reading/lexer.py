@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from dataclasses import replace
 
 from symbalance.reading import signs
 from symbalance.reading.failures import ReadingError
@@ -15,6 +16,9 @@ from symbalance.reading.tokens import Token
 
 LONGEST_EQUATION = 20_000
 _DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])")
+_SPACE = re.compile(
+    r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
+)
 _ARROW = re.compile(r"-+>|=+>|<-+|<=+>")
 _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
@@ -28,13 +32,24 @@ class Lexer(CommandScanner):
         if self.end - self.place > LONGEST_EQUATION:
             what = f"an equation of more than {LONGEST_EQUATION} characters"
             raise ReadingError(self.place, what, "write it in parts")
+        spaced = False
         while self.place < self.end:
+            known, space = len(self.tokens), _SPACE.match(self.text, self.place, self.end)
             self._one()
-        return _with_three_dots(self.tokens)
+            if len(self.tokens) == known:
+                spaced = spaced or space is not None
+            elif spaced:
+                self.tokens[known] = replace(self.tokens[known], spaced=True)
+                spaced = False
+        return _with_three_dots(_without_braces(self.tokens))
 
     def _one(self) -> None:
         sign = self.text[self.place]
-        if sign.isspace() or sign == "&" or not sign.isprintable():
+        if sign in " [" and self.plain_unit(sign):
+            return
+        if self.place in self.skips:
+            self.place = self.skips.pop(self.place)
+        elif sign.isspace() or sign == "&" or not sign.isprintable():
             self.place += 1
         elif found := _DEGREE.match(self.text, self.place, self.end):
             self._add("degree", "°", found.end())
@@ -159,6 +174,17 @@ class Lexer(CommandScanner):
             self._add("rel", "≈", self.place + 1)
         else:
             raise ReadingError(self.place, "~ is not read here", "write ≈")
+
+
+def _without_braces(tokens: list[Token]) -> list[Token]:
+    """{\\cos}^2 is \\cos^2."""
+    kept: list[Token] = []
+    for token in tokens:
+        kept.append(token)
+        kinds = [one.kind for one in kept[-3:]]
+        if kinds == ["open", "function", "close"] and token.value == "}":
+            kept[-3:] = [replace(kept[-2], start=kept[-3].start, end=token.end)]
+    return kept
 
 
 def _with_three_dots(tokens: list[Token]) -> list[Token]:

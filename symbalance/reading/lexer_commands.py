@@ -7,22 +7,27 @@ import re
 from symbalance.reading import signs
 from symbalance.reading.failures import ReadingError
 from symbalance.reading.letters import ACCENTS, FONTS, FUNCTION_WORDS, GREEK_SIGN, TIME_DOTS
-from symbalance.reading.naming import with_scripts
+from symbalance.reading.lexer_units import UnitScanner
+from symbalance.reading.naming import matching_brace, with_scripts
 from symbalance.reading.regions import ENVIRONMENTS
-from symbalance.reading.scanner import Scanner
 
+_LONGEST_NOTED = 2000
 _COMMAND = re.compile(r"\\([A-Za-z]+)\*?")
 _FONT_WORD = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}")
 _LEFT_RIGHT = re.compile(r"\\(left|right|[bB]igg?[lr])\s*(\\[{}|]|\\[lr]?vert(?![A-Za-z])|[|.])")
+_SIZED_BRACKET = re.compile(r"\\(?:left|right|[bB]igg?[lrm]?)\s*([()\[\]])")
 _ARGUMENT = re.compile(r"\s*\{[^{}]*\}")
 _ENVIRONMENT = re.compile(r"\s*\{([A-Za-z]+)\*?\}(?:\s*\{\s*[0-9]+\s*\}|\[[a-z]\])?")
 
 
-class CommandScanner(Scanner):
+class CommandScanner(UnitScanner):
     """Reads commands."""
 
     def _backslash(self) -> None:
-        if found := _LEFT_RIGHT.match(self.text, self.place, self.end):
+        if bracket := _SIZED_BRACKET.match(self.text, self.place, self.end):
+            kind = "open" if bracket.group(1) in "([" else "close"
+            self._add(kind, bracket.group(1), bracket.end())
+        elif found := _LEFT_RIGHT.match(self.text, self.place, self.end):
             self._sized(found)
         elif found := _COMMAND.match(self.text, self.place, self.end):
             self._command(found.group(1), found.end())
@@ -53,6 +58,8 @@ class CommandScanner(Scanner):
     def _command(self, name: str, stop: int) -> None:
         if self.text[stop - 1] == "*":
             stop -= 1
+        if self.set_unit(name):
+            return
         if name in GREEK_SIGN:
             self._greek(name, stop)
         elif name in FUNCTION_WORDS and name != "sqrt":
@@ -75,6 +82,8 @@ class CommandScanner(Scanner):
             self._font(name, stop)
         elif name in signs.SPACE_COMMANDS:
             self.place = stop
+        elif name in ("underbrace", "overbrace"):
+            self._noted(stop)
         elif name in signs.SPACE_WITH_ARGUMENT:
             argument = _ARGUMENT.match(self.text, stop, self.end)
             self.place = argument.end() if argument else stop
@@ -84,6 +93,15 @@ class CommandScanner(Scanner):
             self._environment(stop)
         else:
             raise ReadingError(self.place, f"unknown command \\{name}", "write what it stands for")
+
+    def _noted(self, stop: int) -> None:
+        """\\underbrace{X}_{words} is X: the words will be skipped."""
+        sign = "_" if self.text.startswith("\\under", self.place) else "^"
+        after = matching_brace(self.text, stop, self.end, _LONGEST_NOTED)
+        found = re.compile(rf"\s*\{sign}\s*(?=\{{)").match(self.text, after, self.end)
+        if found:
+            self.skips[after] = matching_brace(self.text, found.end(), self.end, _LONGEST_NOTED)
+        self.place = stop
 
     def _environment(self, stop: int) -> None:
         found = _ENVIRONMENT.match(self.text, stop, self.end)

@@ -74,10 +74,10 @@ def _argument(text: str, start: int) -> tuple[str, int]:
     return text[start + 1 : stop - 1], stop
 
 
-def matching_brace(text: str, start: int, end: int) -> int:
+def matching_brace(text: str, start: int, end: int, longest: int = 4 * LONGEST_SUBSCRIPT) -> int:
     """Return the offset after the brace that closes the one at `start`."""
     depth = 0
-    for place in range(start, min(end, start + 4 * LONGEST_SUBSCRIPT)):
+    for place in range(start, min(end, start + longest)):
         depth += {"{": 1, "}": -1}.get(text[place], 0)
         if depth == 0:
             return place + 1
@@ -147,7 +147,7 @@ def subscript_name(text: str, offset: int) -> str:
     pieces: list[str] = []
     for found in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):
         command, sign = found.group(1), found.group(2)
-        if command in GREEK_SIGN:
+        if command in GREEK_SIGN or command in ("max", "min", "sup", "inf", "lim"):
             pieces.append(command)
         elif command in FONTS or command in WORDS or (sign and sign in "{} \n"):
             continue

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from symbalance.reading.letters import WORDS
 from symbalance.reading.regions import ENVIRONMENTS
 from symbalance.reading.signs import RELATION_COMMANDS, RELATION_SIGNS
+from symbalance.reading.units import follows_number, scale_of, unit_set_at
 from symbalance.reading.wordlists import word_set
 
 _WORDS = "|".join(sorted(WORDS | {"intertext", "shortintertext"}, key=len, reverse=True))
@@ -15,8 +16,9 @@ _ROW = re.compile(
     r"\\(begin|end)\s*\{([A-Za-z]*)\*?\}|\\\\(?:\*?[ \t]*\[[^\]\n]{0,20}\])?|\\.|[{}&]", re.DOTALL
 )
 _PIECE = re.compile(
-    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，]", re.DOTALL
+    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，∴⇒]", re.DOTALL
 )
+_ARROWS = ("\\therefore", "\\Rightarrow", "\\implies", "\\Longrightarrow", "∴", "⇒")
 _RELATION = re.compile(
     r"\\(?:" + "|".join(sorted(RELATION_COMMANDS, key=len, reverse=True)) + r")(?![A-Za-z])|["
     + re.escape("".join(set(RELATION_SIGNS) - set("=<>"))) + r"]|=(?!>)|<(?!-)|(?<![-=])>|(?<=\s)~(?=\s)"
@@ -105,12 +107,22 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
         depth = max(depth + _BRACKETS.get(sign, 0), 0)
         if depth:
             continue
-        if sign.rstrip().lstrip("\\") in WORDS | {"intertext", "shortintertext"}:
+        if unit := _unit_at(text, start, found.start(), end):
+            place = unit
+        elif sign.rstrip().lstrip("\\") in WORDS | {"intertext", "shortintertext"}:
             place = _after_words(text, place, end)
             cuts.append((found.start(), place, True))
-        elif sign in (",", ";", "、", "，", "\\quad", "\\qquad"):
-            cuts.append((found.start(), found.end(), False))
+        elif sign in (",", ";", "、", "，", "\\quad", "\\qquad") or sign in _ARROWS:
+            introduces = sign in _ARROWS and not text[start : found.start()].strip(" \t\n&,")
+            cuts.append((found.start(), found.end(), introduces))
     return _joined(text, start, end, cuts)
+
+
+def _unit_at(text: str, start: int, place: int, end: int) -> int:
+    """Return where a unit such as \\text{mm} behind a number ends, 0 where it is none."""
+    if text[place] != "\\" or not (found := unit_set_at(text, place, end)):
+        return 0
+    return found[1] if scale_of(found[0]) and follows_number(text, start, place) else 0
 
 
 def _after_words(text: str, place: int, end: int) -> int:

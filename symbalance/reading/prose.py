@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -21,17 +21,24 @@ from symbalance.reading.letters import (
     WORDS,
 )
 from symbalance.reading.numerals import VULGAR
+from symbalance.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
 from symbalance.reading.vocabulary import Vocabulary
 from symbalance.reading.wordlists import word_set
 
+_UNIT = (
+    r"(?P<unit>(?<=[0-9])\s[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*"
+    r"|\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
+)
+_ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol"
 _PIECE = re.compile(
     rf"(?P<prose>\\(?:{'|'.join(sorted(WORDS, key=len, reverse=True))})\s*\{{[^{{}}]*\}})"
-    r"|(?P<argued>\\(?:mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol)\*?\s*\{[^{}]*\})"
+    rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
     r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
-    r"|(?P<script>_\{[^{}]*\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)"
-    r"|(?P<word>[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
+    r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"
+    rf"{_UNIT}(?P<word>[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
     re.DOTALL,
 )
+_PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
 _MATHEMATICAL = frozenset(
     "0123456789 \t()[]{}|^_,;'′″°√∂∞Σ∑.&~"
     + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
@@ -41,7 +48,8 @@ _COMMANDS = (
     frozenset(GREEK_SIGN) | frozenset(FUNCTION_WORDS) | frozenset(signs.RELATION_COMMANDS)
     | frozenset(signs.OPERATOR_COMMANDS) | signs.DOTS_COMMANDS | signs.SPACE_COMMANDS | signs.STRUCTURE
     | FONTS | frozenset(ACCENTS) | frozenset(TIME_DOTS) | frozenset(signs.REFUSED)
-    | frozenset(signs.BRACKET_COMMANDS) | {"tag", "label", "circ", "prime", "degree"}
+    | frozenset(signs.BRACKET_COMMANDS)
+    | {"tag", "label", "circ", "prime", "degree", "underbrace", "overbrace"}
 )  # fmt: skip
 _PLAIN_WORDS = word_set(
     "a an as at be by do go he if in is it me my no of on or so to up us we and are but can for had has"
@@ -83,7 +91,7 @@ def segments(text: str, start: int, end: int, line: Line) -> list[tuple[int, int
     """Return the stretches of a line without prose."""
     found: list[tuple[int, int]] = []
     first = start
-    for piece in _PIECE.finditer(text, start, end):
+    for piece in _pieces(text, start, end, line):
         if _is_mathematical(piece, text, end, line):
             continue
         if text[first : piece.start()].strip():
@@ -94,6 +102,26 @@ def segments(text: str, start: int, end: int, line: Line) -> list[tuple[int, int
     return found
 
 
+def _pieces(text: str, start: int, end: int, line: Line) -> Iterator[re.Match[str]]:
+    """Yield the pieces of a line; what only looks like a unit is taken apart."""
+    while found := _PIECE.match(text, start, end):
+        if found.lastgroup == "unit" and not _is_unit(found, text, end, line):
+            found = _PIECE_BUT_UNITS.match(text, start, end)
+            assert found
+        yield found
+        start = found.end()
+
+
+def _is_unit(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
+    if piece.group()[0] == "[":
+        before = text[max(piece.start() - 2, 0) : piece.start()].rstrip()[-1:]
+        if not before or not (before in ")]}" or (before.isascii() and before.isalnum())):
+            return False
+        return scale_of(piece.group()[1:-1]) is not None
+    found = plain_unit_at(text, piece.start(), end, line.words.names)
+    return found is not None and found[1] == piece.end()
+
+
 def _is_mathematical(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
@@ -102,7 +130,11 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: Line) -> b
         return sign[1:] in _COMMANDS or line.lenient
     if kind == "other":
         return _is_mathematical_sign(sign, text, piece.start(), end)
-    return kind != "prose"
+    if kind == "prose":
+        unit = unit_set_at(text, piece.start(), end)
+        known = unit is not None and scale_of(unit[0]) is not None
+        return known and follows_number(text, 0, piece.start())
+    return True
 
 
 def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:

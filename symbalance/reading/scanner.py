@@ -22,6 +22,7 @@ class Scanner:
         self.text, self.place, self.end = text, start, end
         self.words = vocabulary(names)
         self.tokens: list[Token] = []
+        self.skips: dict[int, int] = {}
         self.latex = "\\" in text[start:end]
 
     def _add(self, kind: str, value: str, stop: int) -> None:
@@ -46,13 +47,20 @@ class Scanner:
             self._add("name" if kind == "constant" else kind, value, self.place + len(word))
             return
         word = found[1] if found else self.text[self.place]
-        word += self._touching_digits(self.place + len(word))
+        digits = self._touching_digits(self.place + len(word))
+        word += "" if self._is_imaginary(word, word + digits) else digits
         self._letter(word, self.place + len(word))
 
     def _touching_digits(self, place: int) -> str:
         """Return digits that touch a letter: M2 is a letter of its own, x 2 a product."""
         found = _DIGITS.match(self.text, place, self.end)
         return "" if found is None or self._expects_argument() else found.group()
+
+    def _is_imaginary(self, word: str, whole: str) -> bool:
+        """Tell whether i2 is i times 2: in a power of e, where neither i nor i2 is a letter."""
+        if word not in ("i", "j") or word in self.words.names or whole in self.words.names:
+            return False
+        return any(token.value in ("e", "exp") for token in self.tokens[-40:])
 
     def _expects_argument(self) -> bool:
         last = self.tokens[-1] if self.tokens else None

@@ -63,10 +63,8 @@ class Scripts(Cursor):
         if token.kind == "open":
             return self.group()
         if token.kind == "number":
-            if not whole_number:
-                self._split_digit(token)
-            elif self.latex and len(token.value) > 1 and self.tokens[self.place - 1].kind == "sup":
-                self.note(f"^{token.value} read as ^{{{token.value}}}")
+            if not whole_number or (self.latex and self.tokens[self.place - 1].kind == "sup"):
+                self.split_digit(token)
             return self.number(self.take())
         if token.kind == "name":
             self.take()
@@ -76,7 +74,7 @@ class Scripts(Cursor):
                 return self.factor()
         raise self.unexpected()
 
-    def _split_digit(self, token: Token) -> None:
+    def split_digit(self, token: Token) -> None:
         """Cut a run of digits after its first, as TeX does."""
         if len(token.value) < 2 or not token.value.isdecimal():
             return

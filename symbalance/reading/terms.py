@@ -43,12 +43,28 @@ class Terms(Atoms):
     def _signed_term(self) -> Node:
         first = self.place
         minus = self._signs()
-        term = self._dots() if self.at("dots") else self.product()
+        term = self._dots() if self.at("dots") else self._order_term() or self.product()
         if isinstance(term, Dots):
             return term
         for _ in range(minus):
             term = Negative(term, span=self.since(first))
         return term
+
+    def _order_term(self) -> Dots | None:
+        """Read O(x^7) at the end of a sum: what is left out."""
+        following = self.ahead(1)
+        if not self.at("name", "O") or "O" in self.names or not following or following.value != "(":
+            return None
+        depth, steps = 1, 2
+        while depth and (token := self.ahead(steps)):
+            depth += {"open": 1, "close": -1}.get(token.kind, 0)
+            steps += 1
+        after = self.ahead(steps)
+        if depth or not (after is None or after.kind == "close"):
+            return None
+        first = self.place
+        self.place += steps
+        return Dots(span=self.since(first))
 
     def _signs(self) -> int:
         """Take signs and return how many are minus."""

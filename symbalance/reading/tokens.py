@@ -12,7 +12,7 @@ class Token:
 
     Kinds: number, name, function, op (+ - * /), rel, open, close, bar, sup, sub, under, cmd, sep,
     dots, degree. `sub` carries a subscript that follows something other than a letter; `under` is a
-    bare underscore after a sum sign or a function.
+    bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
     """
 
     kind: str
@@ -21,6 +21,7 @@ class Token:
     end: int
     number: Fraction = Fraction(0)
     place: Fraction | None = None
+    spaced: bool = False
 
     def moved(self, offset: int) -> Token:
         """Return the token so many characters further on."""

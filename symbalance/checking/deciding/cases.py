@@ -73,4 +73,6 @@ def is_simple(node: Node) -> bool:
         return (
             len(node.factors) == 2 and isinstance(node.factors[0], Number) and is_simple(node.factors[1])
         )
-    return isinstance(node, Name | Call)
+    if isinstance(node, Call):
+        return node.function in ("sin", "cos", "tan") and is_simple(node.argument)
+    return isinstance(node, Name)
