@@ -113,16 +113,18 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
             place = _after_words(text, place, end)
             cuts.append((found.start(), place, True))
         elif sign in (",", ";", "、", "，", "\\quad", "\\qquad") or sign in _ARROWS:
-            introduces = sign in _ARROWS and not text[start : found.start()].strip(" \t\n&,")
+            last = cuts[-1] if cuts else (start, start, True)
+            introduces = sign in _ARROWS and last[2] and not text[last[1] : found.start()].strip(" \t\n&")
             cuts.append((found.start(), found.end(), introduces))
     return _joined(text, start, end, cuts)
 
 
 def _unit_at(text: str, start: int, place: int, end: int) -> int:
     """Return where a unit such as \\text{mm} behind a number ends, 0 where it is none."""
-    if text[place] != "\\" or not (found := unit_set_at(text, place, end)):
+    if text[place] != "\\" or not follows_number(text, start, place):
         return 0
-    return found[1] if scale_of(found[0]) and follows_number(text, start, place) else 0
+    found = unit_set_at(text, place, end)
+    return found[1] if found and scale_of(found[0]) else 0
 
 
 def _after_words(text: str, place: int, end: int) -> int:

@@ -131,9 +131,9 @@ def _is_mathematical(piece: re.Match[str], text: str, end: int, line: Line) -> b
     if kind == "other":
         return _is_mathematical_sign(sign, text, piece.start(), end)
     if kind == "prose":
-        unit = unit_set_at(text, piece.start(), end)
-        known = unit is not None and scale_of(unit[0]) is not None
-        return known and follows_number(text, 0, piece.start())
+        behind = follows_number(text, 0, piece.start())
+        unit = unit_set_at(text, piece.start(), end) if behind else None
+        return unit is not None and scale_of(unit[0]) is not None
     return True
 
 
