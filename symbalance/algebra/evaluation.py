@@ -175,10 +175,10 @@ def _call(evaluator: Evaluator, node: syntax.Call) -> Form:
 def _derivative(evaluator: Evaluator, node: syntax.Derivative) -> Form:
     inner, variable = node.expression, node.variable.name
     meaning = evaluator.meaning
-    if isinstance(inner, syntax.Name) and inner.name not in {
-        *meaning.values,
-        *meaning.rates.get(variable, ()),
-    }:
+    known = {*meaning.values, *meaning.rates.get(variable, ()), variable}
+    if isinstance(inner, syntax.Name) and inner.name not in known:
+        if inner.name in meaning.positive and meaning.rates:  # a size, such as ω: constant
+            return Form.number(evaluator.domain, 0)
         return Form.letter(evaluator.domain, derivative_name(node))
     if variable in meaning.values and meaning.rates:
         return _by_chain_rule(evaluator, evaluator.form(inner), node)
