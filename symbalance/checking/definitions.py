@@ -12,6 +12,7 @@ from symbalance.algebra.values import letters
 from symbalance.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.checking.deciding.relations import judged
 from symbalance.checking.deciding.steps import Answer, without_dots
+from symbalance.checking.premises import counts, undone
 from symbalance.checking.sidecar import Declarations
 from symbalance.checking.verdicts import DEFINITION
 from symbalance.reading import render
@@ -73,6 +74,10 @@ class Definitions:
         """Return the answer for a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
         if knowledge.crank is None or knowledge.crank.small is None or name in knowledge.moving:
             return None
+        base = _solved(knowledge.meaning.values[name], value)
+        if base is not None:
+            self.learn(*base, line)
+            return Answer(DEFINITION)
         small, evaluator = knowledge.crank.small[0], Evaluator(Domain(), knowledge.meaning)
         try:
             ratio = evaluator.letter(name).over(evaluator.form(value))
@@ -97,6 +102,25 @@ class Definitions:
         return None
 
 
+def _solved(node: Node, value: Node) -> tuple[str, Node] | None:
+    """Return the one letter a size is written in, and its value if the size has a number: s = 2r = 87."""
+    found = counts(node)
+    if names(value) or list(found.values()) != [1]:
+        return None
+    (letter,) = found
+    solved = undone(node, value, letter)
+    return None if solved is None else (letter, solved)
+
+
+def _comes_to_a_number(node: Node, knowledge: Knowledge) -> bool:
+    """Tell whether a formula has a number by all that is known: another one then contradicts it."""
+    level = list(knowledge.levels(node))[-1]
+    try:
+        return not letters(knowledge.evaluator(level).form(node))
+    except (NoFormError, TooLargeError):
+        return False
+
+
 def _letters_of(value: Node, knowledge: Knowledge) -> list[str]:
     """Return the letters a formula comes down to by the meanings alone."""
     try:
@@ -116,7 +140,7 @@ def _new_case(earlier: Definition, value: Node, sign: str, knowledge: Knowledge)
     if names(earlier.node) and names(value):
         return isinstance(value, Name)
     if names(earlier.node) or names(value):
-        return True
+        return not _comes_to_a_number(earlier.node, knowledge)
     points = sample_trees([earlier.node, value], Meaning(), 1)
     if not points:
         return True

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from symbalance.checking import claims, premises
-from symbalance.checking.deciding.cases import numbers_put_in, with_ratio_put_in
+from symbalance.checking.deciding.cases import numbers_put_in, states_a_case, with_ratio_put_in
 from symbalance.checking.deciding.knowledge import Given, Knowledge
 from symbalance.checking.deciding.relations import judged, ordering
 from symbalance.checking.deciding.steps import Answer
@@ -51,7 +51,7 @@ class Judge:
         """Return the document with its verdicts."""
         binds = claims.by_line(self.declarations.binds)
         found: list[Verdict] = [unreadable(self.document, u) for u in self.document.unreadable]
-        for chain in sorted(self.document.chains, key=lambda c: c.lines[0]):
+        for chain in sorted(self.document.chains, key=lambda c: (c.lines[0], not states_a_case(c))):
             own = [b for line in chain.lines for b in binds.pop(line, [])]
             found += self.chain(chain, own)
         for bind in (b for rest in binds.values() for b in rest):
@@ -135,15 +135,15 @@ class Judge:
         valued = k and isinstance(head, Name) and head.name in knowledge.meaning.values
         if valued and (relation.sign == "≈" or not answer.proved):
             answer, against = judged(chain.sides[0], right, "≈", knowledge), chain.sides[0]
-        if answer.status == REFUTED:
-            case = numbers_put_in(chain, k, answer, knowledge)
-            answer = case or with_ratio_put_in(against.node, right.node, knowledge) or answer
         if answer.status in (REFUTED, UNDECIDED):
             stated = premises.stated(chain, k, self.learnt.seen, knowledge)
             if stated is not None:
                 self.learnt.learn(stated.name, stated.node, chain.lines[0])
                 reason = f"read as what fixes {stated.name}"
                 return described(self.document, chain, k, Answer(DEFINITION, reason))
+        if answer.status == REFUTED:
+            case = numbers_put_in(chain, k, answer, knowledge)
+            answer = case or with_ratio_put_in(against.node, right.node, knowledge) or answer
         return self.mended(
             described(self.document, chain, k, answer), chain, k, against, answer, knowledge
         )

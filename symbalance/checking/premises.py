@@ -68,6 +68,8 @@ def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated
     elif set(first) - set(second) and set(second) - set(first):
         own = [(set(first) - set(second), left, right), (set(second) - set(first), right, left)]
         pairs = own if k == 0 else own[:1]
+    elif k == 0 and not second and len(first) == 1:
+        pairs = [(set(first), left, right)]  # tan δ = 1/3
     else:
         return None
     for mine, node, other in pairs:

@@ -193,7 +193,7 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
     >>> without_tag(r"a = b \\quad - (1)", 0, 17)
     (6, '1')
     """
-    while start < end and text[end - 1] in " \t\n,.;":
+    while start < end and text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
         end -= 1
     offset = max(start, end - 120)
     found = _TAG.search(text[offset:end])

@@ -41,6 +41,17 @@ def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) 
     return None if names(left) <= known else Answer(DEFINITION, "numbers put in")
 
 
+def states_a_case(chain: Chain) -> bool:
+    """Tell whether a chain gives one letter, or a function of it, a number: α = 45°, tan δ = 1/3.
+
+    Such a chain is taken first of those on its line: a condition often stands behind what it holds for.
+    """
+    if len(chain.sides) != 2 or names(chain.sides[1].node):
+        return False
+    left = chain.sides[0].node
+    return isinstance(left, Name) or (isinstance(left, Call) and isinstance(left.argument, Name))
+
+
 def with_ratio_put_in(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
     """Return the answer for a ≈ r ω²(cos θ + ¼ cos 2θ) after λ = 4: cut off at an order, then put in.
 
