@@ -106,6 +106,31 @@ def test_a_wrong_line_does_not_pass(line):
     assert [v for v in check(f"$${line}$$", LETTERS).verdicts if v.verdict == "refuted"]
 
 
+PAGES = {
+    "$$\\sqrt{1-q} = 1 - \\frac q2 - ...$$": ["holds_to_order"],
+    "$$\\cos k=\\sin k, \\quad k=45^\\circ$$": ["holds", "definition"],
+    "$$3\\cos\\theta-\\sin\\theta=\\sqrt{10}\\cos(\\theta+k), \\qquad \\tan k=\\frac13$$": [
+        "holds",
+        "definition",
+    ],
+    "$$F_1 = 2 m\\cos k$$\n\nFor $k = 90^\\circ$: $F_1=1$": ["definition", "definition", "refuted"],
+    "$$F_1 = 2 m\\cos k$$\n\nFor $k = 90^\\circ$: $F_1=0$": ["definition", "definition", "holds"],
+    "$s = 87\\ \\mathrm{mm}$, $r = s/2 = 43\\ \\mathrm{mm}$": ["definition", "holds", "refuted"],
+    "$n=6000$, $\\omega = 2\\pi n/60 = 590$": ["definition", "holds", "refuted"],
+    "$n=6000$, $\\omega = 2\\pi n/60 = 628.3$": ["definition", "holds", "holds_to_order"],
+    "$$\\sin\\theta(1+2q\\cos\\theta)=0$$": ["definition"],
+    "$$F_1 = 8 k q$$\n\n$$F_2 = 4 m r$$\n\nLet $F_1 = F_2$, so\n\n$$k q = \\frac{m r}2$$": [
+        *("definition", "definition", "definition", "undecided"),
+    ],
+}
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_a_page_is_judged_as_a_whole(page):
+    letters = LETTERS | {"k": "any", "q": "any", "F_2": "N"}
+    assert [v.verdict for v in check(page, letters).verdicts] == PAGES[page]
+
+
 FIXES = {
     r"x\approx r(1-\cos\theta)+\frac{r\lambda}{4}(1-\cos2\theta)": "rod ratio inverted (l/r for r/l)",
     r"6\cos(6\theta-\frac\pi3)=6\cos 6(\theta-\frac\pi3)": "phase not multiplied (times the order 6)",

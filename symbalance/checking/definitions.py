@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.algebra.evaluation import Evaluator, Meaning
 from symbalance.algebra.numbers import rational_node
-from symbalance.algebra.trees import sample_trees
+from symbalance.algebra.trees import letters_behind, sample_trees
 from symbalance.algebra.values import letters
 from symbalance.checking.deciding.knowledge import Definition, Knowledge
 from symbalance.checking.deciding.relations import judged
@@ -29,6 +29,8 @@ class Definitions:
     declarations: Declarations
     known: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
     seen: set[str] = field(default_factory=set)
+    conditions: dict[int, frozenset[str]] = field(default_factory=dict)
+    """Lines that set two known quantities equal, with the letters these come down to."""
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
@@ -48,27 +50,40 @@ class Definitions:
         """Note the letters of a chain."""
         self.seen |= {name for side in chain.sides for name in names(side.node)}
 
+    def condition_behind(self, answer: Answer, line: int) -> int | None:
+        """Return the line of a condition that a refuted relation may rest on: it shares two letters."""
+        if answer.left is None or answer.right is None:
+            return None
+        mine = {*letters(answer.left), *letters(answer.right)}
+        found = [n for n, others in self.conditions.items() if n < line and len(mine & others) > 1]
+        return found[-1] if found else None
+
     def stated(self, chain: Chain, k: int, knowledge: Knowledge) -> Answer | None:
         """Return the answer for a relation that gives a letter its value, after learning it."""
         found = self._letter(chain, k)
-        if found is None:
+        if found is None or knowledge.assumes(found[0]):
             return None
         name, value = found
-        sign = chain.relations[k].sign
-        if knowledge.assumes(name):
-            return None
+        line = chain.lines[0]
         if name in knowledge.meaning.values:
-            return self._size(name, value, chain.lines[0], knowledge)
+            return self._size(name, value, line, knowledge)
         if knowledge.measures(name) and name in _letters_of(value, knowledge):
             return None  # λ = 2l/r: it says something of the geometry, and may be wrong
-        reason = ""
-        earlier = knowledge.definitions.get(name)
-        if earlier is not None:
-            if not _new_case(earlier, value, sign, knowledge):
-                return None
-            reason = f"a new case: line {earlier.line} had another value"
-        self.learn(name, without_dots(value)[0], chain.lines[0])
-        return Answer(DEFINITION, reason)
+        if name in knowledge.definitions:
+            return self._again(name, value, chain.relations[k].sign, line, knowledge)
+        self.learn(name, without_dots(value)[0], line)
+        return Answer(DEFINITION)
+
+    def _again(self, name: str, value: Node, sign: str, line: int, knowledge: Knowledge) -> Answer | None:
+        """Return the answer for another value of a defined letter: a new case, a condition, or None."""
+        earlier = knowledge.definitions[name]
+        if not _new_case(earlier, value, sign, knowledge):
+            return None
+        if isinstance(value, Name) and value.name in knowledge.definitions:
+            self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
+            return Answer(DEFINITION, "a condition")
+        self.learn(name, without_dots(value)[0], line)
+        return Answer(DEFINITION, f"a new case: line {earlier.line} had another value")
 
     def _size(self, name: str, value: Node, line: int, knowledge: Knowledge) -> Answer | None:
         """Return the answer for a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
@@ -110,6 +125,11 @@ def _solved(node: Node, value: Node) -> tuple[str, Node] | None:
     (letter,) = found
     solved = undone(node, value, letter)
     return None if solved is None else (letter, solved)
+
+
+def _letters_behind(nodes: list[Node], knowledge: Knowledge) -> list[str]:
+    values = {name: d.node for name, d in knowledge.definitions.items()}
+    return [name for node in nodes for name in letters_behind(node, values)]
 
 
 def _comes_to_a_number(node: Node, knowledge: Knowledge) -> bool:

@@ -144,6 +144,10 @@ class Judge:
         if answer.status == REFUTED:
             case = numbers_put_in(chain, k, answer, knowledge)
             answer = case or with_ratio_put_in(against.node, right.node, knowledge) or answer
+        condition = self.learnt.condition_behind(answer, chain.lines[0])
+        if answer.status == REFUTED and condition is not None:
+            reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+            answer = replace(answer, status=UNDECIDED, reason=reason)
         return self.mended(
             described(self.document, chain, k, answer), chain, k, against, answer, knowledge
         )

@@ -33,7 +33,8 @@ def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) 
     if not free:
         return None
     if free & knowledge.angles:
-        simple = k == 0 and len(chain.relations) == 1 and is_simple(left)
+        alone = k == 0 and len(chain.relations) == 1
+        simple = alone and (is_simple(left) or _is_product(left, right, knowledge))
         return Answer(DEFINITION, "a condition") if simple else None
     if right == Number(Fraction(0)):
         return None
@@ -74,6 +75,13 @@ def with_ratio_put_in(left: Node, right: Node, knowledge: Knowledge) -> Answer |
     except (NoFormError, TooLargeError):
         return None
     return None
+
+
+def _is_product(left: Node, right: Node, knowledge: Knowledge) -> bool:
+    """Tell whether sin θ (1 + 2ρ cos θ) = 0 is stated: a product of functions of an angle is to be 0."""
+    if right != Number(Fraction(0)) or not isinstance(left, Product):
+        return False
+    return sum(bool(names(factor) & knowledge.angles) for factor in left.factors) > 1
 
 
 def is_simple(node: Node) -> bool:
