@@ -61,18 +61,22 @@ def read_text(path: str | Path) -> str:
 
 def parse_engine(text: str, place: str, default_name: str = "engine") -> Layout:
     """Return the layout that the text of an engine file describes; `place` is what errors call it."""
+    return _Reader(text, place).engine(toml_table(text, place), default_name)
+
+
+def toml_table(text: str, place: str, remedy: str = "correct the line") -> dict[str, Any]:
+    """Return the table in a TOML text, decimals exact, or refuse what is none; `place` is its name."""
     try:
         # TOML calls every line ending a newline; tomllib takes only \n and \r\n.
-        table = tomllib.loads(text.replace("\r\n", "\n"), parse_float=Decimal)
+        return tomllib.loads(text.replace("\r\n", "\n"), parse_float=Decimal)
     except tomllib.TOMLDecodeError as problem:
         found = re.search(r"\(at line (\d+), column (\d+)\)", str(problem))
         where = f"{place}:{found[1]}:{found[2]}" if found else f"{place}:{text.count(chr(10)) + 1}"
         message = re.sub(r"\s*\(at .*\)$", "", str(problem))
-        raise SymbalanceError(where, f"is not valid TOML ({message})", "correct the line") from None
+        raise SymbalanceError(where, f"is not valid TOML ({message})", remedy) from None
     except (ValueError, RecursionError):
         rule = "holds a number or a nesting beyond all bounds"
         raise SymbalanceError(place, rule, "write plain numbers and lists") from None
-    return _Reader(text, place).engine(table, default_name)
 
 
 class _Reader:

@@ -14,7 +14,7 @@ from symbalance.checking.deciding.knowledge import Knowledge
 from symbalance.checking.deciding.relations import judged
 from symbalance.checking.deciding.rounding import decimals
 from symbalance.checking.deciding.steps import PROVED, REFUTED, UNDECIDED, Answer
-from symbalance.checking.describing import lines_of, position, word_for
+from symbalance.checking.describing import lines_of, word_for
 from symbalance.checking.differences import differences, exact_text
 from symbalance.checking.quantities import quantity
 from symbalance.checking.repair.mending import mended, repaired
@@ -57,11 +57,11 @@ def side(
 ) -> Verdict:
     """Return the verdict on a bound side; where its relation was judged too, the claim decides."""
     claimed = chain.sides[index]
-    line, link = position(chain, max(index - 1, 0)) if index else (document.line_of(claimed.span[0]), 1)
+    line = chain.relations[index - 1].line if index else document.line_of(claimed.span[0])
     answer = answered(claimed, bind, knowledge, folder)
     base = Verdict(
         line=line,
-        link=link,
+        link=1,
         source=document.source(claimed.span).strip(),
         verdict=word_for(answer),
         lines=lines_of(document, claimed, line),

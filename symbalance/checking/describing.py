@@ -19,14 +19,14 @@ from symbalance.reading.equations import Chain, Document, Side, Unreadable
 
 
 def described(document: Document, chain: Chain, k: int, answer: Answer) -> Verdict:
-    """Return the verdict on a relation with its place, texts and differences."""
+    """Return the verdict on a relation with its place, texts and differences; `link` is left at 1."""
     side = chain.sides[k + 1]
-    line, link = position(chain, k)
+    line = chain.relations[k].line
     word = word_for(answer)
     bad = word in (REFUTED, UNDECIDED)
     return Verdict(
         line=line,
-        link=link,
+        link=1,
         source=document.source(side.span).strip(),
         verdict=word,
         reason=answer.reason,
@@ -55,14 +55,6 @@ def word_for(answer: Answer) -> str:
     if answer.assumptions:
         return CONDITIONAL
     return HOLDS_TO_ORDER if answer.order else HOLDS
-
-
-def position(chain: Chain, k: int) -> tuple[int, int]:
-    """Return the line of a relation and its number among those on that line of its chain."""
-    if not chain.relations:
-        return chain.lines[0], 1
-    line = chain.relations[k].line
-    return line, 1 + sum(r.line == line for r in chain.relations[:k])
 
 
 def lines_of(document: Document, side: Side, line: int) -> tuple[int, ...]:

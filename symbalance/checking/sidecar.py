@@ -10,14 +10,12 @@ Unknown keys are errors; every refusal names the file and the line.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
-from symbalance.engine_file import read_text
+from symbalance.engine_file import read_text, toml_table
 from symbalance.errors import SymbalanceError, shown
 from symbalance.reading import ReadingError, canonical_name
 
@@ -111,18 +109,8 @@ def read_sidecar(path: str | Path) -> Declarations:
 
 def parse_sidecar(text: str, place: str) -> Declarations:
     """Return the declarations in the text of a sidecar; `place` is what errors call it."""
-    try:
-        table = tomllib.loads(text.replace("\r\n", "\n"), parse_float=Decimal)
-    except tomllib.TOMLDecodeError as problem:
-        found = re.search(r"\(at line (\d+), column (\d+)\)", str(problem))
-        where = f"{place}:{found[1]}:{found[2]}" if found else place
-        message = re.sub(r"\s*\(at .*\)$", "", str(problem))
-        remedy = 'correct the line; a letter such as θ stands in quotes: "θ" = "crank angle"'
-        raise SymbalanceError(where, f"is not valid TOML ({message})", remedy) from None
-    except (ValueError, RecursionError):
-        raise SymbalanceError(
-            place, "holds a number or a nesting beyond all bounds", "simplify it"
-        ) from None
+    remedy = 'correct the line; a letter such as θ stands in quotes: "θ" = "crank angle"'
+    table = toml_table(text, place, remedy)
     return _Reader(text.split("\n"), place).declarations(table)
 
 

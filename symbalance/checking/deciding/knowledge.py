@@ -34,7 +34,6 @@ class Level:
 
     values: Mapping[str, Node]
     assumptions: tuple[str, ...] = ()
-    lines: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -64,17 +63,16 @@ class Knowledge:
         values = {**own, **self.meaning.values}
         if number:  # a numeric example: the numbers of the letters in which the geometry is written
             values |= {name: d.node for name, d in self.definitions.items() if d.numeric}
-        lines = {name: self.definitions[name].line for name in own if name in values}
         light = {name: node for name, node in values.items() if name not in self.moving}
         if own and len(light) < len(values):
-            yield Level(light, (), lines)
+            yield Level(light)
         if values:
-            yield Level(values, (), lines)
+            yield Level(values)
         for given in self.given:
-            yield Level({**values, given.name: given.node}, (given.text,), lines)
+            yield Level({**values, given.name: given.node}, (given.text,))
         if len(self.given) > 1:
             together = {given.name: given.node for given in self.given}
-            yield Level({**values, **together}, tuple(g.text for g in self.given), lines)
+            yield Level({**values, **together}, tuple(g.text for g in self.given))
 
     def evaluator(self, level: Level) -> Evaluator:
         """Return an evaluator in a fresh domain for a level."""

@@ -14,11 +14,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from symbalance.algebra.numbers import rational_node
 from symbalance.checking.deciding.changing import replaced, substituted
 from symbalance.checking.deciding.knowledge import Knowledge
 from symbalance.checking.deciding.steps import PROVED, UNDECIDED, Answer, equal
 from symbalance.reading import syntax
-from symbalance.reading.syntax import Dots, Name, Negative, Node, Number, Sum, Summation, names
+from symbalance.reading.syntax import Dots, Name, Negative, Node, Sum, Summation, names
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,11 +32,6 @@ class Progression:
     first: Node
     second: Node | None
     last: Node
-
-
-def whole(value: int) -> Number:
-    """Return a whole number as a formula."""
-    return Number(Fraction(value))
 
 
 def progressions(node: Node) -> Iterator[Progression]:
@@ -66,7 +62,9 @@ def _of_dots(part: Sum) -> Iterator[Progression]:
         return
     first, *others = before
     for letter in sorted(names(after[0]) - names(first)):
-        yield Progression(part, letter, whole(1), first, others[0] if others else None, after[0])
+        yield Progression(
+            part, letter, rational_node(Fraction(1)), first, others[0] if others else None, after[0]
+        )
 
 
 def by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
@@ -98,18 +96,20 @@ def _without(knowledge: Knowledge, letter: str) -> Knowledge:
 
 
 def _proved(p: Progression, left: Node, right: Node, knowledge: Knowledge) -> bool:
-    before = Sum((Name(p.letter), Negative(whole(1))))
+    before = Sum((Name(p.letter), Negative(rational_node(Fraction(1)))))
     around = lambda term: replaced(left, p.part, term)  # noqa: E731
-    if p.letter in names(around(whole(0))):
+    if p.letter in names(around(rational_node(Fraction(0)))):
         return False
     if isinstance(p.part, Sum):
         for k, term in ((1, p.first), (2, p.second)):
             if (
                 term is not None
-                and not equal(substituted(p.last, p.letter, whole(k)), term, knowledge).proved
+                and not equal(
+                    substituted(p.last, p.letter, rational_node(Fraction(k))), term, knowledge
+                ).proved
             ):
                 return False
     start = equal(around(p.first), substituted(right, p.letter, p.first_value), knowledge)
     difference = Sum((right, Negative(substituted(right, p.letter, before))))
-    added = Sum((around(p.last), Negative(around(whole(0)))))
+    added = Sum((around(p.last), Negative(around(rational_node(Fraction(0))))))
     return start.proved and equal(added, difference, knowledge).proved

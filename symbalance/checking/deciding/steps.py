@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.algebra import values
-from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.algebra.domain import NoFormError, TooLargeError
 from symbalance.algebra.evaluation import Evaluator, Meaning
 from symbalance.algebra.forms import Form
 from symbalance.algebra.trees import sample_trees
@@ -187,8 +187,3 @@ def without_dots(node: Node) -> tuple[Node, bool]:
     if not any(cut for _, cut in pairs):
         return node, False
     return syntax.with_children(node, tuple(p for p, _ in pairs)), True
-
-
-def domain_of(answer: Answer) -> Domain | None:
-    """Return the domain an answer's forms live in."""
-    return answer.left.domain if answer.left else None

@@ -7,7 +7,8 @@ from fractions import Fraction
 
 from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.algebra.evaluation import Evaluator
-from symbalance.checking.repair.change import Edit, whole
+from symbalance.algebra.numbers import rational_node
+from symbalance.checking.repair.change import Edit
 from symbalance.reading.syntax import Call, Constant, Name, Negative, Node, Number, Product, Sum
 
 
@@ -50,7 +51,8 @@ def _times(factor: Fraction, term: Node) -> Node:
 
     >>> from symbalance.reading import render
     >>> from symbalance.reading.syntax import Quotient
-    >>> render(_times(Fraction(6), Product((Quotient(whole(1), whole(3)), Constant("pi")))))
+    >>> third = Quotient(rational_node(Fraction(1)), rational_node(Fraction(3)))
+    >>> render(_times(Fraction(6), Product((third, Constant("pi")))))
     '2 π'
     """
     evaluator = Evaluator(Domain())
@@ -59,11 +61,11 @@ def _times(factor: Fraction, term: Node) -> Node:
     except (NoFormError, TooLargeError):
         of_pi = None
     if of_pi:
-        phase = Product((whole(abs(of_pi * factor)), Constant("pi")))
+        phase = Product((rational_node(abs(of_pi * factor)), Constant("pi")))
         return Negative(phase) if of_pi * factor < 0 else phase
     if isinstance(term, Negative):
         return Negative(_times(factor, term.operand))
-    return Product((whole(factor), term))
+    return Product((rational_node(factor), term))
 
 
 def multiples(part: Node, role: str) -> Iterator[Edit]:
@@ -73,10 +75,17 @@ def multiples(part: Node, role: str) -> Iterator[Edit]:
         if isinstance(part, Number) and part.value.denominator == 1 and part.last_place is None:
             for value in range(1, 13):
                 if value != part.value:
-                    yield Edit(kind, 1.1 + abs(value - float(part.value)) / 100, part, whole(value))
+                    yield Edit(
+                        kind,
+                        1.1 + abs(value - float(part.value)) / 100,
+                        part,
+                        rational_node(Fraction(value)),
+                    )
         elif isinstance(part, Name):
             for value in (2, 3, 4, 6):
-                yield Edit("order", 1.15 + value / 100, part, Product((whole(value), part)))
+                yield Edit(
+                    "order", 1.15 + value / 100, part, Product((rational_node(Fraction(value)), part))
+                )
         elif isinstance(part, Constant) and part.name == "pi":
             for factor in (Fraction(2), Fraction(1, 2)):
-                yield Edit("phase", 1.3, part, Product((whole(factor), part)))
+                yield Edit("phase", 1.3, part, Product((rational_node(factor), part)))

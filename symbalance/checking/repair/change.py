@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 
 from symbalance.reading import syntax
-from symbalance.reading.syntax import Call, Negative, Node, Number, Power, Product, Quotient, Sum
+from symbalance.reading.syntax import Call, Node, Power, Product, Quotient, Sum
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,15 +37,6 @@ def ways(node: Node) -> dict[int, Node]:
         for part in syntax.children(outer):
             found[id(part)] = outer
     return found
-
-
-def whole(value: int | Fraction) -> Node:
-    """Return a rational as a formula."""
-    value = Fraction(value)
-    if value < 0:
-        return Negative(whole(-value))
-    above = Number(Fraction(value.numerator))
-    return above if value.denominator == 1 else Quotient(above, Number(Fraction(value.denominator)))
 
 
 def parts(node: Node, role: str = "side") -> Iterator[tuple[Node, str]]:

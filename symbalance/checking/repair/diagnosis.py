@@ -13,9 +13,10 @@ from fractions import Fraction
 
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, TooLargeError
+from symbalance.algebra.numbers import rational_node
 from symbalance.checking.deciding.changing import substituted, upright
 from symbalance.checking.premises import counts
-from symbalance.checking.repair.change import Edit, parts, ways, whole
+from symbalance.checking.repair.change import Edit, parts, ways
 from symbalance.checking.repair.edits import edits
 from symbalance.checking.repair.floats import NoValueError, Sieve, Values
 from symbalance.checking.repair.sieving import Case, fits, letters_of, sieve_of
@@ -98,12 +99,12 @@ def _integers(case: Case, sieve: Sieve, targets: list[Values], way: dict[int, No
             continue
         try:
             here = sieve.values(case.node)
-            doubled = sieve.values(Edit("", 0, part, whole(part.value * 2)).applied(way))
+            doubled = sieve.values(Edit("", 0, part, rational_node(part.value * 2)).applied(way))
         except NoValueError:
             continue
         for value, inverse in _solutions(here[0], doubled[0], targets[0][0], part.value):
             if value != part.value and abs(value) <= LARGEST:
-                new = whole(value)
+                new = rational_node(Fraction(value))
                 if fits(Edit("", 0, part, new).applied(way), sieve, targets):
                     simple = value.denominator == 1
                     shown = f"{value} for {part.value}"
@@ -142,9 +143,15 @@ def _conventions(case: Case, sieve: Sieve, targets: list[Values]) -> Iterator[Ed
         return
     letter = Name(small[0])
     for title, new in (
-        ("rod ratio inverted (l/r for r/l)", Quotient(whole(1), letter)),
-        ("rod ratio of the other convention (l/r, not l/s)", Product((whole(2), letter))),
-        ("rod ratio of the other convention (l/s, not l/r)", Quotient(letter, whole(2))),
+        ("rod ratio inverted (l/r for r/l)", Quotient(rational_node(Fraction(1)), letter)),
+        (
+            "rod ratio of the other convention (l/r, not l/s)",
+            Product((rational_node(Fraction(2)), letter)),
+        ),
+        (
+            "rod ratio of the other convention (l/s, not l/r)",
+            Quotient(letter, rational_node(Fraction(2))),
+        ),
     ):
         changed = upright(substituted(case.node, small[0], new))
         if fits(changed, sieve, targets):

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
+from symbalance.algebra.numbers import rational_node
 from symbalance.checking.repair.angle_slips import multiples, phases
-from symbalance.checking.repair.change import Edit, parts, whole
+from symbalance.checking.repair.change import Edit, parts
 from symbalance.reading import syntax
 from symbalance.reading.syntax import (
     Call,
@@ -99,12 +100,17 @@ def _exponents(part: Node, role: str) -> Iterator[Edit]:
     if role == "exponent" and isinstance(part, Number) and part.value.denominator == 1:
         for value in range(1, 9):
             if value != part.value:
-                yield Edit("exponent", 1.1 + abs(value - float(part.value)) / 100, part, whole(value))
+                yield Edit(
+                    "exponent",
+                    1.1 + abs(value - float(part.value)) / 100,
+                    part,
+                    rational_node(Fraction(value)),
+                )
     if isinstance(part, Power):
         yield Edit("exponent", 1.3, part, part.base)
     elif isinstance(part, Name | Call) and role != "exponent":
         for value in (2, 3):
-            yield Edit("exponent", 1.2 + value / 100, part, Power(part, whole(value)))
+            yield Edit("exponent", 1.2 + value / 100, part, Power(part, rational_node(Fraction(value))))
     if isinstance(part, Call) and part.function == "sqrt":
         yield Edit("root", 1.4, part, part.argument)
 
@@ -119,7 +125,12 @@ def _letters(part: Node, letters: list[str]) -> Iterator[Edit]:
             yield Edit(f"{name} for {part.value}", 1.6, part, Name(name))
     if isinstance(part, Name):
         for value in (1, 2):
-            yield Edit("letter too many" if value == 1 else f"2 for {part.name}", 1.5, part, whole(value))
+            yield Edit(
+                "letter too many" if value == 1 else f"2 for {part.name}",
+                1.5,
+                part,
+                rational_node(Fraction(value)),
+            )
 
 
 def _missing(part: Node, role: str, letters: list[str]) -> Iterator[Edit]:
@@ -127,7 +138,12 @@ def _missing(part: Node, role: str, letters: list[str]) -> Iterator[Edit]:
         for name in letters:
             yield Edit(f"{name} missing", 1.5, part, _product(part, Name(name)))
             yield Edit(f"{name} too many", 1.55, part, Quotient(part, Name(name)))
-            yield Edit(f"{name}² missing", 1.7, part, _product(part, Power(Name(name), whole(2))))
+            yield Edit(
+                f"{name}² missing",
+                1.7,
+                part,
+                _product(part, Power(Name(name), rational_node(Fraction(2)))),
+            )
         yield Edit("π missing", 1.6, part, _product(part, Constant("pi")))
     if isinstance(part, Sum) and role not in ("angle term", "argument"):
         for term in part.terms:
