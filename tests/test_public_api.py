@@ -56,8 +56,10 @@ def test_function_is_picklable_and_keeps_shapes():
 
 def test_function_holds_only_surviving_orders():
     made = sb.to_function(sb.balance(sb.load("v12-60")))
-    (output,) = made.outputs
-    assert (output.step, len(output.weights)) == (6, 2)
+    assert made.orders == {"force.vertical": ("6", "12")}
+    assert "cos^2" in made.source  # a polynomial in cos 6 theta
+    assert "cos^3" not in made.source
+    assert "LATERAL" not in made.source
     assert sb.to_function(sb.balance(sb.load("v12-60")), outputs="force.lateral")(1.0) == 0
 
 

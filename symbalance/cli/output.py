@@ -29,15 +29,33 @@ def write(text: str, output: str | None) -> None:
     if output in (None, "-"):
         _to_stdout(text)
         return
+    write_files({str(output): text})
+
+
+def write_files(texts: dict[str, str]) -> None:
+    """Write several files, all of them whole before the first is put in place."""
+    staged: list[tuple[str, Path]] = []
+    name = ""
     try:
-        _to_file(text, Path(os.path.realpath(output)))
+        for name, text in texts.items():
+            path = Path(os.path.realpath(name))
+            temporary = _staged(text, path)
+            if temporary:
+                staged.append((temporary, path))
+        while staged:
+            os.replace(*staged[0])
+            staged.pop(0)
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         raise SymbalanceError(
-            f"--output {output}",
+            f"--output {name}",
             f"cannot be written ({reason})",
             "name a file in a folder you may write to",
         ) from None
+    finally:
+        for temporary, _ in staged:
+            with suppress(OSError):
+                os.unlink(temporary)
 
 
 def _to_stdout(text: str) -> None:
@@ -49,12 +67,16 @@ def _to_stdout(text: str) -> None:
     sys.stdout.write(text)
 
 
-def _to_file(text: str, path: Path) -> None:
+def _staged(text: str, path: Path) -> str | None:
+    """Write a temporary file beside `path`, ready to take its place; return its name.
+
+    A device or a pipe has nothing to replace: it is written to, and there is no file to stage.
+    """
     if path.is_dir():
         raise OSError(0, "it is a directory")
-    if path.exists() and not stat.S_ISREG(path.stat().st_mode):  # a device or a pipe: nothing to replace
+    if path.exists() and not stat.S_ISREG(path.stat().st_mode):
         path.write_text(text, encoding="utf-8")
-        return
+        return None
     if path.exists() and not os.access(path, os.W_OK):
         raise OSError(0, "it is write-protected")
     mode = stat.S_IMODE(path.stat().st_mode) if path.exists() else 0o666 & ~_umask()
@@ -63,11 +85,11 @@ def _to_file(text: str, path: Path) -> None:
         with os.fdopen(handle, "w", encoding="utf-8") as stream:
             stream.write(text)
         os.chmod(temporary, mode)
-        os.replace(temporary, path)
     except BaseException:
         with suppress(OSError):
             os.unlink(temporary)
         raise
+    return temporary
 
 
 def _umask() -> int:

@@ -9,6 +9,7 @@ from typing import NoReturn
 from symbalance.errors import SymbalanceError
 
 QUANTITIES = ("displacement", "velocity", "acceleration", "force", "rod-angle")
+TARGETS = ("numpy", "numba", "array-api", "c", "javascript", "octave")
 CONVENTIONS = ("l/r", "r/l", "l/s")
 
 
@@ -33,6 +34,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_balance(commands)
     _add_derive(commands)
     _add_check(commands)
+    _add_emit(commands)
     _add_engines(commands)
     _add_bench(commands)
     return parser
@@ -101,6 +103,36 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
     )
     _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_emit(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "emit", "An engine's forces and couples as source code that runs alone.")
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("--target", choices=TARGETS, required=True, help="the language or library")
+    parser.add_argument(
+        "--outputs",
+        metavar="NAMES",
+        default="force.vertical",
+        help="with commas: force. or couple. with vertical, lateral, forward or backward; piston. with "
+        "displacement, velocity or acceleration; default: force.vertical",
+    )
+    orders = parser.add_mutually_exclusive_group()
+    orders.add_argument("--order", metavar="N", help="highest order, 1 to 1000")
+    orders.add_argument(
+        "--tolerance",
+        metavar="ε",
+        help="the fewest orders whose proven bound is within ε, in m r ω² (couples m r ω² a); "
+        "default: every order that shows in a double",
+    )
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    parser.add_argument(
+        "--uniform-grid",
+        action="store_true",
+        help="add a function for evenly spaced angles, which computes one period only",
+    )
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", help="the file to write; C writes FILE.c and FILE.h"
+    )
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:

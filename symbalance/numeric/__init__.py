@@ -1,5 +1,11 @@
-"""Results as numeric functions that hold only what the scene needs."""
+"""Results as the fastest functions we can write, in memory or as source in another language.
 
-from symbalance.numeric.harmonic_function import HarmonicFunction, to_function
+From a balance to waves (`asked`: outputs, surviving orders, proven bounds), from waves to a plan
+(`plans`: which cosines, which polynomial, or the closed form), from a plan to text (`targets`), and
+from text to a function (`evaluators`).
+"""
 
-__all__ = ["HarmonicFunction", "to_function"]
+from symbalance.numeric.asked import OUTPUTS
+from symbalance.numeric.evaluators import Evaluator, planned_for, to_function
+
+__all__ = ["OUTPUTS", "Evaluator", "planned_for", "to_function"]

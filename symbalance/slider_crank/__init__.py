@@ -33,6 +33,7 @@ from symbalance.slider_crank.exact import (
     rod_angle_value,
     root_mean,
 )
+from symbalance.slider_crank.floats import acceleration_floats
 from symbalance.slider_crank.limits import (
     HIGHEST_ORDER,
     HIGHEST_POWER,
@@ -59,6 +60,7 @@ __all__ = [
     "QUANTITIES",
     "Harmonics",
     "Series",
+    "acceleration_floats",
     "acceleration_integers",
     "acceleration_series",
     "acceleration_value",

@@ -1,0 +1,62 @@
+"""`symbalance emit`: an engine as source code that runs without symbalance."""
+
+from __future__ import annotations
+
+import argparse
+from math import isfinite
+from pathlib import Path
+
+from symbalance.cli.output import whole_number, write, write_files
+from symbalance.errors import SymbalanceError
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load the engine, plan its outputs, write them in the target's language."""
+    order = None if options.order is None else whole_number(options.order, "order")
+    tolerance = _tolerance(options.tolerance) if order is None else None
+
+    from symbalance.catalogue import load
+    from symbalance.numeric import planned_for
+    from symbalance.numeric.targets import FILES, files
+    from symbalance.resultants import balance
+
+    ending = FILES[options.target]
+    path = _path(options.output, ending, options.target)
+    layout = load(options.engine)
+    outputs = [name.strip() for name in options.outputs.split(",")]
+    result = balance(layout, 1 if order is None else order, ratio=options.ratio)
+    planned = planned_for(result, None, outputs, options.target, tolerance)
+    name = layout.name if path is None else path.stem
+    made = files(planned, options.target, layout.name, name, grid=options.uniform_grid)
+    if path is None:
+        write(made[ending], None)
+    else:
+        write_files({str(path.with_suffix(suffix)): text for suffix, text in made.items()})
+    return 0
+
+
+def _tolerance(text: str | None) -> float:
+    """Return the tolerance, 0 where none is asked for."""
+    if text is None:
+        return 0.0
+    try:
+        value = float(text)
+    except ValueError:
+        value = -1.0
+    if not isfinite(value) or value <= 0:
+        rule = "must be a positive number"
+        raise SymbalanceError(f"--tolerance = {text}", rule, "write it like --tolerance 1e-6")
+    return value
+
+
+def _path(output: str | None, ending: str, target: str) -> Path | None:
+    """Return the file to write, None for stdout, or refuse a name that does not fit the target."""
+    if output in (None, "-"):
+        if target == "c":
+            raise SymbalanceError("--target c", "writes two files", "name one: -o engine.c")
+        return None
+    path = Path(str(output))
+    if path.suffix != ending:
+        rule = f"must end in {ending} for --target {target}"
+        raise SymbalanceError(f"--output {output}", rule, f"for instance -o engine{ending}")
+    return path

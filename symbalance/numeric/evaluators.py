@@ -1,0 +1,143 @@
+"""Results as functions in memory: the very source that `symbalance emit` writes, compiled when used."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from importlib.util import find_spec
+from math import isfinite
+from typing import Any
+
+from symbalance.errors import MissingPartError, SymbalanceError, shown
+from symbalance.numeric.asked import checked_outputs, known_ratio, truncated, within
+from symbalance.numeric.plans import Plan, plan
+from symbalance.numeric.targets import FILES, IN_MEMORY, files
+from symbalance.resultants import Balance, checked_balance
+
+Result = Any
+
+
+@dataclass(frozen=True)
+class Evaluator:
+    """f(theta, *, mass, radius, omega, pitch, out=None): the outputs in SI units, for theta in radians.
+
+    theta may have any shape; the values come back in it, as an array for one output and a dict of arrays
+    for several. mass (kg, reciprocating, one cylinder), radius (m, half the stroke), omega (rad/s) and
+    pitch (m) are 1 unless given: the result then is in units of m r omega^2 (couples: times a). + is up
+    and right; couples are + with the front pushed up or right.
+
+    `rounding` holds, by output, what a value may be off by rounding, in u = 2^-53 of the output's
+    `amplitude` (for |theta| <= 2^20); `left_out` what the orders left out may sum to, in units of
+    m r omega^2 (couples: times a), None where the orders were given. `source` is the module's text.
+    """
+
+    target: str
+    source: str
+    ratio: Fraction
+    outputs: tuple[str, ...]
+    orders: dict[str, tuple[str, ...]]
+    forms: dict[str, str]
+    rounding: dict[str, float]
+    amplitude: dict[str, float]
+    left_out: dict[str, float | None]
+
+    @cached_property
+    def _module(self) -> dict[str, Any]:
+        namespace: dict[str, Any] = {"__name__": f"symbalance_{self.target}"}
+        exec(compile(self.source, f"<{namespace['__name__']}>", "exec"), namespace)  # text of our own
+        return namespace
+
+    def __call__(self, theta: Any, **keywords: Any) -> Result:
+        """Return the outputs at the crank angles `theta` (radians)."""
+        return self._module["evaluate"](theta, **keywords)
+
+    def on_grid(self, points: int, turns: int = 1, **keywords: Any) -> Result:
+        """Return the outputs at theta = 2 pi j/points over whole turns, computing one period only."""
+        return self._module["on_grid"](points, turns, **keywords)
+
+    def self_test(self) -> None:
+        """Compare with mpmath's values at the angles the source holds; AssertionError past a bound."""
+        self._module["self_test"]()
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "_module"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    def __hash__(self) -> int:
+        return hash(self.source)
+
+
+def to_function(
+    result: Balance,
+    ratio: object = None,
+    outputs: Sequence[str] | str = ("force.vertical",),
+    target: str = "numpy",
+    *,
+    tolerance: float | None = None,
+) -> Evaluator:
+    """Return a picklable function of the crank angle that holds `outputs` of a balance and no more.
+
+    Outputs: force or couple, a dot, and vertical, lateral, forward or backward; and piston.displacement,
+    piston.velocity and piston.acceleration of cylinder 1, exact. `ratio` is the rod ratio lambda = l/r;
+    every A_n is taken exact in it, rounded once. Targets: numpy, numba, array-api.
+
+    The orders are those of the balance; with a `tolerance`, in units of m r omega^2 (couples: times a),
+    the fewest whose proven bound is within it; with tolerance 0 all that can show in a double. A
+    tolerance leaves the choice between harmonics and the closed form to the cheaper (`numeric.plans`).
+
+    >>> from symbalance.resultants import balance
+    >>> from symbalance.catalogue import load
+    >>> force = to_function(balance(load("inline-4"), order=4))
+    >>> float(force(0.0).round(6)), force.orders
+    (0.999708, {'force.vertical': ('2', '4')})
+    """
+    if target not in IN_MEMORY:
+        known = ", ".join(IN_MEMORY)
+        raise SymbalanceError(
+            f"target = {shown(target)!r}", f"must be one of {known}", f"emit writes {', '.join(FILES)}"
+        )
+    planned = planned_for(result, ratio, outputs, target, tolerance)
+    if target == "numba" and find_spec("numba") is None:
+        raise MissingPartError("target = 'numba'", "Numba is not installed", "pip install numba")
+    (source,) = files(planned, target, result.layout.name, result.layout.name).values()
+    by_name = {o.wave.name: o for o in planned.outputs}
+    return Evaluator(
+        target,
+        source,
+        planned.ratio,
+        tuple(by_name),
+        {n: tuple(str(t.order) for t in o.wave.terms) for n, o in by_name.items()},
+        {n: o.form for n, o in by_name.items()},
+        {n: o.rounding for n, o in by_name.items()},
+        {n: o.amplitude for n, o in by_name.items()},
+        {n: o.wave.left_out for n, o in by_name.items()},
+    )
+
+
+def planned_for(
+    result: Balance, ratio: object, outputs: Sequence[str] | str, target: str, tolerance: float | None
+) -> Plan:
+    """Return the plan of a balance's outputs for a target, or refuse."""
+    checked_balance(result)
+    names = checked_outputs(outputs)
+    number = known_ratio(result, ratio)
+    if tolerance is None:
+        return plan(truncated(result, names, number), number, target)
+    return plan(within(result, names, number, checked_tolerance(tolerance)), number, target)
+
+
+def checked_tolerance(tolerance: object) -> float:
+    """Return a tolerance as a number, 0 or more, or refuse."""
+    if isinstance(tolerance, (int, float, Fraction)) and not isinstance(tolerance, bool):
+        value = float(tolerance)
+        if isfinite(value) and value >= 0:
+            return value
+    raise SymbalanceError(
+        f"tolerance = {shown(tolerance)}",
+        "must be 0 or a positive number",
+        "its unit is m r omega^2; 0 asks for every order that shows in a double",
+    )
