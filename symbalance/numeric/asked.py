@@ -80,7 +80,10 @@ def known_ratio(result: Balance, ratio: object) -> Fraction:
 
 
 def truncated(result: Balance, names: Iterable[str], ratio: Fraction) -> tuple[Wave, ...]:
-    """Return the outputs' harmonics up to the balance's order, exact in lambda."""
+    """Return the outputs' harmonics up to the balance's order, exact in lambda.
+
+    Orders too small to show in a double, together 2^-57 of the largest, are dropped.
+    """
     with mp.workdps(DIGITS + 10):
         return tuple(_Asked(result, name, ratio).truncated() for name in names)
 
@@ -121,7 +124,7 @@ class _Asked:
     def truncated(self) -> Wave:
         if self.part in ("displacement", "velocity"):
             return self.wave(left_out=0.0, closed=self.closed())
-        return self.wave(terms=self.terms(self.result.highest), through=self.result.highest)
+        return self.wave(terms=_shown(self.terms(self.result.highest)), through=self.result.highest)
 
     def within(self, tolerance: float) -> Wave:
         if self.part in ("displacement", "velocity"):
@@ -202,6 +205,14 @@ class _Asked:
         plane = self.result.layout.mean_station if reference is None else reference
         arms = (c.station - plane for c in cylinders)
         return [_number(arm) for arm in arms]
+
+
+def _shown(terms: tuple[Term, ...]) -> tuple[Term, ...]:
+    """Return the harmonics without the last ones that cannot show in a double: 2^-57 of the largest."""
+    sizes = [t.size for t in terms]
+    least = mp.ldexp(max(sizes, default=mp.mpf(0)), -57)
+    kept = next(i for i in range(len(terms) + 1) if mp.fsum(sizes[i:]) <= least)
+    return terms[:kept]
 
 
 def _number(value: Fraction) -> Real:

@@ -77,18 +77,21 @@ class Cosine:
 
     def far(self, kernel: Kernel, name: str, mark: str) -> None:
         """Add the lines for any other angle, from cos and sin of the angle itself."""
-        half = self.step.denominator == 2
-        angle = "0.5*theta" if half else "theta"
-        base = "_half" if half else ""
-        c, s = kernel.line(f"cos_1{base}", f"cos({angle})"), kernel.line(f"sin_1{base}", f"sin({angle})")
-        c, s = _power(kernel, c, s, self.step.numerator, base)
-        turned = 2 * mp.pi * self.phase
-        if self.phase == 0:
-            kernel.line(name, c)
-            return
-        cos = kernel.constant(f"COS_SHIFT{mark}", mp.cos(turned))
-        sin = kernel.constant(f"SIN_SHIFT{mark}", mp.sin(turned))
-        kernel.line(name, f"{c}*{cos} + {s}*{sin}")
+        far_cosine(self, kernel, name, mark)
+
+
+def far_cosine(cosine: Cosine, kernel: Kernel, name: str, mark: str) -> str:
+    """Add the lines of a cosine from the library's own cos theta and sin theta; return its name."""
+    half = cosine.step.denominator == 2
+    angle, base = ("0.5*theta", "_half") if half else ("theta", "")
+    c, s = kernel.line(f"cos_1{base}", f"cos({angle})"), kernel.line(f"sin_1{base}", f"sin({angle})")
+    c, s = _power(kernel, c, s, cosine.step.numerator, base)
+    if cosine.phase == 0:
+        return kernel.line(name, c)
+    turned = 2 * mp.pi * cosine.phase
+    cos = kernel.constant(f"COS_SHIFT{mark}", mp.cos(turned))
+    sin = kernel.constant(f"SIN_SHIFT{mark}", mp.sin(turned))
+    return kernel.line(name, f"{c}*{cos} + {s}*{sin}")
 
 
 def sine_lines(kernel: Kernel, name: str, x: str, mark: str) -> None:
@@ -122,31 +125,59 @@ def _folded(cosine: Cosine, kernel: Kernel, mark: str) -> str:
     last is exact, on the grid of P_1, and the last one's rounding is small where w is.
     """
     period = 2 * mp.pi * cosine.step.denominator / cosine.step.numerator
-    most = int(mp.mpf(LIMIT) / period) + 3
-    bits = 53 - most.bit_length()
-    grid = bits - int(mp.ceil(mp.log(period, 2)))
-    *first, high, low = _split(kernel, period, grid, most, mark)
-    n = kernel.line(f"n{mark}", _count(cosine, kernel, period, mark), "whole periods")
-    t = kernel.line(f"t{mark}", f"theta - {n}*{first[0]}", "exact") if first else "theta"
-    quarter = _two(kernel, f"QUARTER{mark}", period / 4, grid)
+    parts = _reduction(period, cosine.phase, kernel, mark)
+    quarter = _two(kernel, f"QUARTER{mark}", period / 4, parts.grid)
+    n, t = parts.count, parts.rest
     if not cosine.phase:
-        left = kernel.line(f"r{mark}", f"{t} - {n}*{high}", "exact: what is left of the angle")
+        left = kernel.line(f"r{mark}", f"{t} - {n}*{parts.high}", "exact: what is left of the angle")
         side = kernel.line(f"side{mark}", f"side({left})")
-        folded = f"({quarter[0]} - abs({left})) + ({side}*({n}*{low}) + {quarter[1]})"
+        folded = f"({quarter[0]} - abs({left})) + ({side}*({n}*{parts.low}) + {quarter[1]})"
     else:
-        shift = _two(kernel, f"SHIFT{mark}", period * cosine.phase, grid)
-        whole = kernel.line(f"h{mark}", f"{shift[0]} + {n}*{high}", "exact: the nearest crest")
+        shift = _two(kernel, f"SHIFT{mark}", period * cosine.phase, parts.grid)
+        whole = kernel.line(f"h{mark}", f"{shift[0]} + {n}*{parts.high}", "exact: the nearest crest")
         side = kernel.line(f"side{mark}", f"side({t} - {whole})")
-        small = f"({side}*({n}*{low} + {shift[1]}) + {quarter[1]})"
+        small = f"({side}*({n}*{parts.low} + {shift[1]}) + {quarter[1]})"
         folded = f"(({quarter[0]} + {side}*{whole}) - {side}*{t}) + {small}"
     return kernel.line(f"w{mark}", folded, "a quarter period less that")
 
 
-def _count(cosine: Cosine, kernel: Kernel, period: Real, mark: str) -> str:
+def crest_angle(step: Fraction, phase: Real, kernel: Kernel, mark: str) -> tuple[str, str]:
+    """Add the lines of n, half periods to the nearest crest or trough, and of r, the angle from there."""
+    with mp.workdps(70):
+        half = mp.pi * step.denominator / step.numerator
+        parts = _reduction(half, 2 * phase, kernel, mark)
+        n = parts.count
+        if not phase:
+            left = kernel.line(f"t{mark}h", f"{parts.rest} - {n}*{parts.high}", "exact")
+            return n, kernel.line(f"r{mark}", f"{left} - {n}*{parts.low}", "what is left of the angle")
+        shift = _two(kernel, f"SHIFT{mark}", 2 * half * phase, parts.grid)
+        left = kernel.line(f"t{mark}h", f"{parts.rest} - ({shift[0]} + {n}*{parts.high})", "exact")
+        small = f"({n}*{parts.low} + {shift[1]})"
+        return n, kernel.line(f"r{mark}", f"{left} - {small}", "what is left of the angle")
+
+
+@dataclass(frozen=True)
+class _Reduction:
+    """Names of the whole periods, of what high and low parts are taken from, and the grid of `high`."""
+
+    count: str
+    rest: str
+    high: str
+    low: str
+    grid: int
+
+
+def _reduction(period: Real, phase: Real, kernel: Kernel, mark: str) -> _Reduction:
+    most = int(mp.mpf(LIMIT) / period) + 3
+    bits = 53 - most.bit_length()
+    grid = bits - int(mp.ceil(mp.log(period, 2)))
+    *first, high, low = _split(kernel, period, grid, most, mark)
     count = f"theta*{kernel.constant(f'PER_RADIAN{mark}', 1 / period, 'periods in a radian')}"
-    if cosine.phase:
-        count += f" - {kernel.constant(f'SHIFT_TURNS{mark}', cosine.phase, 'the phase, in turns')}"
-    return f"rint({count})"
+    if phase:
+        count += f" - {kernel.constant(f'SHIFT_TURNS{mark}', phase, 'the phase, in periods')}"
+    n = kernel.line(f"n{mark}", f"rint({count})", "whole periods")
+    rest = kernel.line(f"t{mark}", f"theta - {n}*{first[0]}", "exact") if first else "theta"
+    return _Reduction(n, rest, high, low, grid)
 
 
 def _split(kernel: Kernel, period: Real, grid: int, most: int, mark: str) -> list[str]:

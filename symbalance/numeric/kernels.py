@@ -48,6 +48,10 @@ class Kernel:
             self.constants.append(Constant(name, float(value), note))  # pyright: ignore[reportArgumentType]
         return name
 
+    def names(self) -> set[str]:
+        """Return every name its formulas use."""
+        return {name for line in self.lines for name in NAME.findall(line.formula)}
+
     def pruned(self, wanted: Iterable[str]) -> Kernel:
         """Return the kernel without lines and constants that nothing `wanted` rests on."""
         needed, lines = set(wanted), []

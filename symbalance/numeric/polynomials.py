@@ -19,6 +19,8 @@ from symbalance.rational import Real
 
 ALIGNED = mp.mpf(10) ** (8 - DIGITS)
 """Sines smaller than this, of the largest harmonic, are rounding of the coefficients."""
+LONG = 8
+"""Brackets a line of Horner's rule may nest."""
 
 
 @dataclass(frozen=True)
@@ -53,18 +55,19 @@ def family(terms: Sequence[Term]) -> Family:
         return Family(step, phase, _row(turned, count, "real"), _row(turned, count, "imag", chief))
 
 
-def families(terms: Sequence[Term]) -> list[Family]:
-    """Return harmonics as one family where that needs a cosine alone; else the first order apart.
+def decompositions(terms: Sequence[Term]) -> list[list[Family]]:
+    """Return the ways to cut harmonics into families, the shortest to compute first.
 
     Centred cylinders have the first order and even ones: on a cosine of their own the even orders need
-    half the degree, and round less.
+    half the degree, and round less. Where one cosine does for all it comes first.
     """
     whole = family(terms)
     first = [t for t in terms if t.order == 1]
     rest = [t for t in terms if t.order != 1]
-    if not any(whole.odd) or not first or any(t.order % 2 for t in rest):
-        return [whole]
-    return [family(first), family(rest)]
+    if not first or not rest or any(t.order % 2 for t in rest):
+        return [[whole]]
+    apart = [family(first), family(rest)]
+    return [apart, [whole]] if any(whole.odd) else [[whole], apart]
 
 
 def _step(orders: Sequence[Fraction]) -> Fraction:
@@ -110,13 +113,23 @@ def power_lines(kernel: Kernel, prefix: str, coefficients: Sequence[Real], c: st
         kernel.constant(f"{prefix}{j}", p, f"times cos^{j}" if j else "") if p else ""
         for j, p in enumerate(coefficients)
     ]
-    dense = horner(_trimmed(names), c)
-    even, odd = _trimmed(names[0::2]), _trimmed(names[1::2])
+    own = prefix.lower()
     if len(names) < 4 or 2 * sum(map(bool, names)) > len(names) + 4:
-        return dense
+        return _nested(kernel, f"{own}p", names, c)
     z = kernel.line(f"z_{c}", f"{c}*{c}")
-    parts = [horner(even, z) if even else "", f"{c}*{_bracketed(horner(odd, z))}" if odd else ""]
-    return " + ".join(p for p in parts if p)
+    even, odd = (
+        _nested(kernel, f"{own}{word}", names[i::2], z) for i, word in enumerate(("even", "odd"))
+    )
+    return " + ".join(p for p in (even, f"{c}*{_bracketed(odd)}" if odd else "") if p)
+
+
+def _nested(kernel: Kernel, name: str, names: list[str], variable: str) -> str:
+    """Return Horner's rule as a formula; beyond `LONG` brackets it begins on lines of its own."""
+    names = _trimmed(names)
+    while len(names) > LONG + 1:
+        upper = kernel.line(f"{name}{len(names) - LONG}", horner(names[-LONG:], variable))
+        names = [*names[:-LONG], upper]
+    return horner(names, variable) if names else ""
 
 
 def _trimmed(names: list[str]) -> list[str]:

@@ -1,0 +1,74 @@
+r"""Angles to 2^50 rad without a branch: very many turns are taken off first, exactly.
+
+M = 99532 turns are I + eps radians with I whole and eps = -5.8e-6, for 2 I/M is a convergent of 4 pi.
+With N = rint(theta/2 pi M), below 2^31,
+
+    theta - N I        is exact: both are multiples of theta's last place, and the difference is smaller;
+    N eps = N eps_1 + N eps_2, eps_1 of so few bits that N eps_1 is exact; g is N eps on the grid 2^-32;
+    theta' = theta - N I - g     is exact, below 2^20, for that grid is theta's own where N is not 0;
+    beyond = (N eps_1 - g) + N eps_2     is below 2^-32, and errs by less than 2^-60.
+
+The crank angle modulo 2 pi (and 4 pi: M is even) is theta' - beyond. The lines for |theta| <= 2^20 take
+theta' as their angle and `beyond` where they correct for the last bits of the period anyway.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+
+from mpmath import mp
+
+from symbalance.numeric.cosines import cut
+from symbalance.numeric.kernels import Kernel, Line
+
+FARTHEST = 2.0**50
+"""The largest |theta| in radians the wide lines reduce; doubles lie 1/4 rad apart there."""
+MANY = 99532
+"""So many turns are nearly a whole number of radians."""
+FOLDED, CREST = re.compile(r"w(\d+)"), re.compile(r"r\d+p")
+GRID = 4294967296.0
+
+
+def widened(near: Kernel) -> Kernel:
+    """Return the lines for |theta| <= 2^20 made good for |theta| <= 2^50.
+
+    `theta` itself is assigned to: for languages that let a name be used again.
+    """
+    if not near.lines:
+        return near
+    kernel = Kernel(list(near.constants), [])
+    with mp.workdps(60):
+        span = 2 * mp.pi * MANY
+        whole = int(mp.nint(span))
+        rest = span - whole
+        first, second = cut(rest, 39, 0, 1)
+        per = kernel.constant("PER_RADIAN_MANY", 1 / span, f"times {MANY} turns in a radian")
+        whole = kernel.constant("MANY_TURNS", whole, f"{MANY} turns in radians, cut in three")
+        part = kernel.constant("MANY_TURNS_REST", rest, "what lies beyond the whole number")
+        names = [
+            kernel.constant("MANY_TURNS_2", first, "of so few bits that times `many` it is exact"),
+            kernel.constant("MANY_TURNS_3", second),
+        ]
+    kernel.line("many", f"rint(theta*{per})", f"times {MANY} turns")
+    kernel.line("g", f"rint(many*{part}*{GRID!r})/{GRID!r}", "exact from here to theta")
+    kernel.line("beyond", f"(many*{names[0]} - g) + many*{names[1]}", "what theta leaves out")
+    kernel.line("theta", f"(theta - many*{whole}) - g", "below 2^20, by whole turns the same angle")
+    corrected = [_corrected(line) for line in near.lines]
+    reductions = sum(line.formula.startswith("rint(theta*") for line in near.lines)
+    if sum(new != old for new, old in zip(corrected, near.lines, strict=True)) != reductions:
+        raise ValueError("a reduction of theta has no place for what lies beyond it")
+    kernel.lines += corrected
+    return kernel
+
+
+def _corrected(line: Line) -> Line:
+    """Return a line with the rest of the angle put in, where the period's own rest is."""
+    folded = FOLDED.fullmatch(line.name)
+    if folded:
+        return replace(line, formula=f"{line.formula} + side{folded[1]}*beyond")
+    if CREST.fullmatch(line.name):
+        return replace(line, formula=f"{line.formula} - beyond")
+    if line.name == "pb":
+        return replace(line, formula=f"{line.formula} + beyond", note="")
+    return line
