@@ -51,7 +51,7 @@ class Crest:
         times, under = float(self.step.numerator), float(self.step.denominator)
         turned = f"{times!r}*index/({under!r}*points)"
         shift = (
-            f" - {kernel.constant(f'SHIFT_TURNS{mark}', self.phase, 'the phase, in turns')}"
+            f" - {kernel.constant(f'PHASE{mark}', self.phase, 'the phase, in turns')}"
             if self.phase
             else ""
         )

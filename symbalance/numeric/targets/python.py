@@ -61,7 +61,7 @@ def _at(theta):
     """Return the outputs at a block of angles, with every keyword 1."""
     if np.max(theta) <= LIMIT and np.min(theta) >= -LIMIT:
         return _outputs({near})
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", over="ignore"):
         far = ~(np.abs(theta) <= LIMIT)
         near, beyond = _outputs({near}), _outputs({far})
         return tuple(np.where(far, b, a) for a, b in zip(near, beyond))
