@@ -46,7 +46,8 @@ def _read(value: Any, name: str) -> Any:
     if not real or (value.is_number and not value.is_finite):
         rule = "must be a whole number or a real SymPy expression"
         raise SymbalanceError(f"{name} = {written(value)}", rule, "a symbol stands for any number")
-    return value
+    # A Float is a dyadic rational: exact, the poles of the closed forms are found beside it too.
+    return value.xreplace({number: sympy.Rational(number) for number in value.atoms(sympy.Float)})
 
 
 def _counted(count: Count) -> Any:

@@ -17,19 +17,18 @@ def run(options: argparse.Namespace) -> int:
 
     from symbalance.catalogue import load
     from symbalance.numeric import planned_for
-    from symbalance.numeric.targets import FILES, files
+    from symbalance.numeric.targets import FILES, files, identifier
     from symbalance.resultants import balance
 
-    ending = FILES[options.target]
-    path = _path(options.output, ending, options.target)
+    path = _path(options.output, FILES[options.target], options.target)
     layout = load(options.engine)
     outputs = [name.strip() for name in options.outputs.split(",")]
     result = balance(layout, 1 if order is None else order, ratio=options.ratio)
     planned = planned_for(result, None, outputs, options.target, tolerance)
-    name = layout.name if path is None else path.stem
+    name = identifier(layout.name) if path is None else path.stem
     made = files(planned, options.target, layout.name, name, grid=options.uniform_grid)
-    if path is None:
-        write(made[ending], None)
+    if path is None or len(made) == 1:
+        write(next(iter(made.values())), None if path is None else str(path))
     else:
         write_files({str(path.with_suffix(suffix)): text for suffix, text in made.items()})
     return 0
@@ -49,14 +48,14 @@ def _tolerance(text: str | None) -> float:
     return value
 
 
-def _path(output: str | None, ending: str, target: str) -> Path | None:
+def _path(output: str | None, endings: tuple[str, ...], target: str) -> Path | None:
     """Return the file to write, None for stdout, or refuse a name that does not fit the target."""
     if output in (None, "-"):
         if target == "c":
             raise SymbalanceError("--target c", "writes two files", "name one: -o engine.c")
         return None
     path = Path(str(output))
-    if path.suffix != ending:
-        rule = f"must end in {ending} for --target {target}"
-        raise SymbalanceError(f"--output {output}", rule, f"for instance -o engine{ending}")
+    if path.suffix not in endings:
+        rule = f"must end in {' or '.join(endings)} for --target {target}"
+        raise SymbalanceError(f"--output {output}", rule, f"for instance -o engine{endings[0]}")
     return path

@@ -104,12 +104,19 @@ def displacement_base(kernel: Kernel, closed: Closed, name: str) -> None:
     kernel.line("rest", f"((pa - pd) - pb) - (pn*{p3} + {s3})")
     kernel.line("pr", "pd + rest", "the crank angle from the nearest top dead centre")
     kernel.line("lost", "(pd - pr) + rest", "what rounding took from it")
-    kernel.line("ph", "0.5*pr")
-    kernel.line("pu", "ph*ph")
-    kernel.line("pv", f"ph*pu*({sine_tail(kernel, 'pu')})")
-    kernel.line("ps", "ph + pv", "sin(theta/2)")
-    kernel.line("pl", "((ph - ps) + pv) + 0.5*lost", "and what rounding took from that")
-    kernel.line(name, "ps*ps + 2.0*(ps*pl)")
+    kernel.line("pside", "side(pr)")
+    kernel.line("ph", "0.5*abs(pr)", "half of it, and beside it what is left to a quarter turn")
+    kernel.line("pl", "0.5*(pside*lost)")
+    with mp.workdps(40):
+        high, low = kernel.constant("HALF_PI_1", mp.pi / 2), mp.pi / 2 - mp.mpf(float(mp.pi / 2))
+    kernel.line("pc", f"({high} - ph) + ({kernel.constant('HALF_PI_2', low)} - pl)")
+    kernel.line("upper", "0.5 + 0.5*side(pc - ph)", "1 in the upper half of the stroke, 0 in the lower")
+    kernel.line("py", "upper*ph + (1.0 - upper)*pc", "the smaller of the two")
+    kernel.line("pu", "py*py")
+    kernel.line("pv", f"py*pu*({sine_tail(kernel, 'pu')})")
+    kernel.line("ps", "py + pv", "its sine")
+    kernel.line("pq", "((py - ps) + pv) + upper*pl", "and what rounding took from that")
+    kernel.line(name, "(1.0 - upper) + (2.0*upper - 1.0)*(ps*ps + 2.0*(ps*pq))")
 
 
 def displacement_on_grid(kernel: Kernel, closed: Closed, name: str) -> None:

@@ -45,7 +45,10 @@ REST = 2.0**-11
 
 @lru_cache
 def sine32_coefficients(margin: float) -> tuple[float, ...]:
-    """Return S_3, S_5, ..., with sin x = x + x^3 (S_3 + x^2 (...)) to 3e-10 on |x| <= pi/2 + margin."""
+    """Return S_3, S_5, ..., with sin x = x + x^3 (S_3 + x^2 (...)) on |x| <= pi/2 + margin.
+
+    Off by at most 0.01 u32 there for the margin of order 24; degree 9 would be by 0.6.
+    """
     count = (SINE32_DEGREE - 1) // 2
     with mp.workdps(40):
         end = (mp.pi / 2 + margin) ** 2

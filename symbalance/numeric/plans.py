@@ -24,7 +24,7 @@ from symbalance.numeric.closed import (
 )
 from symbalance.numeric.kernels import NAME, Kernel
 from symbalance.numeric.polynomials import family
-from symbalance.numeric.waves import Closed, Wave
+from symbalance.numeric.waves import DIGITS, Closed, Wave
 from symbalance.numeric.ways import polynomials, prefix
 from symbalance.rational import Real
 
@@ -84,6 +84,11 @@ class Plan:
 
 def plan(waves: Sequence[Wave], ratio: Fraction, target: str) -> Plan:
     """Return the cheapest plan for `waves` on a target, by the rule above."""
+    with mp.workdps(DIGITS + 10):  # whatever precision the caller has set
+        return _plan(waves, ratio, target)
+
+
+def _plan(waves: Sequence[Wave], ratio: Fraction, target: str) -> Plan:
     bases, tail = Bases(), Kernel()
     outputs = tuple(_planned(wave, target, bases, tail) for wave in waves)
     wanted = tail.names().union(*(NAME.findall(o.formula) for o in outputs))

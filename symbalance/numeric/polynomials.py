@@ -19,6 +19,8 @@ from symbalance.rational import Real
 
 ALIGNED = mp.mpf(10) ** (8 - DIGITS)
 """Sines smaller than this, of the largest harmonic, are rounding of the coefficients."""
+FEW_TERMS = 3
+"""Harmonics that may each have a cosine of their own."""
 LONG = 8
 """Brackets a line of Horner's rule may nest."""
 
@@ -59,15 +61,17 @@ def decompositions(terms: Sequence[Term]) -> list[list[Family]]:
     """Return the ways to cut harmonics into families, the shortest to compute first.
 
     Centred cylinders have the first order and even ones: on a cosine of their own the even orders need
-    half the degree, and round less. Where one cosine does for all it comes first.
+    half the degree, and round less. Where one cosine does for all it comes first. A few harmonics far
+    apart can have a cosine each.
     """
     whole = family(terms)
     first = [t for t in terms if t.order == 1]
     rest = [t for t in terms if t.order != 1]
+    single = [[family([t]) for t in terms]] if 1 < len(terms) <= FEW_TERMS else []
     if not first or not rest or any(t.order % 2 for t in rest):
-        return [[whole]]
+        return [[whole], *single]
     apart = [family(first), family(rest)]
-    return [apart, [whole]] if any(whole.odd) else [[whole], apart]
+    return [apart, [whole], *single] if any(whole.odd) else [[whole], apart, *single]
 
 
 def _step(orders: Sequence[Fraction]) -> Fraction:
@@ -85,7 +89,10 @@ def _phases(numbers: dict[int, Real]) -> list[Real]:
 
 
 def _row(numbers: dict[int, Real], count: int, part: str, without: int = 0) -> tuple[Real, ...]:
-    kept = {k: getattr(z, part) for k, z in numbers.items() if k != without}
+    """Return one part of the numbers by order; what is but rounding of the coefficients is 0."""
+    least = ALIGNED * max(abs(z) for z in numbers.values())
+    parts = {k: getattr(z, part) for k, z in numbers.items() if k != without}
+    kept = {k: x for k, x in parts.items() if abs(x) > least}
     return tuple(kept.get(k, mp.mpf(0)) for k in range(count + 1))
 
 

@@ -82,6 +82,14 @@ class Closed:
         )
         return mp.fsum(moved) + mp.fsum(term.at(theta) for term in self.first)
 
+    def peaks(self) -> list[float]:
+        """Return turns of the crank where the largest value may be: a grid, and pistons in mid-stroke.
+
+        Near rho = 1 a piston's acceleration is a narrow peak a quarter turn from its dead centre.
+        """
+        grid = [j / 360 for j in range(360)]
+        return grid + [float(side / 4 - turns) for _, turns in self.places for side in (1, 3)]
+
 
 def _secondary(theta: Real, rho: Real) -> Real:
     cos, sin, rest = mp.cos(theta), mp.sin(theta), (1 - rho) * (1 + rho)
@@ -129,9 +137,9 @@ class Wave:
             if self.closed.kind == "displacement":
                 return 2.0
             with mp.workdps(20):
-                return float(max(abs(self.value(2 * mp.pi * j / 360)) for j in range(360)))
+                return float(max(abs(self.value(2 * mp.pi * mp.mpf(x))) for x in self.closed.peaks()))
         turns = 2 * max((t.order.denominator for t in self.terms), default=1)
-        theta = np.linspace(0.0, turns * np.pi, 1 + 64 * max(16, self.through))
+        theta = np.linspace(0.0, turns * np.pi, 1 + 96 * max(16, self.through))
         total = np.zeros_like(theta)
         for term in self.terms:
             angle = float(term.order) * theta

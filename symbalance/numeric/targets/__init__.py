@@ -3,12 +3,26 @@
 from __future__ import annotations
 
 from symbalance.numeric.plans import Plan
+from symbalance.numeric.targets.array_api import array_api_source
 from symbalance.numeric.targets.c import c_sources
+from symbalance.numeric.targets.javascript import javascript_source
+from symbalance.numeric.targets.octave import octave_source
 from symbalance.numeric.targets.python import numba_source, numpy_source
+from symbalance.numeric.targets.wording import identifier
 
-IN_MEMORY = ("numpy", "numba")
-FILES = {"numpy": ".py", "numba": ".py", "c": ".c"}
-"""Targets, and how the file that `emit` is told to write must end."""
+__all__ = ["FILES", "IN_MEMORY", "files", "identifier"]
+
+IN_MEMORY = ("numpy", "numba", "array-api")
+FILES = {
+    "numpy": (".py",),
+    "numba": (".py",),
+    "array-api": (".py",),
+    "c": (".c",),
+    "javascript": (".mjs", ".js"),
+    "octave": (".m",),
+}
+"""Targets, and how the file that `emit` is told to write may end."""
+MODULES = {"numpy": numpy_source, "numba": numba_source, "array-api": array_api_source}
 
 
 def files(planned: Plan, target: str, engine: str, name: str, grid: bool = True) -> dict[str, str]:
@@ -18,4 +32,8 @@ def files(planned: Plan, target: str, engine: str, name: str, grid: bool = True)
     """
     if target == "c":
         return c_sources(planned, engine, name, grid)
-    return {".py": {"numpy": numpy_source, "numba": numba_source}[target](planned, engine, grid)}
+    if target == "javascript":
+        return {".mjs": javascript_source(planned, engine, grid)}
+    if target == "octave":
+        return {".m": octave_source(planned, engine, name, grid)}
+    return {".py": MODULES[target](planned, engine, grid)}

@@ -2,12 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from mpmath import mp
+
+from symbalance.errors import SymbalanceError
 from symbalance.numeric.checks import checks
 from symbalance.numeric.cosines import LIMIT
 from symbalance.numeric.kernels import Line
 from symbalance.numeric.plans import Plan
+from symbalance.numeric.targets.c_templates import (
+    GCD,
+    GRID,
+    GRID_CHECKS,
+    GRID_PROTOTYPE,
+    GRID_TEST,
+    HEADER,
+    LOOPS,
+    SELF_TEST,
+    SOURCE,
+)
+from symbalance.numeric.targets.folding import folded
+from symbalance.numeric.targets.grids import repeating
 from symbalance.numeric.targets.printing import Spelling, unique
-from symbalance.numeric.targets.wording import identifier, paragraphs
+from symbalance.numeric.targets.wording import identifier, paragraphs, plain
 
 C = Spelling(
     {
@@ -22,205 +40,136 @@ C = Spelling(
     constant="static const double {} = {};",
     comment="/* {} */",
 )
-HEADER = """/* {head}
- */
-#ifndef {guard}
-#define {guard}
-
-#include <stddef.h>
-
-#ifdef __cplusplus
-extern "C" {{
-#endif
-
-/* Write n values of each output at n crank angles theta (radians). Arrays must not overlap. */
-{prototype_double};
-{prototype_float};
-
-#ifdef __cplusplus
-}}
-#endif
-
-#endif
+WORDS = """
+auto break case char const continue default do double else enum extern float for goto if inline int
+long register restrict return short signed sizeof static struct switch typedef union unsigned void
+volatile while class new delete this template namespace using try catch throw public private near
+far outputs on_grid gcd near_double near_float any_double any_float main printf differs checks theta
+n points turns mass radius omega pitch fabs sqrt sin cos copysign isnan
 """
-SOURCE = """/* {title}; see {name}.h.
- *
- * Compile with optimisation for the machine it runs on:
- *     cc -std=gnu99 -O3 -march=native -fno-math-errno -c {name}.c
- * (any C99 will do; gnu99 lets gcc fuse multiply and add, which is faster).
- *     cc -std=c99 -O2 -D{macro}_SELF_TEST {name}.c -lm && ./a.out
- */
-#include "{name}.h"
-
-#include <math.h>
-
-#ifdef __FAST_MATH__
-#error "the reduction of angles needs IEEE arithmetic: compile without -ffast-math"
-#endif
-
-#define MAGIC 6755399441055744.0 /* 1.5 * 2^52: adding it rounds to a whole number */
-#define LIMIT {limit} /* the largest |theta| that is reduced exactly */
-#define BLOCK 4096 /* angles at a time: one far angle sends its block the slow way, not all */
-
-{constants}
-
-{functions}
-"""
-LOOPS = """
-static size_t near_{kind}(size_t n, const {kind} *restrict theta, {scale_parameters}, {out_parameters}) {{
-    size_t inside = 0;
-    for (size_t i = 0; i < n; i++) {{
-        const double angle = theta[i];
-        {near}
-{stores}
-        inside += fabs(angle) <= LIMIT;
-    }}
-    return inside;
-}}
-
-static void any_{kind}(size_t n, const {kind} *restrict theta, {scale_parameters}, {out_parameters}) {{
-    for (size_t i = 0; i < n; i++) {{
-        const double angle = theta[i];
-        {declared}
-        if (fabs(angle) <= LIMIT) {{
-            {near_again}
-        }} else {{
-            {far}
-        }}
-{stores}
-    }}
-}}
-
-{prototype} {{
-{scales}
-    (void)mass, (void)radius, (void)omega, (void)pitch;
-    for (size_t start = 0; start < n; start += BLOCK) {{
-        const size_t size = n - start < BLOCK ? n - start : BLOCK;
-        if (near_{kind}(size, theta + start, {scale_names}, {outs}) < size) {{
-            any_{kind}(size, theta + start, {scale_names}, {outs});
-        }}
-    }}
-}}
-"""
-SELF_TEST = """
-#ifdef {macro}_SELF_TEST
-#include <stdio.h>
-
-/* Angles, the true values there (mpmath, 50 digits), and what each may be off. */
-static const double checks[][{columns}] = {{
-{rows}
-}};
-
-int main(void) {{
-    const size_t n = sizeof checks / sizeof checks[0];
-    int failed = 0;
-    for (size_t i = 0; i < n; i++) {{
-        double found[{count}];
-        {name}(1, checks[i], 1.0, 1.0, 1.0, 1.0, {pointers});
-        for (size_t j = 0; j < {count}; j++) {{
-            const double value = checks[i][1 + j], off = checks[i][1 + {count} + j];
-            if (!(fabs(found[j] - value) <= off)) {{
-                printf("output %zu at %.17g: %.17g, true %.17g\\n", j, checks[i][0], found[j], value);
-                failed = 1;
-            }}
-        }}
-    }}
-    const double lost[] = {{INFINITY, NAN}};
-    for (size_t i = 0; i < 2; i++) {{
-        double found[{count}];
-        {name}(1, lost + i, 1.0, 1.0, 1.0, 1.0, {pointers});
-        for (size_t j = 0; j < {count}; j++) {{
-            failed |= !isnan(found[j]);
-        }}
-    }}
-    printf(failed ? "self-test FAILED\\n" : "self-test passed: %zu angles\\n", n);
-    return failed;
-}}
-#endif
-"""
+TAKEN = frozenset(WORDS.split())
+"""Names the function must not bear: words of C and C++, and what the source itself uses."""
+GRID_POINTS = 7
 
 
-def c_sources(planned: Plan, engine: str, name: str, grid: bool) -> dict[str, str]:
-    """Return the header and the source, by the ending of their files' names."""
-    name = identifier(name)
-    macro = name.upper()
+def c_sources(planned: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
+    """Return the header and the source, by the ending of their files' names; `stem` is the names'."""
+    name = identifier(stem)
+    if name in TAKEN or plain(stem) != stem:
+        remedy = "name it with letters, digits and _, like engine.c"
+        raise SymbalanceError(f"--output {stem}.c", "is no function's name in C", remedy)
     outs = [identifier(o.wave.name) for o in planned.outputs]
     head = "\n * ".join(paragraphs(planned, engine)).replace(" * \n", " *\n")
-    prototypes = {kind: _prototype(name, kind, outs) for kind in ("double", "float")}
+    prototypes = {kind: _prototype(name, kind, outs) for kind in ("double", "float", "grid")}
     header = HEADER.format(
         head=head,
-        guard=f"{macro}_H",
+        guard=f"{name.upper()}_H",
         prototype_double=prototypes["double"],
         prototype_float=prototypes["float"],
+        prototype_grid=GRID_PROTOTYPE.format(prototype=prototypes["grid"]) if grid else "",
     )
-    kernels = (planned.near, planned.far, planned.tail)
+    kernels = (planned.near, planned.far, planned.tail, *([planned.on_grid] if grid else []))
+    functions = [_functions(planned, prototypes, outs)]
+    functions += [_grid(planned, prototypes["grid"], outs)] if grid else []
     source = SOURCE.format(
         title=next(paragraphs(planned, engine)).split(";")[0],
-        name=name,
-        macro=macro,
+        stem=stem,
+        macro=name.upper(),
         limit=repr(LIMIT),
         constants="\n".join(C.constants(unique(k.constants for k in kernels))),
-        functions=_functions(planned, outs, prototypes) + _self_test(planned, name, macro),
+        functions="".join(functions) + _self_test(planned, name, grid),
     )
-    return {".h": header, ".c": source}
+    return {".h": header, ".c": folded(source, "/* ")}
 
 
 def _prototype(name: str, kind: str, outs: list[str]) -> str:
-    suffix = "" if kind == "double" else "_float"
-    pointers = ", ".join(f"{kind} *{out}" for out in outs)
+    """Return a function's head; `kind` is "double", "float" or "grid"."""
+    suffix = {"double": "", "float": "_float", "grid": "_on_grid"}[kind]
+    number = "float" if kind == "float" else "double"
+    first = "size_t points, size_t turns" if kind == "grid" else f"size_t n, const {number} *theta"
+    pointers = ", ".join(f"{number} *{out}" for out in outs)
     keywords = "double mass, double radius, double omega, double pitch"
-    return f"void {name}{suffix}(size_t n, const {kind} *theta,\n    {keywords},\n    {pointers})"
+    return folded(f"void {name}{suffix}({first},\n    {keywords},\n    {pointers})", "/* ")
 
 
-def _functions(planned: Plan, outs: list[str], prototypes: dict[str, str]) -> str:
+def _functions(planned: Plan, prototypes: dict[str, str], outs: list[str]) -> str:
     count = range(len(outs))
     bases = planned.bases
     scales = ", ".join(f"scale{i}" for i in count)
     lines, formulas = C.outputs(planned, "0.0*" + (bases or ("theta",))[0])
     parts = [
-        *_base_function("near", planned.near.lines, bases, "|theta| <= LIMIT"),
-        *_base_function("far", planned.far.lines, bases, "any angle"),
+        *_base_function("near", "theta", planned.near.lines, bases, "|theta| <= LIMIT"),
+        *_base_function("far", "theta", planned.far.lines, bases, "any angle"),
         f"static inline void outputs({', '.join(f'double {b}' for b in bases or ('theta',))},",
         f"    {', '.join(f'double scale{i}' for i in count)}, double *restrict value) {{",
         *C.lines(lines, "    "),
         *(f"    value[{i}] = {C.formula(f)};" for i, f in enumerate(formulas)),
         "}",
     ]
-    pointers = ", ".join(f"&{b}" for b in bases)
-    declared = f"double {', '.join(bases)};" if bases else ""
-    call = f"outputs({', '.join(bases) or 'angle'}, {scales}, value);"
-    stores = [f"double value[{len(outs)}];", call]
     for kind in ("double", "float"):
         stored = [f"out{i}[i] = {'' if kind == 'double' else '(float)'}value[{i}];" for i in count]
-        units = [
-            f"    const double scale{i} = {o.wave.unit.formula};" for i, o in enumerate(planned.outputs)
-        ]
-        parts.append(
-            LOOPS.format(
-                kind=kind,
-                scale_parameters=", ".join(f"double scale{i}" for i in count),
-                out_parameters=", ".join(f"{kind} *restrict out{i}" for i in count),
-                near=f"{declared} near(angle, {pointers});" if bases else "",
-                near_again=f"near(angle, {pointers});" if bases else "",
-                far=f"far(angle, {pointers});" if bases else "",
-                declared=declared,
-                stores="\n".join(f"        {line}" for line in [*stores, *stored]),
-                prototype=prototypes[kind],
-                scales="\n".join(units),
-                scale_names=scales,
-                outs=", ".join(f"{out} + start" for out in outs),
-            )
+        loops = LOOPS.format(
+            kind=kind,
+            scale_parameters=", ".join(f"double scale{i}" for i in count),
+            out_parameters=", ".join(f"{kind} *restrict out{i}" for i in count),
+            near="\n".join(_called("near", "angle", bases)),
+            either="\n".join(_either(bases)),
+            stores="\n".join([*_values(planned, "angle"), *(f"        {line}" for line in stored)]),
+            prototype=prototypes[kind],
+            scales=_scales(planned),
+            scale_names=scales,
+            outs=", ".join(f"{out} + start" for out in outs),
         )
+        parts.append("\n".join(line for line in loops.split("\n") if line.strip() or not line))
     return "\n".join(parts)
 
 
-def _base_function(name: str, lines: list[Line], bases: tuple[str, ...], where: str) -> list[str]:
+def _called(function: str, arguments: str, bases: tuple[str, ...], indent: str = "        ") -> list[str]:
+    """Return the lines that declare the bases and have a function write them."""
+    if not bases:
+        return []
+    return [
+        f"{indent}double {', '.join(bases)};",
+        f"{indent}{function}({arguments}, {', '.join(f'&{b}' for b in bases)});",
+    ]
+
+
+def _either(bases: tuple[str, ...]) -> list[str]:
+    if not bases:
+        return []
+    declared, near = _called("near", "angle", bases)
+    far = near.replace("near(", "far(")
+    return [
+        declared,
+        "        if (fabs(angle) <= LIMIT) {",
+        f"    {near}",
+        "        } else {",
+        f"    {far}",
+        "        }",
+    ]
+
+
+def _values(planned: Plan, argument: str) -> list[str]:
+    count = range(len(planned.outputs))
+    arguments = [*(planned.bases or (argument,)), *(f"scale{i}" for i in count), "value"]
+    return [f"        double value[{len(count)}];", f"        outputs({', '.join(arguments)});"]
+
+
+def _scales(planned: Plan) -> str:
+    rows = (f"    const double scale{i} = {o.wave.unit.formula};" for i, o in enumerate(planned.outputs))
+    return "\n".join(rows)
+
+
+def _base_function(
+    name: str, arguments: str, lines: Iterable[Line], bases: tuple[str, ...], where: str
+) -> list[str]:
     if not bases:
         return []
     pointers = ", ".join(f"double *restrict {b}_" for b in bases)
+    parameters = ", ".join(f"double {argument}" for argument in arguments.split(", "))
     return [
         f"/* What the outputs are made of, for {where}. */",
-        f"static inline void {name}(double theta, {pointers}) {{",
+        f"static inline void {name}({parameters}, {pointers}) {{",
         *C.lines(lines, "    "),
         *(f"    *{b}_ = {b};" for b in bases),
         "}",
@@ -228,16 +177,46 @@ def _base_function(name: str, lines: list[Line], bases: tuple[str, ...], where: 
     ]
 
 
-def _self_test(planned: Plan, name: str, macro: str) -> str:
-    rows = [
-        "    {" + ", ".join(map(repr, (c.theta, *c.values, *c.allowed))) + "}," for c in checks(planned)
-    ]
-    count = len(planned.outputs)
-    return SELF_TEST.format(
-        macro=macro,
-        columns=1 + 2 * count,
-        rows="\n".join(rows),
-        count=count,
-        name=name,
-        pointers=", ".join(f"found + {i}" for i in range(count)),
+def _grid(planned: Plan, prototype: str, outs: list[str]) -> str:
+    """Return the function for evenly spaced angles."""
+    bases, lines = planned.bases, planned.on_grid.lines
+    functions = _base_function("on_grid", "index, points", lines, bases, "theta = 2 pi index/points")
+    period, calls_gcd = repeating(planned)
+    stored = [f"        {out}[i] = value[{j}];" for j, out in enumerate(outs)]
+    called = _called("on_grid", "(double)i, (double)points", bases)
+    return GRID.format(
+        functions="\n".join(functions),
+        gcd=GCD if calls_gcd else "",
+        prototype=prototype,
+        scales=_scales(planned),
+        period=period,
+        stores="\n".join([*called, *_values(planned, "(double)i"), *stored]),
+        copies="\n".join(f"        {out}[i] = {out}[i - period];" for out in outs),
     )
+
+
+def _self_test(planned: Plan, name: str, grid: bool) -> str:
+    count = len(planned.outputs)
+    rows = [_row(c.theta, c.values, c.allowed) for c in checks(planned)]
+    shared = {"name": name, "count": count, "columns": 1 + 2 * count, "points": GRID_POINTS}
+    on_grid = ", ".join(f"on_grid[{i}]" for i in range(count))
+    return SELF_TEST.format(
+        macro=name.upper(),
+        rows="\n".join(rows),
+        pointers=", ".join(f"found + {i}" for i in range(count)),
+        grid_checks=GRID_CHECKS.format(rows="\n".join(_grid_rows(planned)), **shared) if grid else "",
+        grid=GRID_TEST.format(pointers=on_grid, **shared) if grid else "",
+        **shared,
+    )
+
+
+def _grid_rows(planned: Plan) -> list[str]:
+    """Return the checks on a grid: its angles are rounded twice more than those taken as they are."""
+    allowed = [2.0**-52 * o.rounding * max(o.amplitude, 2.0**-900) for o in planned.outputs]
+    with mp.workdps(50):
+        angles = [2 * mp.pi * j / GRID_POINTS for j in range(GRID_POINTS)]
+        return [_row(float(t), [float(o.value(t)) for o in planned.outputs], allowed) for t in angles]
+
+
+def _row(theta: float, values: Iterable[float], allowed: Iterable[float]) -> str:
+    return "    {" + ", ".join(map(repr, (theta, *values, *allowed))) + "},"

@@ -19,21 +19,24 @@ CONVENTIONS = (
     "mass: reciprocating mass of one cylinder, kg. radius: crank radius, half the stroke, m. omega: "
     "crank speed, rad/s. pitch: distance between neighbouring cylinders of a bank, m. Each is 1 unless "
     "given: values then are in units of m r omega^2, couples in m r omega^2 a.",
+)
+REDUCTION = (
     f"Up to |theta| = {LIMIT:.0f} rad the angle is reduced exactly. Beyond it every value rests on the "
     "library's cos(theta) and sin(theta), raised to the order. A theta that is not finite gives NaN at "
-    "its place and nowhere else. u = 2^-53; float32 angles are computed in double and rounded once.",
+    "its place and nowhere else; keywords whose product overflows give infinities or NaN. u = 2^-53; "
+    "float32 angles are computed in double and rounded once."
 )
 
 
-def paragraphs(planned: Plan, engine: str) -> Iterator[str]:
-    """Yield the lines of a source's head."""
+def paragraphs(planned: Plan, engine: str, reduction: str = REDUCTION) -> Iterator[str]:
+    """Yield the lines of a source's head; `reduction` says what happens to the angles."""
     ratio = planned.ratio
     known = f"{ratio.numerator}" if ratio.denominator == 1 else f"{float(ratio)!r}"
     yield f"{plain(engine)}, lambda = l/r = {known}; made by symbalance {__version__}."
     yield ""
     for output in planned.outputs:
         yield from wrap(_described(output), WIDTH, subsequent_indent="    ")
-    for text in CONVENTIONS:
+    for text in (*CONVENTIONS, reduction):
         yield ""
         yield from wrap(text, WIDTH)
 
@@ -46,7 +49,7 @@ def _described(output: Output) -> str:
         return f"{wave.name}: {wave.meaning}. Zero: every order asked for cancels."
     what = "all orders, exact in lambda" if output.closed else f"orders {shown}"
     text = f"{wave.name} in {wave.unit.name}: {wave.meaning}. {what}; {output.form}."
-    text += f" Amplitude {output.amplitude:.6g}, rounded by at most {output.rounding:.3g} u of it"
+    text += f" Amplitude {output.amplitude:.6g}; rounding errs by at most {output.rounding:.3g} u of it"
     if output.closed or wave.left_out == 0.0:
         return text + "."
     if wave.left_out is None:
