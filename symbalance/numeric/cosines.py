@@ -138,7 +138,7 @@ def _folded(cosine: Cosine, kernel: Kernel, mark: str) -> str:
         side = kernel.line(f"side{mark}", f"side({t} - {whole})")
         small = f"({side}*({n}*{parts.low} + {shift[1]}) + {quarter[1]})"
         folded = f"(({quarter[0]} + {side}*{whole}) - {side}*{t}) + {small}"
-    return kernel.line(f"w{mark}", folded, "a quarter period less that")
+    return kernel.line(f"w{mark}", folded, "a quarter period less the angle from its crest")
 
 
 def crest_angle(step: Fraction, phase: Real, kernel: Kernel, mark: str) -> tuple[str, str]:

@@ -6,8 +6,9 @@ from symbalance.numeric.plans import Plan
 from symbalance.numeric.targets.array_api import array_api_source
 from symbalance.numeric.targets.c import c_sources
 from symbalance.numeric.targets.javascript import javascript_source
+from symbalance.numeric.targets.numba_module import numba_source
+from symbalance.numeric.targets.numpy_module import numpy_source
 from symbalance.numeric.targets.octave import octave_source
-from symbalance.numeric.targets.python import numba_source, numpy_source
 from symbalance.numeric.targets.wording import identifier
 
 __all__ = ["FILES", "IN_MEMORY", "files", "identifier"]

@@ -1,0 +1,114 @@
+"""A Python module that needs NumPy and Numba: one loop that the compiler turns into vectors."""
+
+from __future__ import annotations
+
+from symbalance.numeric.plans import Plan
+from symbalance.numeric.targets.printing import Spelling
+from symbalance.numeric.targets.python_parts import (
+    CALL_DOC,
+    base_function,
+    constants,
+    docstring,
+    grid_call,
+    grid_function,
+    joined,
+    returned,
+    self_test,
+)
+
+NUMBA = Spelling(
+    {
+        "rint": "(({} + MAGIC) - MAGIC)",
+        "abs": "abs({})",
+        "sqrt": "np.sqrt({})",
+        "side": "math.copysign(1.0, {})",
+        "cos": "math.cos({})",
+        "sin": "math.sin({})",
+    },
+    line="{} = {}",
+    constant="{} = {}",
+    comment="# {}",
+)
+NUMBA_CALL = '''
+BLOCK = 4096  # angles at a time: one far angle sends its block the slow way, not all
+
+
+def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, out=None):
+{call_doc}
+    theta = np.asarray(theta)
+    kind = np.float32 if theta.dtype == np.float32 else np.float64
+    results = _results(theta, kind, out)
+    flat = np.ascontiguousarray(theta, dtype=kind).reshape(-1)
+    _fill(flat, {scales}, {flattened})
+    return _given(results)
+
+
+@njit(error_model="numpy", fastmath={{"contract"}}, nogil=True)
+def _fill(theta, {scale_names}, {out_names}):
+    for start in range(0, theta.size, BLOCK):
+        part = theta[start:start + BLOCK]
+        if _fill_near(part, {scale_names}, {out_parts}) < part.size:
+            _fill_any(part, {scale_names}, {out_parts})
+
+
+@njit(error_model="numpy", fastmath={{"contract"}}, nogil=True)
+def _fill_near(theta, {scale_names}, {out_names}):
+    """Fill as if every angle were within LIMIT, and return how many are."""
+    inside = 0
+    for i in range(theta.size):
+        {near}
+        {stores}
+        inside += abs(theta[i]) <= LIMIT
+    return inside
+
+
+@njit(error_model="numpy", fastmath={{"contract"}}, nogil=True)
+def _fill_any(theta, {scale_names}, {out_names}):
+    for i in range(theta.size):
+        if abs(theta[i]) <= LIMIT:
+            {near}
+        else:
+            {far}
+        {stores}
+'''
+
+
+def numba_source(planned: Plan, engine: str, grid: bool) -> str:
+    """Return a module that needs NumPy and Numba; one pass over the angles, no C compiler."""
+    head = [*docstring(planned, engine), "", "import math", "", "import numpy as np"]
+    head += ["from numba import njit", "", "MAGIC = 6755399441055744.0  # 1.5 * 2^52: adding it rounds"]
+    count = range(len(planned.outputs))
+    scales = ", ".join(f"scale{i}" for i in count)
+    stored = ", ".join(f"out{i}[i]" for i in count)
+    bases = ", ".join(planned.bases)
+    at = "np.float64(theta[i])"
+    body = NUMBA_CALL.format(
+        call_doc=CALL_DOC.format(note=" The first call\n    with a type of angles compiles."),
+        scales=", ".join(f"float({o.wave.unit.formula})" for o in planned.outputs),
+        flattened=", ".join(f"results[{i}].reshape(-1)" for i in count),
+        scale_names=scales,
+        out_names=", ".join(f"out{i}" for i in count),
+        out_parts=", ".join(f"out{i}[start:start + BLOCK]" for i in count),
+        near=f"{bases} = _near({at})" if bases else "pass",
+        far=f"{bases} = _far({at})" if bases else "pass",
+        stores=f"{stored} = _outputs({bases or at}, {scales})",
+    )
+    jit = '@njit(error_model="numpy", fastmath={"contract"}, forceinline=True)'
+    lines, formulas = NUMBA.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
+    functions = [
+        *base_function(NUMBA, "_near", planned.near.lines, planned.bases, "|theta| <= LIMIT", jit),
+        *base_function(NUMBA, "_far", planned.far.lines, planned.bases, "any angle", jit),
+        *(grid_function(planned) if grid else []),
+        "",
+        "",
+        jit,
+        f"def _outputs({bases or 'theta'}, {scales}):",
+        *NUMBA.lines(lines, "    "),
+        *returned([NUMBA.formula(f) for f in formulas]),
+    ]
+    return joined(
+        [*head, *constants(NUMBA, planned)],
+        body + (grid_call(planned, True) if grid else ""),
+        functions,
+        self_test(planned),
+    )

@@ -1,0 +1,84 @@
+"""A Python module that needs NumPy alone: blocks of angles through the formulas, in cache."""
+
+from __future__ import annotations
+
+from symbalance.numeric.plans import Plan
+from symbalance.numeric.targets.grids import repeating
+from symbalance.numeric.targets.python_parts import (
+    CALL_DOC,
+    NUMPY,
+    base_function,
+    called,
+    constants,
+    docstring,
+    grid_call,
+    grid_function,
+    joined,
+    self_test,
+)
+
+NUMPY_CALL = '''
+BLOCK = 16000  # angles at a time: intermediate values of 128 kB stay in cache, on pages in use
+
+
+def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, out=None):
+{call_doc}
+    theta = np.asarray(theta)
+    kind = np.float32 if theta.dtype == np.float32 else np.float64
+    scales = ({scales})
+    if theta.ndim == 0 and out is None:
+        values = _at(np.float64(theta))
+        return _given([kind(value * scale) for value, scale in zip(values, scales)])
+    results = _results(theta, kind, out)
+    flat = theta.reshape(-1) if theta.flags.c_contiguous else theta.flat
+    for start in range(0, theta.size, BLOCK):
+        stop = min(start + BLOCK, theta.size)
+        values = _at(np.asarray(flat[start:stop], dtype=np.float64))
+        for result, value, scale in zip(results, values, scales):
+            np.multiply(value, scale, out=result.reshape(-1)[start:stop], casting="same_kind")
+    return _given(results)
+
+
+def _at(theta):
+    """Return the outputs at a block of angles, with every keyword 1."""
+    if np.max(theta) <= LIMIT and np.min(theta) >= -LIMIT:
+        return _outputs({near})
+    with np.errstate(invalid="ignore", over="ignore"):
+        far = ~(np.abs(theta) <= LIMIT)
+        near, beyond = _outputs({near}), _outputs({far})
+        return tuple(np.where(far, b, a) for a, b in zip(near, beyond))
+'''
+
+
+def numpy_source(planned: Plan, engine: str, grid: bool) -> str:
+    """Return a module that needs NumPy alone."""
+    calls = ["import math", ""] if grid and repeating(planned)[1] else []
+    head = [*docstring(planned, engine), "", *calls, "import numpy as np", ""]
+    body = NUMPY_CALL.format(
+        call_doc=CALL_DOC.format(note=""),
+        scales=", ".join(o.wave.unit.formula for o in planned.outputs) + ",",
+        near=called("_near", planned),
+        far=called("_far", planned),
+    )
+    bases = ", ".join(planned.bases) or "theta"
+    zero = "0.0*" + (planned.bases or ("theta",))[0]
+    formulas = [NUMPY.formula(o.formula if o.formula != "0.0" else zero) for o in planned.outputs]
+    functions = [
+        *base_function(NUMPY, "_near", planned.near.lines, planned.bases, "|theta| <= LIMIT"),
+        *base_function(NUMPY, "_far", planned.far.lines, planned.bases, "any angle"),
+        *(grid_function(planned) if grid else []),
+        "",
+        "",
+        f"def _outputs({bases}):",
+        '    """The outputs, with every keyword 1."""',
+        *NUMPY.lines(planned.tail.lines, "    "),
+        "    return (",
+        *(f"        {formula}," for formula in formulas),
+        "    )",
+    ]
+    return joined(
+        [*head, *constants(NUMPY, planned)],
+        body + (grid_call(planned, False) if grid else ""),
+        functions,
+        self_test(planned),
+    )
