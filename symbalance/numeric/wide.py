@@ -69,6 +69,6 @@ def _corrected(line: Line) -> Line:
         return replace(line, formula=f"{line.formula} + side{folded[1]}*beyond")
     if CREST.fullmatch(line.name):
         return replace(line, formula=f"{line.formula} - beyond")
-    if line.name == "pb":
-        return replace(line, formula=f"{line.formula} + beyond", note="")
+    if line.name == "rest":
+        return replace(line, formula=f"{line.formula} - beyond")
     return line

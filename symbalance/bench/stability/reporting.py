@@ -1,0 +1,83 @@
+"""`symbalance bench stability`: the worst cases we know, against mpmath, the naive form beside ours.
+
+True values come from the kinematics alone (`truth`), angles and rod ratios from what is known
+to hurt. A case past its stated bound is a failure, and so is one that raises: the command exits with 1.
+"""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import mpmath
+import numpy as np
+import sympy
+
+from symbalance.bench.stability import (
+    engines,
+    pistons,
+    ratios,
+    rules,
+    sums,
+)
+from symbalance.bench.stability.asked import targets
+from symbalance.bench.stability.case import Case, Part, largest
+
+UNITS = """\
+u = 2^-53, half an ulp of 1, times the amplitude of the output; ulp: of the true value itself; wrong:
+values that break a rule. "ours" is the largest found, at the place named; "naive" the largest of the
+naive form anywhere."""
+PARTS: Sequence[Callable[[bool], Part]] = (
+    pistons.part,
+    engines.near,
+    engines.far,
+    ratios.coefficient_part,
+    ratios.function_part,
+    engines.many,
+    sums.part,
+    engines.float32,
+    rules.part,
+)
+
+
+@dataclass(frozen=True)
+class StabilityReport:
+    """Cases under titles, below a line on what they were made with, above the verdict."""
+
+    head: str
+    parts: Sequence[Part]
+
+    def cases(self) -> list[Case]:
+        """Return all cases."""
+        return [case for part in self.parts for case in part.cases]
+
+    def missed(self) -> list[Case]:
+        """Return the cases past their stated bound."""
+        return [case for case in self.cases() if not case.met]
+
+    def text(self) -> str:
+        """Return the report as it is printed."""
+        body = "\n\n".join(part.text() for part in [*self.parts, self.summary()])
+        return f"{self.head}\n{UNITS}\n\n{body}\n\n{self.verdict()}\n"
+
+    def summary(self) -> Part:
+        """Return, of every part, the case nearest to its bound or past it."""
+        rows = [largest(part.cases, part.title) for part in self.parts]
+        return Part("In short", "The case of each table that is nearest to its bound, or past it.", rows)
+
+    def verdict(self) -> str:
+        """Return what is to be said in the end."""
+        count, missed = len(self.cases()), self.missed()
+        if not missed:
+            return f"{count} cases, all within their bounds"
+        return "\n".join([f"FAILED: {len(missed)} of {count} cases", *(f"  {c.what}" for c in missed)])
+
+
+def report(quick: bool = False) -> StabilityReport:
+    """Return all cases; `quick` tries fewer angles, engines and orders."""
+    head = (
+        f"Python {platform.python_version()}, NumPy {np.__version__}, mpmath {mpmath.__version__}, "
+        f"SymPy {sympy.__version__}, {platform.machine()}; targets: {', '.join(targets())}"
+    )
+    return StabilityReport(head, [part(quick) for part in PARTS])
