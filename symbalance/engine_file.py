@@ -1,7 +1,6 @@
 """Engine files: TOML in the units of a data sheet, read strictly, refused with file, line and remedy.
 
-Decimals are read exactly. Unknown keys are errors. Keys of later kinds of engine (unlike cylinders,
-link rods, offset) are recognised and refused by name.
+Decimals are read exactly. Unknown keys are errors. A cylinder's own sizes override the engine's.
 """
 
 from __future__ import annotations
@@ -12,15 +11,14 @@ from bisect import bisect_left
 from collections.abc import Callable, Sequence
 from decimal import Decimal
 from difflib import get_close_matches
-from fractions import Fraction
 from pathlib import Path
 from typing import Any, TypeVar
 
 from symbalance.builders import from_firing_order
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import CrankTrain, Cylinder, Layout, checked_name, checked_strokes
-from symbalance.rational import exact
+from symbalance.layout import Cylinder, Layout, checked_name, checked_strokes
 from symbalance.slider_crank import checked_ratio
+from symbalance.trains import OWN, CrankTrain, Link, checked_size
 
 T = TypeVar("T")
 LARGEST_FILE = 1_000_000
@@ -28,9 +26,8 @@ LARGEST_FILE = 1_000_000
 _TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder")
 _CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset")
 _LAYOUT = ("strokes", "banks", "cylinders", "firing_order", "firing_intervals", "stagger")
-_CYLINDER = ("number", "throw", "bank", "station", "fires")
-_LATER = ("stroke", "rod", "reciprocating_mass", "rotating_mass", "offset")
-_LATER += ("master", "link_angle", "link_radius")
+_LINK = ("master", "link_angle", "link_radius")
+_CYLINDER = ("number", "throw", "bank", "station", "fires", *OWN, *_LINK)
 
 
 def read_engine_file(path: str | Path) -> Layout:
@@ -105,13 +102,10 @@ class _Reader:
         section = "crank_train"
         self.check_keys(table, _CRANK_TRAIN, section, 0)
         sizes = {
-            key: self.guarded(section, key, 0, lambda key=key: self.size(key, table[key]))
+            key: self.guarded(section, key, 0, lambda key=key: checked_size(key, table[key]))
             for key in _CRANK_TRAIN
             if key in table
         }
-        if sizes.pop("offset", Fraction(0)):
-            rule = "offset cylinders are not supported yet"
-            raise self.refusal("offset", table["offset"], rule, "leave it at 0", section)
         given = sizes.pop("ratio", None)
         train = CrankTrain(**sizes, given_ratio=given)
         if given is not None and (train.rod is not None or train.stroke is not None):
@@ -121,13 +115,6 @@ class _Reader:
             key, what = ("ratio", "ratio") if given is not None else ("rod", "2*rod/stroke")
             self.guarded(section, key, 0, lambda: checked_ratio(train.ratio, what))
         return train
-
-    def size(self, key: str, value: object) -> Fraction:
-        number = exact(value, key)
-        least = {"offset": number, "reciprocating_mass": 0, "rotating_mass": 0}
-        if number < least.get(key, 0) or (not number and key not in least):
-            raise SymbalanceError(f"{key} = {shown(value)}", "must be positive", "sizes are in mm and kg")
-        return number
 
     def layout(self, table: dict[str, Any], about: dict[str, Any]) -> Layout:
         self.check_keys(table, _LAYOUT, "layout", 0)
@@ -181,16 +168,19 @@ class _Reader:
         return self.guarded("cylinder", "", last, lambda: made(min(last + 1, len(cylinders))))
 
     def cylinder(self, row: dict[str, Any], index: int) -> Cylinder:
-        for key in _LATER:
-            if key in row:
-                rule = "unlike cylinders and link rods are not supported yet"
-                raise self.refusal(key, row[key], rule, "leave it out", "cylinder", index)
         self.check_keys(row, _CYLINDER, "cylinder", index)
         for key in ("number", "throw"):
             if key not in row:
                 place = f"{self.place}:{self.line_of('cylinder', index)}: [[cylinder]]"
                 raise SymbalanceError(place, f"needs {key}", f"add {key} = ...")
-        return self.guarded("cylinder", "", index, lambda: Cylinder(**row))
+        hung = {key: row[key] for key in _LINK if key in row}
+        if hung and "master" not in hung:
+            key = next(iter(hung))
+            remedy = "add master = the number of the master rod's cylinder"
+            raise self.refusal(key, row[key], "belongs to a link rod", remedy, "cylinder", index)
+        rest = {key: value for key, value in row.items() if key not in _LINK}
+        link = self.guarded("cylinder", "", index, lambda: _link(hung)) if hung else None
+        return self.guarded("cylinder", "", index, lambda: Cylinder(**rest, link=link))
 
     def subtable(self, table: dict[str, Any], key: str) -> dict[str, Any]:
         value = table.get(key, {})
@@ -235,6 +225,10 @@ class _Reader:
             elif inside and key_line and (seen == index or not section) and key_line.match(line):
                 return number
         return start
+
+
+def _link(keys: dict[str, Any]) -> Link:
+    return Link(keys["master"], keys.get("link_angle", 0), keys.get("link_radius", 0))
 
 
 def _single(value: object) -> bool:

@@ -6,7 +6,7 @@ clockwise. A cylinder's own crank angle is theta + throw - bank: top dead centre
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -17,6 +17,7 @@ from symbalance.errors import SymbalanceError, shown, written
 from symbalance.phasor import checked_modulus
 from symbalance.rational import checked_whole, exact, listed
 from symbalance.slider_crank import checked_ratio
+from symbalance.trains import OWN, CrankTrain, Link, own_train
 
 MOST_CYLINDERS = 1000
 LONGEST_STATION = 10_000
@@ -30,7 +31,9 @@ class Cylinder:
     `throw` is its crank pin's angle at theta = 0 and `bank` its axis' angle, degrees if numbers or
     text, the angle itself if a SymPy expression. `station` is its place along the crank, in cylinder
     pitches, positive towards the front. `fires` is its firing angle in degrees after cylinder 1's
-    firing top dead centre, or None if that is not known.
+    firing top dead centre, or None if that is not known. Sizes of its own (stroke, rod,
+    reciprocating_mass, rotating_mass, offset; mm and kg) override the engine's; `link` hangs its rod
+    on another cylinder's, `rod` then being the link rod's own length.
 
     >>> Cylinder(1, throw="360/7", station="5/2")
     Cylinder(1, throw='360/7', bank='0', station='5/2')
@@ -41,6 +44,8 @@ class Cylinder:
     bank: Angle
     station: Fraction
     fires: Fraction | None
+    own: CrankTrain
+    link: Link | None
 
     def __init__(
         self,
@@ -49,6 +54,9 @@ class Cylinder:
         bank: object = 0,
         station: object = 0,
         fires: object = None,
+        *,
+        link: Link | None = None,
+        **own: object,
     ) -> None:
         set_field = object.__setattr__
         set_field(
@@ -58,6 +66,11 @@ class Cylinder:
         set_field(self, "bank", checked_bank(bank))
         set_field(self, "station", _checked_station(station))
         set_field(self, "fires", None if fires is None else _checked_fires(fires))
+        unknown = [key for key in own if key not in OWN]
+        if unknown:
+            raise TypeError(f"Cylinder has no {unknown[0]!r}; its own sizes are {', '.join(OWN)}")
+        set_field(self, "own", own_train(own))
+        set_field(self, "link", link)
 
     def __repr__(self) -> str:
         parts = f"throw={self.throw.as_text()!r}, bank={self.bank.as_text()!r}"
@@ -98,27 +111,6 @@ def _checked_station(station: object) -> Fraction:
     return value
 
 
-@dataclass(frozen=True)
-class CrankTrain:
-    """The sizes shared by all cylinders, as in an engine file: mm and kg, each None if not given."""
-
-    stroke: Fraction | None = None
-    rod: Fraction | None = None
-    pitch: Fraction | None = None
-    reciprocating_mass: Fraction | None = None
-    rotating_mass: Fraction | None = None
-    given_ratio: Fraction | None = None
-
-    @property
-    def ratio(self) -> Fraction | None:
-        """The rod ratio lambda = l/r = 2 rod/stroke, or None where it is not known."""
-        if self.given_ratio is not None:
-            return self.given_ratio
-        if self.rod is None or self.stroke is None:
-            return None
-        return 2 * self.rod / self.stroke
-
-
 @dataclass(frozen=True, init=False)
 class Layout:
     """The cylinders of an engine, with its name, its strokes per cycle and its rod ratio if known.
@@ -146,6 +138,7 @@ class Layout:
         set_field = object.__setattr__
         train = _checked_train(crank_train)
         set_field(self, "cylinders", _checked_cylinders(cylinders))
+        _check_links(self.cylinders)
         set_field(self, "strokes", checked_strokes(strokes))
         set_field(self, "name", checked_name(name))
         _check_fires(self.cylinders)
@@ -163,6 +156,24 @@ class Layout:
     def has_symbols(self) -> bool:
         """Whether some angle holds a symbol."""
         return any(c.bank.symbols or c.throw.symbols for c in self.cylinders)
+
+    def train_of(self, cylinder: Cylinder) -> CrankTrain:
+        """Return a cylinder's sizes: the engine's, with its own put in, and the engine's ratio."""
+        shared = self.crank_train
+        if shared.ratio != self.ratio:
+            shared = CrankTrain(**{**vars(shared), "given_ratio": self.ratio})
+        return shared.overridden(cylinder.own)
+
+    @cached_property
+    def is_uniform(self) -> bool:
+        """Whether all cylinders are alike, centred, and joined to the crank by rods of their own."""
+        trains = [self.train_of(c) for c in self.cylinders]
+        alike = {(t.ratio, t.stroke, t.reciprocating_mass) for t in trains}
+        return (
+            len(alike) == 1
+            and not any(t.offset for t in trains)
+            and not any(c.link for c in self.cylinders)
+        )
 
     @property
     def mean_station(self) -> Fraction:
@@ -224,6 +235,31 @@ def _checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
             )
         seen.add(cylinder.number)
     return cylinders
+
+
+def _check_links(cylinders: Sequence[Cylinder]) -> None:
+    """Refuse link rods on masters that are not there, are links themselves, or have another pin."""
+    by_number = {c.number: c for c in cylinders}
+    for cylinder in cylinders:
+        if cylinder.link is None:
+            continue
+        what, master = f"master = {cylinder.link.master}", by_number.get(cylinder.link.master)
+        if master is None or master is cylinder:
+            raise SymbalanceError(what, "names no other cylinder", "name the cylinder of the master rod")
+        if master.link is not None:
+            raise SymbalanceError(
+                what, "hangs on a link rod itself", "name the cylinder of the master rod"
+            )
+        if master.throw != cylinder.throw:
+            rule = f"has its pin at {master.throw.as_text()}, this cylinder at {cylinder.throw.as_text()}"
+            raise SymbalanceError(what, rule, "a link rod shares its master's pin: give both one throw")
+        if cylinder.own.stroke is not None:
+            rule = "is not a link rod's to choose"
+            raise SymbalanceError(f"stroke = {cylinder.own.stroke}", rule, "its master's crank gives it")
+        if cylinder.own.rod is None:
+            raise SymbalanceError(
+                f"cylinder {cylinder.number}", "needs rod", "the link rod's own length, mm"
+            )
 
 
 def _check_fires(cylinders: Iterable[Cylinder]) -> None:

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
+from typing import Any
 
 from symbalance.angles import SymbolPart
 from symbalance.errors import SymbalanceError, shown
@@ -32,6 +33,7 @@ from symbalance.slider_crank import (
     surviving,
 )
 from symbalance.spectrum import Component, Number, Spectrum, SymbolicPhasor
+from symbalance.unlike import unlike_spectrum
 
 HALF = Fraction(1, 2)
 
@@ -74,10 +76,10 @@ class Resultant:
 
 @dataclass(frozen=True)
 class Order:
-    """One order that survives: its coefficient A_n and its geometry."""
+    """One order that survives: its coefficient A_n (None where cylinders are unlike) and its geometry."""
 
     order: int
-    coefficient: Series
+    coefficient: Series | None
     force: Resultant
     couple: Resultant
 
@@ -106,12 +108,25 @@ class Balance:
         """The rod ratio lambda = l/r, if known."""
         return self.layout.ratio
 
+    @property
+    def is_uniform(self) -> bool:
+        """Whether all cylinders are alike: components then are geometry, in units of A_n m r omega^2.
+
+        Else they hold the kinematics too, in units of m r omega^2 of cylinder 1, to 40 digits.
+        """
+        return self.layout.is_uniform
+
     @cached_property
     def orders(self) -> tuple[Order, ...]:
         """The orders that survive, lowest first; those that cancel are absent."""
         found = sorted({*self.force.orders(), *self.couple.orders()})
         return tuple(
-            Order(n, self.coefficient(n), Resultant(self.force, n), Resultant(self.couple, n))
+            Order(
+                n,
+                self.coefficient(n) if self.is_uniform else None,
+                Resultant(self.force, n),
+                Resultant(self.couple, n),
+            )
             for n in found
         )
 
@@ -129,7 +144,7 @@ class Balance:
     @cached_property
     def values(self) -> dict[int, Real]:
         """A_n exact in lambda, to 30 digits, for the orders that survive; empty without a ratio."""
-        if self.ratio is None or not self.orders:
+        if self.ratio is None or not self.orders or not self.is_uniform:
             return {}
         values = acceleration_values(self.orders[-1].order, self.ratio, 30)
         return {o.order: values[o.order] for o in self.orders}
@@ -161,13 +176,21 @@ def balance(
     if ratio is not None:
         layout = layout.with_ratio(ratio)
     plane = layout.mean_station if reference is None else exact(reference, "reference")
-    orders = [n for n in range(1, order + 1) if surviving(n)]
     arms = [c.station - plane for c in layout.cylinders]
-    force = geometry(layout, orders, [Fraction(1)] * len(arms))
-    couple = geometry(layout, orders, arms)
+    force, couple = (_summed_over(layout, order, w) for w in ([Fraction(1)] * len(arms), arms))
     result = Balance(layout, order, force, couple, None if reference is None else plane, power)
     _check_power(power, sorted({*force.orders(), *couple.orders()}))
     return result
+
+
+def _summed_over(layout: Layout, order: int, weights: Sequence[Fraction]) -> Spectrum:
+    if layout.is_uniform:
+        return geometry(layout, [n for n in range(1, order + 1) if surviving(n)], weights)
+
+    def like(cylinders: Sequence[Cylinder], orders: Sequence[int], own: Sequence[Fraction]) -> Any:
+        return _exact_terms(cylinders, layout.modulus, orders, own)
+
+    return unlike_spectrum(layout, range(1, order + 1), weights, like)
 
 
 def checked_balance(result: object) -> Balance:
@@ -202,15 +225,21 @@ def geometry(layout: Layout, orders: Sequence[int], weights: Sequence[Fraction])
     modulus = layout.modulus
     if layout.has_symbols:
         return _with_symbols(layout.cylinders, orders, weights)
+    return Spectrum(_exact_terms(layout.cylinders, modulus, orders, weights))
+
+
+def _exact_terms(
+    cylinders: Sequence[Cylinder], modulus: int, orders: Sequence[int], weights: Sequence[Fraction]
+) -> dict[int, Phasor]:
     denominator = lcm(*(w.denominator for w in weights))
     rows = [
         (_units(c.bank.turns, modulus), _units(c.delay.turns, modulus), int(w * denominator))
-        for c, w in zip(layout.cylinders, weights, strict=True)
+        for c, w in zip(cylinders, weights, strict=True)
         if w
     ]
     half = Fraction(1, 2 * denominator)
     seen: dict[int, Phasor] = {}  # a sum depends on its order modulo m only
-    terms: dict[int, Number] = {}
+    terms: dict[int, Phasor] = {}
     for n in orders:
         for signed in (n, -n):
             residue = signed % modulus
@@ -219,7 +248,7 @@ def geometry(layout: Layout, orders: Sequence[int], weights: Sequence[Fraction])
                 seen[residue] = ZERO if total.is_zero() else total.scaled(half)
             if seen[residue] is not ZERO:
                 terms[signed] = seen[residue]
-    return Spectrum(terms)
+    return terms
 
 
 def _units(turns: Fraction, modulus: int) -> int:

@@ -25,6 +25,7 @@ from typing import TYPE_CHECKING
 from mpmath import mp
 
 from symbalance.angles import Angle, SymbolPart
+from symbalance.decimal_phasor import DecimalPhasor
 from symbalance.phasor import ZERO, Phasor
 from symbalance.radicals import evaluated, exact_form, square_root_form
 from symbalance.rational import Real
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
 
 COMPONENTS = ("vertical", "lateral", "forward", "backward")
 QUARTER = Fraction(1, 4)
+SHOWN = 30
+"""Digits of a number that has no exact form."""
 MOST_IN_A_SQUARE = 60
 """An amplitude whose square has more terms is written as the root of C^2 + S^2."""
 
@@ -88,7 +91,7 @@ class SymbolicPhasor:
         return SymbolicPhasor(parts)
 
 
-Number = Phasor | SymbolicPhasor
+Number = Phasor | SymbolicPhasor | DecimalPhasor
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +128,9 @@ class Component:
 
         if isinstance(self.number, SymbolicPhasor):
             return _symbolic_amplitude(self.number)
+        if isinstance(self.number, DecimalPhasor):
+            with mp.workdps(SHOWN + 5):
+                return _float(mp.hypot(*self.number.parts()))
         aligned = self._aligned
         if aligned is not None:
             return exact_form(aligned[1])
@@ -139,6 +145,8 @@ class Component:
         """The phase in (-pi, pi], a fraction of pi or else an unevaluated atan2."""
         import sympy
 
+        if isinstance(self.number, DecimalPhasor):
+            return _decimal_phase(self.number)
         if self.is_zero() or (self.sin == 0 and isinstance(self.number, SymbolicPhasor)):
             return sympy.S.Zero
         if self.cos == 0 and isinstance(self.number, SymbolicPhasor):
@@ -151,7 +159,7 @@ class Component:
     @cached_property
     def _aligned(self) -> tuple[Fraction, Phasor] | None:
         """The phase in turns and the amplitude, where the phase is a fraction of a turn."""
-        if isinstance(self.number, SymbolicPhasor):
+        if not isinstance(self.number, Phasor):
             return None
         return _polar(self.number)
 
@@ -159,6 +167,8 @@ class Component:
         """Return the two coefficients to `digits` significant digits each."""
         if isinstance(self.number, SymbolicPhasor) and self.number.parts:
             raise TypeError("a component with symbols has no decimal value")
+        if isinstance(self.number, DecimalPhasor):
+            return self.number.parts()
         if not isinstance(self.number, Phasor):
             return mp.mpf(0), mp.mpf(0)
         return evaluated(self.number.real(), digits), evaluated(self.number.imaginary(), digits)
@@ -168,6 +178,8 @@ def _real_form(number: Number) -> sympy.Expr:
     """Return the real part as a SymPy expression."""
     if isinstance(number, Phasor):
         return exact_form(number.real())
+    if isinstance(number, DecimalPhasor):
+        return _float(number.parts()[0])
     import sympy
 
     terms = []
@@ -176,6 +188,25 @@ def _real_form(number: Number) -> sympy.Expr:
         terms.append(exact_form(phasor.real()) * sympy.cos(angle))
         terms.append(-exact_form(phasor.imaginary()) * sympy.sin(angle))
     return sympy.Add(*terms)
+
+
+def _float(value: Real) -> sympy.Expr:
+    """Return a number of 40 digits as SymPy writes it, to `SHOWN`; 0 stays a plain 0."""
+    import sympy
+
+    return sympy.Float(value, SHOWN) if value else sympy.S.Zero
+
+
+def _decimal_phase(number: DecimalPhasor) -> sympy.Expr:
+    import sympy
+
+    cos, sin = number.parts()
+    if not sin:
+        return sympy.S.Zero if cos >= 0 else sympy.pi
+    if not cos:
+        return sympy.pi / 2 if sin > 0 else -sympy.pi / 2
+    with mp.workdps(SHOWN + 5):
+        return _float(mp.atan2(sin, cos))
 
 
 def _symbolic_amplitude(number: SymbolicPhasor) -> sympy.Expr:
@@ -268,8 +299,12 @@ def _sum(left: Number, right: Number) -> Number:
     """Return the sum of two numbers, of one kind or of both."""
     if isinstance(left, Phasor) and isinstance(right, Phasor):
         return left + right
+    if isinstance(left, DecimalPhasor) and isinstance(right, DecimalPhasor):
+        return left + right
+    if isinstance(left, DecimalPhasor) or isinstance(right, DecimalPhasor):
+        return left if right.is_zero() else right  # an absent order is a Phasor's zero
     return _symbolic(left) + _symbolic(right)
 
 
-def _symbolic(number: Number) -> SymbolicPhasor:
+def _symbolic(number: Phasor | SymbolicPhasor) -> SymbolicPhasor:
     return number if isinstance(number, SymbolicPhasor) else SymbolicPhasor.of({(): number})

@@ -46,6 +46,8 @@ UNITS = {
     "piston.velocity": SPEED,
     "piston.acceleration": ACCELERATION,
 }
+MANY_ORDERS = 96
+"""Orders of unlike cylinders taken where all are asked for; what does not show is dropped."""
 FIRST_TRY = 48
 """Orders looked at first for a tolerance; enough for any engine's rod ratio."""
 NOTHING = mp.mpf(10) ** (5 - DIGITS)
@@ -65,6 +67,8 @@ def checked_outputs(outputs: Sequence[str] | str) -> list[str]:
 
 def known_ratio(result: Balance, ratio: object) -> Fraction:
     """Return the rod ratio to use, or refuse if neither the call nor the engine gives one."""
+    if not result.is_uniform:
+        return _first_ratio(result, ratio)
     number = result.ratio if ratio is None else checked_ratio(ratio)
     if number is None:
         raise SymbalanceError(
@@ -77,6 +81,15 @@ def known_ratio(result: Balance, ratio: object) -> Fraction:
             "a layout with symbols", "has no numeric function", "build the layout with numbers"
         )
     return number
+
+
+def _first_ratio(result: Balance, ratio: object) -> Fraction:
+    """Return the first cylinder's ratio: unlike cylinders have their own, and keep them."""
+    if ratio is not None:
+        rule = "cannot be set for cylinders that are not alike"
+        raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
+    train = result.layout.train_of(result.layout.cylinders[0])
+    return train.ratio or Fraction(1)
 
 
 def truncated(result: Balance, names: Iterable[str], ratio: Fraction) -> tuple[Wave, ...]:
@@ -94,8 +107,21 @@ def within(result: Balance, names: Iterable[str], ratio: Fraction, tolerance: fl
     The unit of `tolerance` is the output's with every keyword 1: m r omega^2, times a for couples. 0 asks
     for everything that can show in a double: the bound then is 2^-57 of the largest harmonic.
     """
+    if not result.is_uniform:
+        return _every_order(result, names, ratio, tolerance)
     with mp.workdps(DIGITS + 10):
         return tuple(_Asked(result, name, ratio).within(tolerance) for name in names)
+
+
+def _every_order(
+    result: Balance, names: Iterable[str], ratio: Fraction, tolerance: float
+) -> tuple[Wave, ...]:
+    """Return unlike cylinders' harmonics to an order beyond which none shows in a double."""
+    if tolerance:
+        rule = "has no proven bound for cylinders that are not alike"
+        raise SymbalanceError(f"tolerance = {tolerance:g}", rule, "give the highest order instead")
+    wide = balance(result.layout, MANY_ORDERS, reference=result.reference)
+    return truncated(wide, names, ratio)
 
 
 @dataclass(frozen=True)
@@ -122,7 +148,7 @@ class _Asked:
         return Wave(self.name, unit, meaning.format(self.part, first), **fields)
 
     def truncated(self) -> Wave:
-        if self.part in ("displacement", "velocity"):
+        if self.part in ("displacement", "velocity") and self.result.is_uniform:
             return self.wave(left_out=0.0, closed=self.closed())
         return self.wave(terms=_shown(self.terms(self.result.highest)), through=self.result.highest)
 
@@ -157,6 +183,8 @@ class _Asked:
 
     def terms(self, order: int) -> tuple[Term, ...]:
         """Return the harmonics that survive, to an order."""
+        if not self.result.is_uniform:
+            return self._unlike_terms(order)
         values = acceleration_values(order, self.ratio, DIGITS)
         if self.kind == "piston":
             turns = self.result.layout.cylinders[0].delay.turns
@@ -165,6 +193,16 @@ class _Asked:
         parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
         found = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
         return tuple(Term(Fraction(n), values[n] * cos, values[n] * sin) for n, (cos, sin) in found)
+
+    def _unlike_terms(self, order: int) -> tuple[Term, ...]:
+        """Return the harmonics of unlike cylinders, whose components hold the kinematics too."""
+        if self.kind == "piston":
+            rule = "is there for centred cylinders that are all alike"
+            raise SymbalanceError(f"output {self.name!r}", rule, "ask for forces and couples")
+        spectrum = self._balanced(order)
+        parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
+        found = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
+        return tuple(Term(Fraction(n), cos, sin) for n, (cos, sin) in found)
 
     def _balanced(self, order: int) -> Spectrum:
         result = self.result

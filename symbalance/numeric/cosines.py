@@ -3,8 +3,9 @@ r"""cos(s theta - phase) for any crank angle to 2^20 rad, reduced exactly, branc
 The angle itself is reduced, never s theta, which would be rounded: with P = 2 pi/s the period,
 n = rint(theta/P - phase/2 pi) whole periods are taken off as theta - n P_1, where P_1 holds so few bits
 of P that n P_1 is exact, and so is the difference; n P_2 (P = P_1 + P_2) is a small correction. What
-is left, r, is folded to w = P/4 - |r|, and cos(s r) = sin(s w): a sine's relative error stays small
-where its argument is, so the two roundings of s w cost at most 0.56 u each, and no sign is left over.
+is left, r, is folded to x = s P/4 - s |r|, and cos(s r) = sin x: a sine's relative error stays small
+where its argument is, so that each rounding of x costs at most 0.56 u, and no sign is left over. From
+1 rad on there is one: s (P/4 - |r|) is exact but for the correction.
 
     |theta| <= 2^20: n < 2^20 s/2 pi + 3; P_1 and P/4 share a grid so coarse that n P_1 < 2^53 steps.
 
@@ -54,8 +55,7 @@ class Cosine:
     def near(self, kernel: Kernel, name: str, mark: str) -> None:
         """Add the lines that compute it into `name` for |theta| <= LIMIT; `mark` keeps names apart."""
         with mp.workdps(70):
-            w = _folded(self, kernel, mark)
-        x = w if self.step == 1 else kernel.line(f"x{mark}", f"{float(self.step)}*{w}")
+            x = _folded(self, kernel, mark)
         sine_lines(kernel, name, x, mark)
 
     def on_grid(self, kernel: Kernel, name: str, mark: str) -> None:
@@ -119,26 +119,28 @@ def cut(value: Real, grid: int, bits: int, parts: int) -> list[Real]:
 
 
 def _folded(cosine: Cosine, kernel: Kernel, mark: str) -> str:
-    """Add the lines down to w, a quarter period less what is left of the angle; return its name.
+    """Add the lines down to x, a quarter turn less what is left of the angle; return its name.
 
-    With h = shift + n P all but the correction, w = (P/4 + side h) - side theta: every sum before the
-    last is exact, on the grid of P_1, and the last one's rounding is small where w is.
+    With h = shift + n P all but the correction, x = s ((P/4 + side h) - side theta) + small: every sum
+    but the last is exact, on the grid of P_1, for |theta| >= 1 their product with s too, and the
+    last one's rounding is small where x is.
     """
-    period = 2 * mp.pi * cosine.step.denominator / cosine.step.numerator
-    parts = _reduction(period, cosine.phase, kernel, mark)
-    quarter = _two(kernel, f"QUARTER{mark}", period / 4, parts.grid)
-    n, t = parts.count, parts.rest
+    s = mp.mpf(cosine.step.numerator) / cosine.step.denominator
+    period = 2 * mp.pi / s
+    parts = _reduction(period, cosine.phase, kernel, mark, s)
+    quarter = _two(kernel, f"QUARTER{mark}", period / 4, parts.grid, s)
+    n, t, times = parts.count, parts.rest, "" if s == 1 else f"{float(s)!r}*"
     if not cosine.phase:
         left = kernel.line(f"r{mark}", f"{t} - {n}*{parts.high}", "exact: what is left of the angle")
         side = kernel.line(f"side{mark}", f"side({left})")
-        folded = f"({quarter[0]} - abs({left})) + ({side}*({n}*{parts.low}) + {quarter[1]})"
+        folded = f"{times}({quarter[0]} - abs({left})) + ({side}*({n}*{parts.low}) + {quarter[1]})"
     else:
-        shift = _two(kernel, f"SHIFT{mark}", period * cosine.phase, parts.grid)
+        shift = _two(kernel, f"SHIFT{mark}", period * cosine.phase, parts.grid, s)
         whole = kernel.line(f"h{mark}", f"{shift[0]} + {n}*{parts.high}", "exact: the nearest crest")
         side = kernel.line(f"side{mark}", f"side({t} - {whole})")
         small = f"({side}*({n}*{parts.low} + {shift[1]}) + {quarter[1]})"
-        folded = f"(({quarter[0]} + {side}*{whole}) - {side}*{t}) + {small}"
-    return kernel.line(f"w{mark}", folded, "a quarter period less the angle from its crest")
+        folded = f"{times}(({quarter[0]} + {side}*{whole}) - {side}*{t}) + {small}"
+    return kernel.line(f"x{mark}", folded, "a quarter turn less the phase from its crest")
 
 
 def crest_angle(step: Fraction, phase: Real, kernel: Kernel, mark: str) -> tuple[str, str]:
@@ -167,11 +169,12 @@ class _Reduction:
     grid: int
 
 
-def _reduction(period: Real, phase: Real, kernel: Kernel, mark: str) -> _Reduction:
+def _reduction(period: Real, phase: Real, kernel: Kernel, mark: str, times: Real = mp.one) -> _Reduction:
+    """Add the lines of n, with `low` already multiplied by `times`."""
     most = int(mp.mpf(LIMIT) / period) + 3
     bits = 53 - most.bit_length()
     grid = bits - int(mp.ceil(mp.log(period, 2)))
-    *first, high, low = _split(kernel, period, grid, most, mark)
+    *first, high, low = _split(kernel, period, grid, most, mark, times)
     count = f"theta*{kernel.constant(f'PER_RADIAN{mark}', 1 / period, 'periods in a radian')}"
     if phase:
         count += f" - {kernel.constant(f'SHIFT_TURNS{mark}', phase, 'the phase, in periods')}"
@@ -180,11 +183,12 @@ def _reduction(period: Real, phase: Real, kernel: Kernel, mark: str) -> _Reducti
     return _Reduction(n, rest, high, low, grid)
 
 
-def _split(kernel: Kernel, period: Real, grid: int, most: int, mark: str) -> list[str]:
+def _split(kernel: Kernel, period: Real, grid: int, most: int, mark: str, times: Real) -> list[str]:
     """Cut the period into parts on grids and a last double, till what is left does not matter."""
     bits = 53 - most.bit_length()
     count = next(k for k in (1, 2, 3) if mp.ldexp(most, 5 - grid - (k - 1) * bits) < period)
     parts = cut(period, grid, bits, count)
+    parts[-1] *= times
     note = "the period, cut so that n times the first part is exact"
     return [
         kernel.constant(f"PERIOD{mark}_{i}", part, note if i == 1 else "")
@@ -196,9 +200,9 @@ def _on_grid(value: Real, bits: int) -> Real:
     return mp.ldexp(mp.nint(mp.ldexp(value, bits)), -bits)
 
 
-def _two(kernel: Kernel, name: str, value: Real, grid: int) -> tuple[str, str]:
+def _two(kernel: Kernel, name: str, value: Real, grid: int, times: Real = mp.one) -> tuple[str, str]:
     high, low = cut(value, grid, 0, 1)
-    return kernel.constant(f"{name}_1", high), kernel.constant(f"{name}_2", low)
+    return kernel.constant(f"{name}_1", high), kernel.constant(f"{name}_2", low * times)
 
 
 def _power(kernel: Kernel, c: str, s: str, power: int, base: str) -> tuple[str, str]:

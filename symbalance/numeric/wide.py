@@ -26,7 +26,10 @@ FARTHEST = 2.0**50
 """The largest |theta| in radians the wide lines reduce; doubles lie 1/4 rad apart there."""
 MANY = 99532
 """So many turns are nearly a whole number of radians."""
-FOLDED, CREST = re.compile(r"w(\d+)"), re.compile(r"r\d+p")
+FOLDED, CREST = re.compile(r"x(\d+)"), re.compile(r"r\d+p")
+STEP = re.compile(r"[\d.]+\*")
+BOTH = {"pa": "beyond_1", "rest": "beyond_2"}
+"""A displacement near dead centre takes the two apart: with the first its difference stays exact."""
 GRID = 4294967296.0
 
 
@@ -52,23 +55,27 @@ def widened(near: Kernel) -> Kernel:
         ]
     kernel.line("many", f"rint(theta*{per})", f"times {MANY} turns")
     kernel.line("g", f"rint(many*{part}*{GRID!r})/{GRID!r}", "exact from here to theta")
-    kernel.line("beyond", f"(many*{names[0]} - g) + many*{names[1]}", "what theta leaves out")
+    kernel.line("beyond_1", f"many*{names[0]} - g", "exact: what theta leaves out")
+    kernel.line("beyond_2", f"many*{names[1]}", "and the rest of that")
+    kernel.line("beyond", "beyond_1 + beyond_2")
     kernel.line("theta", f"(theta - many*{whole}) - g", "below 2^20, by whole turns the same angle")
     corrected = [_corrected(line) for line in near.lines]
     reductions = sum(line.formula.startswith("rint(theta*") for line in near.lines)
-    if sum(new != old for new, old in zip(corrected, near.lines, strict=True)) != reductions:
+    placed = sum(new != old for new, old in zip(corrected, near.lines, strict=True) if old.name != "pa")
+    if placed != reductions:
         raise ValueError("a reduction of theta has no place for what lies beyond it")
     kernel.lines += corrected
-    return kernel
+    return kernel.pruned({line.name for line in near.lines})
 
 
 def _corrected(line: Line) -> Line:
     """Return a line with the rest of the angle put in, where the period's own rest is."""
     folded = FOLDED.fullmatch(line.name)
     if folded:
-        return replace(line, formula=f"{line.formula} + side{folded[1]}*beyond")
+        step = STEP.match(line.formula)
+        return replace(line, formula=f"{line.formula} + {step[0] if step else ''}side{folded[1]}*beyond")
     if CREST.fullmatch(line.name):
         return replace(line, formula=f"{line.formula} - beyond")
-    if line.name == "rest":
-        return replace(line, formula=f"{line.formula} - beyond")
+    if line.name in BOTH:
+        return replace(line, formula=f"{line.formula} - {BOTH[line.name]}")
     return line

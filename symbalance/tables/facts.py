@@ -11,10 +11,13 @@ import sympy
 from mpmath import mp
 
 from symbalance.angles import Angle
+from symbalance.decimal_phasor import DecimalPhasor
 from symbalance.layout import Layout
+from symbalance.mechanisms import LinkRod, Mechanism
 from symbalance.rational import Real, decimal_text
 from symbalance.resultants import Balance, Order, Resultant
 from symbalance.spectrum import Component, SymbolicPhasor
+from symbalance.unlike import kinds
 
 SHOWN_DIGITS = 6
 
@@ -31,6 +34,11 @@ class Row:
     def has_symbols(self) -> bool:
         """Whether the component depends on a symbolic angle."""
         return isinstance(self.component.number, SymbolicPhasor)
+
+    @property
+    def is_decimal(self) -> bool:
+        """Whether the component is a number of some digits, with no exact form."""
+        return isinstance(self.component.number, DecimalPhasor)
 
     def decimals(self) -> tuple[str, str, str, str] | None:
         """Return cos, sin, amplitude and phase in decimals, or None with symbols in them."""
@@ -154,6 +162,26 @@ def origin(layout: Layout, printed: Callable[[Angle], str]) -> str:
     if first.delay != Angle(Fraction(0)):
         return f"the pin of cylinder {first.number} at {printed(first.throw)} from straight up"
     return f"cylinder {first.number} at {'firing ' if first.fires == 0 else ''}top dead centre"
+
+
+def unlike(layout: Layout) -> list[str]:
+    """Return what is said of cylinders that are not alike: which share what, and the units of it all."""
+    first = layout.cylinders[0].number
+    lines = ["cylinders by kind:"]
+    for (mechanism, size), places in kinds(layout).items():
+        numbers = ", ".join(str(layout.cylinders[i].number) for i in places)
+        share = "" if size == 1 else f", m r {_decimal(size)} times that of cylinder {first}"
+        lines.append(f"  {numbers}: {_mechanism(mechanism)}{share}")
+    return [*lines, f"m, r: reciprocating mass and crank radius of cylinder {first}; a: cylinder pitch"]
+
+
+def _mechanism(mechanism: Mechanism) -> str:
+    if isinstance(mechanism, LinkRod):
+        angle, radius = _decimal(mechanism.link_angle * 360), _decimal(mechanism.link_radius)
+        where = f"its pin {radius} r from the crank pin at {angle}°"
+        return f"link rod, l/r = {_decimal(mechanism.length)}, {where}"
+    offset = f", offset e/r = {_decimal(mechanism.offset)}" if mechanism.offset else ""
+    return f"λ = l/r = {_decimal(mechanism.ratio)}{offset}"
 
 
 def degrees_text(angle: Angle) -> str:

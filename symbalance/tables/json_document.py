@@ -47,16 +47,23 @@ def _cylinder(cylinder: Cylinder) -> dict[str, Any]:
 
 
 def _order(order: Order, balance: Balance) -> dict[str, Any]:
-    value = balance.values.get(order.order)
     return {
         "order": str(order.order),
-        "coefficient": {
-            "series": str(order.coefficient.in_lam()),
-            "through": order.coefficient.through,
-            "value": None if value is None else decimal_text(value, VALUE_DIGITS),
-        },
+        "coefficient": _coefficient(order, balance),
         "force": _resultant(order.force),
         "couple": _resultant(order.couple),
+    }
+
+
+def _coefficient(order: Order, balance: Balance) -> dict[str, Any] | None:
+    """Return A_n, or None where cylinders are unlike: components then hold the kinematics too."""
+    if order.coefficient is None:
+        return None
+    value = balance.values.get(order.order)
+    return {
+        "series": str(order.coefficient.in_lam()),
+        "through": order.coefficient.through,
+        "value": None if value is None else decimal_text(value, VALUE_DIGITS),
     }
 
 

@@ -28,6 +28,7 @@ from symbalance.tables.facts import (
     rows,
     shown,
     strokes,
+    unlike,
 )
 from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
 
@@ -94,9 +95,12 @@ def _(result: Derivation, *, standalone: bool = False) -> str:
 
 @to_latex.register
 def _(result: Balance, *, standalone: bool = False) -> str:
-    force = _resultant(result, "force", r"\textbf{Free force}, unit \(F_n = A_n\, m r \omega^2\)")
+    units = (r"\(F_n = A_n\, m r \omega^2\)", r"\(F_n a\)")
+    if not result.is_uniform:
+        units = (r"\(m r \omega^2\)", r"\(m r \omega^2 a\)")
+    force = _resultant(result, "force", rf"\textbf{{Free force}}, unit {units[0]}")
     couple = _resultant(
-        result, "couple", rf"\textbf{{Free couple}} about {plane(result)}, unit \(F_n a\)"
+        result, "couple", rf"\textbf{{Free couple}} about {plane(result)}, unit {units[1]}"
     )
     body = "\n\n\\medskip\n".join([_heading(result), force, couple, _coefficients(result)])
     return in_document(body) if standalone else body + "\n"
@@ -114,7 +118,10 @@ def _heading(balance: Balance) -> str:
     layout, ratio = balance.layout, ""
     count, fires = len(layout.cylinders), firing(layout)
     noun = "cylinders" if count > 1 else "cylinder"
-    if balance.ratio is not None:
+    sizes = [r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius,"]
+    if not balance.is_uniform:
+        sizes = [_escaped(line).strip() + "," for line in unlike(layout)]
+    elif balance.ratio is not None:
         ratio = rf", here \(\lambda = {_ratio(balance)}\)"
     return "\n".join(
         [
@@ -123,7 +130,7 @@ def _heading(balance: Balance) -> str:
             rf"Convention: \(\lambda = l/r\), connecting rod length over crank radius{ratio};",
             r"\(\theta\) is the crank angle, angles positive in the sense of rotation from straight up,",
             rf"clockwise seen from the front; \(\theta = 0\) has {origin(layout, _angle)};",
-            r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius,",
+            *sizes,
             r"\(a\) the pitch of the cylinders; forces are positive upwards and to the right,",
             r"seen from the front; couples are positive with the front pushed up or right.",
             r"Order \(n\) reads",
@@ -147,6 +154,9 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
 
 def _row(row: Row) -> str:
     exact, decimals = [latex(e) for e in row.exact()], row.decimals()
+    if row.is_decimal and decimals is not None:
+        cos, sin, amplitude, phase = (rf"\({_number(d)}\)" for d in decimals)
+        return " & ".join([str(row.order), row.name, cos, sin, amplitude, "", phase])
     cells, nearly = [], r"\approx "
     for i, formula in enumerate(exact):
         if decimals is None:
@@ -177,6 +187,8 @@ def _turning(row: Row) -> list[str]:
     exact, decimals = [latex(e) for e in row.exact()], row.decimals()
     if decimals is None:
         return [rf"\({e}\)" if len(e) <= LONGEST_CELL else "long" for e in exact[2:]]
+    if row.is_decimal:
+        return [rf"\({_number(d)}\)" for d in decimals[2:]]
     amplitude, phase = (_number(d) for d in decimals[2:])
     if len(exact[2]) <= LONGEST_CELL and exact[2] != amplitude:
         amplitude = rf"{exact[2]} \approx {amplitude}"
@@ -211,6 +223,8 @@ def _tabulars(columns: str, head: str, lines: list[str], gap: int = 2) -> str:
 
 
 def _coefficients(balance: Balance) -> str:
+    if not balance.is_uniform:
+        return "Components hold the kinematics of their cylinders."
     if not balance.orders:
         return "No order survives, so no coefficient is needed."
     series = [_series(order) for order in balance.orders]
@@ -229,6 +243,7 @@ def _coefficients(balance: Balance) -> str:
 
 def _series(order: Order) -> str:
     """Return a coefficient's series; one whose numbers fill a line by its leading term, rounded."""
+    assert order.coefficient is not None
     power, lead = min(order.coefficient.terms.items())
     if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
         return series_latex(order.coefficient, ellipsis=True)

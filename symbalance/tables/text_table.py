@@ -21,6 +21,7 @@ from symbalance.tables.facts import (
     rows,
     shown,
     strokes,
+    unlike,
 )
 
 WIDTH = 79
@@ -31,7 +32,6 @@ LONGEST_PHASE = 8
 _HEAD = ("order", "component", "cos nθ", "sin nθ", "amplitude", "≈", "phase")
 _EXACT = (2, 3, 4)
 _LEGEND = (
-    "m: reciprocating mass of one cylinder, r: crank radius, a: cylinder pitch",
     "+ is up or right seen from the front; a couple + pushes the front up or right",
     "C cos nθ + S sin nθ = amplitude · cos(nθ − phase)",
 )
@@ -40,10 +40,11 @@ _LEGEND = (
 def to_text(balance: Balance) -> str:
     """Return a balance as text: the engine, its free force, its free couple, the coefficients A_n."""
     checked_balance(balance)
+    force, couple = ("Fₙ = Aₙ m r ω²", "Fₙ a") if balance.is_uniform else ("m r ω²", "m r ω² a")
     blocks = [
         _heading(balance),
-        _resultant(balance, "force", "Free force, unit Fₙ = Aₙ m r ω²"),
-        _resultant(balance, "couple", f"Free couple about {plane(balance)}, unit Fₙ a"),
+        _resultant(balance, "force", f"Free force, unit {force}"),
+        _resultant(balance, "couple", f"Free couple about {plane(balance)}, unit {couple}"),
         _coefficients(balance),
     ]
     return "\n\n".join(block for block in blocks if block) + "\n"
@@ -57,10 +58,18 @@ def _heading(balance: Balance) -> str:
         f"{banks(layout, _angle)}",
         *([f"fires {fires}"] if fires else []),
         f"θ (clockwise seen from the front) = 0: {origin(layout, _angle)}",
-        f"λ = l/r (rod over crank radius): {'not given' if balance.ratio is None else balance.ratio}",
+        *(_like(balance) if balance.is_uniform else unlike(layout)),
         *_LEGEND,
     ]
     return "\n".join(part for line in lines for part in _wrapped(line, "  "))
+
+
+def _like(balance: Balance) -> list[str]:
+    ratio = "not given" if balance.ratio is None else balance.ratio
+    return [
+        f"λ = l/r (rod over crank radius): {ratio}",
+        "m: reciprocating mass of one cylinder, r: crank radius, a: cylinder pitch",
+    ]
 
 
 def _angle(bank: Angle) -> str:
@@ -98,6 +107,9 @@ def _width(table: Sequence[Sequence[str]]) -> int:
 
 def _cells(row: Row, below: Sequence[int] = (), short: int = SHORT) -> list[str]:
     exact, decimals = [text(e) for e in row.exact()], row.decimals()
+    if row.is_decimal and decimals is not None:
+        cos, sin, amplitude, phase = (d.replace("-", "−") for d in decimals)
+        return [str(row.order), row.name, cos, sin, amplitude, "", phase]
     cells = [str(row.order), row.name, *exact[:3], "", exact[3]]
     if decimals is None:
         return ["see below" if i in below and len(c) > short else c for i, c in enumerate(cells)]
@@ -150,6 +162,8 @@ def _turning(row: Row, longest: int = SHORT) -> list[str]:
     exact, decimals = [text(e) for e in row.exact()], row.decimals()
     if decimals is None:
         return [exact[2], exact[3]]
+    if row.is_decimal:
+        return [d.replace("-", "−") for d in decimals[2:]]
     amplitude, phase = (d.replace("-", "−") for d in decimals[2:])
     if len(exact[2]) <= longest and exact[2] != amplitude:
         amplitude = f"{exact[2]} ≈ {amplitude}"
@@ -169,11 +183,12 @@ def _grid(table: Sequence[Sequence[str]]) -> list[str]:
 
 
 def _coefficients(balance: Balance) -> str:
-    if not balance.orders:
+    if not balance.orders or not balance.is_uniform:
         return ""
     at = "" if balance.ratio is None else f"at λ = {balance.ratio}"
     table = []
     for order in balance.orders:
+        assert order.coefficient is not None
         series = series_text(order.coefficient, ellipsis=True)
         value = balance.values.get(order.order)
         table.append([str(order.order), series, "" if value is None else shown(value).replace("-", "−")])

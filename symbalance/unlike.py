@@ -1,0 +1,126 @@
+r"""Engines whose cylinders are not alike: offset axes, link rods, masses and strokes of their own.
+
+Cylinder j pushes along its axis with F_j = m_j r_j omega^2 Re sum of 2 n^2 c_n(j) e^(i n p_j), c_n the
+harmonics of its own mechanism's height (`symbalance.mechanisms`), p_j = theta + throw - bank. In units of
+m r omega^2 of cylinder 1, with s_j = m_j r_j/(m_1 r_1),
+
+    c_{+-n} = 1/2 sum of w_j s_j e^(i bank_j) f_{+-n}(j) e^(+-i n (throw_j - bank_j)),   f_n = 2 n^2 c_n.
+
+Cylinders that are alike are summed exactly first, as in an ideal engine: where that geometry vanishes
+the order is gone, exactly; what is left of several kinds of cylinder is a number of 40 digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+
+from mpmath import mp
+
+from symbalance.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.errors import SymbalanceError
+from symbalance.layout import Cylinder, Layout
+from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank, force_harmonics
+from symbalance.phasor import Phasor
+from symbalance.rational import Real
+from symbalance.spectrum import Number, Spectrum
+from symbalance.trains import CrankTrain
+
+Kind = tuple[Mechanism, Fraction]
+Geometry = Callable[[Sequence[Cylinder], Sequence[int], Sequence[Fraction]], Mapping[int, Phasor]]
+
+
+def mechanism_of(layout: Layout, cylinder: Cylinder) -> Mechanism:
+    """Return what joins a cylinder's piston to the crank, lengths over its crank radius.
+
+    >>> from symbalance.catalogue import load
+    >>> mechanism_of(load("inline-4"), load("inline-4").cylinders[0])
+    SliderCrank(ratio=Fraction(4, 1), offset=Fraction(0, 1))
+    """
+    train = layout.train_of(cylinder)
+    if cylinder.link is None:
+        return SliderCrank(_ratio(train, cylinder), train.offset_ratio)
+    master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
+    over = layout.train_of(master)
+    if over.stroke is None or cylinder.own.rod is None:
+        what = f"cylinder {cylinder.number}"
+        raise SymbalanceError(
+            what, "hangs on a rod of unknown size", "give stroke and rod in [crank_train]"
+        )
+    radius = over.stroke / 2
+    between = cylinder.bank.turns - master.bank.turns
+    offset = (cylinder.own.offset or Fraction(0)) / radius
+    first = SliderCrank(_ratio(over, master), over.offset_ratio)
+    link = cylinder.link
+    return LinkRod(first, link.angle, link.radius / radius, cylinder.own.rod / radius, between, offset)
+
+
+def _ratio(train: CrankTrain, cylinder: Cylinder) -> Fraction:
+    if train.ratio is None:
+        what, remedy = f"cylinder {cylinder.number}", "give stroke and rod in mm, or ratio"
+        raise SymbalanceError(what, "has no rod ratio, and the engine's cylinders are not alike", remedy)
+    return train.ratio
+
+
+def sizes(layout: Layout) -> list[Fraction]:
+    """Return every cylinder's m r over that of the first; 1 where no masses or strokes are given."""
+    trains = [layout.train_of(c) for c in layout.cylinders]
+    masters = {c.number: layout.train_of(c) for c in layout.cylinders}
+    strokes = [
+        (masters[c.link.master] if c.link else t).stroke
+        for c, t in zip(layout.cylinders, trains, strict=True)
+    ]
+    masses = [t.reciprocating_mass for t in trains]
+    found = [Fraction(1)] * len(trains)
+    for name, values in (("reciprocating_mass", masses), ("stroke", strokes)):
+        first = values[0]
+        if any(v != first for v in values):
+            if not first or any(v is None for v in values):
+                rule = "is given for some cylinders and not for others"
+                raise SymbalanceError(name, rule, "give it for all, or in [crank_train]")
+            found = [f * v / first for f, v in zip(found, values, strict=True) if v is not None]
+    return found
+
+
+def kinds(layout: Layout) -> dict[Kind, list[int]]:
+    """Return the places of the cylinders by kind: mechanism, and m r over that of the first."""
+    if layout.has_symbols:
+        rule, remedy = (
+            "has angles with symbols, and cylinders that are not alike",
+            "give the angles in numbers",
+        )
+        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
+    found: dict[Kind, list[int]] = {}
+    for place, (cylinder, size) in enumerate(zip(layout.cylinders, sizes(layout), strict=True)):
+        found.setdefault((mechanism_of(layout, cylinder), size), []).append(place)
+    return found
+
+
+def unlike_spectrum(
+    layout: Layout, orders: Sequence[int], weights: Sequence[Fraction], geometry: Geometry
+) -> Spectrum:
+    """Return the planar vector's orders in units of m r omega^2 of cylinder 1, to 40 digits.
+
+    `geometry` sums like cylinders exactly, as for an ideal engine.
+    """
+    total: dict[int, DecimalPhasor] = {}
+    for (mechanism, size), places in kinds(layout).items():
+        exact = geometry([layout.cylinders[i] for i in places], orders, [weights[i] for i in places])
+        forces = force_harmonics(mechanism, max(orders, default=1), DIGITS)
+        for n, phasor in exact.items():
+            if abs(n) not in forces or phasor.is_zero():
+                continue
+            cos, sin = forces[abs(n)]
+            with mp.workdps(DIGITS):
+                factor = mp.mpc(cos, -sin if n > 0 else sin) * size.numerator / size.denominator
+                part = DecimalPhasor(_number(phasor) * factor)
+            total[n] = total[n] + part if n in total else part
+    numbers: dict[int, Number] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
+    return Spectrum(numbers)
+
+
+def _number(phasor: Phasor) -> Real:
+    from symbalance.radicals import evaluated
+
+    with mp.workdps(DIGITS + 5):
+        return mp.mpc(evaluated(phasor.real(), DIGITS), evaluated(phasor.imaginary(), DIGITS))

@@ -1,0 +1,228 @@
+"""Engines whose cylinders are not alike, against pistons placed by intersecting circles and lines."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from mpmath import mp
+
+import symbalance as sb
+from symbalance.cli import run
+from symbalance.trains import CrankTrain, Link
+
+SHARED = CrankTrain(stroke=Fraction(90), rod=Fraction(164))
+
+
+def narrow_six() -> sb.Layout:
+    """Return a narrow vee: 15 degrees, axes 12.5 mm to either side of the crank, pins split by 22."""
+    rows = []
+    for number, pin in enumerate((0, 120, 240, 240, 120, 0), 1):
+        odd = number % 2
+        bank = Fraction(-15, 2) if odd else Fraction(15, 2)
+        split = -11 if odd else 11
+        offset = Fraction(-25, 2) if odd else Fraction(25, 2)
+        rows.append(sb.Cylinder(number, pin + split, bank, Fraction(5, 2) - (number - 1), offset=offset))
+    return sb.Layout(rows, crank_train=SHARED, name="narrow six")
+
+
+def hung_radial(count: int = 5) -> sb.Layout:
+    """Return a radial: one master rod, the others hung on it."""
+    rows = [sb.Cylinder(1)]
+    for i in range(1, count):
+        bank = Fraction(360 * i, count)
+        bank -= 360 * (bank > 180)
+        rows.append(sb.Cylinder(i + 1, 0, bank, rod=Fraction(130), link=Link(1, bank, Fraction(34))))
+    return sb.Layout(rows, crank_train=SHARED, name="hung radial")
+
+
+def mixed_four() -> sb.Layout:
+    """Return a four with one heavy and one short-stroke cylinder."""
+    own = [{}, {"reciprocating_mass": Fraction(7, 10)}, {"stroke": 80, "rod": 150}, {}]
+    throws, stations = (0, 180, 180, 0), (1.5, 0.5, -0.5, -1.5)
+    rows = [
+        sb.Cylinder(i + 1, throws[i], 0, Fraction(stations[i]), **own[i])  # pyright: ignore
+        for i in range(4)
+    ]
+    train = CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1, 2))
+    return sb.Layout(rows, crank_train=train, name="mixed four")
+
+
+ENGINES = {"narrow six": narrow_six, "hung radial": hung_radial, "mixed four": mixed_four}
+
+
+def place(layout: sb.Layout, cylinder: sb.Cylinder, theta):
+    """Return how far a piston stands from the crank along its axis, in mm, by geometry alone."""
+    train = layout.train_of(cylinder)
+    if cylinder.link is None:
+        axis = direction(cylinder.bank)
+        pin = exact(train.stroke / 2) * mp.expj(theta + turned(cylinder.throw))
+        return along(pin, axis, train.rod, train.offset or 0)
+    master = layout.cylinders[cylinder.link.master - 1]
+    over = layout.train_of(master)
+    pin = exact(over.stroke / 2) * mp.expj(theta + turned(master.throw))
+    top = along(pin, direction(master.bank), over.rod, over.offset or 0) * direction(master.bank)
+    rod = (top - pin) / abs(top - pin)
+    link_pin = pin + exact(cylinder.link.radius) * rod * mp.expjpi(mp.mpf(2) * exact(cylinder.link.angle))
+    return along(link_pin, direction(cylinder.bank), cylinder.own.rod, cylinder.own.offset or 0)
+
+
+def along(pin, axis, length, offset):
+    """Return where a rod from `pin` meets a line parallel to `axis`, `offset` to its right."""
+    own = pin / axis
+    return own.real + mp.sqrt(exact(length) ** 2 - (own.imag - exact(Fraction(offset))) ** 2)
+
+
+def exact(fraction: Fraction):
+    return mp.mpf(fraction.numerator) / fraction.denominator
+
+
+def turned(angle):
+    return 2 * mp.pi * exact(angle.turns)
+
+
+def direction(angle):
+    return mp.expj(turned(angle))
+
+
+def planar(layout: sb.Layout, theta, arms: bool):
+    """Return vertical + i lateral over m r omega^2 of cylinder 1, by numeric differentiation."""
+    first = layout.train_of(layout.cylinders[0])
+    total = mp.mpc(0)
+    for cylinder in layout.cylinders:
+        train = layout.train_of(cylinder)
+        mass = exact((train.reciprocating_mass or 1) / (first.reciprocating_mass or Fraction(1)))
+        force = -mp.diff(lambda t, c=cylinder: place(layout, c, t), theta, 2) / exact(first.stroke / 2)
+        arm = exact(cylinder.station - layout.mean_station) if arms else 1
+        total += mass * arm * force * direction(cylinder.bank)
+    return total
+
+
+@pytest.mark.parametrize("name", ENGINES)
+@pytest.mark.parametrize("arms", [False, True], ids=["force", "couple"])
+def test_all_orders_together_are_the_pistons(name, arms):
+    layout = ENGINES[name]()
+    result = sb.balance(layout, 40)
+    spectrum = result.couple if arms else result.force
+    with mp.workdps(40):
+        for theta in (mp.mpf("0.3"), mp.mpf("-2.1"), mp.mpf("4.4")):
+            total = mp.mpc(0)
+            for n in spectrum.orders():
+                for unit, part in ((1, "vertical"), (1j, "lateral")):
+                    cos, sin = spectrum.component(n, part).decimal(30)
+                    total += unit * (cos * mp.cos(n * theta) + sin * mp.sin(n * theta))
+            assert abs(total - planar(layout, theta, arms)) < mp.mpf(10) ** -15
+
+
+@pytest.mark.parametrize("name", ENGINES)
+def test_functions_hold_the_same(name):
+    layout = ENGINES[name]()
+    outputs = ("force.vertical", "force.lateral", "couple.vertical")
+    made = sb.to_function(sb.balance(layout, 30), outputs=outputs)
+    theta = np.array([0.25, -3.0, 9.5])
+    values = made(theta)
+    with mp.workdps(30):
+        for i, t in enumerate(theta):
+            force, couple = planar(layout, mp.mpf(t), False), planar(layout, mp.mpf(t), True)
+            assert abs(values["force.vertical"][i] - force.real) < 2e-15
+            assert abs(values["force.lateral"][i] - force.imag) < 2e-15
+            assert abs(values["couple.vertical"][i] - couple.real) < 2e-14
+
+
+def test_what_cancels_among_like_cylinders_is_gone():
+    """Three cylinders of each bank at 120 degrees: orders 1 and 2 of the force vanish exactly."""
+    orders = sb.balance(narrow_six(), 12).force.orders()
+    assert 1 not in orders
+    assert 2 not in orders
+    assert 3 in orders  # the offset brings odd orders
+
+
+def test_the_narrow_vee_fires_evenly():
+    """Split pins of 22 degrees make up for the bank angle and the dead centres the offset moves."""
+    from symbalance.mechanisms import dead_centres
+    from symbalance.unlike import mechanism_of
+
+    layout = narrow_six()
+    tops = {}
+    for cylinder in layout.cylinders[:2]:
+        centre = dead_centres(mechanism_of(layout, cylinder)).top
+        tops[cylinder.number] = float(centre) * 180 / np.pi - float(cylinder.delay.turns) * 360
+    assert abs((tops[1] - tops[2] + 60) % 120 - 60) < 0.2  # modulo the crank's 120 degrees
+
+
+def test_an_ideal_engine_stays_exact():
+    plain = sb.balance(sb.load("inline-6"), 12)
+    assert plain.is_uniform
+    assert plain[6].coefficient is not None
+    assert str(plain[6].force.vertical.cos) == "6"
+
+
+FILE = """
+name = "hung twin"
+[crank_train]
+stroke = 90
+rod = 164
+[[cylinder]]
+number = 1
+throw = 0
+bank = -30
+[[cylinder]]
+number = 2
+throw = {throw}
+bank = 30
+master = {master}
+link_angle = 60
+link_radius = {radius}
+rod = {rod}
+"""
+
+
+def text(**changes: object) -> str:
+    return FILE.format(**{"throw": 0, "master": 1, "radius": 30, "rod": 134, **changes})
+
+
+def test_an_engine_file_of_link_rods(tmp_path, capsys):
+    path = tmp_path / "twin.toml"
+    path.write_text(text(), encoding="utf-8")
+    for form in ("text", "latex", "json"):
+        assert run(["balance", str(path), "--order", "4", "--format", form]) == 0
+        out = capsys.readouterr().out
+        if form == "json":
+            assert json.loads(out)["orders"][0]["coefficient"] is None
+        else:
+            assert "link rod" in out
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"throw": 10}, "a link rod shares its master's pin"),
+        ({"master": 2}, "names no other cylinder"),
+        ({"master": 7}, "names no other cylinder"),
+        ({"radius": -3}, "must be positive"),
+        ({"rod": 40}, "for the rod to reach at every crank angle"),
+        ({"rod": "134\nstroke = 80"}, "is not a link rod's to choose"),
+        ({"rod": "0"}, "must be positive"),
+    ],
+)
+def test_refusals_name_the_file(changes, words, tmp_path, capsys):
+    path = tmp_path / "twin.toml"
+    path.write_text(text(**changes), encoding="utf-8")
+    assert run(["balance", str(path)]) == 2
+    err = capsys.readouterr().err
+    assert words in err
+    assert err.count("\n") == 1
+
+
+def test_sizes_some_have_and_others_not_are_refused():
+    rows = [sb.Cylinder(1), sb.Cylinder(2, 180, reciprocating_mass=Fraction(1))]
+    with pytest.raises(sb.SymbalanceError, match="given for some cylinders and not for others"):
+        sb.balance(sb.Layout(rows, crank_train=SHARED))
+    with pytest.raises(sb.SymbalanceError, match="needs the stroke"):
+        sb.balance(sb.Layout([sb.Cylinder(1, offset=3)], ratio=4))
+    with pytest.raises(sb.SymbalanceError, match="no proven bound"):
+        sb.to_function(sb.balance(narrow_six()), tolerance=1e-3)
+    with pytest.raises(sb.SymbalanceError, match="cannot be set"):
+        sb.to_function(sb.balance(narrow_six()), ratio=4)
