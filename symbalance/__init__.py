@@ -18,15 +18,16 @@ __version__ = "0.1.0"
 _HOMES = {
     "Angle": "angles",
     "degrees": "angles",
-    "Cylinder": "layout",
+    "Cylinder": "cylinders",
     "Layout": "layout",
-    "CrankTrain": "layout",
+    "CrankTrain": "trains",
     "from_firing_order": "builders",
     "inline": "builders",
     "vee": "builders",
     "boxer": "builders",
     "w": "builders",
     "radial": "builders",
+    "Link": "trains",
     "load": "catalogue",
     "presets": "catalogue",
     "balance": "resultants",
@@ -81,10 +82,9 @@ if TYPE_CHECKING:
     from symbalance.checking import report_json as report_json
     from symbalance.checking import report_latex as report_latex
     from symbalance.checking import report_text as report_text
+    from symbalance.cylinders import Cylinder as Cylinder
     from symbalance.derivation import derive as derive
     from symbalance.errors import SymbalanceError as SymbalanceError
-    from symbalance.layout import CrankTrain as CrankTrain
-    from symbalance.layout import Cylinder as Cylinder
     from symbalance.layout import Layout as Layout
     from symbalance.numeric import to_function as to_function
     from symbalance.resultants import Balance as Balance
@@ -97,4 +97,6 @@ if TYPE_CHECKING:
     from symbalance.tables.json_document import to_json as to_json
     from symbalance.tables.latex_document import to_latex as to_latex
     from symbalance.tables.text_table import to_text as to_text
+    from symbalance.trains import CrankTrain as CrankTrain
+    from symbalance.trains import Link as Link
     from symbalance.truncation import left_out as left_out

@@ -13,6 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.angles import Angle, angle
+from symbalance.cylinders import MOST_CYLINDERS, Cylinder, checked_bank
 from symbalance.errors import SymbalanceError, shown
 from symbalance.firing import (
     FiringOrder,
@@ -22,7 +23,7 @@ from symbalance.firing import (
     read_stagger,
     stations,
 )
-from symbalance.layout import MOST_CYLINDERS, Cylinder, Layout, checked_bank, checked_strokes
+from symbalance.layout import Layout, checked_strokes
 from symbalance.rational import checked_whole, listed
 
 

@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from symbalance.builders import from_firing_order
+from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import Cylinder, Layout, checked_name, checked_strokes
+from symbalance.layout import Layout, checked_name, checked_strokes
 from symbalance.slider_crank import checked_ratio
 from symbalance.trains import OWN, CrankTrain, Link, checked_size
 

@@ -7,8 +7,8 @@ from fractions import Fraction
 from itertools import accumulate
 
 from symbalance.angles import degrees
+from symbalance.cylinders import MOST_CYLINDERS
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import MOST_CYLINDERS
 from symbalance.rational import exact, listed
 
 FiringOrder = str | Sequence[int]

@@ -20,8 +20,9 @@ from math import lcm
 from typing import Any
 
 from symbalance.angles import SymbolPart
+from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import Cylinder, Layout
+from symbalance.layout import Layout
 from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real, exact
 from symbalance.slider_crank import (

@@ -17,9 +17,10 @@ from fractions import Fraction
 
 from mpmath import mp
 
+from symbalance.cylinders import Cylinder
 from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Cylinder, Layout
+from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank, force_harmonics
 from symbalance.phasor import Phasor
 from symbalance.rational import Real

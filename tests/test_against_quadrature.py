@@ -20,7 +20,8 @@ from kinematics import DIGITS, Place
 from mpmath import mp
 
 from symbalance.builders import boxer, from_firing_order, inline, radial, vee, w
-from symbalance.layout import Cylinder, Layout
+from symbalance.cylinders import Cylinder
+from symbalance.layout import Layout
 from symbalance.resultants import Balance, Resultant, balance
 from symbalance.slider_crank import (
     QUANTITIES,

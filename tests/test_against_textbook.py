@@ -26,7 +26,8 @@ import pytest
 import sympy
 
 from symbalance.catalogue import load, preset_names, presets
-from symbalance.layout import Cylinder, Layout
+from symbalance.cylinders import Cylinder
+from symbalance.layout import Layout
 from symbalance.resultants import Balance, Resultant, balance
 
 Row = dict[str, Any]

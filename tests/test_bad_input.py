@@ -18,10 +18,11 @@ from hypothesis import given, settings
 
 from symbalance.angles import angle, degrees
 from symbalance.builders import boxer, from_firing_order, inline, radial, vee, w
+from symbalance.cylinders import Cylinder
 from symbalance.derivation import derive
 from symbalance.engine_file import parse_engine
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import CrankTrain, Cylinder, Layout
+from symbalance.layout import Layout
 from symbalance.numeric import to_function
 from symbalance.rational import exact
 from symbalance.resultants import balance
@@ -31,6 +32,7 @@ from symbalance.symbols import symbol
 from symbalance.tables.json_document import to_json
 from symbalance.tables.latex_document import to_latex
 from symbalance.tables.text_table import to_text
+from symbalance.trains import CrankTrain
 from symbalance.truncation import left_out
 
 X = sympy.Symbol("x")

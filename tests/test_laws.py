@@ -25,9 +25,10 @@ from mpmath import mp
 from symbalance.angles import Angle, angle, degrees
 from symbalance.builders import from_firing_order, inline, vee
 from symbalance.catalogue import load
+from symbalance.cylinders import Cylinder
 from symbalance.derivation import derivation_text, derive
 from symbalance.derivation.bounds import printed_error
-from symbalance.layout import Cylinder, Layout
+from symbalance.layout import Layout
 from symbalance.numeric import to_function
 from symbalance.phasor import ONE, Phasor
 from symbalance.radicals import (

@@ -21,7 +21,8 @@ from test_against_quadrature import DisagreementError, assert_agrees, assert_clo
 from symbalance import phasor, spectrum
 from symbalance import resultants as balance_module
 from symbalance.builders import inline, vee
-from symbalance.layout import Cylinder, Layout
+from symbalance.cylinders import Cylinder
+from symbalance.layout import Layout
 from symbalance.phasor import Phasor
 from symbalance.radicals import characters, forms
 from symbalance.slider_crank import acceleration_series, powers

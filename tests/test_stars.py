@@ -17,8 +17,9 @@ from hypothesis import given, settings
 
 from symbalance.builders import boxer, from_firing_order, inline, radial, vee
 from symbalance.catalogue import load, presets
+from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Cylinder, Layout
+from symbalance.layout import Layout
 from symbalance.resultants import balance
 from symbalance.stars import (
     Firing,

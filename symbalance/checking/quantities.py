@@ -17,8 +17,9 @@ from symbalance.catalogue import load
 from symbalance.checking.geometry import Geometry
 from symbalance.checking.letters import far_power, series_node
 from symbalance.checking.sidecar import Bind
+from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Cylinder, Layout
+from symbalance.layout import Layout
 from symbalance.reading.syntax import (
     Call,
     Constant,

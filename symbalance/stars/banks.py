@@ -14,8 +14,9 @@ from math import gcd
 from typing import Any
 
 from symbalance.angles import degrees
+from symbalance.cylinders import MOST_CYLINDERS
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import MOST_CYLINDERS, checked_strokes
+from symbalance.layout import checked_strokes
 from symbalance.rational import checked_whole, exact, listed
 
 Crank = int | Sequence[object]

@@ -25,8 +25,9 @@ from typing import TYPE_CHECKING
 from mpmath import mp
 
 from symbalance.builders import inline
+from symbalance.cylinders import MOST_CYLINDERS
 from symbalance.errors import SymbalanceError
-from symbalance.layout import MOST_CYLINDERS, Layout, checked_strokes
+from symbalance.layout import Layout, checked_strokes
 from symbalance.phasor import Phasor
 from symbalance.rational import checked_whole
 from symbalance.spectrum import Component

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy
 
-from symbalance.layout import Cylinder
+from symbalance.cylinders import Cylinder
 from symbalance.rational import decimal_text
 from symbalance.resultants import Balance, Order, Resultant, checked_balance
 from symbalance.spectrum import COMPONENTS, Component, SymbolicPhasor

@@ -14,7 +14,8 @@ from symbalance.bench.stability.case import OF_AMPLITUDE, ULP, Case, Part, large
 from symbalance.bench.stability.truth import Points, U
 from symbalance.bench.timing import progress
 from symbalance.builders import inline
-from symbalance.layout import Cylinder, Layout
+from symbalance.cylinders import Cylinder
+from symbalance.layout import Layout
 
 RATIOS = (Fraction(10_000_001, 10_000_000), Fraction(101, 100), Fraction(7, 2), Fraction(10**6))
 DISPLACEMENT, VELOCITY = 4.0, 4.0

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 from mpmath import mp
 
-from symbalance.layout import Cylinder, Layout
+from symbalance.cylinders import Cylinder
+from symbalance.layout import Layout
 from symbalance.rational import Real
 
 Array = Any
