@@ -47,6 +47,22 @@ _HOMES = {
     "to_latex": "tables.latex_document",
     "to_json": "tables.json_document",
     "to_function": "numeric",
+    "firing_orders": "stars",
+    "natural_bank_angles": "stars",
+    "pin_offsets": "stars",
+    "crank_stars": "stars",
+    "inertia_torque": "torque",
+    "crank_torque": "torque",
+    "gas_torque": "torque",
+    "firing_stars": "torque",
+    "read_pressure": "torque",
+    "pressure_trace": "torque",
+    "ideal_cycle": "torque",
+    "SliderCrank": "mechanisms",
+    "LinkRod": "mechanisms",
+    "RodSplit": "mechanisms",
+    "dead_centres": "mechanisms",
+    "force_harmonics": "mechanisms",
     "SymbalanceError": "errors",
     "symbol": "symbols",
 }
@@ -86,17 +102,33 @@ if TYPE_CHECKING:
     from symbalance.derivation import derive as derive
     from symbalance.errors import SymbalanceError as SymbalanceError
     from symbalance.layout import Layout as Layout
+    from symbalance.mechanisms import LinkRod as LinkRod
+    from symbalance.mechanisms import RodSplit as RodSplit
+    from symbalance.mechanisms import SliderCrank as SliderCrank
+    from symbalance.mechanisms import dead_centres as dead_centres
+    from symbalance.mechanisms import force_harmonics as force_harmonics
     from symbalance.numeric import to_function as to_function
     from symbalance.resultants import Balance as Balance
     from symbalance.resultants import balance as balance
     from symbalance.slider_crank import exact_coefficient as exact_coefficient
     from symbalance.slider_crank import harmonics as harmonics
+    from symbalance.stars import crank_stars as crank_stars
+    from symbalance.stars import firing_orders as firing_orders
+    from symbalance.stars import natural_bank_angles as natural_bank_angles
+    from symbalance.stars import pin_offsets as pin_offsets
     from symbalance.summation import inline_couple as inline_couple
     from symbalance.summation import inline_sum as inline_sum
     from symbalance.symbols import symbol as symbol
     from symbalance.tables.json_document import to_json as to_json
     from symbalance.tables.latex_document import to_latex as to_latex
     from symbalance.tables.text_table import to_text as to_text
+    from symbalance.torque import crank_torque as crank_torque
+    from symbalance.torque import firing_stars as firing_stars
+    from symbalance.torque import gas_torque as gas_torque
+    from symbalance.torque import ideal_cycle as ideal_cycle
+    from symbalance.torque import inertia_torque as inertia_torque
+    from symbalance.torque import pressure_trace as pressure_trace
+    from symbalance.torque import read_pressure as read_pressure
     from symbalance.trains import CrankTrain as CrankTrain
     from symbalance.trains import Link as Link
     from symbalance.truncation import left_out as left_out

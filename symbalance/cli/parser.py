@@ -35,6 +35,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_derive(commands)
     _add_check(commands)
     _add_emit(commands)
+    _add_torque(commands)
     _add_engines(commands)
     _add_bench(commands)
     return parser
@@ -135,6 +136,28 @@ def _add_emit(commands: argparse._SubParsersAction) -> None:
     )
 
 
+def _add_torque(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "torque", "The torque on an engine's crank: inertia exactly, gas on top.")
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    pressure = parser.add_mutually_exclusive_group()
+    pressure.add_argument(
+        "--pressure", metavar="FILE", help="CSV: degrees after firing top dead centre, bar absolute"
+    )
+    pressure.add_argument("--compression", metavar="ε", help="an ideal Otto cycle of this compression")
+    parser.add_argument(
+        "--heat",
+        metavar="Q",
+        default="18",
+        help="its heat added, in p V at bottom dead centre; default: 18",
+    )
+    parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
+    parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
+    parser.add_argument("--delta", metavar="δ", default="0.02", help="speed fluctuation; default: 0.02")
+    _add_output(parser, ("text", "json"))
+
+
 def _add_engines(commands: argparse._SubParsersAction) -> None:
     parser = _command(commands, "engines", "The preset engines, with their sources.")
     parser.add_argument(
@@ -144,7 +167,16 @@ def _add_engines(commands: argparse._SubParsersAction) -> None:
 
 def _add_bench(commands: argparse._SubParsersAction) -> None:
     parser = _command(commands, "bench", "Measurements on this machine, against named alternatives.")
-    parser.add_argument("topic", choices=("derive", "check"), help="what to measure")
+    parser.add_argument(
+        "topic", choices=("derive", "check", "accuracy", "stability"), help="what to measure"
+    )
     parser.add_argument(
         "--quick", action="store_true", help="fewer repeats, and no alternative over 10 s"
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="NAME",
+        help="accuracy: also write all points to NAME.csv and pictures to NAME.png and NAME.pdf; "
+        "other topics: write the table to the file NAME",
     )

@@ -1,13 +1,15 @@
 """From waves to a plan: which cosines, which polynomial, or the closed form, by a stated rule.
 
-A wave that gives both its harmonics and a closed form takes the closed form where the harmonics need
-more polynomial terms than `DEARER` says one closed form is worth on the target, and where the closed
-form's parts do not cancel. Waves that share a cosine share its lines.
+A wave that gives both its harmonics and a closed form takes the form with the fewer operations an angle,
+a division or a square root counting `ROOT` of them; the closed form only where its rounding stays below
+`MOST_ROUNDING` u of the amplitude (its parts may cancel) or below that of the harmonics. Waves that share
+a cosine share its lines.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
@@ -28,14 +30,14 @@ from symbalance.numeric.waves import DIGITS, Closed, Wave
 from symbalance.numeric.ways import polynomials, prefix
 from symbalance.rational import Real
 
-QUARTER = Fraction(1, 4)
-DEARER = {"numpy": 7, "octave": 7}
-"""Polynomial terms one closed form (a division and a root) is worth; on every other target `DEAR`."""
-DEAR = 16
+ROOT = {"numpy": 3, "octave": 3}
+"""Additions or multiplications one division or square root is worth; compiled: `COMPILED_ROOT`."""
+COMPILED_ROOT = 6
 CLOSED_ERROR = 8.0
 """What a closed form rounds, in u of the sum of its parts' sizes."""
-WORTH_IT = 1.5
-"""A closed form whose parts exceed their sum more than this loses digits: the harmonics stay."""
+MOST_ROUNDING = 12.0
+"""Rounding, in u of the amplitude, a closed form may always have; else no more than the harmonics."""
+OPERATOR = re.compile(r"[-+*]")
 
 
 @dataclass(frozen=True)
@@ -101,23 +103,44 @@ def _plan(waves: Sequence[Wave], ratio: Fraction, target: str) -> Plan:
 
 
 def _planned(wave: Wave, target: str, bases: Bases, tail: Kernel) -> Output:
-    size = wave.amplitude()
-    if wave.closed is not None and _closed_is_cheaper(wave, target):
-        formula = _closed(wave.closed, prefix(wave.name), bases, tail)
-        linear = wave.closed.kind == "secondary"
-        error = CLOSED_ERROR * _cancelling(wave.closed, size)
-        return Output(wave, formula, size, error, "closed form", closed=True, scaled=linear)
-    if not wave.terms:
+    """Return an output by its harmonics or by its closed form, adding its lines and bases."""
+    if wave.closed is None and not wave.terms:
         return Output(wave, "0.0", 0.0, 0.0, "zero: no order is left")
+    size = wave.amplitude()
+    if wave.closed is None:
+        return _by_harmonics(wave, size, bases, tail)
+    if not wave.terms:
+        return _by_closed_form(wave, size, bases, tail)
+    both = (_by_harmonics, _by_closed_form)
+    drafts = [_draft(way, wave, size, ROOT.get(target, COMPILED_ROOT)) for way in both]
+    (harmonics, cost), (closed, other) = drafts
+    cheaper = other < cost and closed.rounding <= max(MOST_ROUNDING, harmonics.rounding)
+    return both[cheaper](wave, size, bases, tail)
+
+
+def _draft(
+    way: Callable[[Wave, float, Bases, Kernel], Output], wave: Wave, size: float, root: int
+) -> tuple[Output, int]:
+    """Return an output made one way by itself, and the operations it takes an angle."""
+    bases, tail = Bases(), Kernel()
+    output = way(wave, size, bases, tail)
+    near, _ = bases.kernel("near", tail.names().union(NAME.findall(output.formula)))
+    formulas = [*(line.formula for line in (*near.lines, *tail.lines)), output.formula]
+    counted = ((len(OPERATOR.findall(f)), f.count("/") + f.count("sqrt(")) for f in formulas)
+    return output, sum(plain + root * dear for plain, dear in counted)
+
+
+def _by_harmonics(wave: Wave, size: float, bases: Bases, tail: Kernel) -> Output:
     formula, error, form = polynomials(wave, bases, tail, size)
     return Output(wave, formula, size, error / size + 1.0, form, scaled=True)
 
 
-def _closed_is_cheaper(wave: Wave, target: str) -> bool:
-    if wave.closed is None or not wave.terms:
-        return wave.closed is not None
-    dearer = len(wave.terms) > DEARER.get(target, DEAR) * len(wave.closed.places)
-    return dearer and _cancelling(wave.closed, wave.amplitude()) < WORTH_IT
+def _by_closed_form(wave: Wave, size: float, bases: Bases, tail: Kernel) -> Output:
+    assert wave.closed is not None
+    formula = _closed(wave.closed, prefix(wave.name), bases, tail)
+    error = CLOSED_ERROR * _cancelling(wave.closed, size)
+    linear = wave.closed.kind == "secondary"
+    return Output(wave, formula, size, error, "closed form", closed=True, scaled=linear)
 
 
 def _cancelling(closed: Closed, size: float) -> float:

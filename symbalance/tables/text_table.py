@@ -96,13 +96,13 @@ def _components(found: Sequence[Row]) -> list[str]:
         below.append(column)
         table = [[*_HEAD], *(_cells(row, below) for row in found)]
     if _width(table) <= WIDTH:
-        return _grid(table) + _exact_lines(found, below)
+        return grid(table) + _exact_lines(found, below)
     table = [[*_HEAD], *(_cells(row, below, short=0) for row in found)]
-    return _grid(table) + _exact_lines(found, below, short=0)
+    return grid(table) + _exact_lines(found, below, short=0)
 
 
 def _width(table: Sequence[Sequence[str]]) -> int:
-    return max(map(len, _grid(table)))
+    return max(map(len, grid(table)))
 
 
 def _cells(row: Row, below: Sequence[int] = (), short: int = SHORT) -> list[str]:
@@ -153,7 +153,7 @@ def _rotating(balance: Balance, name: str) -> list[str]:
     if _width(table) > WIDTH:
         short = ["order", "forward (with crank)", "phase", "backward (against)", "phase"]
         table = [short, *([str(f.order), *_turning(f, 0), *_turning(b, 0)] for f, b in pairs)]
-    return ["", "  as rotating parts", *_grid(table)]
+    return ["", "  as rotating parts", *grid(table)]
 
 
 def _turning(row: Row, longest: int = SHORT) -> list[str]:
@@ -170,7 +170,7 @@ def _turning(row: Row, longest: int = SHORT) -> list[str]:
     return [amplitude, f"≈ {phase}" if len(exact[3]) > LONGEST_PHASE else exact[3]]
 
 
-def _grid(table: Sequence[Sequence[str]]) -> list[str]:
+def grid(table: Sequence[Sequence[str]]) -> list[str]:
     """Return the lines of a table; the first column is flush right, empty columns are left out."""
     kept = [i for i in range(len(table[0])) if any(row[i] for row in table[1:])]
     widths = [max(len(row[i]) for row in table) for i in kept]
@@ -192,7 +192,7 @@ def _coefficients(balance: Balance) -> str:
         series = series_text(order.coefficient, ellipsis=True)
         value = balance.values.get(order.order)
         table.append([str(order.order), series, "" if value is None else shown(value).replace("-", "−")])
-    lines = _grid([["order", "Aₙ in powers of 1/λ", f"Aₙ {at}"], *table])
+    lines = grid([["order", "Aₙ in powers of 1/λ", f"Aₙ {at}"], *table])
     if max(map(len, lines)) > WIDTH:
         lines = [line for n, series, value in table for line in _listed(n, series, value, at)]
     return "\n".join(["Coefficients of one cylinder (the value is exact in λ, rounded)", *lines])

@@ -1,0 +1,61 @@
+"""`symbalance torque`: the torque on an engine's crank, its inertia part exact."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from symbalance.cli.output import whole_number, write
+from symbalance.errors import SymbalanceError
+
+
+def run(options: argparse.Namespace) -> int:
+    """Load the engine, sum its inertia torque, and with a pressure run it."""
+    order = whole_number(options.order, "order")
+
+    from symbalance.catalogue import load
+    from symbalance.tables.torque_table import running_text, torque_json, torque_text
+    from symbalance.torque import inertia_torque
+
+    layout = load(options.engine)
+    balance = inertia_torque(layout, order, ratio=options.ratio)
+    running = _running(options, balance.layout)
+    delta = _number(options.delta, "delta")
+    if options.format == "json":
+        write(torque_json(balance, running, delta, order) + "\n", options.output)
+        return 0
+    parts = [torque_text(balance), *([running_text(running, delta, order)] if running else [])]
+    write("\n".join(parts), options.output)
+    return 0
+
+
+def _running(options: argparse.Namespace, layout: Any) -> Any:
+    """Return the running engine's torque, None where no pressure is given."""
+    from symbalance.torque import crank_torque, ideal_cycle, read_pressure
+
+    if options.pressure is None and options.compression is None:
+        for name in ("bore", "rpm"):
+            if getattr(options, name) is not None:
+                remedy = "add --pressure FILE or --compression ε"
+                raise SymbalanceError(f"--{name}", "is for a running engine", remedy)
+        return None
+    for name, what in (("bore", "the cylinder's bore in mm"), ("rpm", "the crank's speed")):
+        if getattr(options, name) is None:
+            raise SymbalanceError(f"--{name}", "is missing", f"a pressure needs {what}")
+    if options.pressure is not None:
+        trace = read_pressure(options.pressure, strokes=layout.strokes)
+    else:
+        cycle = ideal_cycle(options.compression, heat=options.heat, strokes=layout.strokes)
+        trace = cycle.trace(layout.train_of(layout.cylinders[0]).ratio)
+    return crank_torque(layout, trace, bore=options.bore, rpm=options.rpm)
+
+
+def _number(text: str, name: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < 1:
+        rule = "must lie between 0 and 1"
+        raise SymbalanceError(f"--{name} = {text}", rule, "(highest - lowest)/mean speed, often 0.02")
+    return value

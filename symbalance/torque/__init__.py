@@ -1,0 +1,53 @@
+r"""The torque on the crank: inertia exact in lambda, gas from a pressure trace or an ideal cycle.
+
+Torque is positive on the crank in the sense of rotation; the frame gets the opposite. theta is the crank
+angle, a cylinder's own angle theta + throw - bank; all cylinders are alike and their axes meet the
+crank's.
+
+    inertia          t_n of one cylinder: series in 1/lambda, values exact in lambda, proved bounds
+    inertia_balance  their sum over a layout, order by order, exact
+    stars            star diagrams of all orders, halves in a four-stroke, closed or not: exact
+    pressure         pressure traces;  csv_file reads them,  ideal makes them
+    tangential       gas torque of one cylinder, work and harmonics;  gas sums it over a layout
+    running          whole torque, mean, fluctuation, energy;  flywheel sizes what evens it
+"""
+
+from symbalance.torque.csv_file import parse_pressure, read_pressure
+from symbalance.torque.flywheel import Fluctuation, flywheel_inertia, speed_fluctuation
+from symbalance.torque.gas import GasOrder, GasTorque, gas_torque, tangential_pressure
+from symbalance.torque.ideal import IdealCycle, ideal_cycle
+from symbalance.torque.inertia import torque_left_out, torque_series, torque_values
+from symbalance.torque.inertia_balance import TorqueBalance, TorqueOrder, inertia_torque
+from symbalance.torque.pressure import PressureTrace, pressure_trace
+from symbalance.torque.running import CrankTorque, crank_torque
+from symbalance.torque.stars import Star, firing_stars, firing_tops
+from symbalance.torque.tangential import AMBIENT, TangentialPressure
+
+__all__ = [
+    "AMBIENT",
+    "CrankTorque",
+    "Fluctuation",
+    "GasOrder",
+    "GasTorque",
+    "IdealCycle",
+    "PressureTrace",
+    "Star",
+    "TangentialPressure",
+    "TorqueBalance",
+    "TorqueOrder",
+    "crank_torque",
+    "firing_stars",
+    "firing_tops",
+    "flywheel_inertia",
+    "gas_torque",
+    "ideal_cycle",
+    "inertia_torque",
+    "parse_pressure",
+    "pressure_trace",
+    "read_pressure",
+    "speed_fluctuation",
+    "tangential_pressure",
+    "torque_left_out",
+    "torque_series",
+    "torque_values",
+]

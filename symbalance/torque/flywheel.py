@@ -1,0 +1,100 @@
+"""How a torque fluctuates over its cycle, and the flywheel that evens the speed.
+
+What a torque T(theta) does beyond its mean is stored in all that turns, of moment of inertia J. Under a
+constant load
+
+    J (omega_max^2 - omega_min^2)/2 = dE = max E - min E,    E = integral of T - mean,
+    delta = (omega_max - omega_min)/omega,  omega = (omega_max + omega_min)/2:    J = dE/(delta omega^2).
+
+Source: Shigley, Mechanical Engineering Design, flywheels (delta is its C_s).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import sqrt
+
+from symbalance.errors import SymbalanceError
+from symbalance.torque.measured import positive
+
+POINTS = 1440
+_FINE = 48
+"""Steps of the golden section: each narrows the bracket to 0.618 of it."""
+_GOLDEN = (sqrt(5) - 1) / 2
+
+
+@dataclass(frozen=True)
+class Fluctuation:
+    """How a torque varies over its cycle: N m and J.
+
+    `energy` is the largest swing of the integral of T - mean, `work` the work of a cycle.
+    """
+
+    mean: float
+    least: float
+    largest: float
+    energy: float
+    work: float
+
+    @property
+    def of_torque(self) -> float:
+        """The coefficient of fluctuation of torque: (largest - least)/mean."""
+        return (self.largest - self.least) / self._checked(self.mean)
+
+    @property
+    def of_energy(self) -> float:
+        """The coefficient of fluctuation of energy: the swing over the work of a cycle."""
+        return self.energy / self._checked(self.work)
+
+    def _checked(self, value: float) -> float:
+        if self.mean <= 1e-12 * max(abs(self.least), abs(self.largest)):
+            what, rule = f"mean torque = {self.mean:.6g} N m", "must be positive for a coefficient"
+            raise SymbalanceError(what, rule, "use least, largest and energy themselves")
+        return value
+
+
+def extremes(function: Callable[[float], float], cycle: float) -> tuple[float, float]:
+    """Return the least and the largest value over a cycle: the best of a grid, then a golden section.
+
+    >>> from math import sin
+    >>> [round(v, 12) for v in extremes(lambda a: sin(a + 0.123), 6.283185307179586)]
+    [-1.0, 1.0]
+    """
+    step = cycle / POINTS
+    values = [function(i * step) for i in range(POINTS)]
+    least = min(range(POINTS), key=values.__getitem__)
+    largest = max(range(POINTS), key=values.__getitem__)
+    low = -_narrowed(lambda a: -function(a), least * step, step)
+    high = _narrowed(function, largest * step, step)
+    return min(low, values[least]), max(high, values[largest])
+
+
+def _narrowed(function: Callable[[float], float], place: float, step: float) -> float:
+    """Return the largest value within a step of a place."""
+    low, high = place - step, place + step
+    for _ in range(_FINE):
+        left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+        if function(left) < function(right):
+            low = left
+        else:
+            high = right
+    return function((low + high) / 2)
+
+
+def flywheel_inertia(energy: float, omega: float, delta: object) -> float:
+    """Return J = dE/(delta omega^2) in kg m^2: `energy` in J, `omega` in rad/s.
+
+    >>> flywheel_inertia(500.0, 100.0, "1/50")
+    2.5
+    """
+    return energy / (positive(delta, "delta") * omega**2)
+
+
+def speed_fluctuation(energy: float, omega: float, inertia: object) -> float:
+    """Return delta = dE/(J omega^2), (omega_max - omega_min)/omega, for J in kg m^2.
+
+    >>> speed_fluctuation(500.0, 100.0, 2.5)
+    0.02
+    """
+    return energy / (positive(inertia, "inertia") * omega**2)

@@ -1,0 +1,178 @@
+"""The ideal cycle of a spark-ignition or Diesel engine: air as an ideal gas, heat added at dead centre.
+
+From the firing top dead centre on: heat at constant volume (Otto), then, where a peak pressure limits
+it, at constant pressure (Seiliger's mixed cycle; Diesel's if the peak is the compression's end), then
+p V^gamma = const to bottom dead centre. A four-stroke exhausts and takes in at constant pressures, a
+two-stroke changes its gas at bottom dead centre at once. Then p V^gamma = const to the top.
+
+With the swept volume V_h and the clearance V_c = V_h/(eps - 1), the heat Q is given as Q/V_h, in bar (1
+bar = 100 J per litre): p_3 = p_2 + (gamma - 1) (eps - 1) Q/V_h, p_2 = p_intake eps^gamma.
+Source: Heywood, Internal Combustion Engine Fundamentals, ch. 5 (constant-volume, constant-pressure and
+limited-pressure cycles).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import acos, pi, sin, sqrt
+
+from symbalance.errors import SymbalanceError, shown
+from symbalance.layout import checked_strokes
+from symbalance.rational import checked_whole
+from symbalance.slider_crank import checked_ratio
+from symbalance.torque.measured import measured
+from symbalance.torque.pressure import MOST_BAR, PressureTrace
+
+POINTS = 2880
+MOST_POINTS = 100_000
+
+
+@dataclass(frozen=True)
+class IdealCycle:
+    """An ideal cycle: pressures in bar; `cutoff` is V/V_c at the end of constant pressure, at least 1."""
+
+    compression_ratio: float
+    gamma: float
+    intake: float
+    exhaust: float
+    compressed: float
+    peak: float
+    cutoff: float
+    heat: float
+    strokes: int = 4
+
+    @property
+    def closed_work(self) -> float:
+        """The work of compression and expansion over V_h, in bar."""
+        volume, rest = self.compression_ratio, self.gamma - 1
+        flat = self.peak * (self.cutoff - 1)
+        down = (self.peak * self.cutoff - self.expanded * volume) / rest
+        up = (self.compressed - self.intake * volume) / rest
+        return (flat + down - up) / (volume - 1)
+
+    @property
+    def expanded(self) -> float:
+        """The pressure at the end of expansion, in bar."""
+        return self.peak * (self.cutoff / self.compression_ratio) ** self.gamma
+
+    @property
+    def mean_effective_pressure(self) -> float:
+        """The work of the whole cycle over V_h, in bar: the gas exchange of a four-stroke included."""
+        exchange = self.intake - self.exhaust if self.strokes == 4 else 0.0
+        return self.closed_work + exchange
+
+    @property
+    def efficiency(self) -> float:
+        """The closed work over the heat; 1 - eps^(1 - gamma) for Otto's cycle."""
+        return self.closed_work / self.heat
+
+    def pressure(self, volume: float, down: bool) -> float:
+        """Return the pressure of the closed part at V/V_c, on the way down or up."""
+        if not down:
+            return self.intake * (self.compression_ratio / volume) ** self.gamma
+        return self.peak * min(1.0, (self.cutoff / volume)) ** self.gamma
+
+    def trace(self, ratio: object, points: int = POINTS) -> PressureTrace:
+        """Return the pressure against the crank angle for a rod ratio, at evenly spread points.
+
+        `points` is a multiple of 8; the dead centres, their jumps and the cutoff are added exactly. The
+        straight lines between add about 30/points^2 of the work (compression ratio 10; 4e-6 for 2880).
+        """
+        checked_whole(points, "points", 8, MOST_POINTS, "2880 is every quarter of a degree")
+        if points % 8:
+            raise SymbalanceError(f"points = {points}", "must be a multiple of 8", "2880 is usual")
+        crank = float(checked_ratio(ratio))
+        step = 180 * self.strokes / points
+        found = sorted(p for i in range(points) for p in self._points(i * step, crank))
+        if self.cutoff > 1:
+            found = sorted([*found, (self._cutoff_angle(crank), 1, self.peak)])
+        return PressureTrace(tuple(f[0] for f in found), tuple(f[2] for f in found), self.strokes)
+
+    def _points(self, degrees: float, crank: float) -> list[tuple[float, int, float]]:
+        """Return (angle, which of two, pressure) at an angle: two where the pressure jumps."""
+        quarter, rest = divmod(degrees, 180)
+        firing, last = quarter == 0, quarter == self.strokes - 1
+        here = self._closed_pressure(degrees, crank, firing) if firing or last else 0.0
+        level = here if firing or last else (self.exhaust if quarter == 1 else self.intake)
+        before = {0: self.compressed, 1: self.expanded, 2: self.exhaust, 3: self.intake}
+        if rest == 0 and before[int(quarter)] != level:
+            return [(degrees, 0, before[int(quarter)]), (degrees, 1, level)]
+        return [(degrees, 1, level)]
+
+    def _closed_pressure(self, degrees: float, crank: float, down: bool) -> float:
+        angle = degrees * pi / 180
+        way = 2 * sin(angle / 2) ** 2 + crank - sqrt(crank * crank - sin(angle) ** 2)
+        return self.pressure(1 + (self.compression_ratio - 1) * way / 2, down)
+
+    def _cutoff_angle(self, crank: float) -> float:
+        height = 1 + crank - 2 * (self.cutoff - 1) / (self.compression_ratio - 1)
+        return acos((height * height + 1 - crank * crank) / (2 * height)) * 180 / pi
+
+
+def ideal_cycle(
+    compression_ratio: object,
+    *,
+    heat: object = None,
+    peak_pressure: object = None,
+    gamma: object = "1.35",
+    intake: object = 1,
+    exhaust: object = None,
+    strokes: int = 4,
+) -> IdealCycle:
+    """Return the ideal cycle for a heat Q/V_h (bar), a peak pressure (bar), or both (then mixed).
+
+    `intake` and `exhaust` are the pressures of the gas exchange, in bar absolute (equal by default).
+
+    >>> otto = ideal_cycle(10, heat=20, gamma=1.4)
+    >>> round(otto.efficiency, 6), round(1 - 10**-0.4, 6), round(otto.peak, 3)
+    (0.601893, 0.601893, 97.119)
+    >>> mixed = ideal_cycle(16, heat=20, gamma=1.4, peak_pressure=100)
+    >>> round(mixed.cutoff, 4), round(mixed.efficiency, 4)
+    (1.4893, 0.6532)
+    """
+    volume = _above(compression_ratio, "compression_ratio", 1, 100, "a volume ratio, 8 to 22")
+    index = _above(gamma, "gamma", 1, 2, "1.4 is cold air, 1.25 to 1.35 burnt gas")
+    bottom = _above(intake, "intake", 0, MOST_BAR, "absolute, in bar")
+    out = bottom if exhaust is None else _above(exhaust, "exhaust", 0, MOST_BAR, "absolute, in bar")
+    if checked_strokes(strokes) == 2 and out != bottom:
+        rule = "must be the intake's: the gas of a two-stroke changes at bottom dead centre"
+        raise SymbalanceError(f"exhaust = {shown(exhaust)}", rule, "leave it out")
+    pressed = bottom * volume**index
+    peak, cutoff, added = _heated(heat, peak_pressure, volume, index, pressed)
+    return IdealCycle(volume, index, bottom, out, pressed, peak, cutoff, added, strokes)
+
+
+def _heated(
+    heat: object, peak_pressure: object, volume: float, index: float, pressed: float
+) -> tuple[float, float, float]:
+    """Return the peak pressure, the cutoff and the heat."""
+    if heat is None and peak_pressure is None:
+        raise SymbalanceError("ideal_cycle(...)", "needs heat or peak_pressure", "heat=20 is full load")
+    scale = (volume - 1) * (index - 1)
+    added = None if heat is None else _above(heat, "heat", 0, 1000, "Q/V_h in bar: 100 J per litre")
+    if peak_pressure is None:
+        assert added is not None
+        return pressed + scale * added, 1.0, added
+    peak = _above(peak_pressure, "peak_pressure", 0, MOST_BAR, "absolute, in bar")
+    if peak < pressed * (1 - 1e-12):
+        rule = f"is below the compression's end, {pressed:.6g} bar"
+        raise SymbalanceError(
+            f"peak_pressure = {shown(peak_pressure)}", rule, "raise it, or compress less"
+        )
+    if added is None:
+        return peak, 1.0, (peak - pressed) / scale
+    left = added - (peak - pressed) / scale
+    cutoff = 1 + left * (volume - 1) * (index - 1) / (index * peak)
+    if left < -1e-12 * added or cutoff > volume:
+        rule = "is not reached with this heat" if left < 0 else "leaves heat beyond bottom dead centre"
+        remedy = "leave peak_pressure out" if left < 0 else "raise it, or add less heat"
+        raise SymbalanceError(f"peak_pressure = {shown(peak_pressure)}", rule, remedy)
+    return peak, max(cutoff, 1.0), added
+
+
+def _above(value: object, name: str, low: int, high: int, remedy: str) -> float:
+    number = measured(value, name)
+    if not Fraction(low) < number <= high:
+        raise SymbalanceError(f"{name} = {shown(value)}", f"must lie in ({low}, {high}]", remedy)
+    return float(number)

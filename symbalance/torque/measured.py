@@ -1,0 +1,36 @@
+"""Measured numbers: read as floats print them, however many digits they have."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+from math import isfinite
+from typing import Any
+
+from symbalance.errors import SymbalanceError, shown
+from symbalance.rational import exact
+
+_NUMBER = re.compile(r"\s*[+-]?(?:\d{1,30}(?:\.\d{0,30})?|\.\d{1,30})(?:[eE][+-]?\d{1,3})?\s*", re.ASCII)
+
+
+def measured(value: Any, name: str) -> Fraction:
+    """Return a number of any length: a measured value, or one that was computed.
+
+    >>> float(measured("1.013250000000000028e+00", "bar")), measured(0.1, "bar")
+    (1.01325, Fraction(1, 10))
+    """
+    text = value
+    if not isinstance(value, str | bool | Fraction) and hasattr(value, "__float__"):
+        number = float(value)
+        text = repr(number) if isfinite(number) else value
+    if isinstance(text, str) and _NUMBER.fullmatch(text):
+        return Fraction(text)
+    return value if isinstance(value, Fraction) else exact(value, name)
+
+
+def positive(value: object, name: str) -> float:
+    """Return a number above 0 as a float, or refuse."""
+    number = measured(value, name)
+    if number <= 0:
+        raise SymbalanceError(f"{name} = {shown(value)}", "must be positive", "check the value")
+    return float(number)

@@ -1,0 +1,114 @@
+"""Star diagrams: the exact sum of one unit vector a cylinder, for every order, half orders included.
+
+A cylinder that does the same as cylinder 1, but at theta_j, has its order n at the angle n theta_j: drawn
+from one point these vectors are the star of that order, and their sum is all that the layout does to it.
+In a four-stroke the cycle is 720 degrees, so that n = 1/2, 1, 3/2, .... Whether a star closes (sum zero)
+is decided exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import lcm
+
+from symbalance.angles import Angle
+from symbalance.cylinders import Cylinder
+from symbalance.errors import SymbalanceError
+from symbalance.layout import Layout
+from symbalance.phasor import Phasor, checked_modulus
+from symbalance.slider_crank import checked_order
+from symbalance.spectrum import Component, Number, SymbolicPhasor
+
+
+@dataclass(frozen=True)
+class Star:
+    """The star of one order: each cylinder's number with its vector's angle in turns, and their sum.
+
+    `resultant` is C + iS = sum of e^(i order theta_j): what cos(order theta) of one cylinder becomes.
+    """
+
+    order: Fraction
+    vectors: tuple[tuple[int, Fraction], ...]
+    resultant: Component
+
+    def is_closed(self) -> bool:
+        """Tell whether the vectors cancel: a proof either way."""
+        return self.resultant.is_zero()
+
+
+def firing_tops(layout: Layout) -> dict[int, Fraction]:
+    """Return the crank angle of each cylinder's firing top dead centre, in degrees, 0 to under a cycle.
+
+    Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
+    at theta = 0, the one with fires = 0 does within the first turn. In a two-stroke every top dead
+    centre fires; in a four-stroke the cylinders' `fires` say which.
+
+    >>> from symbalance.builders import inline
+    >>> {n: str(top) for n, top in firing_tops(inline("1-3-4-2")).items()}
+    {1: '0', 2: '540', 3: '180', 4: '360'}
+    """
+    cycle = 180 * layout.strokes
+    first = next((c for c in layout.cylinders if c.fires is not None), None)
+    start = Fraction(0) if first is None else _top(first) - (first.fires or 0)
+    start %= 360
+    tops = {}
+    for cylinder in layout.cylinders:
+        if layout.strokes == 2:
+            tops[cylinder.number] = _top(cylinder) % cycle
+        elif cylinder.fires is None:
+            rule = "has no firing angle, and every other top dead centre of a four-stroke fires"
+            remedy = "build it from a firing order, or give each cylinder fires"
+            raise SymbalanceError(f"cylinder {cylinder.number} of {layout.name}", rule, remedy)
+        else:
+            tops[_checked_delay(cylinder).number] = (start + cylinder.fires) % cycle
+    return tops
+
+
+def _top(cylinder: Cylinder) -> Fraction:
+    """Return a crank angle at which the cylinder stands at top dead centre, in degrees."""
+    return -_checked_delay(cylinder).delay.in_degrees()
+
+
+def _checked_delay(cylinder: Cylinder) -> Cylinder:
+    if cylinder.delay.symbols:
+        rule = "its top dead centre depends on a symbol"
+        raise SymbalanceError(f"cylinder {cylinder.number}", rule, "gas torque needs numbers")
+    return cylinder
+
+
+def firing_stars(layout: Layout, order: int = 6) -> tuple[Star, ...]:
+    """Return the stars of all orders of the gas torque to `order`: halves in a four-stroke.
+
+    >>> from symbalance.builders import inline
+    >>> [str(s.order) for s in firing_stars(inline("1-5-3-6-2-4"), 9) if not s.is_closed()]
+    ['3', '6', '9']
+    """
+    checked_order(order)
+    tops, cycle = firing_tops(layout), 180 * layout.strokes
+    parts = {number: top / cycle for number, top in tops.items()}
+    modulus = checked_modulus(lcm(*(part.denominator for part in parts.values())))
+    seen: dict[int, Component] = {}
+    stars = []
+    for k in range(1, order * layout.strokes // 2 + 1):
+        vectors = tuple((number, part * k % 1) for number, part in parts.items())
+        if k % modulus not in seen:
+            seen[k % modulus] = Component(summed([Angle(turns) for _, turns in vectors]))
+        stars.append(Star(Fraction(2 * k, layout.strokes), vectors, seen[k % modulus]))
+    return tuple(stars)
+
+
+def summed(angles: Sequence[Angle]) -> Number:
+    """Return the sum of e^(i angle), exactly."""
+    if any(a.symbols for a in angles):
+        total = SymbolicPhasor({})
+        for a in angles:
+            total = total + SymbolicPhasor.of({a.symbols: Phasor.root(a.turns)})
+        return total
+    modulus = checked_modulus(lcm(*(a.turns.denominator for a in angles)))
+    terms: dict[int, int] = {}
+    for a in angles:
+        place = a.turns.numerator * (modulus // a.turns.denominator) % modulus
+        terms[place] = terms.get(place, 0) + 1
+    return Phasor.of(modulus, terms)

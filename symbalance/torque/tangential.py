@@ -1,0 +1,167 @@
+"""The gas torque of one cylinder: its tangential pressure, work and harmonics.
+
+The gas turns the crank with T = (p - p_ambient) A r v/(r omega), A the piston's area: torque over A r is
+the tangential pressure, in bar. With the two-sided series of the pressure, p_s, s = n/2 in a four-stroke,
+and the velocity's sum of v_m sin m theta, v_m = A_m/m, its two-sided series is
+
+    sum over m of v_m (p_{s-m} - p_{s+m})/(2i),
+
+p_s from the straight lines between the trace's points exactly: no quadrature. Only the v_m that are below
+a double's last digit are left out.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from cmath import exp
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+from math import cos, floor, log, pi, sin, sqrt
+
+from symbalance.slider_crank import HIGHEST_ORDER, acceleration_floats
+from symbalance.torque.pressure import PressureTrace
+
+AMBIENT = Fraction(101325, 100_000)
+"""The pressure below the piston: the standard atmosphere, in bar."""
+_ROOT = sqrt(Fraction(3, 5))
+_GAUSS = ((-_ROOT, 5 / 9), (0.0, 8 / 9), (_ROOT, 5 / 9))
+
+
+def velocity(angle: float, crank: float) -> float:
+    """Return v/(r omega) at an angle after top dead centre, for lambda = `crank`."""
+    sine, cosine = sin(angle), cos(angle)
+    return sine * (1 + cosine / sqrt((crank - sine) * (crank + sine)))
+
+
+def acceleration(angle: float, crank: float) -> float:
+    """Return a/(r omega^2), the velocity's derivative, at an angle after top dead centre."""
+    sine, cosine = sin(angle), cos(angle)
+    square = (crank - sine) * (crank + sine)
+    return cosine + ((cosine - sine) * (cosine + sine) * square + (sine * cosine) ** 2) / square**1.5
+
+
+@dataclass(frozen=True)
+class TangentialPressure:
+    """One cylinder's tangential pressure, in bar, against radians after its firing top dead centre.
+
+    >>> trace = PressureTrace((0.0,), (3.0,))
+    >>> tangential = TangentialPressure(trace, Fraction(4), 1.0)
+    >>> tangential.at(pi / 2), round(tangential.work(pi), 12), abs(tangential.mean) < 1e-15
+    (2.0, 4.0, True)
+    """
+
+    trace: PressureTrace
+    ratio: Fraction
+    ambient: float = float(AMBIENT)
+
+    def at(self, angle: float) -> float:
+        """Return (p - p_ambient) v/(r omega)."""
+        return (self.trace.at(angle * 180 / pi) - self.ambient) * velocity(angle, float(self.ratio))
+
+    @property
+    def cycle_work(self) -> float:
+        """The integral over a cycle: twice the mean effective pressure."""
+        return self._worked[-1]
+
+    @property
+    def mean(self) -> float:
+        """The mean over a cycle."""
+        return self.cycle_work / (self.trace.cycle * pi / 180)
+
+    @property
+    def mean_effective_pressure(self) -> float:
+        """The work of a cycle over the swept volume 2 A r, in bar; the ambient pressure has no part."""
+        return self.cycle_work / 2
+
+    def work(self, angle: float) -> float:
+        """Return the integral from the trace's first point on, in bar: the work over A r."""
+        radians = self.trace.radians
+        cycles = floor((angle - radians[0]) / (radians[-1] - radians[0]))
+        rest = min(angle - cycles * (radians[-1] - radians[0]), radians[-1])
+        i = max(min(bisect_right(radians, rest), len(radians) - 1) - 1, 0)
+        return cycles * self.cycle_work + self._worked[i] + self._piece(i, rest)
+
+    @cached_property
+    def _worked(self) -> list[float]:
+        """The work up to each point."""
+        total, found = 0.0, [0.0]
+        for i, end in enumerate(self.trace.radians[1:]):
+            total += self._piece(i, end)
+            found.append(total)
+        return found
+
+    def _piece(self, i: int, end: float) -> float:
+        """Return the integral from point i to an angle before the next, Gauss's rule in small steps."""
+        start, bar, slope = self._lines[i]
+        if end <= start:
+            return 0.0
+        steps = 1 + floor((end - start) * 60)
+        half = (end - start) / (2 * steps)
+        total, crank = 0.0, float(self.ratio)
+        for k in range(steps):
+            for place, weight in _GAUSS:
+                along = half * (2 * k + 1 + place)
+                total += weight * (bar + slope * along) * velocity(start + along, crank)
+        return total * half
+
+    @cached_property
+    def _lines(self) -> list[tuple[float, float, float]]:
+        """The straight lines: where each starts, its first value above ambient, its slope per radian."""
+        points = pairwise(zip(self.trace.radians, self.trace.closed, strict=True))
+        return [(a, p - self.ambient, (r - p) / (b - a) if b > a else 0.0) for (a, p), (b, r) in points]
+
+    def harmonics(self, order: int) -> dict[Fraction, complex]:
+        """Return C + iS of each order to `order`, in bar: the sum of C cos s theta + S sin s theta.
+
+        >>> constant = TangentialPressure(PressureTrace((0.0,), (3.0,)), Fraction(4), 1.0)
+        >>> {str(s): round(c.imag, 6) for s, c in constant.harmonics(2).items() if abs(c) > 1e-15}
+        {'1': 2.0, '2': 0.254025}
+        """
+        speeds = self._speeds
+        step = self.trace.strokes // 2  # orders come in steps of 1/step
+        pressures = self._two_sided(step * (order + max(speeds)), step)
+        found = {}
+        for k in range(1, step * order + 1):
+            total = sum(
+                v * (_place(pressures, k - step * m) - pressures[k + step * m]) for m, v in speeds.items()
+            )
+            found[Fraction(k, step)] = (total / 1j).conjugate()
+        return found
+
+    @cached_property
+    def _speeds(self) -> dict[int, float]:
+        """The v_m that show in a double: they fall like rho (q^(1/2))^m."""
+        crank = float(self.ratio)
+        fall = 2 * log(crank + sqrt((crank - 1) * (crank + 1)))
+        most = min(HIGHEST_ORDER, 2 * (2 + floor(40 / fall)))
+        return {m: a / m for m, a in acceleration_floats(most, self.ratio).items()}
+
+    def _two_sided(self, most: int, step: int) -> list[complex]:
+        """Return p_0, p_1/step, ... p_most/step of the pressure above ambient, exact for straight lines.
+
+        Twice integrated by parts: jumps over is, and changes of slope over s^2.
+        """
+        lines, period = self._lines, self.trace.cycle * pi / 180
+        turned = pairwise([*lines, (lines[0][0] + period, *lines[0][1:])])
+        corners, mean = [], 0.0
+        for (start, bar, slope), (end, after, _) in turned:
+            width = end - start
+            mean += (bar + slope * width / 2) * width / period
+            corners.append((end, slope, after - bar if not width else 0.0))
+        found: list[complex] = [complex(mean)]
+        for k in range(1, most + 1):
+            s = k / step
+            total, here = 0j, exp(-1j * s * lines[0][0])
+            for end, slope, jump in corners:
+                before, here = here, exp(-1j * s * end)
+                total += slope * (here - before) / (s * s)
+                if jump:
+                    total += jump * here / (1j * s)
+            found.append(total / period)
+        return found
+
+
+def _place(series: list[complex], k: int) -> complex:
+    return series[k] if k >= 0 else series[-k].conjugate()

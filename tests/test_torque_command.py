@@ -1,0 +1,84 @@
+"""`symbalance torque` as a user meets it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from symbalance.cli import run
+
+ENGINE = """
+[crank_train]
+stroke = 86
+rod = 143
+reciprocating_mass = 0.55
+[layout]
+firing_order = [1, 3, 4, 2]
+"""
+
+
+@pytest.fixture
+def engine(tmp_path: Path) -> str:
+    path = tmp_path / "four.toml"
+    path.write_text(ENGINE, encoding="utf-8")
+    return str(path)
+
+
+def printed(capsys, *arguments: str) -> str:
+    assert run(["torque", *arguments]) == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    return out
+
+
+def test_inertia_alone_is_exact(capsys):
+    text = printed(capsys, "inline-6", "--order", "12")
+    assert [line.split()[0] for line in text.splitlines() if line[:7].strip().isdigit()] == 2 * [
+        "3", "6", "9", "12"
+    ]  # fmt: skip
+    document = json.loads(printed(capsys, "inline-4", "--format", "json"))
+    assert document["inertia"][0]["torque"]["amplitude"] == "4"
+    assert document["inertia"][0]["coefficient"]["series"] == "-1/2 - 1/(32*lam**4)"
+    assert document["running"] is None
+
+
+def test_a_running_engine_has_mean_swing_and_flywheel(engine, capsys):
+    options = ("--compression", "10", "--heat", "18", "--bore", "86", "--rpm", "3000")
+    found = json.loads(printed(capsys, engine, *options, "--format", "json"))["running"]
+    assert found["mean"] == pytest.approx(found["power"] / (3000 * 3.141592653589793 / 30))
+    assert found["flywheel"] == pytest.approx(found["energy"] / (0.02 * (100 * 3.141592653589793) ** 2))
+    assert {"0.5", "1/2"}.isdisjoint(o["order"] for o in found["orders"])  # fires evenly: whole orders
+    assert "flywheel" in printed(capsys, engine, *options)
+
+
+def test_a_pressure_trace_from_a_file(engine, capsys, tmp_path):
+    """A constant pressure does no work over a turn."""
+    trace = tmp_path / "trace.csv"
+    trace.write_text("degrees,bar\n" + "".join(f"{a},3\n" for a in range(0, 721, 10)), encoding="utf-8")
+    options = ("--pressure", str(trace), "--bore", "86", "--rpm", "600")
+    found = json.loads(printed(capsys, engine, *options, "--format", "json"))["running"]
+    assert abs(found["mean"]) < 1e-9
+    assert found["highest"] > 1
+    assert "no mean torque" in printed(capsys, engine, *options)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--bore", "86"), "is for a running engine"),
+        (("--compression", "10", "--rpm", "3000"), "--bore: is missing"),
+        (("--compression", "10", "--bore", "86"), "--rpm: is missing"),
+        (("--pressure", "none.csv", "--bore", "86", "--rpm", "9"), "cannot be read"),
+        (("--compression", "0.5", "--bore", "86", "--rpm", "9"), "compression_ratio"),
+        (("--delta", "0"), "must lie between 0 and 1"),
+        (("--order", "0"), "from 1 to 1000"),
+    ],
+)
+def test_refusals(engine, arguments, words, capsys):
+    assert run(["torque", engine, *arguments]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert words in err
+    assert err.count("\n") == 1
