@@ -20,6 +20,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout, checked_name, checked_strokes
 from symbalance.slider_crank import checked_ratio
 from symbalance.trains import OWN, CrankTrain, Link, checked_size
+from symbalance.unlike import kinds
 
 T = TypeVar("T")
 LARGEST_FILE = 1_000_000
@@ -94,10 +95,18 @@ class _Reader:
         name = self.guarded("", "name", 0, lambda: checked_name(table.get("name", default_name)))
         about = {"name": name, "crank_train": self.crank_train(self.subtable(table, "crank_train"))}
         if "layout" not in table:
-            return self.cylinders(table, about)
+            return self.joined(table, self.cylinders(table, about))
         if "strokes" in table:
             raise self.refusal("strokes", table["strokes"], "belongs into [layout] here", "move it")
-        return self.layout(self.subtable(table, "layout"), about)
+        return self.joined(table, self.layout(self.subtable(table, "layout"), about))
+
+    def joined(self, table: dict[str, Any], made: Layout) -> Layout:
+        """Return a layout, refused where a rod does not reach or a size it needs is not given."""
+        if not made.is_uniform:
+            shared = "offset" in self.subtable(table, "crank_train")
+            section, key = ("crank_train", "offset") if shared else ("cylinder", "")
+            self.guarded(section, key, 0, lambda: kinds(made))
+        return made
 
     def crank_train(self, table: dict[str, Any]) -> CrankTrain:
         section = "crank_train"

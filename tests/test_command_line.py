@@ -246,7 +246,7 @@ def test_bad_arguments_are_refused_in_one_line(capsys, arguments, words):
         (TWO + "fires = 90\n", [":7:", "throw = 180 and fires = 90", "cylinder 1", "fires = 180"]),
         (TWO + "strokes = 4\n", [":8:", "unknown key"]),
         ("strokes = '4'\n" + TWO, [":1:", "strokes = '4'"]),
-        ("[[cylinder]]\nnumber = 1\nthrow = 0\nmaster = 1\n", [":4:", "master", "link rods"]),
+        ("[[cylinder]]\nnumber = 1\nthrow = 0\nmaster = 1\n", [":4:", "master", "no other cylinder"]),
         ("[[cylinder]]\nnumber = 1\nthrow = 0\nfires = 720\n", [":4:", "fires"]),
         ("[cylinder]\nnumber = 1\nthrow = 0\n", ["[[cylinder]]"]),
         ("layout = 3\n", [":1:", "[layout]"]),

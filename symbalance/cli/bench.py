@@ -3,13 +3,36 @@
 from __future__ import annotations
 
 import argparse
+import os
 from importlib import import_module
 
-from symbalance.cli.output import write
+from symbalance.cli.output import write, write_files
+from symbalance.errors import SymbalanceError
 
 
 def run(options: argparse.Namespace) -> int:
-    """Measure a topic; progress goes to stderr, the table to stdout; 1 if a stated target is missed."""
-    report = import_module(f"symbalance.bench.{options.topic}").report(quick=options.quick)
-    write(report.text(), None)
+    """Measure a topic; progress goes to stderr, the table to stdout; 1 if a stated target is missed.
+
+    A topic with more than a table to give, points and pictures, names the files that go with it.
+    """
+    topic = import_module(f"symbalance.bench.{options.topic}")
+    output = None if options.output == "-" else options.output
+    pictured = output is not None and hasattr(topic, "check_files")
+    if output is not None:
+        _check_folder(output)
+    if pictured:
+        topic.check_files()
+    report = topic.report(quick=options.quick)
+    write(report.text(), None if pictured else output)
+    if pictured:
+        write_files({f"{output}{ending}": content for ending, content in report.files().items()})
     return 1 if report.missed() else 0
+
+
+def _check_folder(output: str) -> None:
+    """Refuse a place that cannot be written to before the long run, not after it."""
+    folder = os.path.dirname(os.path.realpath(output))
+    if not (os.path.isdir(folder) and os.access(folder, os.W_OK)):
+        raise SymbalanceError(
+            f"--output {output}", "cannot be written", "name a file in a folder you may write to"
+        )

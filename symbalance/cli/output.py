@@ -6,6 +6,7 @@ import os
 import stat
 import sys
 import tempfile
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -32,14 +33,15 @@ def write(text: str, output: str | None) -> None:
     write_files({str(output): text})
 
 
-def write_files(texts: dict[str, str]) -> None:
-    """Write several files, all of them whole before the first is put in place."""
+def write_files(contents: Mapping[str, str | bytes]) -> None:
+    """Write several files, texts or bytes, all of them whole before the first is put in place."""
     staged: list[tuple[str, Path]] = []
     name = ""
     try:
-        for name, text in texts.items():
+        for name, content in contents.items():
             path = Path(os.path.realpath(name))
-            temporary = _staged(text, path)
+            data = content.encode("utf-8") if isinstance(content, str) else content
+            temporary = _staged(data, path)
             if temporary:
                 staged.append((temporary, path))
         while staged:
@@ -67,7 +69,7 @@ def _to_stdout(text: str) -> None:
     sys.stdout.write(text)
 
 
-def _staged(text: str, path: Path) -> str | None:
+def _staged(data: bytes, path: Path) -> str | None:
     """Write a temporary file beside `path`, ready to take its place; return its name.
 
     A device or a pipe has nothing to replace: it is written to, and there is no file to stage.
@@ -75,15 +77,15 @@ def _staged(text: str, path: Path) -> str | None:
     if path.is_dir():
         raise OSError(0, "it is a directory")
     if path.exists() and not stat.S_ISREG(path.stat().st_mode):
-        path.write_text(text, encoding="utf-8")
+        path.write_bytes(data)
         return None
     if path.exists() and not os.access(path, os.W_OK):
         raise OSError(0, "it is write-protected")
     mode = stat.S_IMODE(path.stat().st_mode) if path.exists() else 0o666 & ~_umask()
     handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
     try:
-        with os.fdopen(handle, "w", encoding="utf-8") as stream:
-            stream.write(text)
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(data)
         os.chmod(temporary, mode)
     except BaseException:
         with suppress(OSError):
