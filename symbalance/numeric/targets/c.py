@@ -100,7 +100,7 @@ def _functions(planned: Plan, prototypes: dict[str, str], outs: list[str]) -> st
     parts = [
         *_base_function("near", "theta", planned.near.lines, bases, "|theta| <= LIMIT"),
         *_base_function("far", "theta", planned.far.lines, bases, "any angle"),
-        f"static inline void outputs({', '.join(f'double {b}' for b in bases or ('theta',))},",
+        f"INLINE void outputs({', '.join(f'double {b}' for b in bases or ('theta',))},",
         f"    {', '.join(f'double scale{i}' for i in count)}, double *restrict value) {{",
         *C.lines(lines, "    "),
         *(f"    value[{i}] = {C.formula(f)};" for i, f in enumerate(formulas)),
@@ -169,7 +169,7 @@ def _base_function(
     parameters = ", ".join(f"double {argument}" for argument in arguments.split(", "))
     return [
         f"/* What the outputs are made of, for {where}. */",
-        f"static inline void {name}({parameters}, {pointers}) {{",
+        f"INLINE void {name}({parameters}, {pointers}) {{",
         *C.lines(lines, "    "),
         *(f"    *{b}_ = {b};" for b in bases),
         "}",

@@ -29,7 +29,7 @@ SOURCE = """/* {title}; see {stem}.h.
  *
  * Compile with optimisation for the machine it runs on:
  *     cc -std=gnu99 -O3 -march=native -fno-math-errno -c "{stem}.c"
- * (any C99 will do; gnu99 lets gcc fuse multiply and add, which is faster).
+ * (any C99 will do; gnu99 lets gcc fuse multiply and add, which is faster). Self-test:
  *     cc -std=c99 -O2 -D{macro}_SELF_TEST "{stem}.c" -lm && ./a.out
  */
 #include "{stem}.h"
@@ -39,6 +39,13 @@ SOURCE = """/* {title}; see {stem}.h.
 
 #if defined(__FAST_MATH__) || FLT_EVAL_METHOD != 0
 #error "the reduction of angles needs IEEE doubles: no -ffast-math, and -mfpmath=sse on 32-bit x86"
+#endif
+
+/* A loop becomes vectors only if all it calls is inlined, however long. */
+#ifdef __GNUC__
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
 #endif
 
 #define MAGIC 6755399441055744.0 /* 1.5 * 2^52: adding it rounds to a whole number */
