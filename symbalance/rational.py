@@ -116,6 +116,15 @@ def listed(values: Any, name: str, example: str = "[0, 120, 240]") -> list[Any]:
     return list(values)
 
 
+def real(value: int | Fraction) -> Real:
+    """Return a rational as an mpmath number, rounded once to the working precision.
+
+    >>> real(Fraction(1, 4))
+    mpf('0.25')
+    """
+    return mp.mpf(value.numerator) / value.denominator
+
+
 def decimal_text(value: Real, digits: int) -> str:
     """Return an mpmath number to so many significant digits, exact zero as "0".
 

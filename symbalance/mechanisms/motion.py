@@ -11,7 +11,7 @@ from typing import NamedTuple
 from mpmath import mp
 
 from symbalance.mechanisms.linkages import LinkRod, Mechanism, SliderCrank
-from symbalance.rational import Real
+from symbalance.rational import Real, real
 
 
 class Motion(NamedTuple):
@@ -31,7 +31,7 @@ def height(mechanism: Mechanism, p: Real) -> Real:
     '4.99217985566783'
     """
     place = _pin_place(mechanism, p)
-    return place.real + _number(mechanism.length) * _cosine(_slant(mechanism, place))
+    return place.real + real(mechanism.length) * _cosine(_slant(mechanism, place))
 
 
 def rod_angle(mechanism: Mechanism, p: Real) -> Real:
@@ -57,7 +57,7 @@ def height_motion(mechanism: Mechanism, p: Real) -> Motion:
     """
     pin = _pin_motion(mechanism, p)
     rod = _rod_motion(mechanism, pin)
-    length, sine = _number(mechanism.length), _slant(mechanism, pin.value)
+    length, sine = real(mechanism.length), _slant(mechanism, pin.value)
     cosine = _cosine(sine)
     return Motion(
         pin.value.real + length * cosine,
@@ -66,13 +66,9 @@ def height_motion(mechanism: Mechanism, p: Real) -> Motion:
     )
 
 
-def _number(value: object) -> Real:
-    return mp.mpf(value.numerator) / value.denominator  # pyright: ignore[reportAttributeAccessIssue]
-
-
 def _slant(mechanism: Mechanism, place: Real) -> Real:
     """Return sin phi."""
-    return (place.imag - _number(mechanism.offset)) / _number(mechanism.length)
+    return (place.imag - real(mechanism.offset)) / real(mechanism.length)
 
 
 def _cosine(sine: Real) -> Real:
@@ -81,11 +77,11 @@ def _cosine(sine: Real) -> Real:
 
 def _arm(link: LinkRod) -> Real:
     """Return L e^(i chi)."""
-    return _number(link.link_radius) * mp.expjpi(2 * _number(link.lead))
+    return real(link.link_radius) * mp.expjpi(2 * real(link.lead))
 
 
 def _master_angle(link: LinkRod, p: Real) -> Real:
-    return p + 2 * mp.pi * _number(link.bank_difference)
+    return p + 2 * mp.pi * real(link.bank_difference)
 
 
 def _pin_place(mechanism: Mechanism, p: Real) -> Real:
@@ -109,7 +105,7 @@ def _pin_motion(mechanism: Mechanism, p: Real) -> Motion:
 
 
 def _rod_motion(mechanism: Mechanism, pin: Motion) -> Motion:
-    length, sine = _number(mechanism.length), _slant(mechanism, pin.value)
+    length, sine = real(mechanism.length), _slant(mechanism, pin.value)
     cosine = _cosine(sine)
     first = pin.first.imag / (length * cosine)
     return Motion(mp.asin(sine), first, (pin.second.imag / length + sine * first**2) / cosine)

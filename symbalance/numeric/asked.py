@@ -21,7 +21,7 @@ from symbalance.numeric.waves import (
     Term,
     Wave,
 )
-from symbalance.rational import Real, listed
+from symbalance.rational import Real, listed, real
 from symbalance.resultants import Balance, balance
 from symbalance.slider_crank import HIGHEST_ORDER, acceleration_values, checked_ratio
 from symbalance.spectrum import COMPONENTS, Spectrum
@@ -229,7 +229,7 @@ class _Asked:
         for weight, cylinder in zip(self._weights(), cylinders, strict=True):
             turns = cylinder.delay.turns % Fraction(1, 2)
             merged.setdefault(turns, mp.mpf(0))
-            merged[turns] += weight * onto(2 * _number(cylinder.bank.turns))
+            merged[turns] += weight * onto(2 * real(cylinder.bank.turns))
         places = tuple((w, turns) for turns, w in sorted(merged.items()) if abs(w) > NOTHING)
         return Closed("secondary", self.ratio, places, self.terms(1)) if places else None
 
@@ -242,7 +242,7 @@ class _Asked:
         reference = self.result.reference
         plane = self.result.layout.mean_station if reference is None else reference
         arms = (c.station - plane for c in cylinders)
-        return [_number(arm) for arm in arms]
+        return [real(arm) for arm in arms]
 
 
 def _shown(terms: tuple[Term, ...]) -> tuple[Term, ...]:
@@ -253,13 +253,9 @@ def _shown(terms: tuple[Term, ...]) -> tuple[Term, ...]:
     return terms[:kept]
 
 
-def _number(value: Fraction) -> Real:
-    return mp.mpf(value.numerator) / value.denominator
-
-
 def _turned(n: int, coefficient: Real, turns: Fraction) -> Term:
     """Return coefficient * cos n (theta + 2 pi turns)."""
-    turned = 2 * _number(n * turns)
+    turned = 2 * real(n * turns)
     return Term(Fraction(n), coefficient * mp.cospi(turned), -coefficient * mp.sinpi(turned))
 
 

@@ -22,7 +22,7 @@ from mpmath import mp
 from symbalance.numeric.cosines import LIMIT, Cosine, cut, sine_lines, sine_tail
 from symbalance.numeric.kernels import Kernel
 from symbalance.numeric.waves import Closed
-from symbalance.rational import Real
+from symbalance.rational import Real, real
 
 COMPRESSED = Fraction(1, 2)
 """Above this rho^2 the form in cos theta is used, below it the one in cos 2 theta."""
@@ -32,7 +32,7 @@ def squares(ratio: Fraction) -> tuple[Real, Real]:
     """Return k'^2 = 1 - rho^2 and rho^2, to the working precision."""
     square = 1 / (ratio * ratio)
     rest = 1 - square
-    return mp.mpf(rest.numerator) / rest.denominator, mp.mpf(square.numerator) / square.denominator
+    return real(rest), real(square)
 
 
 def uses_double_angle(ratio: Fraction) -> bool:
@@ -49,8 +49,7 @@ def secondary_cosine(ratio: Fraction, turns: Fraction) -> Cosine:
 
 def _nearest(turns: Fraction) -> Real:
     """Return the turns within (-1/2, 1/2], as a 40-digit number."""
-    rest = turns - round(turns)
-    return mp.mpf(rest.numerator) / rest.denominator
+    return real(turns - round(turns))
 
 
 def secondary_lines(kernel: Kernel, ratio: Fraction, cosine: str, mark: str) -> str:

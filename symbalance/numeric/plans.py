@@ -28,7 +28,7 @@ from symbalance.numeric.kernels import NAME, Kernel
 from symbalance.numeric.polynomials import family
 from symbalance.numeric.waves import DIGITS, Closed, Wave
 from symbalance.numeric.ways import polynomials, prefix
-from symbalance.rational import Real
+from symbalance.rational import Real, real
 
 ROOT = {"numpy": 3, "octave": 3}
 """Additions or multiplications one division or square root is worth; compiled: `COMPILED_ROOT`."""
@@ -157,7 +157,7 @@ def _closed(closed: Closed, own: str, bases: Bases, tail: Kernel) -> str:
     if closed.kind == "displacement":
         return displacement_lines(tail, closed, bases.square(closed))
     if closed.kind == "velocity":
-        phase = _turns(-closed.places[0][1])
+        phase = real(-closed.places[0][1])
         cosine, sine = bases.name(Fraction(1), phase), bases.name(Fraction(1), phase + 0.25)
         return velocity_lines(tail, closed, cosine, sine)
     parts = []
@@ -171,7 +171,3 @@ def _closed(closed: Closed, own: str, bases: Bases, tail: Kernel) -> str:
         value = secondary_lines(tail, closed.ratio, name, name.removeprefix("c"))
         parts.append(f"{tail.constant(f'{own}ABOVE_{i}', weight)}*{value}")
     return " + ".join(parts)
-
-
-def _turns(turns: Fraction) -> Real:
-    return mp.mpf(turns.numerator) / turns.denominator

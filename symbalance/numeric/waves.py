@@ -12,7 +12,7 @@ from typing import Any
 
 from mpmath import mp
 
-from symbalance.rational import Real
+from symbalance.rational import Real, real
 
 DIGITS = 40
 """Digits the coefficients carry before they are rounded, once, to a double."""
@@ -74,12 +74,9 @@ class Closed:
 
     def value(self, theta: Any) -> Real:
         """Return the function at a crank angle, to mpmath's working precision."""
-        rho = mp.mpf(self.ratio.denominator) / self.ratio.numerator
+        rho = real(1 / self.ratio)
         part = {"secondary": _secondary, "displacement": _displacement, "velocity": _velocity}[self.kind]
-        moved = (
-            weight * part(theta + 2 * mp.pi * turns.numerator / turns.denominator, rho)
-            for weight, turns in self.places
-        )
+        moved = (weight * part(theta + 2 * mp.pi * real(turns), rho) for weight, turns in self.places)
         return mp.fsum(moved) + mp.fsum(term.at(theta) for term in self.first)
 
     def peaks(self) -> list[float]:

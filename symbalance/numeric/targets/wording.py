@@ -10,7 +10,6 @@ from symbalance.numeric.cosines import LIMIT
 from symbalance.numeric.plans import Output, Plan
 
 WIDTH = 96
-KEYWORDS = ("mass", "radius", "omega", "pitch")
 CONVENTIONS = (
     "theta is the crank angle in radians, positive in the sense of rotation, on the layout's own zero "
     "(cylinder 1 at firing top dead centre, where the layout was made from a firing order). Vertical is "
