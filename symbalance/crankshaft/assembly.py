@@ -18,14 +18,17 @@ from symbalance.crankshaft.bodies import Body, disc_body
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Pin, Web
 from symbalance.crankshaft.gyroscopics import node_force, node_matrices
 from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor
+from symbalance.crankshaft.solid.store import Store, open_store, solid_flexibility
 from symbalance.crankshaft.webs.arm import Arm, arms, axis_of
+from symbalance.crankshaft.webs.fitted import fitted_flexibility
+from symbalance.crankshaft.webs.formula import formula_flexibility
 from symbalance.crankshaft.webs.nominal import nominal_flexibility
 from symbalance.crankshaft.webs.shares import far_bodies, near_bodies
 from symbalance.errors import SymbalanceError, shown
 
 Flexibility = Callable[[Arm], Array]
-WEBS: dict[str, Flexibility] = {"nominal": nominal_flexibility}
-"""The ways to a web's flexibility, by name."""
+WEBS = ("solid", "fitted", "formula", "nominal")
+"""The ways to a web's flexibility, best first."""
 
 
 @dataclass(frozen=True)
@@ -53,13 +56,17 @@ def assemble(
     crank: Crank,
     *,
     webs: str | Flexibility = "nominal",
+    store: Store | None = None,
     pin_masses: Sequence[float] = (),
     damping_ratio: float = 0.0,
     damping_time: float = 0.0,
 ) -> Rotor:
     """Return the free crankshaft as nodes and matrices.
 
-    `webs` names the web's stiffness, or is a function from an `Arm` to its (6, 6) flexibility.
+    `webs`: "solid" (a whole-web element from the meshed half throw), "fitted" (the paper's six
+    flexibilities, fitted to it), "formula" (Ker Wilson's lengths), "nominal" (plain beams), or a function
+    from an `Arm` to its (6, 6) flexibility. Solved webs come from `store`, by default the package's own
+    (what it lacks is meshed, with gmsh and scikit-fem).
     `pin_masses` (kg, one per pin, front to rear) are big ends counted as part of the turning crank.
     Damping is `damping_ratio` of critical in every elastic mode, plus `damping_time` (s) times K.
 
@@ -71,7 +78,7 @@ def assemble(
     (54, (1, 7), (4,))
     """
     nodes = place_nodes(crank)
-    members = [*_members(crank, nodes, _flexibility(webs))]
+    members = [*_members(crank, nodes, _flexibility(webs, store))]
     sums = _empty(len(nodes.points))
     for member in members:
         _add(sums.stiffness, member.stiffness, member.front, member.rear)
@@ -84,12 +91,17 @@ def assemble(
     return replace(rotor, damping=modal_damping(rotor, damping_ratio) + damping_time * rotor.stiffness)
 
 
-def _flexibility(webs: str | Flexibility) -> Flexibility:
+def _flexibility(webs: str | Flexibility, store: Store | None) -> Flexibility:
     if not isinstance(webs, str):
         return webs
     if webs not in WEBS:
         raise SymbalanceError(f"webs = {shown(webs)}", f"must be one of {', '.join(WEBS)}")
-    return WEBS[webs]
+    if webs in ("nominal", "formula"):
+        return nominal_flexibility if webs == "nominal" else formula_flexibility
+    kept = open_store() if store is None else store
+    if webs == "solid":
+        return lambda arm: solid_flexibility(arm, kept)
+    return lambda arm: fitted_flexibility(arm, solid_flexibility(arm, kept))
 
 
 def place_nodes(crank: Crank) -> Nodes:
