@@ -53,7 +53,9 @@ def _check_material(crank: Crank) -> None:
     if not 0 <= m.poisson < 0.5:
         raise SymbalanceError(f"poisson = {shown(m.poisson)}", "must lie in [0, 0.5)", "0.29 for steel")
     if not (isfinite(m.density) and m.density > 0):
-        raise SymbalanceError(f"density = {shown(m.density)}", "must be positive", "kg/m^3, 7850 for steel")
+        raise SymbalanceError(
+            f"density = {shown(m.density)}", "must be positive", "kg/m^3, 7850 for steel"
+        )
 
 
 def _check_numbers(part: Journal | Web | Pin, place: str) -> None:

@@ -42,7 +42,9 @@ def natural_modes(rotor: Rotor, count: int = 20, support: Array | None = None) -
     if support is None:
         motions = rotor.mass @ rotor.rigid_motions()
         scale = np.trace(stiffness) / np.trace(rotor.mass)
-        stiffness = stiffness - scale * motions @ np.linalg.solve(rotor.rigid_motions().T @ motions, motions.T)
+        stiffness = stiffness - scale * motions @ np.linalg.solve(
+            rotor.rigid_motions().T @ motions, motions.T
+        )
         skipped = DOF
     squares, shapes = _eigen(stiffness, rotor.mass)
     kept = slice(skipped, skipped + count)

@@ -1,6 +1,6 @@
 """A shaft as discs and torsion springs: natural frequencies, and such a chain from a crankshaft.
 
-    J_i phi_i'' = c_i (phi_{i+1} - phi_i) - c_{i-1} (phi_i - phi_{i-1})
+J_i phi_i'' = c_i (phi_{i+1} - phi_i) - c_{i-1} (phi_i - phi_{i-1})
 """
 
 from __future__ import annotations

@@ -24,7 +24,9 @@ class Pencil:
 
     occ: Any
 
-    def round_bar(self, part: Journal | Pin, start: float, stop: float, flares: tuple[bool, bool]) -> Solid:
+    def round_bar(
+        self, part: Journal | Pin, start: float, stop: float, flares: tuple[bool, bool]
+    ) -> Solid:
         """Draw a journal or pin from W = start to stop on its axis, with its fillets where it flares."""
         outer, inner, f = part.diameter / 2 * MM, part.bore / 2 * MM, part.fillet * MM
         z0, z1 = start * MM, stop * MM
@@ -67,7 +69,9 @@ class Pencil:
         self.occ.translate(solids, 0, 0, start * MM)
         return solids
 
-    def _outline(self, half: float, near: float, stop: float, radii: tuple[float, float], t: float) -> Solid:
+    def _outline(
+        self, half: float, near: float, stop: float, radii: tuple[float, float], t: float
+    ) -> Solid:
         point, line, arc = self.occ.addPoint, self.occ.addLine, self.occ.addCircleArc
         (a, b), start = radii, -near
         centres = [point(start + a, a - half, 0), point(stop - b, b - half, 0)]

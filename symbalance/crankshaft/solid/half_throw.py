@@ -41,7 +41,9 @@ def half_throw_flexibility(arm: Arm, size: float) -> Array:
     """Return the flexibility (6, 6) of the far part's middle against the near part's; own axes."""
     own = arm.canonical()
     cuts = [1] if is_flat(own) else []
-    solid = elastic_solid(meshed(lambda occ: halved(occ, draw_half_throw(occ, own), cuts), size), own.material)
+    solid = elastic_solid(
+        meshed(lambda occ: halved(occ, draw_half_throw(occ, own), cuts), size), own.material
+    )
     total = np.zeros((DOF, DOF))
     for motions in (EVEN, ODD) if cuts else ([*range(DOF)],):
         held = solid.held_by_mirror(1, 0.0, even=motions == EVEN) if cuts else np.zeros(solid.size, bool)

@@ -49,7 +49,9 @@ def meshed(draw: Callable[[Any], Any], size: float) -> Any:
             gmsh.model.mesh.setOrder(2)
         except Exception as err:  # gmsh raises bare Exceptions
             rule = f"cannot be meshed ({err})"
-            raise SymbalanceError("the crank's solid", rule, "check its sizes, or webs = 'fitted'") from err
+            raise SymbalanceError(
+                "the crank's solid", rule, "check its sizes, or webs = 'fitted'"
+            ) from err
         points, tets = _read(gmsh)
     return _curved(skfem, points, tets)
 
