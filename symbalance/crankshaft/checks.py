@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from math import cos, hypot, isfinite, pi
+from itertools import pairwise
+from math import hypot, isfinite, pi
 
 from symbalance.crankshaft.crank import Counterweight, Crank, Disc, Journal, Pin, Web
-from symbalance.crankshaft.webs.arm import Arm, arms
+from symbalance.crankshaft.webs.arm import Arm, arms, axis_of
 from symbalance.errors import SymbalanceError, shown
 
 
@@ -27,7 +28,7 @@ def check_geometry(crank: Crank) -> None:
             _check_round(part, place)
     for index, arm in arms(crank):
         _check_arm(arm, f"part {index + 1}, web")
-    _check_sweeps(crank)
+    _check_pairs(crank)
     for name, disc in (("pulley", crank.pulley), ("flywheel", crank.flywheel)):
         if disc is not None:
             _check_disc(disc, name)
@@ -76,23 +77,34 @@ def _check_round(part: Journal | Pin, place: str) -> None:
 
 
 def _check_arm(arm: Arm, place: str) -> None:
-    """Refuse a web that does not cover what it carries, with its fillets."""
-    for part, margin in ((arm.near, arm.near_margin), (arm.far, arm.far_margin)):
+    """Refuse a web that does not cover what it carries, with its fillets, or is thinner than those."""
+    names = ("heel" if isinstance(arm.near, Journal) else "tip", "tip")
+    margins = (arm.near_margin, arm.far_margin)
+    for part, own in ((arm.near, 0), (arm.far, 1)):
         kind, needed = type(part).__name__.lower(), part.diameter / 2 + part.fillet
+        rule = f"must cover the {kind} with its fillets, {{}} mm"
         if needed > arm.web.width / 2 * (1 + 1e-9):
-            rule = f"must cover the {kind} with its fillets, {mm(2 * needed)} mm"
-            _refuse(place, "width", arm.web.width, rule)
-        behind = arm.reach + (arm.near_margin if part is arm.far else arm.far_margin)
-        if needed > max(margin, 0.0) * (1 + 1e-9) or needed > behind * (1 + 1e-9):
-            name = "heel" if isinstance(part, Journal) else "tip"
-            rule = f"must cover the {kind} with its fillets, {mm(needed)} mm"
-            _refuse(place, name, margin, rule)
-    fillet = max(arm.near.fillet, arm.far.fillet)
-    if arm.web.thickness <= fillet:
-        rule = f"must be more than the fillet at its face, {mm(fillet)} mm"
-        _refuse(place, "thickness", arm.web.thickness, rule)
+            _refuse(place, "width", arm.web.width, rule.format(mm(2 * needed)))
+        for end, wanted in ((own, needed), (1 - own, needed - arm.reach)):
+            if wanted > margins[end] * (1 + 1e-9):
+                _refuse(place, names[end], margins[end], rule.format(mm(wanted)))
+        if arm.web.thickness <= part.fillet:
+            thin = f"must be more than the {kind}'s fillet, {mm(part.fillet)} mm"
+            _refuse(place, "thickness", arm.web.thickness, thin)
     if arm.web.counterweight is not None:
         _check_weight(arm.web.counterweight, place)
+
+
+def _check_pairs(crank: Crank) -> None:
+    """Refuse two pins side by side whose sections do not meet."""
+    for index, (one, other) in enumerate(pairwise(crank.parts)):
+        if isinstance(one, Pin) and isinstance(other, Pin):
+            (a, b), (c, d) = axis_of(one), axis_of(other)
+            apart, most = hypot(c - a, d - b), (one.diameter + other.diameter) / 2
+            if apart >= most:
+                rule = f"must be less than {mm(most)} mm for the pins to meet"
+                place = f"parts {index + 1} and {index + 2}, pins"
+                _refuse(place, "distance between their axes", apart, rule, "a web between them")
 
 
 def _check_weight(weight: Counterweight, place: str) -> None:
@@ -107,22 +119,6 @@ def _check_weight(weight: Counterweight, place: str) -> None:
     if weight.outer and weight.radius > weight.outer:
         rule = f"must be less than its outer radius, {mm(weight.outer)} mm"
         _refuse(place, "counterweight radius", weight.radius, rule)
-
-
-def _check_sweeps(crank: Crank) -> None:
-    """Refuse neighbouring webs' parts that would meet: they never do, as each keeps to its own slice of W.
-
-    What can meet is a counterweight, or a slab, and a pin of the same web on the other side of the axis.
-    """
-    for index, arm in arms(crank):
-        weight, pin = arm.web.counterweight, arm.far
-        if weight is None or not weight.outer or not isinstance(pin, Pin):
-            continue
-        inner = hypot(pin.radius * cos(weight.half_angle), 0.0)
-        if abs(cos((weight.angle - pin.angle) / 2)) > cos(0.5e-9) and weight.outer > inner:
-            rule = f"must not lie on the pin's side, at {pin.angle * 180 / pi:.6g} degrees"
-            what = f"counterweight angle = {weight.angle * 180 / pi:.6g}"
-            raise SymbalanceError(what, rule, "opposite the pin", f"part {index + 1}, web")
 
 
 def _check_disc(disc: Disc, name: str) -> None:

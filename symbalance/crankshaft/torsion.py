@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -72,7 +73,7 @@ def twists_of(rotor: Rotor) -> TorsionalChain:
     stations.sort(key=lambda node: rotor.points[node, 2])
     if len(stations) < 2:
         raise SymbalanceError(f"{len(stations)} stations", "must be two journals or discs or more")
-    springs = [_spring(rotor, a, b) for a, b in zip(stations, stations[1:], strict=False)]
+    springs = [_spring(rotor, a, b) for a, b in pairwise(stations)]
     return torsional_chain([*_tributary(rotor, stations)], springs)
 
 

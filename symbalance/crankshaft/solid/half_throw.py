@@ -32,7 +32,7 @@ def fine(arm: Arm) -> float:
 
 
 def solved_web(arm: Arm, size: float = 0.0) -> Array:
-    """Return the web's flexibility (6, 6), far face against near face, own axes; `size` of elements, m."""
+    """Return the web's flexibility (6, 6), far face against near, own axes; `size` of elements, m."""
     own = arm.canonical()
     return web_share(own, half_throw_flexibility(own, size or fine(arm)))
 

@@ -33,7 +33,7 @@ def session() -> Iterator[Any]:
 
 
 def meshed(draw: Callable[[Any], Any], size: float) -> Any:
-    """Return the scikit-fem mesh (MeshTet2, SI) of what `draw` draws in mm; `size` (m) of its elements."""
+    """Return the scikit-fem mesh (MeshTet2, in m) of what `draw` draws in mm; `size` of elements, m."""
     try:
         import skfem
     except ImportError as err:

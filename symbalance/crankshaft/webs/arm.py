@@ -24,8 +24,8 @@ MIRROR = np.diag([1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
 class Arm:
     """A web with what it joins: `near` and `far` parts, `reach` between their axes, material.
 
-    `angle` turns its own u axis from U about W; `mirrored` where the near part is behind it; `axis` is the
-    place (U, V) of the near part's axis.
+    `angle` turns its own u axis from U about W; `mirrored` where the near part is behind it; `axis`
+    is the place (U, V) of the near part's axis.
     """
 
     web: Web

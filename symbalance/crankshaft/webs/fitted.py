@@ -6,8 +6,8 @@ statically determinate, so that the far end's flexibility is linear in them,
 
     S = S_stubs + sum over k of f_k integral h_k h_k' du,
 
-h_k the k-th section load per unit end load. Non-negative least squares (scipy.optimize.nnls) on the entries
-S_ij/sqrt(S_ii S_jj) of the solid's web: no iteration over models.
+h_k the k-th section load per unit end load. Non-negative least squares (scipy.optimize.nnls) on the
+entries S_ij/sqrt(S_ii S_jj) of the solid's web: no iteration over models.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A counterweight from its drawing: a sector of a circle about the axis, less what lies within the web."""
+"""A counterweight from its drawing: a sector about the axis, less what lies within the web."""
 
 from __future__ import annotations
 
