@@ -16,8 +16,8 @@ import numpy as np
 from symbalance.crankshaft.beams import ALONG_W, Beam, circular, element, flexibility
 from symbalance.crankshaft.bodies import Body, disc_body
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Pin, Web
-from symbalance.crankshaft.gyroscopics import node_force, node_matrices
-from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor
+from symbalance.crankshaft.gathering import damped, gathered
+from symbalance.crankshaft.rotor import Array, Member, Rotor
 from symbalance.crankshaft.solid.store import Store, open_store, solid_flexibility
 from symbalance.crankshaft.webs.arm import Arm, arms, axis_of
 from symbalance.crankshaft.webs.fitted import fitted_flexibility
@@ -39,17 +39,6 @@ class Nodes:
     ends: dict[int, tuple[int, int, int]]
     pulley: int | None
     flywheel: int | None
-
-
-@dataclass(frozen=True)
-class _Matrices:
-    """The growing sums."""
-
-    mass: Array
-    stiffness: Array
-    gyroscopic: Array
-    centrifugal: Array
-    force: Array
 
 
 def assemble(
@@ -79,16 +68,17 @@ def assemble(
     """
     nodes = place_nodes(crank)
     members = [*_members(crank, nodes, _flexibility(webs, store))]
-    sums = _empty(len(nodes.points))
-    for member in members:
-        _add(sums.stiffness, member.stiffness, member.front, member.rear)
-    _add_beams(sums, crank, nodes)
-    for node, body in _bodies(crank, nodes, pin_masses):
-        _add_body(sums, nodes.points[node], node, body)
-    rotor = _rotor(crank, nodes, sums, members)
-    if damping_ratio == 0:
-        return replace(rotor, damping=damping_time * rotor.stiffness)
-    return replace(rotor, damping=modal_damping(rotor, damping_ratio) + damping_time * rotor.stiffness)
+    spans = [(front, rear, beam) for front, rear, beam, _, _ in beams(crank, nodes)]
+    rotor = gathered(nodes.points, members, spans, [*_bodies(crank, nodes, pin_masses)])
+    bearings = [i for i, part in enumerate(crank.parts) if isinstance(part, Journal) and part.bearing]
+    placed = replace(
+        rotor,
+        journals=tuple(nodes.ends[i][1] for i in bearings),
+        pins=_middles(crank, nodes, Pin),
+        pulley=nodes.pulley,
+        flywheel=nodes.flywheel,
+    )
+    return damped(placed, damping_ratio, damping_time)
 
 
 def _flexibility(webs: str | Flexibility, store: Store | None) -> Flexibility:
@@ -198,65 +188,3 @@ def _big_ends(crank: Crank, nodes: Nodes, pin_masses: Sequence[float]) -> Iterat
 
 def _middles(crank: Crank, nodes: Nodes, kind: type) -> tuple[int, ...]:
     return tuple(nodes.ends[i][1] for i, part in enumerate(crank.parts) if isinstance(part, kind))
-
-
-def _empty(count: int) -> _Matrices:
-    size = DOF * count
-    return _Matrices(*(np.zeros((size, size)) for _ in range(4)), np.zeros(size))
-
-
-def _add(total: Array, piece: Array, *nodes: int) -> None:
-    unknowns = np.concatenate([np.arange(DOF * node, DOF * node + DOF) for node in nodes])
-    total[np.ix_(unknowns, unknowns)] += piece
-
-
-def _add_body(sums: _Matrices, point: Array, node: int, body: Body) -> None:
-    matrices = node_matrices(body.mass, body.offset, body.inertia, point)
-    for total, piece in zip((sums.mass, sums.gyroscopic, sums.centrifugal), matrices, strict=True):
-        _add(total, piece, node)
-    sums.force[DOF * node : DOF * node + DOF] += node_force(body.mass, point, body.offset, body.inertia)
-
-
-def _add_beams(sums: _Matrices, crank: Crank, nodes: Nodes) -> None:
-    for front, rear, beam, _, _ in beams(crank, nodes):
-        mass, inertia = beam.material.density * beam.section.area, beam.inertia
-        slices = node_matrices(mass, np.zeros(3), inertia)
-        for total, slice_ in zip((sums.mass, sums.gyroscopic, sums.centrifugal), slices, strict=True):
-            _add(total, beam.gathered(lambda _, q=slice_: q), front, rear)
-        start = nodes.points[front]
-        force = beam.gathered(
-            lambda lever, p=start, m=mass, i=inertia: node_force(m, p + lever, np.zeros(3), i)
-        )
-        sums.force[DOF * front : DOF * front + DOF] += force[:DOF]
-        sums.force[DOF * rear : DOF * rear + DOF] += force[DOF:]
-
-
-def _rotor(crank: Crank, nodes: Nodes, sums: _Matrices, members: Sequence[Member]) -> Rotor:
-    bearings = [i for i, part in enumerate(crank.parts) if isinstance(part, Journal) and part.bearing]
-    return Rotor(
-        points=nodes.points,
-        mass=sums.mass,
-        stiffness=sums.stiffness,
-        damping=np.zeros_like(sums.mass),
-        gyroscopic=sums.gyroscopic,
-        centrifugal=sums.centrifugal,
-        centrifugal_force=sums.force,
-        journals=tuple(nodes.ends[i][1] for i in bearings),
-        pins=_middles(crank, nodes, Pin),
-        pulley=nodes.pulley,
-        flywheel=nodes.flywheel,
-        members=tuple(members),
-    )
-
-
-def modal_damping(rotor: Rotor, ratio: float) -> Array:
-    """Return the C that gives every elastic mode this ratio of critical damping, rigid motions none.
-
-    C = 2 ratio M^(1/2) (M^(-1/2) K M^(-1/2))^(1/2) M^(1/2): no mode needs to be named.
-    """
-    factor = np.linalg.cholesky(rotor.mass)
-    inverse = np.linalg.inv(factor)
-    squares, shapes = np.linalg.eigh(inverse @ rotor.stiffness @ inverse.T)
-    roots = np.sqrt(np.maximum(squares, 0.0))
-    motions = factor @ shapes
-    return 2 * ratio * (motions * roots) @ motions.T
