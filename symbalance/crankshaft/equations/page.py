@@ -62,7 +62,8 @@ def entry_latex(value: Any) -> str:
 def matrix_latex(matrix: Any) -> str:
     """Return a matrix in brackets."""
     rows = ([entry_latex(cell) for cell in matrix.row(i)] for i in range(matrix.rows))
-    body = " \\\\\n".join(" & ".join(row) for row in rows)
+    lines = [" & ".join(row) for row in rows]
+    body = (" \\\\[3pt]\n" if any("frac" in line for line in lines) else " \\\\\n").join(lines)
     return f"\\begin{{bmatrix}}\n{body}\n\\end{{bmatrix}}"
 
 
