@@ -23,6 +23,7 @@ from symbalance.crankshaft.frames import (
     turned_vectors,
 )
 from symbalance.crankshaft.gyroscopics import crossing, node_force, node_matrices
+from symbalance.crankshaft.rotor import Rotor
 from symbalance.crankshaft.spin import deflated, spin_growth, spin_motion
 from symbalance.errors import SymbalanceError
 
@@ -327,6 +328,19 @@ def test_turned_shapes():
 
 
 # --- the free spin ----------------------------------------------------------------------------------
+
+
+def test_the_spin_is_the_turn_of_the_whole():
+    points = np.random.default_rng(2).uniform(-1, 1, (5, 3))
+    small = 1e-7
+    moved = points.copy()
+    moved[:, :2] = points[:, :2] @ rotation(small).T
+    spin = spin_motion(points).reshape(5, 6)
+    np.testing.assert_allclose(spin[:, :3], (moved - points) / small, atol=1e-6)
+    np.testing.assert_array_equal(spin[:, 3:], np.tile([0, 0, 1], (5, 1)))
+    empty = np.zeros((30, 30))
+    rotor = Rotor(points, *[empty] * 5, centrifugal_force=np.zeros(30), journals=(), pins=())
+    np.testing.assert_array_equal(rotor.rigid_motions()[:, 5], spin_motion(points))
 
 
 def lumps(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
