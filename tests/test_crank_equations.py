@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import random
+import re
 from itertools import product
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from mpmath import mp
 import symbalance as sb
 from symbalance.crankshaft.equations import compared, node_equations, turned_bearing
 from symbalance.crankshaft.equations.bearings import DAMPING, STIFFNESS
+from symbalance.crankshaft.equations.published import published
 from symbalance.crankshaft.equations.quantities import OFFSET, OMEGA, PRODUCTS, THETA, TURN
 from symbalance.crankshaft.equations.rotations import CARDAN, ROTATIONS
 from symbalance.crankshaft.frames import (
@@ -408,3 +411,25 @@ def test_every_product_of_inertia_enters():
     node = node_equations()
     for symbol, name in product(PRODUCTS, ("mass", "centrifugal")):
         assert symbol in getattr(node, name).free_symbols
+
+
+def read_cell(cell: str) -> sympy.Expr:
+    """Return a matrix's printed entry: signed sums of M, MU, MV and I_u, I_v, I_w."""
+    names = {"M": "m", "MU": "m U", "MV": "m V", "I_u": "I_uu", "I_v": "I_vv", "I_w": "I_ww"}
+    known = {str(s): s for s in node_equations().symbols}
+    total = sympy.S.Zero
+    for sign, number, letters in re.findall(r"(-?)\s*(\d*)(M[UV]?|I_[uvw])", cell):
+        factors = [known[name] for name in names[letters].split()]
+        total += sympy.prod(factors) * int(f"{sign}{number or 1}")
+    return total
+
+
+def test_the_published_matrices_are_those_quoted():
+    """The derivation quotes the paper's lines; what is compared against is what stands there."""
+    page = Path(__file__).parent.parent / "derivations" / "crankshaft-equations.md"
+    lines = re.findall(r"^004:(?:89|90|91|92)  (.*)$", page.read_text("utf-8"), re.MULTILINE)
+    found = [re.findall(r"begin\{bmatrix\}(.*?)\\end", line) for line in lines]
+    quoted = [matrices[i] for matrices, i in zip(found, (0, 0, 0, 1), strict=True)]
+    for matrix, text in zip(published().values(), quoted, strict=True):
+        rows = [[read_cell(cell) for cell in row.split("&")] for row in text.split(r"\\")]
+        assert matrix == sympy.ImmutableMatrix(rows)
