@@ -38,7 +38,7 @@ def gathered(
     stiffness = np.zeros((size, size))
     for member in members:
         _add(stiffness, member.stiffness, member.front, member.rear)
-    sums = _Sums(*(np.zeros((size, size)) for _ in range(3)), np.zeros(size))
+    sums = _Sums(*np.zeros((3, size, size)), force=np.zeros(size))
     for front, rear, beam in spans:
         _add_beam(sums, points[front], (front, rear), beam)
     for node, body in bodies:

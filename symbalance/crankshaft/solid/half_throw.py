@@ -48,7 +48,7 @@ def half_throw_flexibility(arm: Arm, size: float) -> Array:
     for motions in (EVEN, ODD) if cuts else ([*range(DOF)],):
         held = solid.held_by_mirror(1, 0.0, even=motions == EVEN) if cuts else np.zeros(solid.size, bool)
         total[np.ix_(motions, motions)] = (2 if cuts else 1) * _reactions(solid, own, motions, held)
-    return np.linalg.inv((total + total.T) / 2)
+    return np.asarray(np.linalg.inv((total + total.T) / 2), dtype=float)
 
 
 def _reactions(solid: Solid, arm: Arm, motions: list[int], held: Array) -> Array:
