@@ -427,9 +427,7 @@ def test_a_webs_two_ends_are_the_whole_with_nothing_pulling_between():
     ends, middle = slice(0, 12), slice(12, 18)
     whole = member.whole
     kept = whole[ends, middle] @ np.linalg.solve(whole[middle, middle], whole[middle, ends])
-    assert whole[ends, ends] - kept == pytest.approx(
-        member.stiffness, rel=1e-6, abs=1e-6 * whole[0, 0]
-    )
+    assert whole[ends, ends] - kept == pytest.approx(member.stiffness, rel=1e-6, abs=1e-6 * whole[0, 0])
 
 
 def found(store, arm):
@@ -469,10 +467,31 @@ def test_a_broken_store_is_refused(tmp_path, text):
         open_store(tmp_path / "webs.json")
 
 
-def test_without_the_mesher_an_unsolved_web_says_what_to_install(monkeypatch):
-    monkeypatch.setitem(__import__("sys").modules, "skfem", None)
-    with pytest.raises(MissingPartError, match=r"pip install 'symbalance\[crankshaft\]'"):
-        assemble(simple_crank(1), webs="solid")
+@pytest.mark.parametrize(
+    "missing", ["skfem", pytest.param("gmsh", marks=pytest.mark.skipif(not MESHER, reason="optional"))]
+)
+@pytest.mark.parametrize("webs", ["solid", "fitted"])
+def test_without_the_mesher_an_unsolved_web_says_what_to_install(monkeypatch, missing, webs):
+    monkeypatch.setitem(__import__("sys").modules, missing, None)
+    with pytest.raises(MissingPartError, match=r"pip install 'symbalance\[crankshaft\]'") as caught:
+        assemble(simple_crank(1), webs=webs)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.skipif(not MESHER, reason="gmsh and scikit-fem are optional")
+def test_what_gmsh_cannot_draw_is_an_error_in_words():
+    from symbalance.crankshaft.solid.meshing import meshed
+
+    with pytest.raises(SymbalanceError, match="the crank's solid: cannot be meshed"):
+        meshed(lambda occ: occ.addCylinder(0, 0, 0, 0, 0, 0, 10), 0.01)
+
+
+def test_a_very_thin_web_is_meshed_within_reach():
+    from symbalance.crankshaft.solid.half_throw import fine
+
+    parts = (replace(p, thickness=0.002) if isinstance(p, Web) else p for p in simple_crank(1).parts)
+    arm = next(arms(Crank(tuple(parts))))[1]
+    assert fine(arm) >= arm.web.width / 15
 
 
 @pytest.mark.skipif(not MESHER, reason="gmsh and scikit-fem are optional")
