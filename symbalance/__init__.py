@@ -28,6 +28,10 @@ _HOMES = {
     "w": "builders",
     "radial": "builders",
     "Link": "trains",
+    "Counterweight": "balancers",
+    "BalanceShaft": "balancers",
+    "Weight": "balancers",
+    "Balancers": "balancers",
     "load": "catalogue",
     "presets": "catalogue",
     "balance": "resultants",
@@ -85,6 +89,10 @@ def __dir__() -> list[str]:
 if TYPE_CHECKING:
     from symbalance.angles import Angle as Angle
     from symbalance.angles import degrees as degrees
+    from symbalance.balancers import Balancers as Balancers
+    from symbalance.balancers import BalanceShaft as BalanceShaft
+    from symbalance.balancers import Counterweight as Counterweight
+    from symbalance.balancers import Weight as Weight
     from symbalance.builders import boxer as boxer
     from symbalance.builders import from_firing_order as from_firing_order
     from symbalance.builders import inline as inline

@@ -14,6 +14,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, TypeVar
 
+from symbalance.balancer_tables import TABLES, with_balancers
 from symbalance.builders import from_firing_order
 from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
@@ -25,7 +26,7 @@ from symbalance.unlike import kinds
 T = TypeVar("T")
 LARGEST_FILE = 1_000_000
 
-_TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder")
+_TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder", *TABLES)
 _CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset")
 _LAYOUT = ("strokes", "banks", "cylinders", "firing_order", "firing_intervals", "stagger")
 _LINK = ("master", "link_angle", "link_radius")
@@ -106,7 +107,7 @@ class _Reader:
             shared = "offset" in self.subtable(table, "crank_train")
             section, key = ("crank_train", "offset") if shared else ("cylinder", "")
             self.guarded(section, key, 0, lambda: kinds(made))
-        return made
+        return with_balancers(self, table, made)
 
     def crank_train(self, table: dict[str, Any]) -> CrankTrain:
         section = "crank_train"

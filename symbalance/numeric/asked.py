@@ -120,7 +120,8 @@ def _every_order(
     if tolerance:
         rule = "has no proven bound for cylinders that are not alike"
         raise SymbalanceError(f"tolerance = {tolerance:g}", rule, "give the highest order instead")
-    wide = balance(result.layout, MANY_ORDERS, reference=result.reference)
+    fastest = max((abs(s.speed) for s in result.layout.balancers.shafts), default=0)
+    wide = balance(result.layout, max(MANY_ORDERS, fastest), reference=result.reference)
     return truncated(wide, names, ratio)
 
 
@@ -155,7 +156,7 @@ class _Asked:
     def within(self, tolerance: float) -> Wave:
         if self.part in ("displacement", "velocity"):
             return self.truncated()
-        order, bound = FIRST_TRY, mp.inf
+        order, bound = min(FIRST_TRY + self.fastest(), HIGHEST_ORDER), mp.inf
         while True:
             terms, beyond = self.terms(order), self.weight() * left_out(order, self.ratio)
             sizes = [t.size for t in terms]
@@ -210,6 +211,11 @@ class _Asked:
             result = balance(result.layout, order, reference=result.reference)
         return result.force if self.kind == "force" else result.couple
 
+    def fastest(self) -> int:
+        """Return the highest order of a balance shaft, which a cylinder's closed form does not hold."""
+        shafts = () if self.kind == "piston" else self.result.layout.balancers.shafts
+        return max((abs(s.speed) for s in shafts), default=0)
+
     def weight(self) -> Real:
         """Return what bounds the output's geometry at every order: the sum of all cylinders' weights."""
         return mp.fsum(abs(w) for w in self._weights())
@@ -222,7 +228,7 @@ class _Asked:
             turns = cylinders[0].delay.turns
             first = self.terms(1) if kind == "secondary" else ()
             return Closed(kind, self.ratio, ((mp.mpf(1), turns),), first)
-        if self.part not in ("vertical", "lateral"):
+        if self.part not in ("vertical", "lateral") or self.fastest() > 1:
             return None
         merged: dict[Fraction, Real] = {}
         onto = mp.cospi if self.part == "vertical" else mp.sinpi

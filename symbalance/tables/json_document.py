@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy
 
+from symbalance.balancers import Balancers, Counterweight, Weight
 from symbalance.cylinders import Cylinder
 from symbalance.rational import decimal_text
 from symbalance.resultants import Balance, Order, Resultant, checked_balance
@@ -32,8 +33,50 @@ def document(balance: Balance) -> dict[str, Any]:
         "ratio": None if balance.ratio is None else str(balance.ratio),
         "reference_plane": plane,
         "cylinders": [_cylinder(c) for c in balance.layout.cylinders],
+        **({"balancers": _balancers(balance.layout.balancers)} if balance.layout.balancers else {}),
         "orders": [_order(order, balance) for order in balance.orders],
     }
+
+
+def _balancers(found: Balancers) -> dict[str, Any]:
+    """Return counterweights and shafts; a weight is `cos` + i `sin`, straight up and to the right."""
+    return {
+        "counterweights": [_counterweight(c) for c in found.counterweights],
+        "shafts": [
+            {
+                "speed": shaft.speed,
+                "phase": shaft.phase.as_text(),
+                "x": str(shaft.x),
+                "y": str(shaft.y),
+                "weights": [_weight(w) for w in shaft.weights],
+            }
+            for shaft in found.shafts
+        ],
+    }
+
+
+def _counterweight(counterweight: Counterweight) -> dict[str, Any]:
+    weight = counterweight.weight
+    given = {"throw": counterweight.throw, "web": counterweight.web}
+    return {
+        **{key: value for key, value in given.items() if value is not None},
+        "angle": counterweight.angle.as_text(),
+        "station": None if counterweight.station is None else str(counterweight.station),
+        **(
+            {"overbalance": str(counterweight.overbalance)}
+            if weight is None
+            else {"unit": _unit(weight), "vector": dict(_component(Component(weight.vector)))}
+        ),
+    }
+
+
+def _weight(weight: Weight) -> dict[str, Any]:
+    vector = dict(_component(Component(weight.vector)))
+    return {"station": str(weight.station), "unit": _unit(weight), "vector": vector}
+
+
+def _unit(weight: Weight) -> str:
+    return "kg mm" if weight.in_kg_mm else "share"
 
 
 def _cylinder(cylinder: Cylinder) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from symbalance.notation import series_latex
 from symbalance.resultants import Balance, Order
 from symbalance.slider_crank import Series
 from symbalance.spectrum import Component
+from symbalance.tables.balancer_facts import LATEX, balancer_lines
 from symbalance.tables.expressions import latex
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
@@ -133,6 +134,7 @@ def _heading(balance: Balance) -> str:
             *sizes,
             r"\(a\) the pitch of the cylinders; forces are positive upwards and to the right,",
             r"seen from the front; couples are positive with the front pushed up or right.",
+            *(f"{line[0].upper()}{line[1:]}." for line in balancer_lines(layout, LATEX)),
             r"Order \(n\) reads",
             r"\(C \cos n\theta + S \sin n\theta = \text{amplitude} \cdot \cos(n\theta - \text{phase})\).",
         ]

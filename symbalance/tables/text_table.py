@@ -8,6 +8,7 @@ from textwrap import wrap
 from symbalance.angles import Angle
 from symbalance.notation import series_text
 from symbalance.resultants import Balance, checked_balance
+from symbalance.tables.balancer_facts import balancer_lines
 from symbalance.tables.expressions import text
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
@@ -59,6 +60,7 @@ def _heading(balance: Balance) -> str:
         *([f"fires {fires}"] if fires else []),
         f"θ (clockwise seen from the front) = 0: {origin(layout, _angle)}",
         *(_like(balance) if balance.is_uniform else unlike(layout)),
+        *(line.replace("-", "−") for line in balancer_lines(layout)),
         *_LEGEND,
     ]
     return "\n".join(part for line in lines for part in _wrapped(line, "  "))
