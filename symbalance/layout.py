@@ -9,7 +9,7 @@ from functools import cached_property
 from math import lcm
 
 from symbalance.angles import SymbolPart
-from symbalance.balancers import BalanceShaft, Balancers, Counterweight, check_shares, checked_balancers
+from symbalance.balancers import Balancers, BalanceShaft, Counterweight, check_shares, checked_balancers
 from symbalance.cylinders import MOST_CYLINDERS, Cylinder
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.phasor import checked_modulus
