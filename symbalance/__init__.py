@@ -55,6 +55,23 @@ _HOMES = {
     "natural_bank_angles": "stars",
     "pin_offsets": "stars",
     "crank_stars": "stars",
+    "engine_text": "engine_writing",
+    "Design": "balancing",
+    "Ellipse": "balancing",
+    "balanced_weights": "balancing",
+    "best_forward": "balancing",
+    "best_overbalance": "balancing",
+    "design_balance": "balancing",
+    "ellipse": "balancing",
+    "overbalanced": "balancing",
+    "roll_moment": "balancing",
+    "rotating_unbalance": "balancing",
+    "rotating_weights": "balancing",
+    "shaft_moment": "balancing",
+    "throw_unbalance": "balancing",
+    "design_text": "tables.design_text",
+    "design_latex": "tables.design_latex",
+    "design_json": "tables.design_json",
     "inertia_torque": "torque",
     "crank_torque": "torque",
     "gas_torque": "torque",
@@ -93,6 +110,19 @@ if TYPE_CHECKING:
     from symbalance.balancers import BalanceShaft as BalanceShaft
     from symbalance.balancers import Counterweight as Counterweight
     from symbalance.balancers import Weight as Weight
+    from symbalance.balancing import Design as Design
+    from symbalance.balancing import Ellipse as Ellipse
+    from symbalance.balancing import balanced_weights as balanced_weights
+    from symbalance.balancing import best_forward as best_forward
+    from symbalance.balancing import best_overbalance as best_overbalance
+    from symbalance.balancing import design_balance as design_balance
+    from symbalance.balancing import ellipse as ellipse
+    from symbalance.balancing import overbalanced as overbalanced
+    from symbalance.balancing import roll_moment as roll_moment
+    from symbalance.balancing import rotating_unbalance as rotating_unbalance
+    from symbalance.balancing import rotating_weights as rotating_weights
+    from symbalance.balancing import shaft_moment as shaft_moment
+    from symbalance.balancing import throw_unbalance as throw_unbalance
     from symbalance.builders import boxer as boxer
     from symbalance.builders import from_firing_order as from_firing_order
     from symbalance.builders import inline as inline
@@ -108,6 +138,7 @@ if TYPE_CHECKING:
     from symbalance.checking import report_text as report_text
     from symbalance.cylinders import Cylinder as Cylinder
     from symbalance.derivation import derive as derive
+    from symbalance.engine_writing import engine_text as engine_text
     from symbalance.errors import SymbalanceError as SymbalanceError
     from symbalance.layout import Layout as Layout
     from symbalance.mechanisms import LinkRod as LinkRod

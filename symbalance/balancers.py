@@ -60,9 +60,9 @@ class Weight:
 
 
 def _size(share: object, unbalance: object) -> Number:
-    if isinstance(share, Phasor | SymbolicPhasor | DecimalPhasor):
-        return share
     name, value = ("unbalance", unbalance) if share is None else ("share", share)
+    if isinstance(value, Phasor | SymbolicPhasor | DecimalPhasor):
+        return value
     return Phasor.of(1, {0: exact(value, name, FINEST_SHARE)})
 
 

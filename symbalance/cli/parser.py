@@ -36,6 +36,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_check(commands)
     _add_emit(commands)
     _add_torque(commands)
+    _add_design(commands)
     _add_engines(commands)
     _add_bench(commands)
     return parser
@@ -156,6 +157,50 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
     parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
     parser.add_argument("--delta", metavar="δ", default="0.02", help="speed fluctuation; default: 0.02")
     _add_output(parser, ("text", "json"))
+
+
+def _add_design(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "design", "Counterweights and balance shafts that end given orders, with a certificate."
+    )
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to end; default: 1,2")
+    parser.add_argument(
+        "--shafts", metavar="N", help="at most so many shafts; default: as many as it takes"
+    )
+    parser.add_argument(
+        "--no-counter-rotation", action="store_true", help="no shaft may turn against the crank"
+    )
+    parser.add_argument(
+        "--no-counterweights", action="store_true", help="nothing may be put on the crank"
+    )
+    parser.add_argument(
+        "--stations",
+        metavar="A,…",
+        help="places for weights, in pitches; default: one place where that does, else the ends",
+    )
+    parser.add_argument(
+        "--spread", choices=("ends", "even"), default="ends", help="even: a weight at every station"
+    )
+    parser.add_argument(
+        "--per-throw",
+        action="store_true",
+        help="counterweights on every throw, half the reciprocating mass",
+    )
+    parser.add_argument(
+        "--vertical", metavar="W", default="1", help="weight of the vertical in what is left; default: 1"
+    )
+    parser.add_argument(
+        "--lateral", metavar="W", default="1", help="weight of the lateral in what is left; default: 1"
+    )
+    parser.add_argument(
+        "--length", metavar="L", default="1", help="pitches over which couples count; default: 1"
+    )
+    parser.add_argument("--most", metavar="KGMM", help="no weight may have a larger unbalance, kg mm")
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    _add_output(parser, ("text", "latex", "json"))
+    parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
+    parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:

@@ -65,13 +65,13 @@ def _counterweight(counterweight: Counterweight) -> dict[str, Any]:
         **(
             {"overbalance": str(counterweight.overbalance)}
             if weight is None
-            else {"unit": _unit(weight), "vector": dict(_component(Component(weight.vector)))}
+            else {"unit": _unit(weight), "vector": dict(component_values(Component(weight.vector)))}
         ),
     }
 
 
 def _weight(weight: Weight) -> dict[str, Any]:
-    vector = dict(_component(Component(weight.vector)))
+    vector = dict(component_values(Component(weight.vector)))
     return {"station": str(weight.station), "unit": _unit(weight), "vector": vector}
 
 
@@ -111,11 +111,11 @@ def _coefficient(order: Order, balance: Balance) -> dict[str, Any] | None:
 
 
 def _resultant(resultant: Resultant) -> dict[str, Any]:
-    return {name: dict(_component(resultant.component(name))) for name in COMPONENTS}
+    return {name: dict(component_values(resultant.component(name))) for name in COMPONENTS}
 
 
 @lru_cache(maxsize=4096)
-def _component(component: Component) -> dict[str, Any]:
+def component_values(component: Component) -> dict[str, Any]:
     """Return a component's values, none of which can be changed: documents share them."""
     symbolic = isinstance(component.number, SymbolicPhasor) and not component.is_zero()
     cos, sin, phase = str(component.cos), str(component.sin), component.phase

@@ -41,9 +41,13 @@ _LEGEND = (
 def to_text(balance: Balance) -> str:
     """Return a balance as text: the engine, its free force, its free couple, the coefficients A_n."""
     checked_balance(balance)
+    return f"{heading_text(balance)}\n\n{resultants_text(balance)}"
+
+
+def resultants_text(balance: Balance) -> str:
+    """Return the free force, the free couple and the coefficients, without the engine's heading."""
     force, couple = ("Fₙ = Aₙ m r ω²", "Fₙ a") if balance.is_uniform else ("m r ω²", "m r ω² a")
     blocks = [
-        _heading(balance),
         _resultant(balance, "force", f"Free force, unit {force}"),
         _resultant(balance, "couple", f"Free couple about {plane(balance)}, unit {couple}"),
         _coefficients(balance),
@@ -51,7 +55,8 @@ def to_text(balance: Balance) -> str:
     return "\n\n".join(block for block in blocks if block) + "\n"
 
 
-def _heading(balance: Balance) -> str:
+def heading_text(balance: Balance) -> str:
+    """Return what is said of an engine before its numbers."""
     layout = balance.layout
     count, fires = len(layout.cylinders), firing(layout)
     lines = [

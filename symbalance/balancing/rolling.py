@@ -1,0 +1,78 @@
+r"""The roll moment of balance shafts beside or above the crank, alone and with that of the pistons.
+
+A force (vertical v, lateral l) at a point x to the right of the crank's axis and y above it has the
+moment y l - x v about it, positive in the sense of rotation. With p = y + i x that is
+Im(conj(p) u e^(i n theta)) for a vector u at n times the crank's speed: exact harmonics of order |n|. The
+frame also gets the opposite of the inertia torque on the crank (`symbalance.torque`). Two shafts at +-2
+that take 2 F_2 each of an in-line four, the one that turns with the crank h above the other, have the
+moment -2 (h/r) A_2 sin 2 theta in m r^2 omega^2, and the pistons leave -4 t_2 sin 2 theta: with t_2 = -1/2
+and A_2 = r/l to leading order, h = l, one rod length, ends force and roll moment at once. Mitsubishi's
+silent shafts take a part of that height (Nakamura, SAE 760111, 1976, from memory).
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from mpmath import mp
+
+from symbalance.balancing.numbers import product
+from symbalance.errors import SymbalanceError
+from symbalance.layout import Layout
+from symbalance.phasor import ZERO, Phasor
+from symbalance.rational import Real
+from symbalance.rotors import added, rotors, share_unit
+from symbalance.spectrum import Component, Number
+from symbalance.torque import inertia_torque
+
+DIGITS = 30
+
+
+def shaft_moment(layout: Layout) -> dict[int, Component]:
+    """Return the roll moment of an engine's balance shafts by order, C + iS each, in units F_n r.
+
+    F_n = A_n m r omega^2 (m r omega^2 where that is the unit of the balance); positive in the sense of
+    rotation, on the frame. Refused without a stroke, as x and y are in mm.
+
+    >>> from symbalance.balancers import BalanceShaft, Weight
+    >>> from symbalance.builders import inline
+    >>> from symbalance.trains import CrankTrain
+    >>> four = inline("1-3-4-2", crank_train=CrankTrain(stroke=Fraction(80), rod=Fraction(140)))
+    >>> pair = [BalanceShaft(s, [Weight(share=2, phase=180)], y=y) for s, y in ((2, 70), (-2, -70))]
+    >>> shaft_moment(four.balanced_by(*pair))[2].sin  # -2 * 140/40
+    -7
+    """
+    total: dict[int, Number] = {}
+    for rotor in rotors(layout):
+        if not (rotor.x or rotor.y):
+            continue
+        stroke = layout.train_of(layout.cylinders[0]).stroke
+        if stroke is None:
+            rule, remedy = "needs the stroke to be a moment", "give stroke = ... in [crank_train], mm"
+            raise SymbalanceError("x, y of a shaft", rule, remedy)
+        arm = Phasor.of(4, {0: 2 * rotor.y / stroke, 3: 2 * rotor.x / stroke})
+        moment, n = product(rotor.vector, arm), abs(rotor.speed)
+        quarter = Fraction(1, 4)
+        part = moment.conjugate().turned(quarter) if rotor.speed > 0 else moment.turned(-quarter)
+        total[n] = added(total.get(n, ZERO), part)
+    return {n: Component(c) for n, c in sorted(total.items()) if not c.is_zero()}
+
+
+def roll_moment(layout: Layout, order: int = 6, *, ratio: object = None) -> dict[int, tuple[Real, Real]]:
+    """Return what rolls the engine: (C, S) by order in m r^2 omega^2, of pistons and shafts together.
+
+    >>> from symbalance.builders import inline
+    >>> mp.nstr(roll_moment(inline("1-3-4-2"), 2, ratio=4)[2][1], 6)
+    '2.00052'
+    """
+    layout = layout if ratio is None else layout.with_ratio(ratio)
+    found = {int(n): (c, s) for n, c, s in inertia_torque(layout, order).reaction().terms()}
+    for n, part in shaft_moment(layout).items():
+        if n > order:
+            continue
+        unit = share_unit(layout, n) if layout.is_geometric else mp.mpf(1)
+        cos, sin = part.decimal(DIGITS)
+        with mp.workdps(DIGITS):
+            had = found.get(n, (mp.mpf(0), mp.mpf(0)))
+            found[n] = (had[0] + cos * unit, had[1] + sin * unit)
+    return dict(sorted(found.items()))
