@@ -53,7 +53,7 @@ def in_planes(
     if not places:
         raise SymbalanceError("stations = []", "leave no place for a weight", "give one or two")
     one = station_of(force, couple)
-    if spread == "ends" and one in places:
+    if spread == "ends" and one is not None and one in places:
         return [(one, force)]
     if len(places) == 1:
         return [_nearest(force, couple, places[0], length)]

@@ -5,9 +5,9 @@ moment y l - x v about it, positive in the sense of rotation. With p = y + i x t
 Im(conj(p) u e^(i n theta)) for a vector u at n times the crank's speed: exact harmonics of order |n|. The
 frame also gets the opposite of the inertia torque on the crank (`symbalance.torque`). Two shafts at +-2
 that take 2 F_2 each of an in-line four, the one that turns with the crank h above the other, have the
-moment -2 (h/r) A_2 sin 2 theta in m r^2 omega^2, and the pistons leave -4 t_2 sin 2 theta: with t_2 = -1/2
-and A_2 = r/l to leading order, h = l, one rod length, ends force and roll moment at once. Mitsubishi's
-silent shafts take a part of that height (Nakamura, SAE 760111, 1976, from memory).
+moment -2 (h/r) A_2 sin 2 theta in m r^2 omega^2, and the pistons leave -4 t_2 sin 2 theta. With
+t_2 = -1/2 and A_2 = r/l to leading order, h = l, one rod length, ends force and roll moment at once;
+Mitsubishi's silent shafts take a part of that height (Nakamura, SAE 760111, 1976, from memory).
 """
 
 from __future__ import annotations

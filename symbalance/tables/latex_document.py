@@ -96,6 +96,12 @@ def _(result: Derivation, *, standalone: bool = False) -> str:
 
 @to_latex.register
 def _(result: Balance, *, standalone: bool = False) -> str:
+    body = f"{heading_latex(result)}\n\n\\medskip\n{resultants_latex(result)}"
+    return in_document(body) if standalone else body + "\n"
+
+
+def resultants_latex(result: Balance) -> str:
+    """Return the free force, the free couple and the coefficients, without the engine's heading."""
     units = (r"\(F_n = A_n\, m r \omega^2\)", r"\(F_n a\)")
     if not result.is_uniform:
         units = (r"\(m r \omega^2\)", r"\(m r \omega^2 a\)")
@@ -103,8 +109,7 @@ def _(result: Balance, *, standalone: bool = False) -> str:
     couple = _resultant(
         result, "couple", rf"\textbf{{Free couple}} about {plane(result)}, unit {units[1]}"
     )
-    body = "\n\n\\medskip\n".join([_heading(result), force, couple, _coefficients(result)])
-    return in_document(body) if standalone else body + "\n"
+    return "\n\n\\medskip\n".join([force, couple, _coefficients(result)])
 
 
 def _escaped(text: str) -> str:
@@ -115,7 +120,8 @@ def _escaped(text: str) -> str:
     return "".join(table.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
 
 
-def _heading(balance: Balance) -> str:
+def heading_latex(balance: Balance) -> str:
+    """Return what is said of an engine before its numbers."""
     layout, ratio = balance.layout, ""
     count, fires = len(layout.cylinders), firing(layout)
     noun = "cylinders" if count > 1 else "cylinder"
@@ -150,14 +156,14 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
     if not found:
         return rf"{title}: none, to order {balance.highest}."
     head = r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
-    table = _tabulars("rlccccc", head, [_row(row) for row in found])
+    table = tabulars("rlccccc", head, [_row(row) for row in found])
     return "\n".join([rf"{title}:", table, *exact_forms(found), _rotating(balance, name)])
 
 
 def _row(row: Row) -> str:
     exact, decimals = [latex(e) for e in row.exact()], row.decimals()
     if row.is_decimal and decimals is not None:
-        cos, sin, amplitude, phase = (rf"\({_number(d)}\)" for d in decimals)
+        cos, sin, amplitude, phase = (rf"\({number_latex(d)}\)" for d in decimals)
         return " & ".join([str(row.order), row.name, cos, sin, amplitude, "", phase])
     cells, nearly = [], r"\approx "
     for i, formula in enumerate(exact):
@@ -166,10 +172,10 @@ def _row(row: Row) -> str:
         elif i == 2 and len(formula) > LONGEST_CELL:
             cells.append("")
         elif len(formula) > LONGEST_CELL or r"\operatorname{atan2}" in formula:
-            cells.append(rf"\({nearly if i == 3 else ''}{_number(decimals[i])}\)")
+            cells.append(rf"\({nearly if i == 3 else ''}{number_latex(decimals[i])}\)")
         else:
             cells.append(rf"\({formula}\)")
-    near = "" if decimals is None else rf"\({_number(decimals[2])}\)"
+    near = "" if decimals is None else rf"\({number_latex(decimals[2])}\)"
     return " & ".join([str(row.order), row.name, *cells[:3], near, cells[3]])
 
 
@@ -180,7 +186,7 @@ def _rotating(balance: Balance, name: str) -> str:
         return f"{IN_ONE_PLANE[0].upper()}{IN_ONE_PLANE[1:]}."
     head = r"\(n\) & forward (with the crank) & phase & backward (against it) & phase"
     lines = [" & ".join([str(f.order), *_turning(f), *_turning(b)]) for f, b in pairs]
-    return "As rotating parts:\n" + _tabulars("rcccc", head, lines)
+    return "As rotating parts:\n" + tabulars("rcccc", head, lines)
 
 
 def _turning(row: Row) -> list[str]:
@@ -190,20 +196,21 @@ def _turning(row: Row) -> list[str]:
     if decimals is None:
         return [rf"\({e}\)" if len(e) <= LONGEST_CELL else "long" for e in exact[2:]]
     if row.is_decimal:
-        return [rf"\({_number(d)}\)" for d in decimals[2:]]
-    amplitude, phase = (_number(d) for d in decimals[2:])
+        return [rf"\({number_latex(d)}\)" for d in decimals[2:]]
+    amplitude, phase = (number_latex(d) for d in decimals[2:])
     if len(exact[2]) <= LONGEST_CELL and exact[2] != amplitude:
         amplitude = rf"{exact[2]} \approx {amplitude}"
     phase = rf"\approx {phase}" if "atan2" in exact[3] else exact[3]
     return [rf"\({amplitude}\)", rf"\({phase}\)"]
 
 
-def _number(decimal: str) -> str:
+def number_latex(decimal: str) -> str:
+    """Return a printed decimal as a formula."""
     mantissa, *exponent = decimal.split("e")
     return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
 
 
-def _tabulars(columns: str, head: str, lines: list[str], gap: int = 2) -> str:
+def tabulars(columns: str, head: str, lines: list[str], gap: int = 2) -> str:
     """Return tables of at most `ROWS_PER_TABLE` rows, one below the other."""
     chunks = [lines[i : i + ROWS_PER_TABLE] for i in range(0, len(lines), ROWS_PER_TABLE)]
     return "\n".join(
@@ -234,13 +241,13 @@ def _coefficients(balance: Balance) -> str:
     if max(map(len, series)) > LONGEST_SERIES:
         rows = [broken(rf"&A_{{{o.order}}}", s) for o, s in zip(balance.orders, series, strict=True)]
         return "\n".join([title, r"\begin{align*}", " \\\\\n".join(rows), r"\end{align*}"])
-    values = [rf"\({_number(shown(v))}\)" for v in balance.values.values()]
+    values = [rf"\({number_latex(shown(v))}\)" for v in balance.values.values()]
     columns, head = "rl", r"\(n\) & \(A_n\) in powers of \(1/\lambda\)"
     if values:
         columns, head = "rll", rf"{head} & exact in \(\lambda\), at \(\lambda = {_ratio(balance)}\)"
     lines = [rf"{o.order} & \(\displaystyle {s}\)" for o, s in zip(balance.orders, series, strict=True)]
     lines = [" & ".join(pair) for pair in zip(lines, values, strict=True)] if values else lines
-    return f"{title}\n{_tabulars(columns, head, lines, gap=12)}"
+    return f"{title}\n{tabulars(columns, head, lines, gap=12)}"
 
 
 def _series(order: Order) -> str:
@@ -250,7 +257,7 @@ def _series(order: Order) -> str:
     if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
         return series_latex(order.coefficient, ellipsis=True)
     with mp.workdps(30):  # whatever precision the caller has set
-        rounded = _number(shown(mp.mpf(lead.numerator) / lead.denominator))
+        rounded = number_latex(shown(mp.mpf(lead.numerator) / lead.denominator))
     return rf"{rounded}\ldots\,\lambda^{{-{power}}} + \cdots"
 
 
