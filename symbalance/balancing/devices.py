@@ -19,6 +19,7 @@ from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.phasor import ZERO
+from symbalance.rational import real
 from symbalance.resultants import Balance
 from symbalance.rotors import added, rotating_shares, share_unit, unit_unbalance
 from symbalance.spectrum import Number
@@ -97,7 +98,7 @@ def _weights(layout: Layout, speed: int, targets: Pair, limits: Limits) -> list[
     placed = in_planes(*targets, arms, spread=limits.spread, length=length)
     if limits.most is not None:
         bound = _bound(layout, speed, limits.most)
-        if any(size_of(vector) > bound for _, vector in placed):
+        if any(size_of(vector) > real(bound) for _, vector in placed):
             placed = bounded(*targets, sorted(set(arms), reverse=True), bound, length)
     return [(arm + plane, vector) for arm, vector in placed]
 
