@@ -73,7 +73,8 @@ def _joined(layout: Layout, balancers: Sequence[Balancer]) -> Layout:
 def _rows(reader: Reader, table: dict[str, Any], section: str) -> list[dict[str, Any]]:
     rows = table.get(section, [])
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
-        raise reader.refusal(section, rows, f"must be [[{section}]] tables", "use double brackets")
+        rule = f"must be [[{section}]] tables"
+        raise reader.refusal(section, rows, rule, "use double brackets", section)
     return rows
 
 

@@ -23,7 +23,7 @@ from symbalance.rational import checked_whole, exact, listed
 from symbalance.slider_crank import HIGHEST_ORDER, surviving
 from symbalance.spectrum import Number, SymbolicPhasor
 
-FINEST_SHARE = 10**30
+FINEST_SHARE = 10**40
 MOST_BALANCERS = 1000
 WEB = Fraction(1, 4)
 """How far a web stands from the middle of its pin, in pitches, where no station is given."""

@@ -135,7 +135,11 @@ def _simple(vector: Number) -> list[tuple[Fraction | str, Fraction]]:
     """Return sizes and degrees of weights that add up to a vector: one, if fractions say it."""
     if isinstance(vector, DecimalPhasor):
         rows = zip(vector.parts(), (0, 90), strict=True)
-        return [(str(mp.nstr(x, DIGITS)), Fraction(degrees)) for x, degrees in rows if x]
+        return [
+            (str(mp.nstr(x, DIGITS, min_fixed=1, max_fixed=0)), Fraction(degrees))
+            for x, degrees in rows
+            if x
+        ]
     if not isinstance(vector, Phasor):
         _degrees(Angle(Fraction(0), next(s for s in vector.parts if s)))
         raise AssertionError  # every symbol is refused
@@ -150,6 +154,10 @@ def _simple(vector: Number) -> list[tuple[Fraction | str, Fraction]]:
             size, turned = (Fraction(int(x.p), int(x.q)) for x in (amplitude, turns))
             return [(size, turned * 360)]
     return [(Fraction(c), Fraction(360 * k, short.modulus)) for k, c in sorted(short.terms.items())]
+
+
+def _decimal(value: Any) -> str:
+    return str(mp.nstr(value, DIGITS, min_fixed=1, max_fixed=0))
 
 
 def _pi() -> Any:

@@ -63,12 +63,11 @@ def test_nothing_to_do_is_said(capsys):
 
 def test_limits_are_kept_and_the_rest_is_told(capsys):
     text = output(capsys, "design", "inline-1", "--remove", "1", "--no-counter-rotation")
-    assert (
-        "Order 1: reduced with counterweights on the crank; it takes 1 shaft to end all exactly." in text
-    )
+    said = "Order 1: reduced with counterweights on the crank; it takes 1 shaft to end all exactly."
+    assert said in " ".join(text.split())
     assert "circle, against the crank" in text
     text = output(capsys, "design", "inline-4", "--shafts", "1", "--vertical", "3")
-    assert "as it was" not in text
+    assert "changed" in text
     text = output(capsys, "design", "v2-45", "--remove", "1", "--per-throw", "--shafts", "0")
     assert "every throw" in text
 
@@ -128,7 +127,7 @@ def test_the_balanced_engine_goes_through_every_command(name, capsys, tmp_path):
 def test_the_balanced_engine_in_latex_torque_and_code(capsys, tmp_path):
     path = tmp_path / "smooth.toml"
     output(capsys, "design", "inline-3", "--write", str(path))
-    assert "shaft at" in output(capsys, "balance", str(path), "--format", "latex")
+    assert "Shaft at" in output(capsys, "balance", str(path), "--format", "latex")
     plain, smooth = (output(capsys, "torque", engine) for engine in ("inline-3", str(path)))
     assert plain.partition("\n")[2] == smooth.partition("\n")[2]
     assert "def " in output(capsys, "emit", str(path), "--target", "numpy")

@@ -92,6 +92,15 @@ def size(vector: Number, style: Style = TEXT) -> str:
     return exact if isinstance(vector, SymbolicPhasor) else style.nearly + rounded(size_of(vector))
 
 
+def nearly(vector: Number, style: Style = TEXT) -> str:
+    """Return a weight's size rounded, empty where the exact one says it all or symbols stand in it."""
+    exact = size(vector, style)
+    if isinstance(vector, SymbolicPhasor) or exact.startswith(style.nearly):
+        return ""
+    near = rounded(size_of(vector)).removesuffix(".0")
+    return "" if near == exact else near
+
+
 def size_of(vector: Number) -> Any:
     """Return a weight's size in decimals."""
     with mp.workdps(30):

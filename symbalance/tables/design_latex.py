@@ -7,8 +7,7 @@ import sympy
 from symbalance.balancing import Design
 from symbalance.balancing.ellipses import Ellipse
 from symbalance.resultants import balance
-from symbalance.spectrum import Component
-from symbalance.tables.balancer_facts import LATEX, direction, rounded, size, size_of
+from symbalance.tables.balancer_facts import LATEX, direction, nearly, rounded, size
 from symbalance.tables.design_facts import (
     VERDICTS,
     PlacedWeight,
@@ -78,13 +77,7 @@ def _proposed(design: Design) -> str:
 
 
 def _row(weight: PlacedWeight) -> list[str]:
-    symbols = Component(weight.vector).amplitude.free_symbols
-    exact = size(weight.vector, LATEX)
-    near = (
-        ""
-        if symbols or exact.startswith(r"\approx")
-        else rounded(size_of(weight.vector)).removesuffix(".0")
-    )
+    exact, near = size(weight.vector, LATEX), nearly(weight.vector, LATEX)
     unbalance = "" if weight.unbalance is None else rf"\({number_latex(rounded(weight.unbalance))}\)"
     return [
         rf"\({weight.device.speed:+d}\)",

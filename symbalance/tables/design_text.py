@@ -7,8 +7,7 @@ from textwrap import wrap
 import sympy
 
 from symbalance.balancing import Design
-from symbalance.spectrum import Component
-from symbalance.tables.balancer_facts import TEXT, direction, rounded, size, size_of
+from symbalance.tables.balancer_facts import TEXT, direction, nearly, rounded, size
 from symbalance.tables.design_facts import (
     VERDICTS,
     PlacedWeight,
@@ -62,12 +61,10 @@ def _counts_rotating(design: Design) -> bool:
 
 def _row(weight: PlacedWeight) -> list[str]:
     exact = size(weight.vector, TEXT)
-    near = "" if Component(weight.vector).amplitude.free_symbols else rounded(size_of(weight.vector))
-    near = "" if near.removesuffix(".0") == exact or exact.startswith("≈") else near.removesuffix(".0")
     unbalance = "" if weight.unbalance is None else rounded(weight.unbalance)
     speed = f"{weight.device.speed:+d}"
     turns = direction(weight.vector)
-    return [speed, name(weight.device), weight.station, exact, near, turns, unbalance]
+    return [speed, name(weight.device), weight.station, exact, nearly(weight.vector), turns, unbalance]
 
 
 def _certificate(design: Design) -> str:
