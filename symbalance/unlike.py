@@ -22,7 +22,7 @@ from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank, force_harmonics
-from symbalance.phasor import Phasor
+from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real
 from symbalance.spectrum import Number, Spectrum, SymbolicPhasor
 from symbalance.trains import CrankTrain
@@ -127,6 +127,8 @@ def decimal(number: Number) -> Real:
 
     if isinstance(number, DecimalPhasor):
         return number.value
+    if isinstance(number, SymbolicPhasor) and set(number.parts) <= {()}:
+        number = number.parts.get((), ZERO)  # the symbols have gone
     if isinstance(number, SymbolicPhasor):
         rule, remedy = "holds symbols, and has no decimal value", "give the angles in numbers"
         raise SymbalanceError("an angle", rule, remedy)

@@ -486,6 +486,16 @@ def test_roll_moment_of_shafts_in_the_time_domain():
             assert abs(total - moment) < 1e-25
 
 
+def test_tables_have_the_roll_moment():
+    pair = [sb.BalanceShaft(s, [sb.Weight(share=-2)], y=y) for s, y in ((2, 70), (-2, -70))]
+    result = sb.balance(sb.inline("1-3-4-2", crank_train=SIZED).balanced_by(*pair), 4)
+    assert "Roll moment of the shafts" in sb.to_text(result)
+    assert "Roll moment of the shafts" in sb.to_latex(result)
+    roll = json.loads(sb.to_json(result))["roll"]
+    assert [(r["order"], r["cos"], r["sin"]) for r in roll] == [("2", "0", "-280/43")]
+    assert "roll" not in json.loads(sb.to_json(sb.balance(sb.load("inline-4"))))
+
+
 def test_one_rod_length_between_the_shafts_ends_the_second_roll_moment():
     """Silent shafts: to leading order h = l; exactly, h = -2 t_2 r/A_2."""
     four = sb.inline("1-3-4-2", crank_train=SIZED)

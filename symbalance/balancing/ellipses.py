@@ -53,6 +53,8 @@ class Ellipse:
     def minor(self) -> sympy.Expr:
         """The short semi-axis, exactly; with symbols |forward| - |backward|, of either sign."""
         forward, backward = self._sizes
+        if self.forward.is_zero() or self.backward.is_zero():
+            return self.major
         if forward.free_symbols or backward.free_symbols:
             return forward - backward
         return backward - forward if self.sense < 0 else forward - backward

@@ -177,7 +177,7 @@ def _add_design(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--stations",
         metavar="A,…",
-        help="places for weights, in pitches; default: one place where that does, else the ends",
+        help="places for weights, in pitches, as --stations=1,-1; default: one if that does, or the ends",
     )
     parser.add_argument(
         "--spread", choices=("ends", "even"), default="ends", help="even: a weight at every station"

@@ -21,6 +21,8 @@ from symbalance.tables.design_facts import (
 from symbalance.tables.expressions import text
 from symbalance.tables.text_table import WIDTH, grid, heading_text, resultants_text
 
+LONGEST_AXIS = 16
+
 
 def design_text(design: Design) -> str:
     """Return a design as text."""
@@ -79,19 +81,18 @@ def _left(design: Design) -> list[str]:
         return []
     rows = []
     for kind, left in found:
-        axes = [text(left.major), text(left.minor)]
-        axes = [
-            a if len(a) <= 16 else _decimal(x)
-            for a, x in zip(axes, (left.major, left.minor), strict=True)
-        ]
+        axes = [_axis(left.major), _axis(left.minor)]
         tilt = _degrees(left.direction)
         rows.append([str(left.order), kind, *axes, tilt if left.shape != "circle" else "", shape(left)])
     head = ["order", "", "long semi-axis", "short", "direction", "drawn"]
     return ["\n".join(["Left of the orders to remove", *grid([head, *rows])])]
 
 
-def _decimal(value: sympy.Expr) -> str:
-    return "see below" if value.free_symbols else f"≈ {rounded(sympy.N(value, 15))}"
+def _axis(value: sympy.Expr) -> str:
+    exact = text(value)
+    if len(exact) <= LONGEST_AXIS or value.free_symbols:
+        return exact
+    return f"≈ {rounded(sympy.N(value, 15))}"
 
 
 def _degrees(angle: sympy.Expr) -> str:

@@ -13,6 +13,7 @@ from symbalance.cylinders import Cylinder
 from symbalance.rational import decimal_text
 from symbalance.resultants import Balance, Order, Resultant, checked_balance
 from symbalance.spectrum import COMPONENTS, Component, SymbolicPhasor
+from symbalance.tables.roll_facts import roll_rows
 
 DIGITS = 30
 VALUE_DIGITS = 20
@@ -35,7 +36,14 @@ def document(balance: Balance) -> dict[str, Any]:
         "cylinders": [_cylinder(c) for c in balance.layout.cylinders],
         **({"balancers": _balancers(balance.layout.balancers)} if balance.layout.balancers else {}),
         "orders": [_order(order, balance) for order in balance.orders],
+        **({"roll": _roll(balance)} if roll_rows(balance) else {}),
     }
+
+
+def _roll(balance: Balance) -> list[dict[str, Any]]:
+    """Return the roll moment of the shafts on the frame, + in the sense of rotation, in F_n r."""
+    rows = roll_rows(balance)
+    return [{"order": str(row.order), **component_values(row.component)} for row in rows]
 
 
 def _balancers(found: Balancers) -> dict[str, Any]:

@@ -31,6 +31,7 @@ from symbalance.tables.facts import (
     strokes,
     unlike,
 )
+from symbalance.tables.roll_facts import roll_rows
 from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
 
 ROWS_PER_TABLE = 36
@@ -109,7 +110,15 @@ def resultants_latex(result: Balance) -> str:
     couple = _resultant(
         result, "couple", rf"\textbf{{Free couple}} about {plane(result)}, unit {units[1]}"
     )
-    return "\n\n\\medskip\n".join([force, couple, _coefficients(result)])
+    blocks = [force, couple, _roll(result), _coefficients(result)]
+    return "\n\n\\medskip\n".join(block for block in blocks if block)
+
+
+def _roll(result: Balance) -> str:
+    found = roll_rows(result)
+    unit = r"\(F_n r\)" if result.is_uniform else r"\(m r^2 \omega^2\)"
+    text = r"\textbf{Roll moment of the shafts} on the frame, positive in the sense of rotation"
+    return "\n".join([f"{text}, unit {unit}:", _components(found)]) if found else ""
 
 
 def _escaped(text: str) -> str:
@@ -155,9 +164,13 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
     found = rows(balance, name)
     if not found:
         return rf"{title}: none, to order {balance.highest}."
+    return "\n".join([rf"{title}:", _components(found), _rotating(balance, name)])
+
+
+def _components(found: list[Row]) -> str:
     head = r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
     table = tabulars("rlccccc", head, [_row(row) for row in found])
-    return "\n".join([rf"{title}:", table, *exact_forms(found), _rotating(balance, name)])
+    return "\n".join([table, *exact_forms(found)])
 
 
 def _row(row: Row) -> str:

@@ -24,6 +24,7 @@ from symbalance.tables.facts import (
     strokes,
     unlike,
 )
+from symbalance.tables.roll_facts import roll_rows
 
 WIDTH = 79
 SHORT = 14
@@ -50,6 +51,7 @@ def resultants_text(balance: Balance) -> str:
     blocks = [
         _resultant(balance, "force", f"Free force, unit {force}"),
         _resultant(balance, "couple", f"Free couple about {plane(balance)}, unit {couple}"),
+        _roll(balance),
         _coefficients(balance),
     ]
     return "\n\n".join(block for block in blocks if block) + "\n"
@@ -92,6 +94,13 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
     if not found:
         return f"{title}\n  none, to order {balance.highest}"
     return "\n".join([title, *_components(found), *_rotating(balance, name)])
+
+
+def _roll(balance: Balance) -> str:
+    found = roll_rows(balance)
+    unit = "Fₙ r" if balance.is_uniform else "m r² ω²"
+    title = f"Roll moment of the shafts on the frame, + in the sense of rotation, unit {unit}"
+    return "\n".join([title, *_components(found)]) if found else ""
 
 
 def _components(found: Sequence[Row]) -> list[str]:
