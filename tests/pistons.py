@@ -1,7 +1,8 @@
-"""Free forces of any engine from where its pistons stand: circles, lines and a Fourier transform.
+"""Free forces of any engine from where its pistons stand: circles and lines, and then numbers alone.
 
 Nothing here knows a harmonic or a series: a pin goes round, a rod of its length meets the cylinder's
-axis, a link rod hangs on a point of the master rod; the heights are sampled and transformed.
+axis, a link rod hangs on a point of the master rod. The heights are sampled and transformed, in doubles,
+or differentiated numerically, in mpmath.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from mpmath import mp
 
 import symbalance as sb
 
@@ -45,7 +47,7 @@ def heights(layout: sb.Layout, cylinder: sb.Cylinder, theta: Any = THETA) -> Any
 
 
 def planar_series(layout: sb.Layout, arms: bool) -> Any:
-    """Return force (couple) / m r omega^2, up + i right, as a two-sided series: [n] is of e^(in theta)."""
+    """Return force (couple) / m r omega^2, up + i right, two-sided: [n] belongs to e^(in theta)."""
     first = layout.train_of(layout.cylinders[0])
     mean = float(sum(c.station for c in layout.cylinders)) / len(layout.cylinders)
     orders = np.fft.fftfreq(POINTS, 1 / POINTS)
@@ -82,3 +84,45 @@ def stroke_and_top(layout: sb.Layout, cylinder: sb.Cylinder) -> tuple[float, flo
 
     (top, highest), (_, lowest) = best(1), best(-1)
     return highest - lowest, float(np.degrees(top)) % 360
+
+
+def planar(layout: sb.Layout, theta: Any, arms: bool) -> Any:
+    """Return vertical + i lateral over m r omega^2 of cylinder 1 at one crank angle, in mpmath."""
+    first = layout.train_of(layout.cylinders[0])
+    total = mp.mpc(0)
+    for cylinder in layout.cylinders:
+        train = layout.train_of(cylinder)
+        mass = exact((train.reciprocating_mass or 1) / (first.reciprocating_mass or Fraction(1)))
+        force = -mp.diff(lambda t, c=cylinder: place(layout, c, t), theta, 2) / exact(first.stroke / 2)
+        arm = exact(cylinder.station - layout.mean_station) if arms else 1
+        total += mass * arm * force * turned(cylinder.bank)
+    return total
+
+
+def place(layout: sb.Layout, cylinder: sb.Cylinder, theta: Any) -> Any:
+    """Return how far a piston stands from the crank along its axis, in mm."""
+    train = layout.train_of(cylinder)
+    if cylinder.link is None:
+        pin = exact(train.stroke / 2) * mp.expj(theta) * turned(cylinder.throw)
+        return along(pin, turned(cylinder.bank), train.rod, train.offset)
+    master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
+    over, up = layout.train_of(master), turned(master.bank)
+    pin = exact(over.stroke / 2) * mp.expj(theta) * turned(master.throw)
+    top = mp.mpc(along(pin, up, over.rod, over.offset), exact(over.offset or 0)) * up
+    arm = (top - pin) / abs(top - pin) * mp.expjpi(2 * exact(cylinder.link.angle))
+    pin += exact(cylinder.link.radius) * arm
+    return along(pin, turned(cylinder.bank), cylinder.own.rod, cylinder.own.offset)
+
+
+def along(pin: Any, axis: Any, length: Fraction, offset: Fraction | None) -> Any:
+    """Return where a rod from `pin` meets a line parallel to `axis`, `offset` to its right."""
+    own = pin / axis
+    return own.real + mp.sqrt(exact(length) ** 2 - (own.imag - exact(offset or 0)) ** 2)
+
+
+def exact(number: Fraction | int) -> Any:
+    return mp.mpf(Fraction(number).numerator) / Fraction(number).denominator
+
+
+def turned(angle: Any) -> Any:
+    return mp.expjpi(2 * exact(angle.turns))

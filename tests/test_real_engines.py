@@ -1,4 +1,4 @@
-"""The presets with unlike cylinders against pistons placed by circles and lines (`pistons`, `unlike.toml`)."""
+"""The presets with unlike cylinders against pistons placed by circles and lines: `unlike.toml`."""
 
 from __future__ import annotations
 
