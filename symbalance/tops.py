@@ -51,6 +51,23 @@ def lead_of(layout: Layout, cylinder: Cylinder) -> Fraction:
     return lead(mechanism_of(layout, cylinder))
 
 
+def top_angles(layout: Layout) -> dict[int, Fraction]:
+    """Return the degrees of theta at a top dead centre of each cylinder, less the first-numbered one's.
+
+    >>> from symbalance.builders import radial
+    >>> [str(top) for top in top_angles(radial(3)).values()]
+    ['0', '120', '-120']
+    """
+    leads = dict[object, Fraction]()
+    tops = {}
+    for cylinder in layout.cylinders:
+        kind = (cylinder.own, cylinder.link, cylinder.bank if cylinder.link else None)
+        if kind not in leads:
+            leads[kind] = lead_of(layout, cylinder)
+        tops[cylinder.number] = leads[kind] - cylinder.delay.in_degrees()
+    return {number: top - tops[min(tops)] for number, top in tops.items()}
+
+
 def firing_tops(layout: Layout) -> dict[int, Fraction]:
     """Return the degrees of theta, from cylinder 1's, at which each cylinder fires at its dead centre.
 
@@ -58,24 +75,17 @@ def firing_tops(layout: Layout) -> dict[int, Fraction]:
     from throw, bank and mechanism. Refused where a cylinder has no `fires`.
 
     >>> from symbalance.builders import vr
-    >>> six = vr(15, "1-5-3-6-2-4", stroke=90.3, rod=164, offset=12.5, pin_step="1/2")
+    >>> six = vr(15, "1-5-3-6-2-4", stroke=90, rod=164, offset=12.5, pin_step="1/2")
     >>> [float(round(top, 3)) for top in firing_tops(six).values()]
-    [0.0, 240.0, 120.0, 479.853, 599.853, 359.853]
+    [0.0, 240.0, 120.0, 479.858, 599.858, 359.858]
     """
-    cycle = 180 * layout.strokes
-    tops, leads = {}, dict[object, Fraction]()
-    for cylinder in layout.cylinders:
-        kind = (cylinder.own, cylinder.link, cylinder.bank if cylinder.link else None)
-        if kind not in leads:
-            leads[kind] = lead_of(layout, cylinder)
-        tops[cylinder.number] = leads[kind] - cylinder.delay.in_degrees()
+    tops, cycle = top_angles(layout), 180 * layout.strokes
     fires = {c.number: c.fires for c in layout.cylinders if c.fires is not None}
     if len(fires) < len(tops):
         what = f"cylinder {next(n for n in tops if n not in fires)} of {layout.name}"
         raise SymbalanceError(what, "has no firing angle", "give fires")
-    first = min(tops)
-    after = {n: (fires[n] - fires[first], top - tops[first]) for n, top in tops.items()}
-    return {n: (seen + 360 * round((said - seen) / 360)) % cycle for n, (said, seen) in after.items()}
+    said = {number: fires[number] - fires[min(tops)] for number in tops}
+    return {n: (top + 360 * round((said[n] - top) / 360)) % cycle for n, top in tops.items()}
 
 
 def bank_leads(layout: Layout, banks: Sequence[Sequence[int]], step: object) -> list[Fraction]:

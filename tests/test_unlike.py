@@ -146,7 +146,8 @@ def test_an_engine_file_of_link_rods(tmp_path, capsys):
         if form == "json":
             assert json.loads(out)["orders"][0]["coefficient"] is None
         else:
-            assert "link rod" in out
+            assert "rod of 1" in out
+            assert "link pin" in out
 
 
 @pytest.mark.parametrize(
