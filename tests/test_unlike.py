@@ -241,3 +241,12 @@ def test_the_tail_of_a_link_rod_is_bounded():
     for order in (1, 4, 20, 60):
         rest = mp.fsum(mp.hypot(*pair) for n, pair in found.items() if n > order)
         assert rest <= force_tail(link, order)
+
+
+def test_sizes_said_one_by_one_cost_nothing():
+    """The function of a four whose cylinders each say that they are not offset is the plain one."""
+    from symbalance.bench.unused import functions, stripped, whole
+
+    own, plain = functions()
+    assert np.array_equal(own(), plain())
+    assert whole().force.terms == stripped().force.terms
