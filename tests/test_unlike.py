@@ -144,7 +144,10 @@ def test_an_engine_file_of_link_rods(tmp_path, capsys):
         assert run(["balance", str(path), "--order", "4", "--format", form]) == 0
         out = capsys.readouterr().out
         if form == "json":
-            assert json.loads(out)["orders"][0]["coefficient"] is None
+            written = json.loads(out)
+            assert written["orders"][0]["coefficient"] is None
+            assert written["cylinders"][1]["link"] == {"master": 1, "angle": "60", "radius": "2/3"}
+            assert written["cylinders"][0]["ratio"] == "164/45"
         else:
             assert "rod of 1" in out
             assert "link pin" in out
