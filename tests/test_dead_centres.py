@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-import pistons
+import placed
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -79,7 +79,7 @@ def test_nothing_moves_without_an_offset():
 def test_the_pistons_themselves_are_evenly_at_the_top(angle, order, aside, ratio):
     """Any narrow vee built for even dead centres, by the pistons' highest places."""
     made = sb.vr(angle, order, offset=aside * 40, stroke=80, rod=ratio * 40, pin_step="1/50")
-    tops = {c.number: pistons.stroke_and_top(made, c)[1] for c in made.cylinders}
+    tops = {c.number: placed.stroke_and_top(made, c)[1] for c in made.cylinders}
     for cylinder in made.cylinders:
         late = tops[cylinder.number] - tops[1] - float(cylinder.fires)
         assert abs((late + 180) % 360 - 180) < 0.0201

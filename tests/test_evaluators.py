@@ -8,7 +8,7 @@ from functools import cache
 
 import kinematics
 import numpy as np
-import pistons
+import placed
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -39,7 +39,7 @@ def planar(name: str, arms: bool):
     """Return theta -> vertical + i lateral of a preset, from its throws, banks and stations alone."""
     layout = sb.load(name)
     if not layout.is_uniform:
-        return lambda theta: pistons.planar(layout, theta, arms)
+        return lambda theta: placed.planar(layout, theta, arms)
     places = [
         kinematics.Place(c.throw.turns * 360, c.bank.turns * 360, c.station) for c in layout.cylinders
     ]

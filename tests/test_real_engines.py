@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pistons
+import placed
 import pytest
 
 import symbalance as sb
@@ -35,12 +35,12 @@ def test_amplitudes(row, kind):
     """The row, the program and the pistons agree, order by order, and on what is not there."""
     layout = sb.load(row["engine"])
     spectrum = getattr(sb.balance(layout, HIGHEST), kind)
-    series = pistons.planar_series(layout, kind == "couple")
+    series = placed.planar_series(layout, kind == "couple")
     for n in range(1, HIGHEST + 1):
         stated = row[kind].get(str(n), [0, 0])
         for name, figure in zip(NAMES, stated, strict=True):
             cos, sin = (float(x) for x in spectrum.component(n, name).decimal(20))
-            by_pistons = pistons.component(series, n, name)
+            by_pistons = placed.component(series, n, name)
             assert np.allclose((cos, sin), by_pistons, rtol=0, atol=NOTHING), (n, name)
             amplitude = np.hypot(*by_pistons)
             assert (amplitude < NOTHING) == (cos == sin == 0), (n, name)
@@ -51,7 +51,7 @@ def test_amplitudes(row, kind):
 @every_row
 def test_strokes_and_dead_centres(row):
     layout = sb.load(row["engine"])
-    found = {c.number: pistons.stroke_and_top(layout, c) for c in layout.cylinders}
+    found = {c.number: placed.stroke_and_top(layout, c) for c in layout.cylinders}
     strokes = [found[n][0] for n in sorted(found)]
     stated = row["strokes"] * (len(found) // len(row["strokes"]))
     assert strokes == pytest.approx(stated, abs=1e-4)
@@ -72,5 +72,5 @@ def test_a_wrong_offset_would_show():
         sb.vr(15, "1-5-3-6-2-4", offset=e, stroke=90, rod=164, pin_step="1/2") for e in (12.5, -12.5)
     )
     force = sb.balance(right, 6).couple.component(1, "vertical").decimal(20)
-    other = pistons.component(pistons.planar_series(wrong, True), 1, "vertical")
+    other = placed.component(placed.planar_series(wrong, True), 1, "vertical")
     assert abs(float(force[0]) - other[0]) > 0.01

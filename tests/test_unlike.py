@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from mpmath import mp
-from pistons import planar
+from placed import planar
 
 import symbalance as sb
 from symbalance.cli import run
