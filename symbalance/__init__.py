@@ -24,6 +24,7 @@ _HOMES = {
     "from_firing_order": "builders",
     "inline": "builders",
     "vee": "builders",
+    "vr": "builders",
     "boxer": "builders",
     "w": "builders",
     "radial": "builders",
@@ -91,6 +92,7 @@ if TYPE_CHECKING:
     from symbalance.builders import inline as inline
     from symbalance.builders import radial as radial
     from symbalance.builders import vee as vee
+    from symbalance.builders import vr as vr
     from symbalance.builders import w as w
     from symbalance.catalogue import load as load
     from symbalance.catalogue import presets as presets

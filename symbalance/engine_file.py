@@ -27,7 +27,8 @@ LARGEST_FILE = 1_000_000
 
 _TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder")
 _CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset")
-_LAYOUT = ("strokes", "banks", "cylinders", "firing_order", "firing_intervals", "stagger")
+_LAYOUT_LISTS = ("banks", "cylinders", "firing_order", "firing_intervals", "stagger", "offset")
+_LAYOUT = ("strokes", *_LAYOUT_LISTS, "firing_at", "pin_step")
 _LINK = ("master", "link_angle", "link_radius")
 _CYLINDER = ("number", "throw", "bank", "station", "fires", *OWN, *_LINK)
 
@@ -103,8 +104,8 @@ class _Reader:
     def joined(self, table: dict[str, Any], made: Layout) -> Layout:
         """Return a layout, refused where a rod does not reach or a size it needs is not given."""
         if not made.is_uniform:
-            shared = "offset" in self.subtable(table, "crank_train")
-            section, key = ("crank_train", "offset") if shared else ("cylinder", "")
+            places = [s for s in ("crank_train", "layout") if "offset" in self.subtable(table, s)]
+            section, key = (places[-1], "offset") if places else ("cylinder", "")
             self.guarded(section, key, 0, lambda: kinds(made))
         return made
 
@@ -133,7 +134,7 @@ class _Reader:
             raise SymbalanceError(
                 place, "needs firing_order", "write it like firing_order = [1, 3, 4, 2]"
             )
-        for key in ("banks", "cylinders", "firing_order", "firing_intervals", "stagger"):
+        for key in _LAYOUT_LISTS:
             self.check_list(table, key)
         made = self.guarded("layout", "", 0, lambda: from_firing_order(**table, **about))
         fine = next((k for k in ("firing_intervals", "banks") if k in table), "firing_order")

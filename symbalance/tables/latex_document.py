@@ -2,6 +2,7 @@ r"""Results as LaTeX: amsmath and booktabs only, the conventions stated, nothing
 
 from __future__ import annotations
 
+import re
 from functools import singledispatch
 from typing import Any
 
@@ -28,8 +29,8 @@ from symbalance.tables.facts import (
     rows,
     shown,
     strokes,
-    unlike,
 )
+from symbalance.tables.kinds import kind_columns, kind_legend
 from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
 
 ROWS_PER_TABLE = 36
@@ -102,7 +103,8 @@ def _(result: Balance, *, standalone: bool = False) -> str:
     couple = _resultant(
         result, "couple", rf"\textbf{{Free couple}} about {plane(result)}, unit {units[1]}"
     )
-    body = "\n\n\\medskip\n".join([_heading(result), force, couple, _coefficients(result)])
+    blocks = [_heading(result), *_kinds(result), force, couple, _coefficients(result)]
+    body = "\n\n\\medskip\n".join(blocks)
     return in_document(body) if standalone else body + "\n"
 
 
@@ -120,7 +122,11 @@ def _heading(balance: Balance) -> str:
     noun = "cylinders" if count > 1 else "cylinder"
     sizes = [r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius,"]
     if not balance.is_uniform:
-        sizes = [_escaped(line).strip() + "," for line in unlike(layout)]
+        first = layout.cylinders[0].number
+        sizes = [
+            rf"\(m\) and \(r\) are the reciprocating mass and the crank radius of cylinder {first};",
+            *(rf"{_mathematical(line)};" for line in kind_legend(layout)),
+        ]
     elif balance.ratio is not None:
         ratio = rf", here \(\lambda = {_ratio(balance)}\)"
     return "\n".join(
@@ -139,6 +145,31 @@ def _heading(balance: Balance) -> str:
     )
 
 
+def _mathematical(line: str) -> str:
+    """Return a line of the legend, its letters in math mode."""
+    letters, _, meaning = line.partition(": ")
+    names = [rf"\({letter.replace('ψ', chr(92) + 'psi')}\)" for letter in letters.split(", ")]
+    return rf"{' and '.join(names)}: {meaning.replace('+', r'positive')}"
+
+
+def _kinds(balance: Balance) -> list[str]:
+    """Return the table of cylinders by kind, if there are several."""
+    if balance.is_uniform:
+        return []
+    columns = kind_columns(balance.layout)
+    rows = zip(*(column.cells for column in columns), strict=True)
+    lines = [" & ".join(_kind_cell(cell) for cell in row) for row in rows]
+    head = " & ".join(column.latex for column in columns)
+    return ["\\textbf{Cylinders by kind}:\n" + _tabulars("l" * len(columns), head, lines)]
+
+
+def _kind_cell(cell: str) -> str:
+    number = cell.rstrip("°")
+    if not re.fullmatch(r"-?[0-9.]+(e[+-]?[0-9]+)?", number):
+        return cell.replace("...", r"\dots")
+    return rf"\({_number(number)}{r'^' + chr(92) + 'circ' if cell != number else ''}\)"
+
+
 def _angle(bank: Angle) -> str:
     return rf"\({latex(bank.expression())}\)" if bank.symbols else rf"\({degrees_text(bank)}^\circ\)"
 
@@ -147,16 +178,25 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
     found = rows(balance, name)
     if not found:
         return rf"{title}: none, to order {balance.highest}."
-    head = r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
-    table = _tabulars("rlccccc", head, [_row(row) for row in found])
-    return "\n".join([rf"{title}:", table, *exact_forms(found), _rotating(balance, name)])
+    columns, head = "rlccccc", r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
+    if not balance.is_uniform:
+        columns, head = "rlllll", r"\(n\) & component & \(C\) & \(S\) & amplitude & phase"
+    table = _tabulars(columns, head, [_row(row) for row in found])
+    return "\n".join(
+        [
+            rf"{title}:",
+            table,
+            *exact_forms([row for row in found if not row.is_decimal]),
+            _rotating(balance, name),
+        ]
+    )
 
 
 def _row(row: Row) -> str:
     exact, decimals = [latex(e) for e in row.exact()], row.decimals()
     if row.is_decimal and decimals is not None:
-        cos, sin, amplitude, phase = (rf"\({_number(d)}\)" for d in decimals)
-        return " & ".join([str(row.order), row.name, cos, sin, amplitude, "", phase])
+        cos, sin, amplitude = (rf"\({_number(d)}\)" for d in decimals[:3])
+        return " & ".join([str(row.order), row.name, cos, sin, amplitude, _phase(row, decimals[3])])
     cells, nearly = [], r"\approx "
     for i, formula in enumerate(exact):
         if decimals is None:
@@ -181,6 +221,11 @@ def _rotating(balance: Balance, name: str) -> str:
     return "As rotating parts:\n" + _tabulars("rcccc", head, lines)
 
 
+def _phase(row: Row, decimal: str) -> str:
+    plain = row.phase_in_turns()
+    return rf"\({_number(decimal) if plain is None else latex(plain)}\)"
+
+
 def _turning(row: Row) -> list[str]:
     if row.component.is_zero():
         return [r"\(0\)", ""]
@@ -188,7 +233,7 @@ def _turning(row: Row) -> list[str]:
     if decimals is None:
         return [rf"\({e}\)" if len(e) <= LONGEST_CELL else "long" for e in exact[2:]]
     if row.is_decimal:
-        return [rf"\({_number(d)}\)" for d in decimals[2:]]
+        return [rf"\({_number(decimals[2])}\)", _phase(row, decimals[3])]
     amplitude, phase = (_number(d) for d in decimals[2:])
     if len(exact[2]) <= LONGEST_CELL and exact[2] != amplitude:
         amplitude = rf"{exact[2]} \approx {amplitude}"
