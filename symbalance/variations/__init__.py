@@ -6,10 +6,13 @@
 - `assign_parts`: which weighed part goes to which cylinder so that least is left.
 """
 
-from symbalance.variations.arranging import Assignment, Shaking, assign_parts
-from symbalance.variations.derivatives import PARAMETERS, STEPS, Sensitivity, sensitivities
-from symbalance.variations.extremes import MODES, WorstCase, worst_cases
+from symbalance.variations.aims import MODES
+from symbalance.variations.arranging import Assignment, assign_parts
+from symbalance.variations.derivatives import PARAMETERS, sensitivities
+from symbalance.variations.extremes import WorstCase, worst_cases
 from symbalance.variations.formulas import SymbolicOrder, symbolic_order
+from symbalance.variations.measures import Shaking
+from symbalance.variations.sensitivity import STEPS, Sensitivity
 from symbalance.variations.shares import first_sizes
 from symbalance.variations.tolerances import UNITS, Tolerances
 from symbalance.variations.weighed import Part, PartSet, parse_parts, read_parts

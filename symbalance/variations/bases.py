@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import sqrt
 
-from symbalance.variations.placements import Table, Vector, norm
+from symbalance.variations.bounds import Table, Vector, dot, minus, norm
 
 RANK = 1e-12
 
 
 def spanned(start: Vector, tables: Sequence[Table]) -> tuple[Vector, tuple[Table, ...], float]:
-    """Return the constant and the tables on a basis of the tables' differences, and what is left beside it.
+    """Return the constant and the tables on a basis of their differences, and what is left beside it.
 
     Only differences between places and parts matter to an arrangement: what all of them share goes into
     the constant. The rest is the length of the constant's part outside the basis, which no arrangement
@@ -23,15 +23,18 @@ def spanned(start: Vector, tables: Sequence[Table]) -> tuple[Vector, tuple[Table
     shared, levelled = start, []
     for table in tables:
         count = len(table)
-        mean = [tuple(sum(row[j][i] for row in table) / count for i in range(len(start))) for j in range(count)]
+        mean = [
+            tuple(sum(row[j][i] for row in table) / count for i in range(len(start)))
+            for j in range(count)
+        ]
         for column in mean:
             shared = tuple(x + y for x, y in zip(shared, column, strict=True))
-        levelled.append([[_minus(v, m) for v, m in zip(row, mean, strict=True)] for row in table])
+        levelled.append([[minus(v, m) for v, m in zip(row, mean, strict=True)] for row in table])
     basis = _basis([v for table in levelled for row in table for v in row])
-    constant = tuple(_dot(shared, b) for b in basis)
+    constant = tuple(dot(shared, b) for b in basis)
     rest = sqrt(max(norm(shared) ** 2 - norm(constant) ** 2, 0.0))
     on_basis = tuple(
-        [[tuple(_dot(v, b) for b in basis) or (0.0,) for v in row] for row in table] for table in levelled
+        [[tuple(dot(v, b) for b in basis) or (0.0,) for v in row] for row in table] for table in levelled
     )
     return constant or (0.0,), on_basis, rest
 
@@ -47,13 +50,5 @@ def _basis(vectors: Sequence[Vector]) -> list[Vector]:
             break
         unit = tuple(x / size for x in longest)
         basis.append(unit)
-        left = [tuple(x - _dot(v, unit) * u for x, u in zip(v, unit, strict=True)) for v in left]
+        left = [tuple(x - dot(v, unit) * u for x, u in zip(v, unit, strict=True)) for v in left]
     return basis
-
-
-def _minus(one: Vector, other: Vector) -> Vector:
-    return tuple(x - y for x, y in zip(one, other, strict=True))
-
-
-def _dot(one: Vector, other: Vector) -> float:
-    return sum(x * y for x, y in zip(one, other, strict=True))

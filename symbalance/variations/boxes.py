@@ -1,9 +1,9 @@
 """What one cylinder within its tolerances may contribute to one order: intervals of weight and angle.
 
-Each factor of the weight m r f_n(l/r, e/r) s runs through an interval of its own. For a slider-crank r |A_n|
-and r |B_n|, n >= 2, grow with r and |e| and fall with l, for all terms of their series have one sign, so
-the corners of the box bound them, and are attained. Order 1 of an offset cylinder has two parts,
-cosine and sine, which are bounded each for itself.
+Each factor of the weight m r f_n(l/r, e/r) s runs through an interval of its own. For a slider-crank
+r |A_n| and r |B_n|, n >= 2, grow with r and |e| and fall with l, for all terms of their series have one
+sign, so the corners of the box bound them, and are attained. Order 1 of an offset cylinder has two
+parts, cosine and sine, which are bounded each for itself.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ class Box:
             window = cosines(slant - self.bank, slant + self.bank)
         else:
             flat = cos(slant)
-            # Across its axis a cylinder has nothing: banks are fractions, a cosine this small is rounding.
+            # Across its axis a cylinder has nothing: banks are fractions, so this is rounding.
             window = (flat, flat) if abs(flat) > FLAT else (0.0, 0.0)
         half = self.order * (self.throw + self.bank)
         return [
@@ -115,7 +115,9 @@ class Box:
             for (low, high), phase in self.weights(quantity)
         ]
 
-    def pair(self, quantity: str, weight: complex, arm: float, turn: float, tilt: float) -> tuple[complex, complex]:
+    def pair(
+        self, quantity: str, weight: complex, arm: float, turn: float, tilt: float
+    ) -> tuple[complex, complex]:
         """Return c_n and c_-n with errors: `turn` of the throw and `tilt` of the bank."""
         scale = arm / 2 if quantity == "couple" else 0.5
         lead = self.lead + self.order * (turn - tilt)
@@ -137,10 +139,14 @@ def boxes(layout: Layout, own: Relative, order: int, reference: object = None) -
     for cylinder, size, arm in cylinders:
         key = (_mechanism(layout, cylinder, order), _radius(layout, cylinder))
         if key not in kinds:
-            kinds[key] = list(_corners(*key, own, order))
-        found.append((cylinder, size, arm, kinds[key], _own_mass(layout, cylinder, own)))
-    present = sorted({n for *_, corners, _ in found for f in corners for n, c in f.items() if c})
-    return {n: [_box(*row, own, n) for row in found] for n in present if n <= order}
+            kinds[key] = list(_corners(key[0], key[1], own, order))
+        found.append((cylinder, (size, arm), kinds[key], _own_mass(layout, cylinder, own)))
+    present = sorted({n for corners in kinds.values() for f in corners for n, c in f.items() if c})
+    return {
+        n: [_box(cylinder, weight, corners, mass, own, n) for cylinder, weight, corners, mass in found]
+        for n in present
+        if n <= order
+    }
 
 
 def _mechanism(layout: Layout, cylinder: Cylinder, order: int) -> Mechanism:
@@ -186,18 +192,25 @@ def _corners(mechanism: Mechanism, radius: Fraction, own: Relative, order: int) 
 
 def _box(
     cylinder: Cylinder,
-    size: Fraction,
-    arm: Fraction,
+    weight: tuple[Fraction, Fraction],
     lengths: Sequence[Harmonics],
     mass: Interval,
     own: Relative,
     n: int,
 ) -> Box:
+    size, arm = weight
     values = [f.get(n, 0j) * float(size) for f in lengths]
     level, wide = float(arm), float(own.station)
-    # Without an error of lengths the one value counts; with one, a centred cylinder's may pass 0 too.
     corners = tuple(v * m for v in values for m in sorted(set(mass)))
     return Box(
-        cylinder.number, n, 2 * pi * float(cylinder.bank.turns), 2 * pi * float(n * cylinder.delay.turns % 1),
-        corners, values[0], (level - wide, level + wide), level, own.throw, own.bank,
-    )  # fmt: skip
+        number=cylinder.number,
+        order=n,
+        axis=2 * pi * float(cylinder.bank.turns),
+        lead=2 * pi * float(n * cylinder.delay.turns % 1),
+        corners=corners,
+        nominal=values[0],
+        arm=(level - wide, level + wide),
+        level=level,
+        throw=own.throw,
+        bank=own.bank,
+    )

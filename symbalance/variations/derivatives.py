@@ -23,9 +23,7 @@ reference plane of couples stays where it is.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 
 from mpmath import mp
 
@@ -36,92 +34,14 @@ from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, SliderCrank
 from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real, listed, real
-from symbalance.resultants import Resultant
-from symbalance.radicals import evaluated
-from symbalance.spectrum import Number, Spectrum
 from symbalance.unlike import mechanism_of
+from symbalance.variations.sensitivity import Sensitivity, evaluated_number
 from symbalance.variations.shares import Share, first_sizes, shares
 from symbalance.variations.slopes import Slopes, slopes
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 PARAMETERS = ("mass", "throw", "bank", "station", "stroke", "rod", "offset", "rotating")
 LENGTHS = ("stroke", "rod", "offset")
-STEPS = {
-    "mass": (Fraction(1, 100), "1 % of m"),
-    "rotating": (Fraction(1, 100), "1 % of m"),
-    "throw": (None, "1 degree"),
-    "bank": (None, "1 degree"),
-    "station": (Fraction(1, 100), "1 % of a"),
-    "stroke": (Fraction(1, 100), "1 % of the stroke"),
-    "rod": (Fraction(1, 100), "1 % of r"),
-    "offset": (Fraction(1, 100), "1 % of r"),
-}
-"""The step that tables compare parameters by; None is a degree."""
-
-
-@dataclass(frozen=True)
-class Sensitivity:
-    """The derivative of one order of the force and couple by one size of one cylinder.
-
-    `geometry` is exact, `factor` the kinematics that it is multiplied by: real, in units of m r omega^2 of
-    cylinder 1 (times a for the couple) for a change of one unit (see the module's table). The couple is
-    `arm` times the force, for a station the force's own direction.
-    """
-
-    parameter: str
-    cylinder: int
-    order: int
-    geometry: tuple[Number, Number]
-    factor: Real
-    arm: Fraction
-
-    @cached_property
-    def force(self) -> Resultant:
-        """The change of the force, its geometry alone; zero for a station."""
-        return self._resultant(Fraction(self.parameter != "station"))
-
-    @cached_property
-    def couple(self) -> Resultant:
-        """The change of the couple, its geometry alone."""
-        return self._resultant(Fraction(1) if self.parameter == "station" else self.arm)
-
-    def _resultant(self, weight: Fraction) -> Resultant:
-        ahead, against = (part.scaled(weight) for part in self.geometry)
-        return Resultant(Spectrum.of({self.order: ahead, -self.order: against}), self.order)
-
-    @cached_property
-    def largest(self) -> tuple[float, float]:
-        """The largest moduli of the force's and the couple's change over a turn, for one unit."""
-        size = sum(map(_modulus, self.geometry)) * abs(float(self.factor))
-        if self.parameter == "station":
-            return 0.0, size
-        return size, size * abs(float(self.arm))
-
-    @cached_property
-    def values(self) -> tuple[complex, complex]:
-        """The change of c_n and c_-n for one unit, kinematics in it; of the couple where a station's."""
-        ahead, against = (complex(evaluated_number(part)) * float(self.factor) for part in self.geometry)
-        return ahead, against
-
-    def weight(self, quantity: str) -> float:
-        """Return what `values` count in the "force" or the "couple"."""
-        if self.parameter == "station":
-            return float(quantity == "couple")
-        return float(self.arm) if quantity == "couple" else 1.0
-
-    def step(self) -> tuple[float, float]:
-        """Return `largest` for the step of `STEPS` in place of one unit."""
-        step = STEPS[self.parameter][0]
-        by = float(mp.pi) / 180 if step is None else float(step)
-        return self.largest[0] * by, self.largest[1] * by
-
-
-def _modulus(number: Number) -> float:
-    """Return the modulus of a rational times one root of unity, or of a decimal number."""
-    if isinstance(number, Phasor):
-        return sum(abs(float(Fraction(c))) for c in number.terms.values())
-    assert isinstance(number, DecimalPhasor)
-    return float(abs(number.value))
 
 
 def sensitivities(
@@ -130,7 +50,7 @@ def sensitivities(
     """Return all derivatives to an order, those of the worst steps (`STEPS`) first.
 
     `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
-    "rotating" (default: all but the last). Orders that cancel in the engine as it should be are among them.
+    "rotating" (default: all but the last). Orders that cancel in the engine as drawn are among them.
     Link rods and their masters have no derivatives by lengths and banks here.
 
     >>> from symbalance.builders import inline
@@ -147,7 +67,9 @@ def sensitivities(
         for name in asked
         for one in _of_order(layout, n, name, by_order.get(n), lengths, reference)
     ]
-    return sorted(found, key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder))
+    return sorted(
+        found, key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder)
+    )
 
 
 def _checked_parameters(parameters: object) -> tuple[str, ...]:
@@ -234,14 +156,6 @@ def _one(
 
 def _decimal(exact: Phasor, value: Real) -> DecimalPhasor:
     return DecimalPhasor(value * evaluated_number(exact))
-
-
-def evaluated_number(number: Number) -> Real:
-    """Return a number of a geometry as an mpmath number."""
-    if isinstance(number, DecimalPhasor):
-        return number.value
-    assert isinstance(number, Phasor)
-    return mp.mpc(*(evaluated(x, DIGITS) for x in (number.real(), number.imaginary())))
 
 
 def _over_mass(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:

@@ -1,13 +1,13 @@
-r"""How badly an engine within its tolerances can shake: for each order, the worst that errors can add up to.
+r"""How badly an engine within its tolerances can shake: of each order, the worst that errors add up to.
 
 Cylinder j pushes along its axis with weight w_j: seen in the direction u, order n is
 
     sum of w_j cos(u - bank_j - k_j) cos(n theta + n (delay_j + t_j - k_j)),   w_j = m_j r_j f_n(j) [s_j],
 
-t_j and k_j the errors of throw and bank. Mass, station, stroke, rod and offset enter w_j alone, each as a
-factor that runs through an interval of its own (r A_n(r/l, e/l) grows with r and |e| and falls with l, for all
-its terms have one sign), so w_j fills an interval exactly. Angles are bounded by taking the direction
-cosine and the phase n (t_j - k_j) for independent. Then every cylinder is a `Sector`, and
+t_j and k_j the errors of throw and bank. Mass, station, stroke, rod and offset enter w_j alone, each as
+a factor that runs through an interval of its own (r A_n(r/l, e/l) grows with r and |e| and falls with l,
+for all its terms have one sign), so w_j fills an interval exactly. Angles are bounded by taking the
+direction cosine and the phase n (t_j - k_j) for independent. Then every cylinder is a `Sector`, and
 
 - the amplitude of one component is `largest_sum` of them,
 - the largest modulus of the planar vector over a turn is `farthest` over all directions u.
@@ -23,9 +23,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import product
-from math import degrees, pi, remainder
-from typing import NamedTuple
+from math import cos, hypot, pi, remainder
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
@@ -33,12 +31,13 @@ from symbalance.phasor import ZERO
 from symbalance.rational import listed
 from symbalance.resultants import Balance, balance
 from symbalance.slider_crank import acceleration_value
+from symbalance.variations.aims import MODES, Aim, Errors, aim_at, answer, seen, sums_of, told, unit
 from symbalance.variations.boxes import Box, boxes
-from symbalance.variations.derivatives import Sensitivity, evaluated_number, sensitivities
-from symbalance.variations.sectors import TIED, Largest, farthest, largest_sum
-from symbalance.variations.tolerances import Tolerances
+from symbalance.variations.derivatives import sensitivities
+from symbalance.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
+from symbalance.variations.sensitivity import Sensitivity, evaluated_number
+from symbalance.variations.tolerances import Relative, Tolerances
 
-MODES = ("largest", "vertical", "lateral", "forward", "backward")
 QUANTITIES = ("force", "couple")
 ROUNDING = 1e-9
 IMPROVEMENTS = 6
@@ -101,11 +100,34 @@ def worst_cases(
             pair = _ideal(ideal, n, quantity)
             for mode in modes:
                 if not names:
-                    found.append(_unchanged(n, quantity, mode, _seen(*pair, mode)))
+                    found.append(_unchanged(n, quantity, mode, seen(*pair, mode)))
                     continue
                 single = _statistical([s for s in errors if s.order == n], own.steps, quantity, mode)
-                found.append(_worst(n, quantity, mode, rows, _seen(*pair, mode), single))
+                found.append(_worst(n, quantity, mode, rows, seen(*pair, mode), single))
+    return found + (_rotating(layout, own, reference) if own.rotating else [])
+
+
+def _rotating(layout: Layout, own: Relative, reference: object) -> list[WorstCase]:
+    """Return what the rotating masses' own errors add up to, in order 1; they turn with the crank."""
+    errors = sensitivities(layout, 1, parameters=["rotating"], reference=reference)
+    found = []
+    for quantity in QUANTITIES:
+        sizes = [(e, float(own.rotating) * abs(e.values[0]) * e.weight(quantity)) for e in errors]
+        sectors = [Sector(-abs(x), abs(x), cmath.phase(e.values[0])) for e, x in sizes]
+        value, angle = largest_sum(sectors)
+        signs = {e.cylinder: _sign(x, cmath.phase(e.values[0]) - angle) for e, x in sizes}
+        reached = abs(sum(signs[e.cylinder] * x * unit(e.values[0]) for e, x in sizes))
+        single = hypot(*(x for _, x in sizes))
+        chosen = {
+            number: (1 + sign * float(own.rotating), 0.0, 0.0, 0.0) for number, sign in signs.items()
+        }
+        bound = max(value * (1 + ROUNDING), reached)
+        found.append(WorstCase(1, f"rotating {quantity}", "forward", 0.0, reached, bound, single, chosen))
     return found
+
+
+def _sign(weight: float, away: float) -> int:
+    return 1 if weight * cos(away) >= 0 else -1
 
 
 def _ideal(ideal: Balance, n: int, quantity: str) -> tuple[complex, complex]:
@@ -127,53 +149,8 @@ def _statistical(
         if one.parameter == "rotating":
             continue
         weight = one.weight(quantity) * steps[one.parameter]
-        squares += (_seen(*one.values, mode) * weight) ** 2
+        squares += (seen(*one.values, mode) * weight) ** 2
     return squares**0.5
-
-
-def _seen(ahead: complex, against: complex, mode: str) -> float:
-    """Return what one looks at of c_n and c_-n: a component's amplitude, or the largest modulus."""
-    match mode:
-        case "vertical":
-            return abs(ahead.conjugate() + against)
-        case "lateral":
-            return abs(ahead.conjugate() - against)
-        case "forward":
-            return abs(ahead)
-        case "backward":
-            return abs(against)
-    return abs(ahead) + abs(against)
-
-
-Aim = tuple[complex, complex]
-"""What c_n and c_-n are multiplied by in the real number that is to be made large."""
-
-
-def _aim(ahead: complex, against: complex, mode: str) -> Aim:
-    """Return the aim that these numbers themselves reach best."""
-    match mode:
-        case "vertical" | "lateral":
-            sign = 1 if mode == "vertical" else -1
-            seen = _unit((ahead.conjugate() + sign * against).conjugate())
-            return seen.conjugate(), sign * seen
-        case "forward":
-            return _unit(ahead.conjugate()), 0j
-        case "backward":
-            return 0j, _unit(against.conjugate())
-    return _unit(ahead.conjugate()), _unit(against.conjugate())
-
-
-def _unit(number: complex) -> complex:
-    return number / abs(number) if number else 0j
-
-
-class _Errors(NamedTuple):
-    """One cylinder's errors: its weight without arm, its arm, its throw's and bank's errors in radians."""
-
-    weight: complex
-    arm: float
-    turn: float
-    tilt: float
 
 
 def _unchanged(n: int, quantity: str, mode: str, nominal: float) -> WorstCase:
@@ -185,54 +162,19 @@ def _worst(
     n: int, quantity: str, mode: str, rows: Sequence[Box], nominal: float, statistical: float
 ) -> WorstCase:
     bound, aim = _bounded(rows, quantity, mode)
-    chosen = [_Errors(box.nominal, box.level, 0.0, 0.0) for box in rows]
+    chosen = [Errors(box.nominal, box.level, 0.0, 0.0) for box in rows]
     best = nominal
     least = TIED * sum(abs(box.nominal) * max(1.0, abs(box.level)) for box in rows)
     for _ in range(IMPROVEMENTS):
-        tried = [_answer(box, quantity, aim) for box in rows]
-        sums = _sums(rows, quantity, tried)
-        value = _seen(*sums, mode)
+        tried = [answer(box, quantity, aim) for box in rows]
+        sums = sums_of(rows, quantity, tried)
+        value = seen(*sums, mode)
         if value <= max(best, least):
             break
-        best, chosen, aim = value, tried, _aim(*sums, mode)
-    errors = {box.number: _told(box, one) for box, one in zip(rows, chosen, strict=True)}
+        best, chosen, aim = value, tried, aim_at(*sums, mode)
+    errors = {box.number: told(box, one) for box, one in zip(rows, chosen, strict=True)}
     most = max(bound * (1 + ROUNDING), best)
     return WorstCase(n, quantity, mode, nominal, best, most, statistical, errors)
-
-
-def _told(box: Box, one: _Errors) -> tuple[float, float, float, float]:
-    return (
-        abs(one.weight) / abs(box.nominal) if box.nominal else 0.0,
-        one.arm - box.level,
-        degrees(one.turn),
-        degrees(one.tilt),
-    )
-
-
-def _sums(rows: Sequence[Box], quantity: str, chosen: Sequence[_Errors]) -> tuple[complex, complex]:
-    pairs = [box.pair(quantity, *one) for box, one in zip(rows, chosen, strict=True)]
-    return sum(a for a, _ in pairs), sum(b for _, b in pairs)
-
-
-def _answer(box: Box, quantity: str, aim: Aim) -> _Errors:
-    """Return the errors of one cylinder that serve an aim best, of those looked at."""
-    arms = box.arm if quantity == "couple" else (box.level,)
-    found = []
-    for weight, arm, tilt in product(box.corners, arms, {0.0, box.bank, -box.bank}):
-        for turn in _turns(box, quantity, weight, arm, tilt, aim):
-            ahead, against = box.pair(quantity, weight, arm, turn, tilt)
-            found.append(((aim[0] * ahead + aim[1] * against).real, _Errors(weight, arm, turn, tilt)))
-    return max(found, key=lambda pair: pair[0])[1]
-
-
-def _turns(box: Box, quantity: str, weight: complex, arm: float, tilt: float, aim: Aim) -> set[float]:
-    """Return errors of the throw to look at: both ends, none, and where the phase is the best there is."""
-    if not box.throw:
-        return {0.0}
-    ahead, against = box.pair(quantity, weight, arm, 0.0, tilt)
-    reached = aim[0] * ahead + (aim[1] * against).conjugate()
-    best = -cmath.phase(reached) / box.order if reached else 0.0
-    return {0.0, box.throw, -box.throw, max(-box.throw, min(box.throw, best))}
 
 
 def _bounded(rows: Sequence[Box], quantity: str, mode: str) -> tuple[float, Aim]:
@@ -243,15 +185,15 @@ def _bounded(rows: Sequence[Box], quantity: str, mode: str) -> tuple[float, Aim]
         aim = cmath.rect(1, -angle)
         return value, ((aim, 0j) if sign > 0 else (0j, aim))
 
-    def seen(direction: float) -> Largest:
+    def across(direction: float) -> Largest:
         return largest_sum([s for box in rows for s in box.seen_from(quantity, direction)])
 
     direction, bound = {"vertical": 0.0, "lateral": pi / 2}.get(mode), None
     if direction is None:
         direction, bound = rows[0].axis, None
         if any(box.bank or abs(remainder(box.axis - direction, pi)) > 1e-12 for box in rows):
-            found = farthest(lambda u: seen(u).value)
+            found = farthest(lambda u: across(u).value)
             direction, bound = found.angle, found.bound
-    value, angle = seen(direction)
+    value, angle = across(direction)
     aim = cmath.rect(1, -direction - angle), cmath.rect(1, angle - direction)
     return (value if bound is None else bound), aim

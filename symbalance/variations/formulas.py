@@ -1,10 +1,10 @@
-r"""One order of an engine's free force and couple as a formula, with symbols for what cylinders differ in.
+r"""One order of the free force and couple as a formula, with symbols for what cylinders differ in.
 
 Cylinder j pushes along its axis with m_j r_j omega^2 (A_n(j) cos n p_j + B_n(j) sin n p_j), p_j = theta +
 throw - bank, so with s_j its station from the reference plane and f_n = A_n - i B_n
 
-    c_n  = 1/2 sum of w_j f_n(j)  e^(i (bank_j + n (throw_j - bank_j))),     w_j = m_j r_j  or  m_j r_j s_j,
-    c_-n = 1/2 sum of w_j f_n*(j) e^(i (bank_j - n (throw_j - bank_j))).
+    c_n  = 1/2 sum of w_j f_n(j)  e^(i (bank_j + n (throw_j - bank_j))),
+    c_-n = 1/2 sum of w_j f_n*(j) e^(i (bank_j - n (throw_j - bank_j))),     w_j = m_j r_j or m_j r_j s_j.
 
 These are linear in the masses and bilinear in mass and station. A_n and B_n are one factor A_n where no
 cylinder has a radius, rod or offset of its own; else they are the series in rho = r/l and delta = e/l of
@@ -26,10 +26,11 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
 from symbalance.mechanisms import offset_series
 from symbalance.phasor import Phasor
-from symbalance.rational import checked_whole, exact, listed
+from symbalance.rational import checked_whole, exact
 from symbalance.resultants import default_power
 from symbalance.slider_crank import Series, acceleration_series, checked_order
 from symbalance.spectrum import SymbolicPhasor
+from symbalance.variations.entries import entries
 from symbalance.variations.symbol_sums import (
     Polynomial,
     SymbolComponent,
@@ -41,7 +42,6 @@ from symbalance.variations.symbol_sums import (
 )
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
-LONGEST_PREFIX = 20
 UNIT: Polynomial = {(): Fraction(1)}
 
 
@@ -135,8 +135,8 @@ def symbolic_order(
 ) -> SymbolicOrder:
     """Return one order of the free force and couple, with symbols for what its cylinders differ in.
 
-    Each of `masses`, `stations`, `radii`, `rods` and `offsets` is a letter ("m" gives m_1, m_2, ... by the
-    cylinders' numbers), a list with one entry a cylinder (a number, or a SymPy polynomial), or None:
+    Each of `masses`, `stations`, `radii`, `rods` and `offsets` is a letter ("m" gives m_1, m_2, ... by
+    the cylinders' numbers), a list with one entry a cylinder (a number, or a SymPy polynomial), or None:
     masses and radii then count 1, stations are the layout's in pitches. Give radii, rods and offsets in
     one unit of length; any of them brings the kinematics into the sums, `through` being the highest total
     power of r/l and e/l kept (default: three terms). `reference` is the station couples are taken about
@@ -151,18 +151,28 @@ def symbolic_order(
     """
     n = checked_order(order)
     if not isinstance(layout, Layout):
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", "build one with inline(...)")
-    mass, radius = (_entries(layout, v, k) or [UNIT] * len(layout.cylinders) for v, k in
-                    ((masses, "masses"), (radii, "radii")))
+        raise SymbalanceError(
+            f"layout = {shown(layout)}", "must be a Layout", "build one with inline(...)"
+        )
+    mass, radius = (
+        entries(layout, v, k) or [UNIT] * len(layout.cylinders)
+        for v, k in ((masses, "masses"), (radii, "radii"))
+    )
     weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
     lengths = radii, rods, offsets
     through = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
-    own = None if all(x is None for x in lengths) else _kinematics(layout, n, radius, rods, offsets, through)
+    own = (
+        None
+        if all(x is None for x in lengths)
+        else _kinematics(layout, n, radius, rods, offsets, through)
+    )
     if own is None:
         _check_alike(layout)
     arms = _arms(layout, stations, reference)
     force = _summed(layout.cylinders, n, weights, own)
-    couple = _summed(layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], own)
+    couple = _summed(
+        layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], own
+    )
     alike = None if own else acceleration_series(n, default_power(n))
     return SymbolicOrder(n, alike, through if own else None, force, couple)
 
@@ -174,28 +184,9 @@ def _check_alike(layout: Layout) -> None:
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
 
 
-def _entries(layout: Layout, given: object, name: str) -> list[Polynomial] | None:
-    """Return one polynomial a cylinder, None where nothing is given."""
-    if given is None:
-        return None
-    count = len(layout.cylinders)
-    if isinstance(given, str):
-        import sympy
-
-        if not given.isidentifier() or len(given) > LONGEST_PREFIX:
-            raise SymbalanceError(f"{name} = {shown(given)}", "must be a letter or a list", 'write "m"')
-        return [{((sympy.Symbol(f"{given}_{c.number}", real=True), 1),): Fraction(1)}
-                for c in layout.cylinders]
-    values = listed(given, name, "[m1, m2, 0.6]")
-    if len(values) != count:
-        what = f"{name} holds {len(values)} values"
-        raise SymbalanceError(what, f"the engine has {count} cylinders", "give one for each")
-    return [polynomial(value, f"{name}[{i}]") for i, value in enumerate(values)]
-
-
 def _arms(layout: Layout, stations: object, reference: object) -> list[Polynomial]:
     """Return every cylinder's station from the reference plane."""
-    given = _entries(layout, stations, "stations")
+    given = entries(layout, stations, "stations")
     if given is None:
         given = [{(): c.station} if c.station else {} for c in layout.cylinders]
     if reference is not None:
@@ -216,7 +207,7 @@ def _kinematics(
     layout: Layout, n: int, radius: Sequence[Polynomial], rods: object, offsets: object, through: int
 ) -> list[Kinematics]:
     """Return every cylinder's A_n and B_n as polynomials in r/l and e/l."""
-    rod, offset = _entries(layout, rods, "rods"), _entries(layout, offsets, "offsets")
+    rod, offset = entries(layout, rods, "rods"), entries(layout, offsets, "offsets")
     if rod is None:
         raise SymbalanceError("rods", "are not given", "give the rods' lengths, or a letter for them")
     offset = offset or [{}] * len(rod)

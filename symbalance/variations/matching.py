@@ -1,6 +1,7 @@
 """The assignment problem: each row to a column of its own at least cost.
 
-Shortest augmenting paths with potentials (Kuhn 1955; in this form Jonker and Volgenant, Computing 38 (1987)).
+Shortest augmenting paths with potentials (Kuhn 1955; so Jonker and Volgenant, Computing 38 (1987), from
+memory).
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@ r"""Which part goes where: the least length of a sum of vectors, one for each pa
 
     minimise |c + sum over sets s of sum over places j of v_s[part in j][j]|
 
-over all arrangements of every set. Vectors are lists of floats, on an orthonormal basis of what they span.
+over all arrangements of every set. Vectors hold floats, on an orthonormal basis of what they span.
 
 - Few places: exactly. One set is cut into halves: for each choice of the parts of the first half, all
   arrangements of either half are listed, and pairs are joined by their first coordinate, for a sum no
@@ -10,8 +10,7 @@ over all arrangements of every set. Vectors are lists of floats, on an orthonorm
   arrangements of each are listed and joined. All pairs that could be better are looked at: the best is
   proved. Places that an isometry of the vectors exchanges are tried once.
 - More places: exchanges of two parts, and exact rearrangement of some places at a time, from several
-  starts; and a lower bound: for every unit vector y, |sum| >= y . sum, whose least value over all
-  arrangements is an assignment problem. The best y is sought as Frank and Wolfe do (1956).
+  starts; and a lower bound (`symbalance.variations.bounds`).
 """
 
 from __future__ import annotations
@@ -24,48 +23,23 @@ from math import sqrt
 from operator import add
 from random import Random
 
-from symbalance.variations.matching import least_matching
-
-Vector = tuple[float, ...]
-Table = Sequence[Sequence[Vector]]
-"""v[part][place]."""
-Order = tuple[int, ...]
-"""The part in each place."""
+from symbalance.variations.bounds import SLACK, Order, Table, Vector, lower_bound, norm, plus, total
 
 MOST_PLACES = {1: 12, 2: 8}
 """The places up to which the arrangement of one set, or of two, is found exactly."""
 STARTS = 12
 BLOCK = 9
 ROUNDS = 24
-STEPS = 200
-SLACK = 1e-9
 
 
 @dataclass(frozen=True)
 class Placement:
-    """An arrangement: `orders` of each set, its length, a bound that none passes below, and whether proved."""
+    """An arrangement: `orders` of each set, its length, what none passes below, and whether proved."""
 
     orders: tuple[Order, ...]
     length: float
     bound: float
     proved: bool
-
-
-def norm(vector: Vector) -> float:
-    """Return a vector's length."""
-    return sqrt(sum(x * x for x in vector))
-
-
-def _plus(one: Vector, other: Vector) -> Vector:
-    return tuple(map(add, one, other))
-
-
-def total(start: Vector, tables: Sequence[Table], orders: Sequence[Order]) -> Vector:
-    """Return c + sum of v for an arrangement."""
-    for table, order in zip(tables, orders, strict=True):
-        for place, part in enumerate(order):
-            start = _plus(start, table[part][place])
-    return start
 
 
 def arranged(start: Vector, tables: Sequence[Table], fixed: Sequence[int] | None = None) -> Placement:
@@ -100,7 +74,9 @@ def _arrangements(
             continue
         seen.append(table[part])
         rest = [p for p in parts if p != part]
-        for vector, order in _arrangements(table, rest, places[1:], _plus(start, table[part][places[0]]), fixed):
+        for vector, order in _arrangements(
+            table, rest, places[1:], plus(start, table[part][places[0]]), fixed
+        ):
             yield vector, (part, *order)
 
 
@@ -132,7 +108,9 @@ class _Best:
                     self.orders = ((*order, *rest),) if flat else (order, rest)
 
 
-def _halved(start: Vector, tables: Sequence[Table], good: tuple[Order, ...], fixed: Sequence[int]) -> tuple[Order, ...]:
+def _halved(
+    start: Vector, tables: Sequence[Table], good: tuple[Order, ...], fixed: Sequence[int]
+) -> tuple[Order, ...]:
     """Return the best arrangement of one set, by halves."""
     (table,), count = tables, len(tables[0])
     best = _Best(good, norm(total(start, tables, good)))
@@ -151,7 +129,9 @@ def _halved(start: Vector, tables: Sequence[Table], good: tuple[Order, ...], fix
     return best.orders
 
 
-def _joined(start: Vector, tables: Sequence[Table], good: tuple[Order, ...], fixed: Sequence[int]) -> tuple[Order, ...]:
+def _joined(
+    start: Vector, tables: Sequence[Table], good: tuple[Order, ...], fixed: Sequence[int]
+) -> tuple[Order, ...]:
     """Return the best arrangement of two sets, all of one against all of the other."""
     best = _Best(good, norm(total(start, tables, good)))
     places = list(range(len(tables[0])))
@@ -200,13 +180,17 @@ def _exchanged(start: Vector, tables: Sequence[Table], orders: list[Order]) -> t
     return tuple(orders)
 
 
-def _reblocked(start: Vector, tables: Sequence[Table], orders: tuple[Order, ...], chance: Random) -> tuple[Order, ...]:
+def _reblocked(
+    start: Vector, tables: Sequence[Table], orders: tuple[Order, ...], chance: Random
+) -> tuple[Order, ...]:
     """Return the arrangement with the parts of some places rearranged, exactly."""
     s = chance.randrange(len(tables))
     table, order = tables[s], orders[s]
     places = sorted(chance.sample(range(len(order)), min(BLOCK, len(order))))
-    rest = [tuple(table[p][j] if j not in places else tuple(0.0 for _ in start) for j in range(len(order)))
-            for p in range(len(order))]
+    rest = [
+        tuple(table[p][j] if j not in places else tuple(0.0 for _ in start) for j in range(len(order)))
+        for p in range(len(order))
+    ]
     others = [t if k != s else rest for k, t in enumerate(tables)]
     fixed = total(start, others, orders)
     small = [[table[order[j]][i] for i in places] for j in places]
@@ -215,32 +199,3 @@ def _reblocked(start: Vector, tables: Sequence[Table], orders: tuple[Order, ...]
     for place, k in zip(places, best, strict=True):
         changed[place] = order[places[k]]
     return tuple(tuple(changed) if k == s else o for k, o in enumerate(orders))
-
-
-def lower_bound(start: Vector, tables: Sequence[Table]) -> float:
-    """Return a length that no arrangement passes below, by linear bounds in directions sought in turn."""
-    count = len(tables[0])
-    point = total(start, tables, [tuple(range(count))] * len(tables))
-    best = 0.0
-    for _ in range(STEPS):
-        size = norm(point)
-        if size <= 1e-12 * (1 + norm(start)):
-            break
-        direction = tuple(x / size for x in point)
-        corner = start
-        for table in tables:
-            costs = [[_dot(direction, v) for v in row] for row in table]
-            order = least_matching(costs)
-            corner = total(corner, [table], [order])
-        best = max(best, _dot(direction, corner))
-        step = tuple(c - x for c, x in zip(corner, point, strict=True))
-        length = _dot(step, step)
-        share = min(1.0, max(0.0, -_dot(point, step) / length)) if length else 0.0
-        if share <= 0:
-            break
-        point = tuple(x + share * d for x, d in zip(point, step, strict=True))
-    return best * (1 - SLACK)
-
-
-def _dot(one: Vector, other: Vector) -> float:
-    return sum(x * y for x, y in zip(one, other, strict=True))

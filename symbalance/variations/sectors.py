@@ -19,7 +19,6 @@ from itertools import combinations
 from math import cos, hypot, pi, remainder, sin, tau
 from typing import NamedTuple
 
-
 TIED = 1e-12
 """Breakpoints this near, in radians, count as one: what that misses is `TIED` of the sum's size."""
 
@@ -163,8 +162,10 @@ def farthest(width: Callable[[float], float], gap: float = 1e-9) -> Bounded:
         middle = (u + v) / 2
         value = width(middle)
         best = max(best, (value, middle))
-        intervals += [(_meeting(a, value, middle - u), u, middle, a, value),
-                      (_meeting(value, b, v - middle), middle, v, value, b)]
+        intervals += [
+            (_meeting(a, value, middle - u), u, middle, a, value),
+            (_meeting(value, b, v - middle), middle, v, value, b),
+        ]
     return Bounded(best[0], max(best[0], max(intervals)[0]), best[1])
 
 

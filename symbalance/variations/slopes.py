@@ -50,7 +50,7 @@ def slopes(mechanism: SliderCrank, order: int, digits: int = DIGITS) -> dict[int
     `stroke` is the derivative by the crank radius: half of it is that by the stroke.
 
     >>> [mp.nstr(x.real, 8) for x in slopes(SliderCrank(4), 2)[2][:3]]
-    ['0.25402504', '0.5166075', '-0.065645616']
+    ['0.25402504', '0.51634683', '-0.065580447']
     """
     return dict(_slopes(mechanism, order, digits))
 
@@ -90,7 +90,7 @@ def _means(mechanism: SliderCrank, orders: Sequence[int], digits: int) -> dict[i
 
 
 def _mean(samples: Sequence[Real], turned: Sequence[Real], n: int) -> Real:
-    """Return 2 n^2 times a coefficient: real at even n and imaginary at odd n, for sin p alone matters."""
+    """Return 2 n^2 times a coefficient: real at even n, imaginary at odd n: sin p alone matters."""
     total = 2 * n * n * mp.fdot(samples, turned) / len(samples)
     return mp.mpc(0, total.imag) if n % 2 else mp.mpc(total.real)
 
@@ -104,6 +104,9 @@ def _points(mechanism: SliderCrank, order: int, digits: int) -> tuple[int, int]:
     nepers = (digits + GUARD) * log(10) + mechanism.strip * order
     needed = order + (nepers + log(4 * bound)) / width if width else float("inf")
     if needed > MOST_POINTS:
-        what, rule = f"ratio = {lam:.12g}", "lets the rod lie across so nearly that its slopes are not found"
+        what, rule = (
+            f"ratio = {lam:.12g}",
+            "lets the rod lie across so nearly that its slopes are not found",
+        )
         raise SymbalanceError(what, rule, "lengthen the rod, or ask for fewer orders")
     return ceil(needed), digits + GUARD + ceil(mechanism.strip * order / log(10)) + 12

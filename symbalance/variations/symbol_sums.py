@@ -155,7 +155,9 @@ class SymbolSum:
         for monomial, number in self.terms.items():
             power = dict(monomial).get(symbol, 0)
             if power:
-                total = total + SymbolSum.of({product(monomial, ((symbol, -1),)): Fraction(power)}, number)
+                total = total + SymbolSum.of(
+                    {product(monomial, ((symbol, -1),)): Fraction(power)}, number
+                )
         return total
 
     def number(self) -> Phasor | SymbolicPhasor | None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbalance.variations.placements import Vector
+from symbalance.variations.bounds import Vector, dot
 
 Generators = Sequence[tuple[Vector, Vector]]
 """What 1 kg of reciprocating and of rotating mass in each place adds."""
@@ -37,7 +37,7 @@ Products = tuple[list[list[tuple[float, ...]]], float]
 
 def _products(start: Vector, generators: Generators) -> Products:
     table = [
-        [tuple(_dot(x, y) for x in (*one, start) for y in (*other, start)) for other in generators]
+        [tuple(dot(x, y) for x in (*one, start) for y in (*other, start)) for other in generators]
         for one in generators
     ]
     return table, max((abs(x) for row in table for cell in row for x in cell), default=0.0) * SAME
@@ -63,7 +63,3 @@ def _extends(products: Products, images: dict[int, int], tries: list[int] | None
         for image in range(len(table))
         if image not in images.values()
     )
-
-
-def _dot(one: Vector, other: Vector) -> float:
-    return sum(x * y for x, y in zip(one, other, strict=True))

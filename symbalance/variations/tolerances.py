@@ -30,8 +30,8 @@ WIDEST_ANGLE = 45
 class Tolerances:
     """Plus or minus, of every cylinder: kg, degrees and mm; 0 where nothing is given.
 
-    `mass` is the reciprocating and `rotating` the rotating mass, `throw` the crank pin's angle, `bank` the
-    axis' angle, `station` its place along the crank. `mass` and `rotating` may be percent of cylinder
+    `mass` is the reciprocating and `rotating` the rotating mass, `throw` the crank pin's angle, `bank`
+    the axis' angle, `station` its place along the crank. `mass` and `rotating` may be percent of cylinder
     1's reciprocating mass ("0.5%"), `station` percent of the pitch.
 
     >>> Tolerances(mass=0.002, throw="0.1").mass
@@ -89,7 +89,9 @@ def _over(name: str, value: Fraction | str, unit: Fraction | None, key: str) -> 
         return Fraction(0)
     if not unit:
         remedy = f"give {key} in [crank_train]" + (", or percent: 0.5%" if name in PARTS_OF else "")
-        raise SymbalanceError(f"{name} = {float(value):g} {UNITS[name]}", f"needs the engine's {key}", remedy)
+        raise SymbalanceError(
+            f"{name} = {float(value):g} {UNITS[name]}", f"needs the engine's {key}", remedy
+        )
     return value / unit
 
 

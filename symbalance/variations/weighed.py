@@ -82,7 +82,8 @@ def read_parts(path: str | Path, *, paired: bool = False) -> tuple[PartSet, ...]
 def parse_parts(text: str, place: str, *, paired: bool = False) -> tuple[PartSet, ...]:
     """Return the sets of parts in a CSV text; `place` is what errors call it.
 
-    >>> pistons, rods = parse_parts("piston,rod_reciprocating,rod_rotating\\n.4,.1,.3\\n.41,.1,.31", "p.csv")
+    >>> text = "piston,rod_reciprocating,rod_rotating\\n.4,.1,.3\\n.41,.1,.31"
+    >>> pistons, rods = parse_parts(text, "p.csv")
     >>> rods.parts[1]
     Part(name='rod 2', reciprocating=Fraction(1, 10), rotating=Fraction(31, 100))
     """
