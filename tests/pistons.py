@@ -1,4 +1,4 @@
-"""An engine as pistons on cranks in floating point, without symbalance: harmonics by FFT of exact kinematics.
+"""An engine as pistons on cranks, without symbalance: harmonics by FFT of exact kinematics.
 
 Each piston sits at r cos p + sqrt(l^2 - (r sin p - e)^2) along its axis, p = theta + throw - bank, and
 pushes with minus its mass times the second derivative of that by theta (omega = 1).

@@ -91,17 +91,19 @@ class SymbolicOrder:
     through: int | None
     force: SymbolResultant
     couple: SymbolResultant
+    given: frozenset[Any] = frozenset()
+    """All symbols that were given, also those that no sum of this order has."""
 
     def at(self, values: Mapping[Any, object]) -> SymbolicOrder:
         """Return the order with numbers put in for some of its symbols, by symbol or by name."""
         if not isinstance(values, Mapping):
             rule = "must map symbols to numbers"
             raise SymbalanceError(f"values = {shown(values)}", rule, "write it like {m1: 0.6}")
-        named = {str(s): s for s in self.symbols()}
+        named = {str(s): s for s in self.given}
         unknown = [key for key in values if str(key) not in named]
         if unknown:
             remedy = f"they are {', '.join(sorted(named)) or 'none'}; angles stay symbols"
-            raise SymbalanceError(f"symbol {shown(unknown[0])}", "stands in no sum here", remedy)
+            raise SymbalanceError(f"symbol {shown(unknown[0])}", "was not given", remedy)
         numbers = {named[str(key)]: exact(value, str(key)) for key, value in values.items()}
         return self._mapped(lambda part: part.at(numbers))
 
@@ -118,7 +120,7 @@ class SymbolicOrder:
         force, couple = (
             SymbolResultant(change(r.ahead), change(r.against)) for r in (self.force, self.couple)
         )
-        return SymbolicOrder(self.order, self.coefficient, self.through, force, couple)
+        return SymbolicOrder(self.order, self.coefficient, self.through, force, couple, self.given)
 
 
 def symbolic_order(
@@ -159,13 +161,10 @@ def symbolic_order(
         for v, k in ((masses, "masses"), (radii, "radii"))
     )
     weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
-    lengths = radii, rods, offsets
-    through = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
-    own = (
-        None
-        if all(x is None for x in lengths)
-        else _kinematics(layout, n, radius, rods, offsets, through)
-    )
+    own, kept = None, None
+    if any(x is not None for x in (radii, rods, offsets)):
+        kept = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
+        own = _kinematics(layout, n, radius, rods, offsets, kept)
     if own is None:
         _check_alike(layout)
     arms = _arms(layout, stations, reference)
@@ -174,7 +173,9 @@ def symbolic_order(
         layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], own
     )
     alike = None if own else acceleration_series(n, default_power(n))
-    return SymbolicOrder(n, alike, through if own else None, force, couple)
+    polynomials = [*weights, *arms, *(part for pair in own or () for part in pair)]
+    given = frozenset(x for one in polynomials for monomial in one for x, _ in monomial)
+    return SymbolicOrder(n, alike, kept, force, couple, given)
 
 
 def _check_alike(layout: Layout) -> None:
