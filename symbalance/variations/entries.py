@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
+from typing import Any
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
@@ -31,3 +33,8 @@ def entries(layout: Layout, given: object, name: str) -> list[Polynomial] | None
         what = f"{name} holds {len(values)} values"
         raise SymbalanceError(what, f"the engine has {count} cylinders", "give one for each")
     return [polynomial(value, f"{name}[{i}]") for i, value in enumerate(values)]
+
+
+def symbols_in(given: Sequence[Polynomial] | None) -> set[Any]:
+    """Return the symbols of some polynomials."""
+    return {symbol for one in given or () for monomial in one for symbol, _ in monomial}

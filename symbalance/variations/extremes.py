@@ -75,6 +75,7 @@ def worst_cases(
 ) -> list[WorstCase]:
     """Return the worst that tolerances allow, for every order to `order` that they let exist.
 
+    Orders whose A_n is below what a double holds (some 10^-308) are left out.
     `of` lists some of "largest", "vertical", "lateral", "forward" and "backward".
 
     >>> from symbalance.builders import inline
@@ -193,7 +194,12 @@ def _bounded(rows: Sequence[Box], quantity: str, mode: str) -> tuple[float, Aim]
         direction, bound = rows[0].axis, None
         if any(box.bank or abs(remainder(box.axis - direction, pi)) > 1e-12 for box in rows):
             found = farthest(lambda u: across(u).value)
-            direction, bound = found.angle, found.bound
+            # A circle has no farthest direction to halve towards: there both turning parts bound it.
+            turning = sum(
+                largest_sum([s for box in rows for s in box.turning(quantity, sign)]).value
+                for sign in (1, -1)
+            )
+            direction, bound = found.angle, min(found.bound, turning)
     value, angle = across(direction)
     aim = cmath.rect(1, -direction - angle), cmath.rect(1, angle - direction)
     return (value if bound is None else bound), aim

@@ -30,7 +30,7 @@ from symbalance.rational import checked_whole, exact
 from symbalance.resultants import default_power
 from symbalance.slider_crank import Series, acceleration_series, checked_order
 from symbalance.spectrum import SymbolicPhasor
-from symbalance.variations.entries import entries
+from symbalance.variations.entries import entries, symbols_in
 from symbalance.variations.symbol_sums import (
     Polynomial,
     SymbolComponent,
@@ -173,8 +173,8 @@ def symbolic_order(
         layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], own
     )
     alike = None if own else acceleration_series(n, default_power(n))
-    polynomials = [*weights, *arms, *(part for pair in own or () for part in pair)]
-    given = frozenset(x for one in polynomials for monomial in one for x, _ in monomial)
+    sizes = {"masses": masses, "stations": stations, "radii": radii, "rods": rods, "offsets": offsets}
+    given = frozenset(x for key, v in sizes.items() for x in symbols_in(entries(layout, v, key)))
     return SymbolicOrder(n, alike, kept, force, couple, given)
 
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Sequence
 from itertools import combinations
-from math import cos, hypot, pi, remainder, sin, tau
+from math import acos, cos, hypot, pi, remainder, sin, tau
 from typing import NamedTuple
 
 TIED = 1e-12
@@ -77,6 +77,9 @@ def _breakpoints(sector: Sector) -> list[float]:
         if p != q:
             normal = cmath.phase(1j * (p - q))
             found += [normal, normal + pi]
+    radii = {abs(sector.low), abs(sector.high)} if sector.half else set()
+    for p in corners:  # a corner of the larger arc gives way to the smaller one
+        found += [cmath.phase(p) + s * acos(r / abs(p)) for r in radii if r < abs(p) for s in (1, -1)]
     return [x % tau for x in found]
 
 
@@ -87,8 +90,9 @@ def largest_sum(sectors: Sequence[Sector]) -> Largest:
     0.2
     """
     events = sorted((x, j) for j, sector in enumerate(sectors) for x in _breakpoints(sector))
-    if not events:
-        return Largest(0.0, 0.0)
+    if not events:  # single points
+        z = sum(_element(sector, 0.0)[0] for sector in sectors)
+        return Largest(abs(z), cmath.phase(z))
     clusters = _clustered(events)
     starts = [x for x, _ in clusters]
     middle = (starts[-1] - tau + starts[0]) / 2
