@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from fractions import Fraction
 
 import numpy as np
@@ -11,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import symbalance as sb
+from symbalance.cli import run
 from tests.pistons import Piston, harmonics, pistons
 
 LAYOUTS = ["inline-4", "inline-5", "v6-60", "v8-90", "boxer-4", "radial-5"]
@@ -279,3 +281,33 @@ def test_other_refusals():
         sb.symbolic_order(sb.inline("1"), 1, masses="m").at([1])  # type: ignore[arg-type]
     with pytest.raises(sb.SymbalanceError, match="is divided by"):
         sb.symbolic_order(sb.inline("1"), 2, rods="l").at({"l_1": 0})
+
+
+def test_the_command(capsys, tmp_path):
+    assert run(["sensitivities", "inline-4", "--order", "2", "--parameters", "mass,throw"]) == 0
+    out = capsys.readouterr().out
+    assert "1 % of m" in out
+    assert "0.0174533" in out  # a degree of a throw, in order 1 that cancels as drawn
+    assert run(["sensitivities", "inline-4", "--order", "2", "--format", "json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    mass = [s for s in document["sensitivities"] if s["parameter"] == "mass" and s["order"] == "2"]
+    assert [s["force"]["vertical"] for s in mass] == [{"cos": "1", "sin": "0"}] * 4
+    assert all(s["factor"].startswith("0.25402504") for s in mass)
+    assert (
+        run(
+            [
+                "sensitivities",
+                "v6-60",
+                "--ratio",
+                "3.5",
+                "--format",
+                "latex",
+                "-o",
+                str(tmp_path / "s.tex"),
+            ]
+        )
+        == 0
+    )
+    assert r"\toprule" in (tmp_path / "s.tex").read_text(encoding="utf-8")
+    assert run(["sensitivities", "inline-4", "--parameters", "colour"]) == 2
+    assert "is no parameter" in capsys.readouterr().err
