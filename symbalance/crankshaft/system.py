@@ -1,0 +1,78 @@
+"""The crankshaft on its bearings: linear equations whose coefficients are periodic in the crank angle.
+
+    M x'' + D x' + S x = f(theta) + sum over bearings of B_j^T b_j,     theta = omega t,
+
+D = C + omega G and S = K + omega^2 dK (less whatever holds the free spin). B_j x is the displacement
+(u, v) of bearing j's journal in turning coordinates; its film and housing live in the stationary
+ones, (vertical, lateral) = R(theta) (u, v).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from symbalance.crankshaft.rotor import Array
+
+
+@dataclass(frozen=True)
+class Film:
+    """All bearings' oil films against the crank angle: angles (s,) in, (s, b, 2, 2) out; stationary axes.
+
+    `stiffness` in N/m and `damping` in N s/m are tangents: force of the shaft on the film per journal
+    displacement and velocity, rows vertical, lateral.
+    """
+
+    stiffness: Callable[[Array], Array]
+    damping: Callable[[Array], Array]
+
+
+@dataclass(frozen=True)
+class Housing:
+    """The structure behind each film: (b, 2, 2) `stiffness` and `damping`, N/m and N s/m, stationary."""
+
+    stiffness: Array
+    damping: Array
+
+
+@dataclass(frozen=True)
+class PeriodicSystem:
+    """What is integrated; `force` takes angles (s,), gives (s, n) in turning coordinates, N and N m.
+
+    `cycle` is the crank angle after which everything repeats, in radians. `points` is (b, 2, n).
+    Without a `housing` the films are fixed to the ground.
+    """
+
+    mass: Array
+    damping: Array
+    stiffness: Array
+    points: Array
+    film: Film
+    housing: Housing | None
+    force: Callable[[Array], Array]
+    omega: float
+    cycle: float = 4 * np.pi
+
+    @property
+    def size(self) -> int:
+        """The number of unknowns, without housing states."""
+        return len(self.mass)
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """A solution over one cycle: `theta` (s,), `position`, `velocity` (s, n), `bearing` (s, b, 2).
+
+    Bearing forces are those on the shaft, stationary axes, N. `error` is what the method says of its own
+    error, relative; `seconds` its run time.
+    """
+
+    theta: Array
+    position: Array
+    velocity: Array
+    bearing: Array
+    multipliers: Array | None = None
+    error: float = float("nan")
+    seconds: float = float("nan")
