@@ -65,6 +65,12 @@ _HOMES = {
     "dead_centres": "mechanisms",
     "force_harmonics": "mechanisms",
     "node_equations": "crankshaft.equations",
+    "symbolic_order": "variations",
+    "sensitivities": "variations",
+    "Tolerances": "variations",
+    "worst_cases": "variations",
+    "assign_parts": "variations",
+    "read_parts": "variations",
     "SymbalanceError": "errors",
     "symbol": "symbols",
 }
@@ -136,3 +142,9 @@ if TYPE_CHECKING:
     from symbalance.trains import CrankTrain as CrankTrain
     from symbalance.trains import Link as Link
     from symbalance.truncation import left_out as left_out
+    from symbalance.variations import Tolerances as Tolerances
+    from symbalance.variations import assign_parts as assign_parts
+    from symbalance.variations import read_parts as read_parts
+    from symbalance.variations import sensitivities as sensitivities
+    from symbalance.variations import symbolic_order as symbolic_order
+    from symbalance.variations import worst_cases as worst_cases

@@ -36,6 +36,9 @@ def build_parser() -> argparse.ArgumentParser:
     _add_check(commands)
     _add_emit(commands)
     _add_torque(commands)
+    _add_sensitivities(commands)
+    _add_tolerances(commands)
+    _add_assign(commands)
     _add_engines(commands)
     _add_bench(commands)
     return parser
@@ -156,6 +159,76 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
     parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
     parser.add_argument("--delta", metavar="δ", default="0.02", help="speed fluctuation; default: 0.02")
     _add_output(parser, ("text", "json"))
+
+
+def _add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    if order is not None:
+        help_ = f"highest order, 1 to 1000; default: {order}"
+        parser.add_argument("--order", metavar="N", default=order, help=help_)
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+
+
+def _add_sensitivities(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "sensitivities", "How each order changes with each size of each cylinder, worst first."
+    )
+    _add_engine(parser, "4")
+    parser.add_argument(
+        "--parameters",
+        metavar="NAMES",
+        help="with commas, some of mass, throw, bank, station, stroke, rod, offset, rotating",
+    )
+    _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_tolerances(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "tolerances", "The worst an engine within its tolerances can shake.")
+    _add_engine(parser, "4")
+    for name, unit, about in (
+        ("mass", "KG", "reciprocating mass, kg or percent (0.5%%)"),
+        ("throw", "DEGREES", "crank pin angle"),
+        ("bank", "DEGREES", "angle of a cylinder's axis"),
+        ("station", "MM", "place along the crank, mm or percent of the pitch"),
+        ("stroke", "MM", "stroke"),
+        ("rod", "MM", "rod length"),
+        ("offset", "MM", "offset of the axis from the crank"),
+        ("rotating", "KG", "rotating mass, kg or percent of the reciprocating mass"),
+    ):
+        parser.add_argument(f"--{name}", metavar=unit, help=f"plus or minus, of every cylinder: {about}")
+    parser.add_argument(
+        "--of",
+        metavar="NAMES",
+        default="largest",
+        help="with commas: largest (over a turn), vertical, lateral, forward, backward; default: largest",
+    )
+    parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
+    _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_assign(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "assign", "Which weighed part goes to which cylinder, so that least is left."
+    )
+    _add_engine(parser)
+    parser.add_argument(
+        "--parts",
+        metavar="FILE",
+        required=True,
+        help="CSV with a header: name, piston, rod_reciprocating, rod_rotating; kg",
+    )
+    parser.add_argument("--paired", action="store_true", help="keep a row's piston and rod together")
+    parser.add_argument("--orders", metavar="LIST", default="1", help="orders that count; default: 1")
+    parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
+    parser.add_argument(
+        "--lever",
+        metavar="MM",
+        help="a couple counts as the force at this lever; default: root mean square of the stations",
+    )
+    parser.add_argument(
+        "--whole", action="store_true", help="count whole masses, not what they differ from their mean by"
+    )
+    _add_output(parser, ("text", "latex", "json"))
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:
