@@ -19,14 +19,14 @@ from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout, checked_name, checked_strokes
 from symbalance.slider_crank import checked_ratio
-from symbalance.trains import OWN, CrankTrain, Link, checked_size
+from symbalance.trains import OWN, ROD, CrankTrain, Link, checked_size
 from symbalance.unlike import kinds
 
 T = TypeVar("T")
 LARGEST_FILE = 1_000_000
 
 _TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder")
-_CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset")
+_CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset", *ROD)
 _LAYOUT = ("strokes", "banks", "cylinders", "firing_order", "firing_intervals", "stagger")
 _LINK = ("master", "link_angle", "link_radius")
 _CYLINDER = ("number", "throw", "bank", "station", "fires", *OWN, *_LINK)
@@ -106,6 +106,10 @@ class _Reader:
             shared = "offset" in self.subtable(table, "crank_train")
             section, key = ("crank_train", "offset") if shared else ("cylinder", "")
             self.guarded(section, key, 0, lambda: kinds(made))
+        for i, cylinder in enumerate(made.cylinders):
+            own = any(getattr(cylinder.own, key) is not None for key in ROD)
+            section = "cylinder" if own else "crank_train"
+            self.guarded(section, "", i if own else 0, lambda c=cylinder: made.train_of(c).rod_split)
         return made
 
     def crank_train(self, table: dict[str, Any]) -> CrankTrain:

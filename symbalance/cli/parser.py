@@ -137,7 +137,9 @@ def _add_emit(commands: argparse._SubParsersAction) -> None:
 
 
 def _add_torque(commands: argparse._SubParsersAction) -> None:
-    parser = _command(commands, "torque", "The torque on an engine's crank: inertia exactly, gas on top.")
+    parser = _command(
+        commands, "torque", "The torque on an engine's crank and frame: inertia exactly, gas on top."
+    )
     parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
     parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
@@ -150,12 +152,12 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
         "--heat",
         metavar="Q",
         default="18",
-        help="its heat added, in p V at bottom dead centre; default: 18",
+        help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
     parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
     parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
     parser.add_argument("--delta", metavar="δ", default="0.02", help="speed fluctuation; default: 0.02")
-    _add_output(parser, ("text", "json"))
+    _add_output(parser, ("text", "latex", "json"))
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:

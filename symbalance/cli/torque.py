@@ -1,4 +1,4 @@
-"""`symbalance torque`: the torque on an engine's crank, its inertia part exact."""
+"""`symbalance torque`: the torque on an engine's crank and frame, its inertia part exact."""
 
 from __future__ import annotations
 
@@ -14,22 +14,24 @@ def run(options: argparse.Namespace) -> int:
     order = whole_number(options.order, "order")
 
     from symbalance.catalogue import load
+    from symbalance.tables.torque_latex import torque_latex
     from symbalance.tables.torque_table import running_text, torque_json, torque_text
-    from symbalance.torque import inertia_torque
+    from symbalance.torque import torque_report
 
-    layout = load(options.engine)
-    balance = inertia_torque(layout, order, ratio=options.ratio)
-    running = _running(options, balance.layout)
+    report = torque_report(load(options.engine), order, ratio=options.ratio)
+    running = running_engine(options, report.layout)
     delta = _number(options.delta, "delta")
     if options.format == "json":
-        write(torque_json(balance, running, delta, order) + "\n", options.output)
-        return 0
-    parts = [torque_text(balance), *([running_text(running, delta, order)] if running else [])]
-    write("\n".join(parts), options.output)
+        write(torque_json(report, running, delta, order) + "\n", options.output)
+    elif options.format == "latex":
+        write(torque_latex(report, running, delta, order, standalone=True), options.output)
+    else:
+        parts = [torque_text(report), *([running_text(running, delta, order)] if running else [])]
+        write("\n".join(parts), options.output)
     return 0
 
 
-def _running(options: argparse.Namespace, layout: Any) -> Any:
+def running_engine(options: argparse.Namespace, layout: Any) -> Any:
     """Return the running engine's torque, None where no pressure is given."""
     from symbalance.torque import crank_torque, ideal_cycle, read_pressure
 
@@ -43,11 +45,10 @@ def _running(options: argparse.Namespace, layout: Any) -> Any:
         if getattr(options, name) is None:
             raise SymbalanceError(f"--{name}", "is missing", f"a pressure needs {what}")
     if options.pressure is not None:
-        trace = read_pressure(options.pressure, strokes=layout.strokes)
+        gas = read_pressure(options.pressure, strokes=layout.strokes)
     else:
-        cycle = ideal_cycle(options.compression, heat=options.heat, strokes=layout.strokes)
-        trace = cycle.trace(layout.train_of(layout.cylinders[0]).ratio)
-    return crank_torque(layout, trace, bore=options.bore, rpm=options.rpm)
+        gas = ideal_cycle(options.compression, heat=options.heat, strokes=layout.strokes)
+    return crank_torque(layout, gas, bore=options.bore, rpm=options.rpm)
 
 
 def _number(text: str, name: str) -> float:
