@@ -31,8 +31,11 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def running_engine(options: argparse.Namespace, layout: Any) -> Any:
-    """Return the running engine's torque, None where no pressure is given."""
+def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True) -> Any:
+    """Return the running engine's torque, None where no pressure is given.
+
+    Without `whole` only its gas is asked for, over the crank radius: sizes that are not known do no harm.
+    """
     from symbalance.torque import crank_torque, ideal_cycle, read_pressure
 
     if options.pressure is None and options.compression is None:
@@ -42,13 +45,16 @@ def running_engine(options: argparse.Namespace, layout: Any) -> Any:
                 raise SymbalanceError(f"--{name}", "is for a running engine", remedy)
         return None
     for name, what in (("bore", "the cylinder's bore in mm"), ("rpm", "the crank's speed")):
-        if getattr(options, name) is None:
+        if getattr(options, name) is None and (whole or name == "bore"):
             raise SymbalanceError(f"--{name}", "is missing", f"a pressure needs {what}")
     if options.pressure is not None:
         gas = read_pressure(options.pressure, strokes=layout.strokes)
     else:
         gas = ideal_cycle(options.compression, heat=options.heat, strokes=layout.strokes)
-    return crank_torque(layout, gas, bore=options.bore, rpm=options.rpm)
+    first = layout.train_of(layout.cylinders[0])
+    sizes = {"stroke": 1, "reciprocating_mass": 0}
+    unknown = {} if whole else {k: v for k, v in sizes.items() if getattr(first, k) is None}
+    return crank_torque(layout, gas, bore=options.bore, rpm=options.rpm or "1", **unknown)
 
 
 def _number(text: str, name: str) -> float:

@@ -125,5 +125,7 @@ def _running(torque: CrankTorque, delta: float, order: int) -> str:
         )
     table = tabulars("rccc", r"\(n\) & \(C\) & \(S\) & amplitude", rows) if rows else "none."
     title = rf"\textbf{{{escaped(running_head(torque))}}}:"
-    words = "\n".join([r"\begin{center}\begin{tabular}{@{}lp{120mm}@{}}", *facts, r"\end{tabular}\end{center}"])
+    words = "\n".join(
+        [r"\begin{center}\begin{tabular}{@{}lp{120mm}@{}}", *facts, r"\end{tabular}\end{center}"]
+    )
     return f"{title}\n{words}\nOrders of the whole torque, N\\,m:\n{table}"

@@ -42,6 +42,8 @@ from symbalance.torque.rod import (
 )
 
 UNIT = "J_x omega^2"
+MILLI = 1000
+"""Millimetres in a metre."""
 RODS = Kinematics("u", UNIT, rod_torque_series, rod_torque_values, lambda n: {2: 6}.get(n, n + 2))
 ROCKING = Kinematics("k", UNIT, rocking_couple_series, rocking_couple_values, lambda n: n + 2)
 

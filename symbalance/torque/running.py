@@ -34,13 +34,12 @@ from symbalance.torque.inertia_balance import inertia_torque
 from symbalance.torque.kinds import stroke_of
 from symbalance.torque.measured import measured, positive
 from symbalance.torque.pressure import PressureTrace
-from symbalance.torque.roll import first_excess, rod_torque
+from symbalance.torque.roll import MILLI, first_excess, rod_torque
 from symbalance.torque.stars import firing_tops
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
 PASCAL = 100_000
 """A bar, in Pa."""
-MILLI = 1e-3
 
 
 @dataclass(frozen=True)
@@ -94,6 +93,11 @@ class CrankTorque:
     def cylinder(self) -> TangentialPressure:
         """The tangential pressure of the first cylinder."""
         return self.cylinders[0].tangential
+
+    @property
+    def ratio(self) -> Fraction:
+        """The first cylinder's rod ratio lambda = l/r."""
+        return self.cylinder.ratio
 
     @property
     def radius(self) -> float:
@@ -212,7 +216,7 @@ class CrankTorque:
         unit, rods = self.mass * (self.radius * self.omega) ** 2, float(first_excess(self.layout))
         total: dict[Fraction, Real] = {}
         parts = [(inertia_torque(self.layout, order), unit)]
-        parts += [(rod_torque(self.layout, order), rods * MILLI**2 * self.omega**2)] if rods else []
+        parts += [(rod_torque(self.layout, order), rods / MILLI**2 * self.omega**2)] if rods else []
         for balance, scale in parts:
             for n, cos, sin in balance.terms(ratio, 20):
                 total[n] = total.get(n, mp.mpc(0)) + mp.mpc(cos, sin) * scale
@@ -245,7 +249,7 @@ def crank_torque(
     kinds = gas_kinds(layout, trace, ratio=ratio, ambient=ambient)
     if not layout.is_uniform:
         _check_own(layout, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
-    width = positive(bore, "bore") * MILLI
+    width = positive(bore, "bore") / MILLI
     tangential = {number: kind.tangential for kind in kinds for number in kind.tops}
     tops, cylinders = firing_tops(layout), []
     for cylinder in layout.cylinders:
@@ -254,8 +258,8 @@ def crank_torque(
         known = layout.train_of(cylinder).reciprocating_mass
         mass = float(_given(reciprocating_mass, known, "reciprocating_mass", "kg"))
         top = float(tops[cylinder.number]) * pi / 180 + own.piston.top
-        excess = float(rod.excess) * MILLI**2 if rod else 0.0
-        cylinders.append(RunningCylinder(own, top, float(length) * MILLI / 2, mass, excess))
+        excess = float(rod.excess) / MILLI**2 if rod else 0.0
+        cylinders.append(RunningCylinder(own, top, float(length) / (2 * MILLI), mass, excess))
     return CrankTorque(layout, tuple(cylinders), pi * width**2 / 4, _omega(rpm))
 
 
