@@ -38,19 +38,19 @@ def read_engine_file(path: str | Path) -> Layout:
     return parse_engine(text, str(path), default_name=Path(path).stem)
 
 
-def read_text(path: str | Path) -> str:
+def read_text(path: str | Path, largest: int = LARGEST_FILE) -> str:
     """Return a file's text, or refuse what is missing, a directory, too large or not UTF-8."""
     place = str(path)
     try:
         with open(path, "rb") as stream:
-            data = stream.read(LARGEST_FILE + 1)
+            data = stream.read(largest + 1)
     except IsADirectoryError:
         raise SymbalanceError(place, "is a directory", "name an engine file in it") from None
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or "not a usable path"
         raise SymbalanceError(place, f"cannot be read ({reason})", "check the path") from None
-    if len(data) > LARGEST_FILE:
-        raise SymbalanceError(place, f"is larger than {LARGEST_FILE} bytes", "name an engine file")
+    if len(data) > largest:
+        raise SymbalanceError(place, f"is larger than {largest} bytes", "name an engine file")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
