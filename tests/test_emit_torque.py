@@ -220,3 +220,18 @@ def test_refusals(arguments: tuple[str, ...], words: str, capsys) -> None:
 def test_a_running_engine_has_its_own_ratio() -> None:
     with pytest.raises(SymbalanceError, match="is the running engine's own already"):
         sb.to_function(running(), ratio=3)
+
+
+def test_what_lies_beyond_the_orders_looked_at_is_in_the_bound() -> None:
+    """Near rho = 1 the orders above the first 48 show: without them the bound would be too small."""
+    result = inertia_torque(sb.load("inline-1"), 1, ratio="1.04")
+    made = sb.to_function(result, tolerance=2e-4)
+    theta = np.linspace(0, np.pi, 4001)
+    sine, cosine, lam = np.sin(theta), np.cos(theta), 1.04
+    root = np.sqrt(lam**2 - sine**2)
+    speed = sine * (1 + cosine / root)
+    change = cosine + (cosine**2 - sine**2) / root + (sine * cosine) ** 2 / root**3
+    gap = np.abs(made(theta) + speed * change).max()
+    left = made.left_out["torque.inertia"]
+    assert left is not None
+    assert 0.5 * left < gap <= left <= 2e-4
