@@ -53,6 +53,8 @@ _HOMES = {
     "pin_offsets": "stars",
     "crank_stars": "stars",
     "inertia_torque": "torque",
+    "torque_report": "torque",
+    "roll_moment": "torque",
     "crank_torque": "torque",
     "gas_torque": "torque",
     "firing_stars": "torque",
@@ -139,6 +141,8 @@ if TYPE_CHECKING:
     from symbalance.torque import inertia_torque as inertia_torque
     from symbalance.torque import pressure_trace as pressure_trace
     from symbalance.torque import read_pressure as read_pressure
+    from symbalance.torque import roll_moment as roll_moment
+    from symbalance.torque import torque_report as torque_report
     from symbalance.trains import CrankTrain as CrankTrain
     from symbalance.trains import Link as Link
     from symbalance.truncation import left_out as left_out

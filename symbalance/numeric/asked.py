@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, Protocol
 
 from mpmath import mp
 
 from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
+from symbalance.layout import Layout
 from symbalance.numeric.waves import (
     ACCELERATION,
     COUPLE,
@@ -54,20 +55,29 @@ NOTHING = mp.mpf(10) ** (5 - DIGITS)
 """Weights smaller than this are rounding of weights that cancel."""
 
 
-def checked_outputs(outputs: Sequence[str] | str) -> list[str]:
+class _Rated(Protocol):
+    """What has a layout and perhaps a rod ratio."""
+
+    @property
+    def layout(self) -> Layout: ...
+    @property
+    def ratio(self) -> Fraction | None: ...
+
+
+def checked_outputs(outputs: Sequence[str] | str, known: Sequence[str] = OUTPUTS) -> list[str]:
     """Return the names of outputs, each once, or refuse an unknown one."""
     names = [outputs] if isinstance(outputs, str) else listed(outputs, "outputs", '("force.vertical",)')
     for name in names:
-        if name not in OUTPUTS:
-            raise SymbalanceError(f"output {shown(name)!r}", "is unknown", f"known: {', '.join(OUTPUTS)}")
+        if name not in known:
+            raise SymbalanceError(f"output {shown(name)!r}", "is unknown", f"known: {', '.join(known)}")
     if not names:
-        raise SymbalanceError("outputs = ()", "names no output", f"known: {', '.join(OUTPUTS)}")
+        raise SymbalanceError("outputs = ()", "names no output", f"known: {', '.join(known)}")
     return list(dict.fromkeys(names))
 
 
-def known_ratio(result: Balance, ratio: object) -> Fraction:
+def known_ratio(result: _Rated, ratio: object) -> Fraction:
     """Return the rod ratio to use, or refuse if neither the call nor the engine gives one."""
-    if not result.is_uniform:
+    if not result.layout.is_uniform:
         return _first_ratio(result, ratio)
     number = result.ratio if ratio is None else checked_ratio(ratio)
     if number is None:
@@ -83,7 +93,7 @@ def known_ratio(result: Balance, ratio: object) -> Fraction:
     return number
 
 
-def _first_ratio(result: Balance, ratio: object) -> Fraction:
+def _first_ratio(result: _Rated, ratio: object) -> Fraction:
     """Return the first cylinder's ratio: unlike cylinders have their own, and keep them."""
     if ratio is not None:
         rule = "cannot be set for cylinders that are not alike"
@@ -137,7 +147,7 @@ class _Asked:
     def truncated(self) -> Wave:
         if self.part in ("displacement", "velocity") and self.result.is_uniform:
             return self.wave(left_out=0.0, closed=self.closed())
-        return self.wave(terms=_shown(self.terms(self.result.highest)), through=self.result.highest)
+        return self.wave(terms=shown_terms(self.terms(self.result.highest)), through=self.result.highest)
 
     def within(self, tolerance: float) -> Wave:
         if self.part in ("displacement", "velocity"):
@@ -152,7 +162,7 @@ class _Asked:
                 if bound <= wanted or not sizes:
                     through = int(terms[kept - 1].order) if kept else 0
                     closed = self.closed() if kept else None
-                    bound = _up(bound) if sizes or not self.result.is_uniform else 0.0
+                    bound = upward(bound) if sizes or not self.result.is_uniform else 0.0
                     return self.wave(terms=terms[:kept], through=through, left_out=bound, closed=closed)
             if order == HIGHEST_ORDER:
                 return self._beyond(tolerance, bound)
@@ -246,7 +256,7 @@ class _Asked:
         return [real(arm) for arm in arms]
 
 
-def _shown(terms: tuple[Term, ...]) -> tuple[Term, ...]:
+def shown_terms(terms: tuple[Term, ...]) -> tuple[Term, ...]:
     """Return the harmonics without the last ones that cannot show in a double: 2^-57 of the largest."""
     sizes = [t.size for t in terms]
     least = mp.ldexp(max(sizes, default=mp.mpf(0)), -57)
@@ -260,6 +270,6 @@ def _turned(n: int, coefficient: Real, turns: Fraction) -> Term:
     return Term(Fraction(n), coefficient * mp.cospi(turned), -coefficient * mp.sinpi(turned))
 
 
-def _up(bound: Real) -> float:
+def upward(bound: Real) -> float:
     """Return a bound as a double that is not below it."""
     return float(bound) * (1 + 2.0**-50)

@@ -31,37 +31,23 @@ from symbalance.tables.facts import (
     strokes,
 )
 from symbalance.tables.kinds import kind_columns, kind_legend
+from symbalance.tables.latex_parts import escaped as _escaped
+from symbalance.tables.latex_parts import in_document
+from symbalance.tables.latex_parts import number as _number
+from symbalance.tables.latex_parts import tabulars as _tabulars
 from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
+from symbalance.torque import TorqueReport
 
-ROWS_PER_TABLE = 36
 LONGEST_SERIES = 160
 LONGEST_NUMERATOR = 30
-
-_PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
-\usepackage[T1]{fontenc}
-\usepackage[utf8]{inputenc}
-\usepackage{lmodern}
-\usepackage[margin=22mm]{geometry}
-\usepackage{amsmath}
-\usepackage{booktabs}
-\setlength{\parindent}{0pt}
-\setlength{\jot}{6pt}
-\allowdisplaybreaks
-\begin{document}
-"""
-
-
-def in_document(body: str) -> str:
-    """Return a complete document around a fragment."""
-    return f"{_PREAMBLE}{body.rstrip()}\n\\end{{document}}\n"
 
 
 @singledispatch
 def to_latex(result: Any, *, standalone: bool = False) -> str:
-    r"""Return LaTeX of a balance, a derivation, a component, a coefficient series or an expression.
+    r"""Return LaTeX of a balance, a torque report, a derivation, a component, a series or an expression.
 
-    `standalone` wraps a balance or a derivation in a complete document; a fragment needs amsmath and
-    booktabs. Components, series and expressions give a formula for math mode.
+    `standalone` wraps a balance, a torque report or a derivation in a complete document; a fragment needs
+    amsmath and booktabs. Components, series and expressions give a formula for math mode.
 
     >>> from symbalance.slider_crank import acceleration_series
     >>> print(to_latex(acceleration_series(6, 7)))
@@ -95,6 +81,13 @@ def _(result: Derivation, *, standalone: bool = False) -> str:
 
 
 @to_latex.register
+def _(result: TorqueReport, *, standalone: bool = False) -> str:
+    from symbalance.tables.torque_latex import torque_latex
+
+    return torque_latex(result, standalone=standalone)
+
+
+@to_latex.register
 def _(result: Balance, *, standalone: bool = False) -> str:
     units = (r"\(F_n = A_n\, m r \omega^2\)", r"\(F_n a\)")
     if not result.is_uniform:
@@ -106,14 +99,6 @@ def _(result: Balance, *, standalone: bool = False) -> str:
     blocks = [_heading(result), *_kinds(result), force, couple, _coefficients(result)]
     body = "\n\n\\medskip\n".join(blocks)
     return in_document(body) if standalone else body + "\n"
-
-
-def _escaped(text: str) -> str:
-    """Return text with LaTeX's own characters taken literally, other scripts as question marks."""
-    table = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
-    table |= {c: f"\\{c}" for c in "&%$#_{}"}
-    table |= {"°": r"\textdegree{}", "–": "--", "−": r"\(-\)"}
-    return "".join(table.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
 
 
 def _heading(balance: Balance) -> str:
@@ -239,32 +224,6 @@ def _turning(row: Row) -> list[str]:
         amplitude = rf"{exact[2]} \approx {amplitude}"
     phase = rf"\approx {phase}" if "atan2" in exact[3] else exact[3]
     return [rf"\({amplitude}\)", rf"\({phase}\)"]
-
-
-def _number(decimal: str) -> str:
-    mantissa, *exponent = decimal.split("e")
-    return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
-
-
-def _tabulars(columns: str, head: str, lines: list[str], gap: int = 2) -> str:
-    """Return tables of at most `ROWS_PER_TABLE` rows, one below the other."""
-    chunks = [lines[i : i + ROWS_PER_TABLE] for i in range(0, len(lines), ROWS_PER_TABLE)]
-    return "\n".join(
-        "\n".join(
-            [
-                r"\begin{center}",
-                rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}",
-                r"\toprule",
-                head + r" \\",
-                r"\midrule",
-                *(rf"{line} \\[{gap}pt]" for line in chunk),
-                r"\bottomrule",
-                r"\end{tabular}",
-                r"\end{center}",
-            ]
-        )
-        for chunk in chunks
-    )
 
 
 def _coefficients(balance: Balance) -> str:
