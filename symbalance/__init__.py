@@ -24,6 +24,7 @@ _HOMES = {
     "from_firing_order": "builders",
     "inline": "builders",
     "vee": "builders",
+    "vr": "builders",
     "boxer": "builders",
     "w": "builders",
     "radial": "builders",
@@ -73,6 +74,8 @@ _HOMES = {
     "design_latex": "tables.design_latex",
     "design_json": "tables.design_json",
     "inertia_torque": "torque",
+    "torque_report": "torque",
+    "roll_moment": "torque",
     "crank_torque": "torque",
     "gas_torque": "torque",
     "firing_stars": "torque",
@@ -84,6 +87,13 @@ _HOMES = {
     "RodSplit": "mechanisms",
     "dead_centres": "mechanisms",
     "force_harmonics": "mechanisms",
+    "node_equations": "crankshaft.equations",
+    "symbolic_order": "variations",
+    "sensitivities": "variations",
+    "Tolerances": "variations",
+    "worst_cases": "variations",
+    "assign_parts": "variations",
+    "read_parts": "variations",
     "SymbalanceError": "errors",
     "symbol": "symbols",
 }
@@ -128,6 +138,7 @@ if TYPE_CHECKING:
     from symbalance.builders import inline as inline
     from symbalance.builders import radial as radial
     from symbalance.builders import vee as vee
+    from symbalance.builders import vr as vr
     from symbalance.builders import w as w
     from symbalance.catalogue import load as load
     from symbalance.catalogue import presets as presets
@@ -136,6 +147,7 @@ if TYPE_CHECKING:
     from symbalance.checking import report_json as report_json
     from symbalance.checking import report_latex as report_latex
     from symbalance.checking import report_text as report_text
+    from symbalance.crankshaft.equations import node_equations as node_equations
     from symbalance.cylinders import Cylinder as Cylinder
     from symbalance.derivation import derive as derive
     from symbalance.engine_writing import engine_text as engine_text
@@ -168,6 +180,14 @@ if TYPE_CHECKING:
     from symbalance.torque import inertia_torque as inertia_torque
     from symbalance.torque import pressure_trace as pressure_trace
     from symbalance.torque import read_pressure as read_pressure
+    from symbalance.torque import roll_moment as roll_moment
+    from symbalance.torque import torque_report as torque_report
     from symbalance.trains import CrankTrain as CrankTrain
     from symbalance.trains import Link as Link
     from symbalance.truncation import left_out as left_out
+    from symbalance.variations import Tolerances as Tolerances
+    from symbalance.variations import assign_parts as assign_parts
+    from symbalance.variations import read_parts as read_parts
+    from symbalance.variations import sensitivities as sensitivities
+    from symbalance.variations import symbolic_order as symbolic_order
+    from symbalance.variations import worst_cases as worst_cases

@@ -19,13 +19,9 @@ from symbalance.tables.design_facts import (
     weights,
 )
 from symbalance.tables.expressions import latex
-from symbalance.tables.latex_document import (
-    heading_latex,
-    in_document,
-    number_latex,
-    resultants_latex,
-    tabulars,
-)
+from symbalance.tables.latex_document import heading_latex, resultants_latex
+from symbalance.tables.latex_parts import in_document, tabulars
+from symbalance.tables.latex_parts import number as number_latex
 from symbalance.tables.wide_formulas import LONGEST_CELL
 
 _KEPT = r"\begingroup\makeatletter\@beginparpenalty=10000\relax\makeatother"

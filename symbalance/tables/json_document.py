@@ -10,10 +10,12 @@ import sympy
 
 from symbalance.balancers import Balancers, Counterweight, Weight
 from symbalance.cylinders import Cylinder
+from symbalance.mechanisms import LinkRod
 from symbalance.rational import decimal_text
 from symbalance.resultants import Balance, Order, Resultant, checked_balance
 from symbalance.spectrum import COMPONENTS, Component, SymbolicPhasor
 from symbalance.tables.roll_facts import roll_rows
+from symbalance.unlike import mechanism_of
 
 DIGITS = 30
 VALUE_DIGITS = 20
@@ -33,7 +35,7 @@ def document(balance: Balance) -> dict[str, Any]:
         "strokes": balance.layout.strokes,
         "ratio": None if balance.ratio is None else str(balance.ratio),
         "reference_plane": plane,
-        "cylinders": [_cylinder(c) for c in balance.layout.cylinders],
+        "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.layout.cylinders],
         **({"balancers": _balancers(balance.layout.balancers)} if balance.layout.balancers else {}),
         "orders": [_order(order, balance) for order in balance.orders],
         **({"roll": _roll(balance)} if roll_rows(balance) else {}),
@@ -95,6 +97,19 @@ def _cylinder(cylinder: Cylinder) -> dict[str, Any]:
         "station": str(cylinder.station),
         "fires": None if cylinder.fires is None else str(cylinder.fires),
     }
+
+
+def _own(balance: Balance, cylinder: Cylinder) -> dict[str, Any]:
+    """Return what a cylinder has of its own where they are unlike: lengths over its crank radius."""
+    if balance.is_uniform:
+        return {}
+    mechanism = mechanism_of(balance.layout, cylinder)
+    found: dict[str, Any] = {"ratio": str(mechanism.length), "offset": str(mechanism.offset)}
+    if isinstance(mechanism, LinkRod) and cylinder.link:
+        angle = str(mechanism.link_angle * 360)
+        radius = str(mechanism.link_radius)
+        found["link"] = {"master": cylinder.link.master, "angle": angle, "radius": radius}
+    return found
 
 
 def _order(order: Order, balance: Balance) -> dict[str, Any]:
