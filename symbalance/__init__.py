@@ -24,6 +24,7 @@ _HOMES = {
     "from_firing_order": "builders",
     "inline": "builders",
     "vee": "builders",
+    "vr": "builders",
     "boxer": "builders",
     "w": "builders",
     "radial": "builders",
@@ -52,6 +53,8 @@ _HOMES = {
     "pin_offsets": "stars",
     "crank_stars": "stars",
     "inertia_torque": "torque",
+    "torque_report": "torque",
+    "roll_moment": "torque",
     "crank_torque": "torque",
     "gas_torque": "torque",
     "firing_stars": "torque",
@@ -63,6 +66,7 @@ _HOMES = {
     "RodSplit": "mechanisms",
     "dead_centres": "mechanisms",
     "force_harmonics": "mechanisms",
+    "node_equations": "crankshaft.equations",
     "symbolic_order": "variations",
     "sensitivities": "variations",
     "Tolerances": "variations",
@@ -96,6 +100,7 @@ if TYPE_CHECKING:
     from symbalance.builders import inline as inline
     from symbalance.builders import radial as radial
     from symbalance.builders import vee as vee
+    from symbalance.builders import vr as vr
     from symbalance.builders import w as w
     from symbalance.catalogue import load as load
     from symbalance.catalogue import presets as presets
@@ -104,6 +109,7 @@ if TYPE_CHECKING:
     from symbalance.checking import report_json as report_json
     from symbalance.checking import report_latex as report_latex
     from symbalance.checking import report_text as report_text
+    from symbalance.crankshaft.equations import node_equations as node_equations
     from symbalance.cylinders import Cylinder as Cylinder
     from symbalance.derivation import derive as derive
     from symbalance.errors import SymbalanceError as SymbalanceError
@@ -135,6 +141,8 @@ if TYPE_CHECKING:
     from symbalance.torque import inertia_torque as inertia_torque
     from symbalance.torque import pressure_trace as pressure_trace
     from symbalance.torque import read_pressure as read_pressure
+    from symbalance.torque import roll_moment as roll_moment
+    from symbalance.torque import torque_report as torque_report
     from symbalance.trains import CrankTrain as CrankTrain
     from symbalance.trains import Link as Link
     from symbalance.truncation import left_out as left_out

@@ -17,6 +17,8 @@ from symbalance.slider_crank import checked_ratio
 from symbalance.trains import CrankTrain
 
 LONGEST_NAME = 60
+NEAR_TOP = Fraction(1, 8)
+"""Turns by which an offset or a link rod may move a top dead centre."""
 
 
 @dataclass(frozen=True, init=False)
@@ -49,7 +51,7 @@ class Layout:
         _check_links(self.cylinders)
         set_field(self, "strokes", checked_strokes(strokes))
         set_field(self, "name", checked_name(name))
-        _check_fires(self.cylinders)
+        _check_fires(self.cylinders, bool(train.offset))
         known = train.ratio if ratio is None else ratio
         set_field(self, "ratio", None if known is None else checked_ratio(known))
         set_field(self, "crank_train", train)
@@ -170,18 +172,25 @@ def _check_links(cylinders: Sequence[Cylinder]) -> None:
             )
 
 
-def _check_fires(cylinders: Iterable[Cylinder]) -> None:
-    """Refuse firing angles that the throws contradict: all cylinders fire at a top dead centre."""
-    fixed: dict[SymbolPart, tuple[Fraction, int]] = {}
+def _check_fires(cylinders: Iterable[Cylinder], offset: bool) -> None:
+    """Refuse firing angles that the throws contradict: all cylinders fire at a top dead centre.
+
+    An offset or a link rod moves that; there `fires` need only say which of them it is.
+    """
+    fixed: dict[SymbolPart, tuple[Fraction, Cylinder]] = {}
     for cylinder in cylinders:
         if cylinder.fires is None:
             continue
         own = cylinder.delay
         start = (own.turns + cylinder.fires / 360) % 1
-        first, other = fixed.setdefault(own.symbols, (start, cylinder.number))
-        if start != first:
+        first, other = fixed.setdefault(own.symbols, (start, cylinder))
+        moved = offset or any(c.own.offset or c.link for c in (cylinder, other))
+        half = Fraction(1, 2)
+        if abs((start - first + half) % 1 - half) > (NEAR_TOP if moved else 0):
             what = f"throw = {cylinder.throw.as_text()} and fires = {cylinder.fires}"
-            rule = f"contradict cylinder {other}'s: throw - bank + fires must be the same, modulo 360"
+            nearly = "nearly " if moved else ""
+            rule = f"contradict cylinder {other.number}'s: throw - bank + fires must be {nearly}the same"
+            rule += ", modulo 360"
             at_top = (first - own.turns) % 1 * 360
             raise SymbalanceError(what, rule, f"it is at top dead centre at fires = {at_top}")
 

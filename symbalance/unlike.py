@@ -21,7 +21,7 @@ from symbalance.cylinders import Cylinder
 from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
-from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank, force_harmonics
+from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank, force_harmonics, force_tail
 from symbalance.phasor import Phasor
 from symbalance.rational import Real
 from symbalance.spectrum import Number, Spectrum
@@ -119,6 +119,18 @@ def unlike_spectrum(
             total[n] = total[n] + part if n in total else part
     numbers: dict[int, Number] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
     return Spectrum(numbers)
+
+
+def spectrum_left_out(layout: Layout, order: int, weights: Sequence[Real]) -> Real:
+    """Return a proved bound on the sum of |weight| times every cylinder's harmonics above `order`.
+
+    In units of m r omega^2 of cylinder 1: the sum of |w_j| s_j `force_tail`.
+    """
+    total = mp.mpf(0)
+    for (mechanism, size), places in kinds(layout).items():
+        tail = force_tail(mechanism, order)
+        total += tail * mp.fsum(abs(weights[i]) for i in places) * size.numerator / size.denominator
+    return total
 
 
 def _number(phasor: Phasor) -> Real:

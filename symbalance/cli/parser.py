@@ -117,8 +117,9 @@ def _add_emit(commands: argparse._SubParsersAction) -> None:
         "--outputs",
         metavar="NAMES",
         default="force.vertical",
-        help="with commas: force. or couple. with vertical, lateral, forward or backward; piston. with "
-        "displacement, velocity or acceleration; default: force.vertical",
+        help="with commas: force. or couple. with vertical, lateral, forward, backward; piston. with "
+        "displacement, velocity or acceleration; torque. with inertia, rod or frame, and with a pressure "
+        "gas or total; default: force.vertical",
     )
     orders = parser.add_mutually_exclusive_group()
     orders.add_argument("--order", metavar="N", help="highest order, 1 to 1000")
@@ -129,6 +130,7 @@ def _add_emit(commands: argparse._SubParsersAction) -> None:
         "default: every order that shows in a double",
     )
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    _add_running(parser)
     parser.add_argument(
         "--uniform-grid",
         action="store_true",
@@ -139,11 +141,7 @@ def _add_emit(commands: argparse._SubParsersAction) -> None:
     )
 
 
-def _add_torque(commands: argparse._SubParsersAction) -> None:
-    parser = _command(commands, "torque", "The torque on an engine's crank: inertia exactly, gas on top.")
-    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
-    parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
-    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+def _add_running(parser: argparse.ArgumentParser) -> None:
     pressure = parser.add_mutually_exclusive_group()
     pressure.add_argument(
         "--pressure", metavar="FILE", help="CSV: degrees after firing top dead centre, bar absolute"
@@ -153,12 +151,22 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
         "--heat",
         metavar="Q",
         default="18",
-        help="its heat added, in p V at bottom dead centre; default: 18",
+        help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
     parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
     parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
+
+
+def _add_torque(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "torque", "The torque on an engine's crank and frame: inertia exactly, gas on top."
+    )
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    _add_running(parser)
     parser.add_argument("--delta", metavar="δ", default="0.02", help="speed fluctuation; default: 0.02")
-    _add_output(parser, ("text", "json"))
+    _add_output(parser, ("text", "latex", "json"))
 
 
 def _add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:

@@ -9,9 +9,11 @@ from typing import Any
 import sympy
 
 from symbalance.cylinders import Cylinder
+from symbalance.mechanisms import LinkRod
 from symbalance.rational import decimal_text
 from symbalance.resultants import Balance, Order, Resultant, checked_balance
 from symbalance.spectrum import COMPONENTS, Component, SymbolicPhasor
+from symbalance.unlike import mechanism_of
 
 DIGITS = 30
 VALUE_DIGITS = 20
@@ -31,7 +33,7 @@ def document(balance: Balance) -> dict[str, Any]:
         "strokes": balance.layout.strokes,
         "ratio": None if balance.ratio is None else str(balance.ratio),
         "reference_plane": plane,
-        "cylinders": [_cylinder(c) for c in balance.layout.cylinders],
+        "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.layout.cylinders],
         "orders": [_order(order, balance) for order in balance.orders],
     }
 
@@ -44,6 +46,19 @@ def _cylinder(cylinder: Cylinder) -> dict[str, Any]:
         "station": str(cylinder.station),
         "fires": None if cylinder.fires is None else str(cylinder.fires),
     }
+
+
+def _own(balance: Balance, cylinder: Cylinder) -> dict[str, Any]:
+    """Return what a cylinder has of its own where they are unlike: lengths over its crank radius."""
+    if balance.is_uniform:
+        return {}
+    mechanism = mechanism_of(balance.layout, cylinder)
+    found: dict[str, Any] = {"ratio": str(mechanism.length), "offset": str(mechanism.offset)}
+    if isinstance(mechanism, LinkRod) and cylinder.link:
+        angle = str(mechanism.link_angle * 360)
+        radius = str(mechanism.link_radius)
+        found["link"] = {"master": cylinder.link.master, "angle": angle, "radius": radius}
+    return found
 
 
 def _order(order: Order, balance: Balance) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from textwrap import wrap
 
 from symbalance.angles import Angle
+from symbalance.layout import Layout
 from symbalance.notation import series_text
 from symbalance.resultants import Balance, checked_balance
 from symbalance.tables.expressions import text
@@ -21,8 +22,8 @@ from symbalance.tables.facts import (
     rows,
     shown,
     strokes,
-    unlike,
 )
+from symbalance.tables.kinds import kind_columns, kind_legend
 
 WIDTH = 79
 SHORT = 14
@@ -43,6 +44,7 @@ def to_text(balance: Balance) -> str:
     force, couple = ("Fₙ = Aₙ m r ω²", "Fₙ a") if balance.is_uniform else ("m r ω²", "m r ω² a")
     blocks = [
         _heading(balance),
+        _kinds(balance),
         _resultant(balance, "force", f"Free force, unit {force}"),
         _resultant(balance, "couple", f"Free couple about {plane(balance)}, unit {couple}"),
         _coefficients(balance),
@@ -58,7 +60,7 @@ def _heading(balance: Balance) -> str:
         f"{banks(layout, _angle)}",
         *([f"fires {fires}"] if fires else []),
         f"θ (clockwise seen from the front) = 0: {origin(layout, _angle)}",
-        *(_like(balance) if balance.is_uniform else unlike(layout)),
+        *(_like(balance) if balance.is_uniform else _unlike(layout)),
         *_LEGEND,
     ]
     return "\n".join(part for line in lines for part in _wrapped(line, "  "))
@@ -70,6 +72,25 @@ def _like(balance: Balance) -> list[str]:
         f"λ = l/r (rod over crank radius): {ratio}",
         "m: reciprocating mass of one cylinder, r: crank radius, a: cylinder pitch",
     ]
+
+
+def _unlike(layout: Layout) -> list[str]:
+    first = layout.cylinders[0].number
+    return [
+        f"m, r: reciprocating mass and crank radius of cylinder {first}; a: cylinder pitch",
+        *kind_legend(layout),
+    ]
+
+
+def _kinds(balance: Balance) -> str:
+    """Return the table of cylinders by kind."""
+    if balance.is_uniform:
+        return ""
+    columns = kind_columns(balance.layout)
+    table = [[column.text for column in columns]]
+    table += [list(row) for row in zip(*(column.cells for column in columns), strict=True)]
+    lines = grid([[cell.replace("-", "−").replace("...", "…") for cell in row] for row in table])
+    return "\n".join(["Cylinders by kind", *lines])
 
 
 def _angle(bank: Angle) -> str:
@@ -106,10 +127,11 @@ def _width(table: Sequence[Sequence[str]]) -> int:
 
 
 def _cells(row: Row, below: Sequence[int] = (), short: int = SHORT) -> list[str]:
-    exact, decimals = [text(e) for e in row.exact()], row.decimals()
+    decimals = row.decimals()
     if row.is_decimal and decimals is not None:
-        cos, sin, amplitude, phase = (d.replace("-", "−") for d in decimals)
-        return [str(row.order), row.name, cos, sin, amplitude, "", phase]
+        cos, sin, amplitude, _ = (d.replace("-", "−") for d in decimals)
+        return [str(row.order), row.name, cos, sin, amplitude, "", _phase(row, decimals[3])]
+    exact = [text(e) for e in row.exact()]
     cells = [str(row.order), row.name, *exact[:3], "", exact[3]]
     if decimals is None:
         return ["see below" if i in below and len(c) > short else c for i, c in enumerate(cells)]
@@ -126,7 +148,7 @@ def _exact_lines(found: Sequence[Row], below: Sequence[int], short: int = SHORT)
     """Return the exact forms left out of a table, each once, with all the places it belongs to."""
     places: dict[tuple[str, str], list[str]] = {}
     for row in found:
-        for column in sorted(below):
+        for column in () if row.is_decimal else sorted(below):
             formula = text(row.exact()[column - 2])
             if len(formula) > max(short, 3):
                 what = f"{row.name} {_HEAD[column].split()[0]}"
@@ -156,6 +178,11 @@ def _rotating(balance: Balance, name: str) -> list[str]:
     return ["", "  as rotating parts", *grid(table)]
 
 
+def _phase(row: Row, decimal: str) -> str:
+    plain = row.phase_in_turns()
+    return decimal.replace("-", "−") if plain is None else text(plain)
+
+
 def _turning(row: Row, longest: int = SHORT) -> list[str]:
     if row.component.is_zero():
         return ["0", ""]
@@ -163,7 +190,7 @@ def _turning(row: Row, longest: int = SHORT) -> list[str]:
     if decimals is None:
         return [exact[2], exact[3]]
     if row.is_decimal:
-        return [d.replace("-", "−") for d in decimals[2:]]
+        return [decimals[2], _phase(row, decimals[3])]
     amplitude, phase = (d.replace("-", "−") for d in decimals[2:])
     if len(exact[2]) <= longest and exact[2] != amplitude:
         amplitude = f"{exact[2]} ≈ {amplitude}"

@@ -8,7 +8,7 @@ is decided exactly.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
@@ -85,17 +85,22 @@ def firing_stars(layout: Layout, order: int = 6) -> tuple[Star, ...]:
     >>> [str(s.order) for s in firing_stars(inline("1-5-3-6-2-4"), 9) if not s.is_closed()]
     ['3', '6', '9']
     """
+    return stars_of(firing_tops(layout), layout.strokes, order)
+
+
+def stars_of(tops: Mapping[int, Fraction], strokes: int, order: int) -> tuple[Star, ...]:
+    """Return the stars of some cylinders' firing top dead centres, in degrees."""
     checked_order(order)
-    tops, cycle = firing_tops(layout), 180 * layout.strokes
+    cycle = 180 * strokes
     parts = {number: top / cycle for number, top in tops.items()}
     modulus = checked_modulus(lcm(*(part.denominator for part in parts.values())))
     seen: dict[int, Component] = {}
     stars = []
-    for k in range(1, order * layout.strokes // 2 + 1):
+    for k in range(1, order * strokes // 2 + 1):
         vectors = tuple((number, part * k % 1) for number, part in parts.items())
         if k % modulus not in seen:
             seen[k % modulus] = Component(summed([Angle(turns) for _, turns in vectors]))
-        stars.append(Star(Fraction(2 * k, layout.strokes), vectors, seen[k % modulus]))
+        stars.append(Star(Fraction(2 * k, strokes), vectors, seen[k % modulus]))
     return tuple(stars)
 
 
