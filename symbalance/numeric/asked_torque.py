@@ -13,7 +13,7 @@ from fractions import Fraction
 from mpmath import mp
 
 from symbalance.errors import SymbalanceError
-from symbalance.numeric.asked import MANY_ORDERS, shown_terms, upward
+from symbalance.numeric.asked import shown_terms, upward
 from symbalance.numeric.waves import DIGITS, RODS, TORQUE, TORQUE_ITSELF, TORQUE_PER_RADIUS, Term, Wave
 from symbalance.rational import Real
 from symbalance.resultants import Balance
@@ -27,6 +27,9 @@ from symbalance.torque import (
     torque_left_out,
 )
 from symbalance.torque.roll import MILLI, first_excess
+
+MANY_ORDERS = 96
+"""Orders taken where all are asked for and no bound is proved; what does not show is dropped."""
 
 INERTIA, ROD, FRAME = "torque.inertia", "torque.rod", "torque.frame"
 GAS, TOTAL = "torque.gas", "torque.total"

@@ -60,6 +60,27 @@ def kind_legend(layout: Layout) -> list[str]:
     return lines
 
 
+def kind_lines(layout: Layout) -> list[str]:
+    """Return the same as lines of text, for a heading: which cylinders share what, and what m and r are.
+
+    >>> from symbalance.catalogue import load
+    >>> print(*kind_lines(load("vw-vr6"))[:2], sep="; ")
+    cylinders 1, 3, 5: l/r = 3.64444, e/r = -0.277778; cylinders 2, 4, 6: l/r = 3.64444, e/r = 0.277778
+    """
+    names, *columns = kind_columns(layout)
+    lines = []
+    for i, numbers in enumerate(names.cells):
+        said = [(c.text, c.cells[i]) for c in columns if c.cells[i]]
+        parts = [f"{name} {cell}" if name == "rod on" else f"{name} = {cell}" for name, cell in said]
+        lines.append(f"cylinders {numbers}: {', '.join(parts)}")
+    first = layout.cylinders[0].number
+    return [
+        *lines,
+        *kind_legend(layout),
+        f"m, r: reciprocating mass and crank radius of cylinder {first}",
+    ]
+
+
 def _cells(layout: Layout, kind: Mechanism, size: Fraction, places: list[int]) -> tuple[str, ...]:
     cylinders = [layout.cylinders[i] for i in places]
     numbers = [str(c.number) for c in cylinders]

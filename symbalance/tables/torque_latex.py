@@ -3,7 +3,8 @@ r"""A layout's torque as LaTeX: the tables of `torque_table`, with amsmath and b
 from __future__ import annotations
 
 from symbalance.notation import series_latex
-from symbalance.tables.facts import Row, shown, strokes, unlike
+from symbalance.tables.facts import Row, shown, strokes
+from symbalance.tables.kinds import kind_lines
 from symbalance.tables.latex_document import to_latex
 from symbalance.tables.latex_parts import escaped, in_document, number, tabulars
 from symbalance.tables.torque_table import frame_parts, running_facts, running_head
@@ -43,8 +44,7 @@ def _heading(report: TorqueReport) -> str:
     noun = "cylinders" if count > 1 else "cylinder"
     sizes = [r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius."]
     if report.inertia.kinematics is None:
-        first, *rest = map(str.strip, unlike(layout))
-        sizes = [escaped(f"{first} {'; '.join(rest)}.")]
+        sizes = [escaped("; ".join(kind_lines(layout))).replace("ψ", r"\(\psi\)") + "."]
     ratio = "" if layout.ratio is None else rf", here \(\lambda = {_ratio(report)}\)"
     frame = "The frame gets the opposite."
     if not report.is_opposite:

@@ -9,7 +9,8 @@ from typing import Any
 from symbalance.notation import series_text
 from symbalance.rational import decimal_text
 from symbalance.tables.expressions import text
-from symbalance.tables.facts import Row, shown, unlike
+from symbalance.tables.facts import Row, shown
+from symbalance.tables.kinds import kind_lines
 from symbalance.tables.text_table import grid
 from symbalance.torque import CrankTorque, TorqueBalance, TorqueReport
 
@@ -27,7 +28,7 @@ def torque_text(report: TorqueReport) -> str:
         f"{layout.name}: inertia torque on the crank, + in the sense of rotation",
         _frame_line(report),
         "gas torque comes on top (--pressure or --compression)",
-        *([] if report.inertia.kinematics else unlike(layout)),
+        *([] if report.inertia.kinematics else kind_lines(layout)),
         f"C cos nθ + S sin nθ = amplitude · cos(nθ − phase), unit {_unit(report.inertia)}",
     ]
     parts = ["\n".join([*head, "", *_tables(report.inertia)])]

@@ -43,7 +43,8 @@ def firing_tops(layout: Layout) -> dict[int, Fraction]:
 
     Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
     at theta = 0, the one with fires = 0 does within the first turn. In a two-stroke every top dead
-    centre fires; in a four-stroke the cylinders' `fires` say which.
+    centre fires; in a four-stroke the cylinders' `fires` say which. Of a cylinder whose dead centre an
+    offset or a link rod moves it is the angle at which the pin passes its axis.
 
     >>> from symbalance.builders import inline
     >>> {n: str(top) for n, top in firing_tops(inline("1-3-4-2")).items()}
@@ -62,7 +63,9 @@ def firing_tops(layout: Layout) -> dict[int, Fraction]:
             remedy = "build it from a firing order, or give each cylinder fires"
             raise SymbalanceError(f"cylinder {cylinder.number} of {layout.name}", rule, remedy)
         else:
-            tops[_checked_delay(cylinder).number] = (start + cylinder.fires) % cycle
+            top = _top(cylinder)
+            turns = round((start + cylinder.fires - top) / 360)
+            tops[cylinder.number] = (top + 360 * turns) % cycle
     return tops
 
 

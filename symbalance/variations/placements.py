@@ -25,7 +25,7 @@ from random import Random
 
 from symbalance.variations.bounds import SLACK, Order, Table, Vector, lower_bound, norm, plus, total
 
-MOST_PLACES = {1: 12, 2: 8}
+MOST_PLACES = {1: 10, 2: 7}
 """The places up to which the arrangement of one set, or of two, is found exactly."""
 STARTS = 12
 BLOCK = 9
