@@ -65,10 +65,8 @@ _HOMES = {
     "design_balance": "balancing",
     "ellipse": "balancing",
     "overbalanced": "balancing",
-    "roll_moment": "balancing",
     "rotating_unbalance": "balancing",
     "rotating_weights": "balancing",
-    "shaft_moment": "balancing",
     "throw_unbalance": "balancing",
     "design_text": "tables.design_text",
     "design_latex": "tables.design_latex",
@@ -76,6 +74,7 @@ _HOMES = {
     "inertia_torque": "torque",
     "torque_report": "torque",
     "roll_moment": "torque",
+    "shaft_moment": "torque",
     "crank_torque": "torque",
     "gas_torque": "torque",
     "firing_stars": "torque",
@@ -128,10 +127,8 @@ if TYPE_CHECKING:
     from symbalance.balancing import design_balance as design_balance
     from symbalance.balancing import ellipse as ellipse
     from symbalance.balancing import overbalanced as overbalanced
-    from symbalance.balancing import roll_moment as roll_moment
     from symbalance.balancing import rotating_unbalance as rotating_unbalance
     from symbalance.balancing import rotating_weights as rotating_weights
-    from symbalance.balancing import shaft_moment as shaft_moment
     from symbalance.balancing import throw_unbalance as throw_unbalance
     from symbalance.builders import boxer as boxer
     from symbalance.builders import from_firing_order as from_firing_order
@@ -181,6 +178,7 @@ if TYPE_CHECKING:
     from symbalance.torque import pressure_trace as pressure_trace
     from symbalance.torque import read_pressure as read_pressure
     from symbalance.torque import roll_moment as roll_moment
+    from symbalance.torque import shaft_moment as shaft_moment
     from symbalance.torque import torque_report as torque_report
     from symbalance.trains import CrankTrain as CrankTrain
     from symbalance.trains import Link as Link

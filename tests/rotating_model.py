@@ -1,6 +1,6 @@
 """A whole engine with all that turns, in the time domain, without symbalance's sums.
 
-Pistons are placed by intersecting circles and lines (`test_unlike`) and differentiated numerically, or
+Pistons are placed by intersecting circles and lines (`placed`) and differentiated numerically, or
 taken from the closed form of `kinematics`; a weight is a point that turns at constant speed, its force
 the mass times the second derivative of its place, taken in closed form. Of an engine only the data are
 read: throws, banks, stations, sizes; of a weight its size and direction in decimals. A share is turned

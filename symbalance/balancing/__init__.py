@@ -6,7 +6,6 @@ from symbalance.balancing.devices import Device
 from symbalance.balancing.ellipses import Ellipse, ellipse
 from symbalance.balancing.overbalancing import best_forward, best_overbalance, overbalanced
 from symbalance.balancing.planes import in_planes
-from symbalance.balancing.rolling import roll_moment, shaft_moment
 from symbalance.balancing.rotating import (
     balanced_weights,
     rotating_unbalance,
@@ -26,9 +25,7 @@ __all__ = [
     "ellipse",
     "in_planes",
     "overbalanced",
-    "roll_moment",
     "rotating_unbalance",
     "rotating_weights",
-    "shaft_moment",
     "throw_unbalance",
 ]

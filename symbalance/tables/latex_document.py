@@ -202,10 +202,10 @@ def _row(row: Row) -> str:
         elif i == 2 and len(formula) > LONGEST_CELL:
             cells.append("")
         elif len(formula) > LONGEST_CELL or r"\operatorname{atan2}" in formula:
-            cells.append(rf"\({nearly if i == 3 else ''}{number_latex(decimals[i])}\)")
+            cells.append(rf"\({nearly if i == 3 else ''}{_number(decimals[i])}\)")
         else:
             cells.append(rf"\({formula}\)")
-    near = "" if decimals is None else rf"\({number_latex(decimals[2])}\)"
+    near = "" if decimals is None else rf"\({_number(decimals[2])}\)"
     return " & ".join([str(row.order), row.name, *cells[:3], near, cells[3]])
 
 
@@ -249,7 +249,7 @@ def _coefficients(balance: Balance) -> str:
     if max(map(len, series)) > LONGEST_SERIES:
         rows = [broken(rf"&A_{{{o.order}}}", s) for o, s in zip(balance.orders, series, strict=True)]
         return "\n".join([title, r"\begin{align*}", " \\\\\n".join(rows), r"\end{align*}"])
-    values = [rf"\({number_latex(shown(v))}\)" for v in balance.values.values()]
+    values = [rf"\({_number(shown(v))}\)" for v in balance.values.values()]
     columns, head = "rl", r"\(n\) & \(A_n\) in powers of \(1/\lambda\)"
     if values:
         columns, head = "rll", rf"{head} & exact in \(\lambda\), at \(\lambda = {_ratio(balance)}\)"
@@ -265,7 +265,7 @@ def _series(order: Order) -> str:
     if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
         return series_latex(order.coefficient, ellipsis=True)
     with mp.workdps(30):  # whatever precision the caller has set
-        rounded = number_latex(shown(mp.mpf(lead.numerator) / lead.denominator))
+        rounded = _number(shown(mp.mpf(lead.numerator) / lead.denominator))
     return rf"{rounded}\ldots\,\lambda^{{-{power}}} + \cdots"
 
 
