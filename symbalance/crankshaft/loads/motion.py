@@ -36,7 +36,7 @@ def motion(mechanism: Mechanism, p: Array) -> Motion:
 
     >>> found = motion(SliderCrank(4), np.array([0.0, np.pi / 2]))
     >>> found.acceleration.round(9).tolist(), found.turning.round(9).tolist()
-    ([-1.25, 0.258198890...], [0.25, 0.0])
+    ([-1.25, 0.25819889], [0.25, 0.0])
     """
     place, first, second = _pin(mechanism, p)
     length, offset = float(mechanism.length), float(mechanism.offset)
