@@ -21,6 +21,7 @@ from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
 
 OMEGA = np.pi / 30
 """rad/s of one rpm."""
+RIGID = 6
 
 
 @dataclass(frozen=True)
@@ -92,6 +93,10 @@ class Setting:
         thrust = self.rotor.journals[supports.thrust]
         return held(self.rotor, rpm * OMEGA, thrust, supports.thrust_stiffness)
 
+    def frequencies(self, count: int = 20) -> list[float]:
+        """Return the lowest natural frequencies of the free crank, rigid motions left out, Hz."""
+        return natural_frequencies(self.rotor, count)
+
     def at_speeds(self, rpm: tuple[float, ...]) -> Setting:
         """Return the same setting with other speeds."""
         return replace(self, engine=self.engine.at_speeds(rpm))
@@ -117,3 +122,10 @@ def setting(
         damping_ratio=engine.operation.damping,
     )
     return Setting(engine, rotor, webs, modes, connection, steps)
+
+
+def natural_frequencies(rotor: Rotor, count: int) -> list[float]:
+    """Return the lowest natural frequencies of the free rotor at rest, rigid motions left out, Hz."""
+    inverse = np.linalg.inv(np.linalg.cholesky(rotor.mass))
+    squares = np.linalg.eigvalsh(inverse @ rotor.stiffness @ inverse.T)[RIGID : RIGID + count]
+    return [float(f) for f in np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi)]
