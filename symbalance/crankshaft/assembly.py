@@ -1,0 +1,250 @@
+"""From the crank's geometry to nodes and matrices: beams for journals and pins, elements for webs.
+
+Journals and pins are Timoshenko beams from web face to web face, each in two halves with a node at its
+middle; a web joins the nodes at its two faces, as an element whose stiffness is inverted from a
+flexibility (`webs`) and whose mass is shared between them; pulley and flywheel are rigid. All that has
+mass turns: M, G, dK and F_M of every slice and body are those of `gyroscopics`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from symbalance.crankshaft.beams import ALONG_W, Beam, circular, element, flexibility
+from symbalance.crankshaft.bodies import Body, disc_body
+from symbalance.crankshaft.crank import Crank, Disc, Journal, Pin, Web
+from symbalance.crankshaft.gyroscopics import node_force, node_matrices
+from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor
+from symbalance.crankshaft.webs.arm import Arm, arms, axis_of
+from symbalance.crankshaft.webs.nominal import nominal_flexibility
+from symbalance.crankshaft.webs.shares import far_bodies, near_bodies
+from symbalance.errors import SymbalanceError, shown
+
+Flexibility = Callable[[Arm], Array]
+WEBS: dict[str, Flexibility] = {"nominal": nominal_flexibility}
+"""The ways to a web's flexibility, by name."""
+
+
+@dataclass(frozen=True)
+class Nodes:
+    """The crank's nodes: `points` (n, 3), and (front, middle, rear) nodes of each journal and pin."""
+
+    points: Array
+    ends: dict[int, tuple[int, int, int]]
+    pulley: int | None
+    flywheel: int | None
+
+
+@dataclass(frozen=True)
+class _Matrices:
+    """The growing sums."""
+
+    mass: Array
+    stiffness: Array
+    gyroscopic: Array
+    centrifugal: Array
+    force: Array
+
+
+def assemble(
+    crank: Crank,
+    *,
+    webs: str | Flexibility = "nominal",
+    pin_masses: Sequence[float] = (),
+    damping_ratio: float = 0.0,
+    damping_time: float = 0.0,
+) -> Rotor:
+    """Return the free crankshaft as nodes and matrices.
+
+    `webs` names the web's stiffness, or is a function from an `Arm` to its (6, 6) flexibility.
+    `pin_masses` (kg, one per pin, front to rear) are big ends counted as part of the turning crank.
+    Damping is `damping_ratio` of critical in every elastic mode, plus `damping_time` (s) times K.
+
+    >>> from symbalance.crankshaft.crank import Crank, Journal, Pin, Web
+    >>> web = Web(0.02, 0.08, 0.04, 0.04)
+    >>> throw = (Journal(0.06, 0.03), web, Pin(0.05, 0.03, 0.04, 0.0, (1,)), web, Journal(0.06, 0.03))
+    >>> rotor = assemble(Crank(throw))
+    >>> rotor.size, rotor.journals, rotor.pins
+    (54, (1, 7), (4,))
+    """
+    nodes = place_nodes(crank)
+    members = [*_members(crank, nodes, _flexibility(webs))]
+    sums = _empty(len(nodes.points))
+    for member in members:
+        _add(sums.stiffness, member.stiffness, member.front, member.rear)
+    _add_beams(sums, crank, nodes)
+    for node, body in _bodies(crank, nodes, pin_masses):
+        _add_body(sums, nodes.points[node], node, body)
+    rotor = _rotor(crank, nodes, sums, members)
+    if damping_ratio == 0:
+        return replace(rotor, damping=damping_time * rotor.stiffness)
+    return replace(rotor, damping=modal_damping(rotor, damping_ratio) + damping_time * rotor.stiffness)
+
+
+def _flexibility(webs: str | Flexibility) -> Flexibility:
+    if not isinstance(webs, str):
+        return webs
+    if webs not in WEBS:
+        raise SymbalanceError(f"webs = {shown(webs)}", f"must be one of {', '.join(WEBS)}")
+    return WEBS[webs]
+
+
+def place_nodes(crank: Crank) -> Nodes:
+    """Return the nodes: front, middle and rear of each journal and pin, then those of the discs."""
+    points: list[Array] = []
+    ends: dict[int, tuple[int, int, int]] = {}
+    for index, (part, start, stop) in enumerate(crank.stations()):
+        if isinstance(part, Web):
+            continue
+        at = len(points)
+        points += [np.array([*axis_of(part), w]) for w in (start, (start + stop) / 2, stop)]
+        ends[index] = (at, at + 1, at + 2)
+    last = len(points) - 1
+    pulley = _disc_node(points, 0, crank.pulley, -1)
+    flywheel = _disc_node(points, last, crank.flywheel, 1)
+    return Nodes(np.array(points), ends, pulley, flywheel)
+
+
+def _disc_node(points: list[Array], end: int, disc: Disc | None, side: int) -> int | None:
+    if disc is None or disc.distance == 0:
+        return None if disc is None else end
+    points.append(points[end] + [0.0, 0.0, side * disc.distance])
+    return len(points) - 1
+
+
+def beams(crank: Crank, nodes: Nodes) -> Iterator[tuple[int, int, Beam, str, int]]:
+    """Yield front node, rear node, beam, kind and part: halves of journals and pins, shafts."""
+    material = crank.material
+    for index, part in enumerate(crank.parts):
+        if isinstance(part, Web):
+            continue
+        section = circular(part.diameter, part.bore, material.poisson)
+        half = Beam(section, material, part.length / 2, ALONG_W)
+        kind = "journal" if isinstance(part, Journal) else "pin"
+        front, middle, rear = nodes.ends[index]
+        yield front, middle, half, kind, index
+        yield middle, rear, half, kind, index
+    yield from _shafts(crank, nodes)
+
+
+def _shafts(crank: Crank, nodes: Nodes) -> Iterator[tuple[int, int, Beam, str, int]]:
+    first, last = 0, nodes.ends[len(crank.parts) - 1][2]
+    for disc, node, end in ((crank.pulley, nodes.pulley, first), (crank.flywheel, nodes.flywheel, last)):
+        if disc is None or node is None or node == end:
+            continue
+        carrier = crank.parts[0 if end == first else -1]
+        assert isinstance(carrier, Journal)
+        section = circular(disc.diameter or carrier.diameter, 0.0, crank.material.poisson)
+        front, rear = (node, end) if end == first else (end, node)
+        yield front, rear, Beam(section, crank.material, disc.distance, ALONG_W), "shaft", -1
+
+
+def _members(crank: Crank, nodes: Nodes, web: Flexibility) -> Iterator[Member]:
+    for front, rear, beam, kind, index in beams(crank, nodes):
+        yield Member(front, rear, beam.stiffness, kind, index)
+    for index, arm in arms(crank):
+        front, rear = nodes.ends[index - 1][2], nodes.ends[index + 1][0]
+        yield Member(front, rear, arm.placed(web(arm)), "web", index)
+    for index, (before, after) in enumerate(zip(crank.parts, crank.parts[1:], strict=False)):
+        if isinstance(before, Pin) and isinstance(after, Pin):
+            yield _joint(crank, nodes, index, before, after)
+
+
+def _joint(crank: Crank, nodes: Nodes, index: int, before: Pin, after: Pin) -> Member:
+    """Return the joint of two pins that meet without a web: a thousand times stiffer than they."""
+    front, rear = nodes.ends[index][2], nodes.ends[index + 1][0]
+    short = min(before.length, after.length) / 2000
+    section = circular(min(before.diameter, after.diameter), 0.0, crank.material.poisson)
+    lever = nodes.points[rear] - nodes.points[front]
+    flexible = flexibility(section, crank.material, short)
+    return Member(front, rear, element(flexible, lever), "pin", index)
+
+
+def _bodies(crank: Crank, nodes: Nodes, pin_masses: Sequence[float]) -> Iterator[tuple[int, Body]]:
+    for index, arm in arms(crank):
+        front, rear = nodes.ends[index - 1][2], nodes.ends[index + 1][0]
+        near, far = (rear, front) if arm.mirrored else (front, rear)
+        yield from ((near, body) for body in near_bodies(arm))
+        yield from ((far, body) for body in far_bodies(arm))
+    for disc, node in ((crank.pulley, nodes.pulley), (crank.flywheel, nodes.flywheel)):
+        if disc is not None and node is not None:
+            yield node, disc_body(disc)
+    yield from _big_ends(crank, nodes, pin_masses)
+
+
+def _big_ends(crank: Crank, nodes: Nodes, pin_masses: Sequence[float]) -> Iterator[tuple[int, Body]]:
+    places = _middles(crank, nodes, Pin)
+    if pin_masses and len(pin_masses) != len(places):
+        rule = f"must be one per pin, {len(places)}"
+        raise SymbalanceError(f"{len(pin_masses)} pin masses", rule, "kg each, front to rear")
+    for node, mass in zip(places, pin_masses, strict=False):
+        yield node, Body(float(mass), np.zeros(3), np.zeros((3, 3)))
+
+
+def _middles(crank: Crank, nodes: Nodes, kind: type) -> tuple[int, ...]:
+    return tuple(nodes.ends[i][1] for i, part in enumerate(crank.parts) if isinstance(part, kind))
+
+
+def _empty(count: int) -> _Matrices:
+    size = DOF * count
+    return _Matrices(*(np.zeros((size, size)) for _ in range(4)), np.zeros(size))
+
+
+def _add(total: Array, piece: Array, *nodes: int) -> None:
+    unknowns = np.concatenate([np.arange(DOF * node, DOF * node + DOF) for node in nodes])
+    total[np.ix_(unknowns, unknowns)] += piece
+
+
+def _add_body(sums: _Matrices, point: Array, node: int, body: Body) -> None:
+    matrices = node_matrices(body.mass, body.offset, body.inertia, point)
+    for total, piece in zip((sums.mass, sums.gyroscopic, sums.centrifugal), matrices, strict=True):
+        _add(total, piece, node)
+    sums.force[DOF * node : DOF * node + DOF] += node_force(body.mass, point, body.offset, body.inertia)
+
+
+def _add_beams(sums: _Matrices, crank: Crank, nodes: Nodes) -> None:
+    for front, rear, beam, _, _ in beams(crank, nodes):
+        mass, inertia = beam.material.density * beam.section.area, beam.inertia
+        slices = node_matrices(mass, np.zeros(3), inertia)
+        for total, slice_ in zip((sums.mass, sums.gyroscopic, sums.centrifugal), slices, strict=True):
+            _add(total, beam.gathered(lambda _, q=slice_: q), front, rear)
+        start = nodes.points[front]
+        force = beam.gathered(
+            lambda lever, p=start, m=mass, i=inertia: node_force(m, p + lever, np.zeros(3), i)
+        )
+        sums.force[DOF * front : DOF * front + DOF] += force[:DOF]
+        sums.force[DOF * rear : DOF * rear + DOF] += force[DOF:]
+
+
+def _rotor(crank: Crank, nodes: Nodes, sums: _Matrices, members: Sequence[Member]) -> Rotor:
+    bearings = [i for i, part in enumerate(crank.parts) if isinstance(part, Journal) and part.bearing]
+    return Rotor(
+        points=nodes.points,
+        mass=sums.mass,
+        stiffness=sums.stiffness,
+        damping=np.zeros_like(sums.mass),
+        gyroscopic=sums.gyroscopic,
+        centrifugal=sums.centrifugal,
+        centrifugal_force=sums.force,
+        journals=tuple(nodes.ends[i][1] for i in bearings),
+        pins=_middles(crank, nodes, Pin),
+        pulley=nodes.pulley,
+        flywheel=nodes.flywheel,
+        members=tuple(members),
+    )
+
+
+def modal_damping(rotor: Rotor, ratio: float) -> Array:
+    """Return the C that gives every elastic mode this ratio of critical damping, rigid motions none.
+
+    C = 2 ratio M^(1/2) (M^(-1/2) K M^(-1/2))^(1/2) M^(1/2): no mode needs to be named.
+    """
+    factor = np.linalg.cholesky(rotor.mass)
+    inverse = np.linalg.inv(factor)
+    squares, shapes = np.linalg.eigh(inverse @ rotor.stiffness @ inverse.T)
+    roots = np.sqrt(np.maximum(squares, 0.0))
+    motions = factor @ shapes
+    return 2 * ratio * (motions * roots) @ motions.T

@@ -1,0 +1,111 @@
+"""A web's mass, divided between the nodes at its two faces.
+
+A point of the web at u along the arm moves as s = u/reach of the way from near to far (0 beyond the near
+axis, 1 beyond the far one): the share s of its mass goes with the far node, 1 - s with the near one.
+Mass, mass centre and inertia of the whole are exact. The counterweight goes with the journal.
+
+The outline is a rectangle, `width` across, from `heel` behind the near axis to `tip` beyond the far one,
+its corners rounded with the radius min(width/2, heel) at one end, min(width/2, tip) at the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from math import pi, sqrt
+
+import numpy as np
+
+from symbalance.crankshaft.bodies import Body, ring, turn_about_w
+from symbalance.crankshaft.crank import Counterweight
+from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.webs.arm import Arm
+
+
+def near_bodies(arm: Arm) -> list[Body]:
+    """Return what of the web goes with its near node, in U, V, W: share, fillet, counterweight."""
+    share = _share(arm, lambda u: 1 - _way(arm, u))
+    fillet = _fillet(arm.near.diameter, arm.near.fillet, -1, arm)
+    bodies = [arm.settled(body) for body in (share, fillet) if body.mass > 0]
+    if (weight := arm.web.counterweight) and weight.mass > 0:
+        bodies.append(_counterweight(arm, weight))
+    return bodies
+
+
+def far_bodies(arm: Arm) -> list[Body]:
+    """Return what of the web goes with its far node, in U, V, W: share and fillet."""
+    share = _share(arm, lambda u: _way(arm, u)).shifted(-arm.lever)
+    fillet = _fillet(arm.far.diameter, arm.far.fillet, 1, arm)
+    return [arm.settled(body) for body in (share, fillet) if body.mass > 0]
+
+
+def half_width(arm: Arm, u: Array) -> Array:
+    """Return half the outline's width at u along the arm."""
+    half, wide = arm.web.width / 2, np.zeros_like(u)
+    for margin, place in ((arm.near_margin, -u), (arm.far_margin, u - arm.reach)):
+        radius = min(half, margin)
+        into = np.clip(place - (margin - radius), 0.0, radius)
+        wide = wide + radius - np.sqrt(np.maximum(radius**2 - into**2, 0.0))
+    return np.maximum(half - wide, 0.0)
+
+
+def _way(arm: Arm, u: Array) -> Array:
+    if arm.reach == 0:
+        return np.full_like(u, 0.5)
+    return np.clip(u / arm.reach, 0.0, 1.0)
+
+
+def _share(arm: Arm, weight: Callable[[Array], Array]) -> Body:
+    u, steps = _strips(arm)
+    half, thick = half_width(arm, u), arm.web.thickness
+    mass = arm.material.density * thick * 2 * half * steps * weight(u)
+    total = float(mass.sum())
+    if total == 0:
+        return Body(0.0, np.zeros(3), np.zeros((3, 3)))
+    centre = float(mass @ u) / total
+    along, across, through = mass @ (u - centre) ** 2, mass @ half**2 / 3, total * thick**2 / 12
+    inertia = np.diag([across + through, along + through, along + across])
+    return Body(total, np.array([centre, 0.0, thick / 2]), inertia)
+
+
+def _strips(arm: Arm) -> tuple[Array, Array]:
+    """Return places and weights for integrals along u: Gauss points between the outline's breaks.
+
+    Each end piece is integrated in the angle of its rounded corner, where the outline is smooth.
+    """
+    start, stop = -arm.near_margin, arm.reach + arm.far_margin
+    near, far = (min(arm.web.width / 2, m) for m in (arm.near_margin, arm.far_margin))
+    angles, weights = np.polynomial.legendre.leggauss(40)
+    angles, weights = (angles + 1) * pi / 4, weights * pi / 4
+    places = [start + near * (1 - np.cos(angles)), stop - far * (1 - np.cos(angles))]
+    steps = [near * np.sin(angles) * weights, far * np.sin(angles) * weights]
+    left, right = start + near, stop - far
+    breaks = sorted({left, right, *(b for b in (0.0, arm.reach) if left < b < right)})
+    for left, right in pairwise(breaks):
+        points, width = np.polynomial.legendre.leggauss(8)
+        places.append(left + (right - left) * (points + 1) / 2)
+        steps.append(width * (right - left) / 2)
+    return np.concatenate(places), np.concatenate(steps)
+
+
+def _fillet(diameter: float, radius: float, side: int, arm: Arm) -> Body:
+    """Return the ring a fillet adds outside the web, on the face before (-1) or behind (1) it.
+
+    Area (1 - pi/4) r^2, centroid (10 - 3 pi)/(12 - 3 pi) r from both faces of the corner.
+    """
+    inward = (10 - 3 * pi) / (12 - 3 * pi) * radius
+    return ring((1 - pi / 4) * radius**2, diameter / 2 + inward, side * inward, arm.material.density)
+
+
+def _counterweight(arm: Arm, weight: Counterweight) -> Body:
+    """Return the counterweight about the near node; its section taken as equal in all directions."""
+    place = turn_about_w(weight.angle) @ [weight.radius, 0.0, 0.0]
+    through = (-1 if arm.mirrored else 1) * arm.web.thickness / 2
+    offset = place - [*arm.axis, -through]
+    flat = weight.inertia / 2 + weight.mass * arm.web.thickness**2 / 12
+    return Body(weight.mass, offset, np.diag([flat, flat, weight.inertia]))
+
+
+def gyration(body: Body) -> float:
+    """Return the radius of gyration about the line parallel to W through the centre, m."""
+    return sqrt(body.inertia[2, 2] / body.mass)
