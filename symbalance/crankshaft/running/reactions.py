@@ -6,7 +6,7 @@ import numpy as np
 
 from symbalance.crankshaft.frames import rotation
 from symbalance.crankshaft.rotor import DOF, Array, Rotor
-from symbalance.crankshaft.running.holding import Held
+from symbalance.crankshaft.running.holding import driven_node
 
 SPRING = 1e9
 """N/m, of the order of a film and its housing in series; the loads change little with it."""
@@ -20,26 +20,18 @@ def bearing_points(rotor: Rotor) -> Array:
     return points
 
 
-def quasi_static(rotor: Rotor, holding: Held, force: Array, spring: float = SPRING) -> Array:
+def quasi_static(rotor: Rotor, force: Array, spring: float = SPRING) -> Array:
     """Return (s, b, 2): the shaft's force on each bearing in turning axes, N, for forces (s, n).
 
     (K + sum k B^T B) x = f: the reactions of an elastic crank on equal springs, not of throws cut apart.
-    Only what holds the spin and the axial motion is taken from `holding`.
+    The flywheel's spin and the last bearing's axial place are held: they take what torque is left.
     """
     flat = bearing_points(rotor).reshape(-1, rotor.size)
-    own = rotor.stiffness + _holds(holding, rotor)
-    displaced = np.linalg.solve(own + spring * flat.T @ flat, force.T)
+    own = rotor.stiffness + spring * flat.T @ flat
+    for unknown in (DOF * driven_node(rotor) + 5, DOF * rotor.journals[-1] + 2):
+        own[unknown, unknown] += spring
+    displaced = np.linalg.solve(own, force.T)
     return (spring * flat @ displaced).T.reshape(len(force), -1, 2)
-
-
-def _holds(holding: Held, rotor: Rotor) -> Array:
-    """Return the stiffness along W and the turn about it that keeps the crank in place."""
-    extra = np.zeros_like(rotor.stiffness)
-    for node in range(len(rotor.points)):
-        for axis in (2, 5):
-            at = DOF * node + axis
-            extra[at, at] = max(holding.stiffness[at, at] - rotor.stiffness[at, at], 0.0)
-    return extra
 
 
 def stationary(vectors: Array, theta: Array) -> Array:

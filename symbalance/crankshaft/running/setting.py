@@ -55,9 +55,7 @@ class Setting:
 
     def bearing_loads(self, rpm: float, theta: Array) -> Array:
         """Return (s, b, 2): the shaft's quasi-static forces on the bearings, stationary axes, N."""
-        holding = self._held(rpm)
-        turning = quasi_static(self.rotor, holding, self.loading(rpm).at(theta))
-        return stationary(turning, theta)
+        return stationary(quasi_static(self.rotor, self.loading(rpm).at(theta)), theta)
 
     def film(self, rpm: float) -> Film:
         """Return the films at a speed: from the quasi-static loads, or the file's table."""
