@@ -1,0 +1,136 @@
+"""The periodic orbit of journals that carry given loads, and the films' tangents along it.
+
+A film has no mass: at every angle F(r, r') = load. The equation is integrated over the cycle by Radau IIA
+with two stages (order 3, L-stable), all bearings together, until the orbit closes; Newton's method takes
+the film's own tangents. Stiffness and damping along the orbit are then those tangents: what a small
+departure from this orbit meets, not springs about the centre.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from symbalance.crankshaft.bearings.short_film import Bearing, FilmState, equilibrium, film_states
+from symbalance.crankshaft.integrators.tableau import radau_iia
+from symbalance.crankshaft.rotor import Array
+from symbalance.errors import SymbalanceError, shown
+
+MOST_CYCLES, MOST_NEWTON, CLOSES, NEWTON = 40, 60, 1e-7, 1e-11
+FARTHEST = 0.9995
+"""The eccentricity at which Newton's steps are cut short."""
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """Journals' places (s, b, 2) in m at angles (s,) of a cycle, their velocities, the films' tangents."""
+
+    theta: Array
+    place: Array
+    velocity: Array
+    stiffness: Array
+    damping: Array
+
+    def eccentricity(self, bearings: Sequence[Bearing]) -> Array:
+        """Return |r|/c (s, b)."""
+        return np.linalg.norm(self.place, axis=-1) / [b.clearance for b in bearings]
+
+
+def journal_orbit(bearings: Sequence[Bearing], loads: Array, omega: float, cycle: float) -> Orbit:
+    """Return the periodic orbit under `loads` (s, b, 2) in N, the shaft's on the films, at equal angles.
+
+    Refuses loads under which no orbit closes: none turns, or a load too large for the film.
+    """
+    steps, count = loads.shape[:2]
+    if count != len(bearings):
+        raise SymbalanceError(f"{count} bearing loads", f"must be {len(bearings)}", "one per bearing")
+    if not np.isfinite(loads).all():
+        raise SymbalanceError("bearing loads", "must be finite")
+    place = np.array([equilibrium(b, load, omega) for b, load in zip(bearings, loads[0], strict=True)])
+    march = _March(bearings, loads, omega, cycle / steps / omega)
+    found, rate = np.empty((steps, count, 2)), np.zeros((2, count, 2))
+    for _ in range(MOST_CYCLES):
+        before = place
+        for k in range(steps):
+            found[k] = place
+            place, rate = march.stepped(k, place, rate)
+        found[0] = place
+        if (np.abs(place - before) / march.limits).max() <= CLOSES:
+            return _tangents(bearings, found, loads, omega, cycle)
+    rule = f"no orbit closes within {MOST_CYCLES} cycles"
+    raise SymbalanceError("journal orbit", rule, "a wider bearing, more angles or smaller loads")
+
+
+def films(bearings: Sequence[Bearing], place: Array, velocity: Array, omega: float) -> FilmState:
+    """Return all bearings' films at places (..., b, 2): force (..., b, 2), tangents (..., b, 2, 2)."""
+    strength = np.array([b.strength for b in bearings])
+    return film_states(strength, np.array([b.clearance for b in bearings]), place, velocity, omega)
+
+
+class _March:
+    """Steps of two-stage Radau IIA for all bearings together, by Newton on the stages' velocities."""
+
+    def __init__(self, bearings: Sequence[Bearing], loads: Array, omega: float, h: float) -> None:
+        tableau = radau_iia(2)
+        self.bearings, self.omega = bearings, omega
+        self.inner = h * tableau.matrix
+        self.limits = np.array([[b.clearance] for b in bearings])
+        self.wanted = np.stack([_between(loads, tableau.nodes[0]), np.roll(loads, -1, axis=0)], axis=1)
+
+    def stepped(self, k: int, place: Array, rate: Array) -> tuple[Array, Array]:
+        """Return places and stage velocities after step k; `rate` is where Newton's method begins."""
+        count, inner = len(place), self.inner
+        rate, stage = self._kept_within(place, 0 * rate, rate)
+        for _ in range(MOST_NEWTON):
+            at = films(self.bearings, stage, rate, self.omega)
+            matrix = np.einsum("ij,ibcd->bicjd", inner, at.stiffness)
+            matrix[:, 0, :, 0] += at.damping[0]
+            matrix[:, 1, :, 1] += at.damping[1]
+            sides = (self.wanted[k] - at.force).transpose(1, 0, 2).reshape(count, 4, 1)
+            change = np.linalg.solve(matrix.reshape(count, 4, 4), sides)
+            change = change.reshape(count, 2, 2).transpose(1, 0, 2)
+            rate, stage = self._kept_within(place, rate, change)
+            if (np.abs(np.tensordot(inner, change, axes=1)) / self.limits).max() <= NEWTON:
+                return stage[-1], rate
+        rule = "Newton's method does not settle on the film's velocity"
+        raise SymbalanceError(f"journal orbit at step {shown(k)}", rule, "more angles or smaller loads")
+
+    def _kept_within(self, place: Array, rate: Array, change: Array) -> tuple[Array, Array]:
+        """Return new rates and stage places, a bearing's change halved until its journal stays within."""
+        share = np.ones((1, len(place), 1))
+        while True:
+            stage = place + np.tensordot(self.inner, rate + share * change, axes=1)
+            out = (np.linalg.norm(stage, axis=-1, keepdims=True) >= FARTHEST * self.limits).any(axis=0)
+            if not out.any():
+                return rate + share * change, stage
+            share = share * np.where(out, 0.5, 1.0)
+            if share.min() < 1e-9:
+                rule = "the load presses the journal against the shell"
+                raise SymbalanceError("journal orbit", rule, "a wider bearing or smaller loads")
+
+
+def _between(loads: Array, share: float) -> Array:
+    """Return the loads a share of a step after each angle, by a cubic through four."""
+    x = np.array([-1.0, 0.0, 1.0, 2.0])
+    weights = [float(np.prod((share - np.delete(x, i)) / (x[i] - np.delete(x, i)))) for i in range(4)]
+    return sum((w * np.roll(loads, 1 - i, axis=0) for i, w in enumerate(weights)), np.zeros(()))
+
+
+def _tangents(
+    bearings: Sequence[Bearing], place: Array, loads: Array, omega: float, cycle: float
+) -> Orbit:
+    """Return the orbit with velocities that carry the loads exactly: V = C(V)^-1 F, iterated."""
+    velocity = _derivative(place, cycle / omega)
+    for _ in range(MOST_NEWTON):
+        at = films(bearings, place, velocity, omega)
+        velocity = velocity + np.linalg.solve(at.damping, (loads - at.force)[..., None])[..., 0]
+    at = films(bearings, place, velocity, omega)
+    theta = cycle / len(place) * np.arange(len(place))
+    return Orbit(theta, place, velocity, at.stiffness, at.damping)
+
+
+def _derivative(values: Array, period: float) -> Array:
+    """Return central differences along the first axis of a periodic table."""
+    return (np.roll(values, -1, axis=0) - np.roll(values, 1, axis=0)) * (len(values) / (2 * period))
