@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from symbalance.crankshaft.reports.summary import MEGA, Summary
-from symbalance.crankshaft.running.films import in_series
+from symbalance.crankshaft.bearings.series import quasi_static as in_series
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.errors import MissingPartError
 from symbalance.torque import firing_tops
