@@ -15,9 +15,9 @@ from symbalance.crankshaft.reports.text import (
     speed_rows,
 )
 
-SPEED_HEAD = (r"rpm", r"$\lvert x\rvert/c$", r"bearing kN", r"multiplier", r"s")
+SPEED_HEAD = (r"rpm", r"$\lvert x\rvert/c$", r"off the orbit", r"bearing kN", r"multiplier", r"s")
 EXTREME_HEAD = ("channel", "least", "largest", "unit", "rpm", "largest orders: amplitude")
-LONGEST = 42
+LONGEST = 34
 """Rows of a table on one page."""
 _SPECIAL = {
     **{c: "\\" + c for c in "%_&#${}"},
@@ -45,7 +45,7 @@ def summary_page(found: Summary, pictures: Sequence[str] = ()) -> str:
         body += [r"\subsection*{Notes}", r"\begin{itemize}", *items, r"\end{itemize}"]
     for name in pictures:
         body += ["", rf"\noindent\includegraphics[width=\linewidth]{{{name}}}"]
-    packages = ["amsmath", "booktabs", *(["graphicx"] if pictures else [])]
+    packages = ["amsmath", "booktabs", "lmodern", *(["graphicx"] if pictures else [])]
     head = [r"\documentclass[10pt]{article}", r"\usepackage[T1]{fontenc}", r"\usepackage[margin=20mm]{geometry}"]
     head += [rf"\usepackage{{{package}}}" for package in packages]
     return "\n".join([*head, r"\begin{document}", r"\raggedright", *body, r"\end{document}", ""])

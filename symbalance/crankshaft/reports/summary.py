@@ -44,10 +44,11 @@ class Place:
 
 @dataclass(frozen=True)
 class Speed:
-    """A speed's figures: largest |x|/clearance and bearing load (N), multiplier, error, seconds."""
+    """A speed's figures: largest |x|/clearance, its departure from the films' orbit, bearing load (N), multiplier, error, seconds."""
 
     rpm: float
     eccentricity: float
+    departure: float
     bearing: float
     largest: float
     error: float
@@ -100,6 +101,7 @@ def _speed(outcome: Outcome) -> Speed:
     return Speed(
         outcome.rpm,
         float(outcome.eccentricity.max()),
+        outcome.departure,
         float(loads.max()),
         outcome.largest,
         outcome.error,
@@ -140,12 +142,13 @@ def _places(made: Setting, outcomes: Sequence[Outcome]) -> list[Place]:
 def _notes(made: Setting, outcomes: Sequence[Outcome]) -> list[str]:
     """Return what a reader must know before believing the figures."""
     notes = []
+    about = made.about == "orbit" and made.table is None
     for outcome in outcomes:
         if not outcome.within_clearance:
             most = outcome.eccentricity.max()
             notes.append(
                 f"{outcome.rpm:g} rpm: an orbit reaches {most:.2f} of its clearance: the films, linear "
-                "about a moving orbit, are taken beyond their validity"
+                f"about {'their orbits' if about else 'the centre'}, are taken beyond their validity"
             )
         if outcome.largest > UNSTABLE:
             notes.append(f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}")

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from symbalance.crankshaft.reports.summary import Summary
 
-SPEED_HEAD = ("rpm", "|x|/clearance", "bearing kN", "multiplier", "s")
+SPEED_HEAD = ("rpm", "|x|/clearance", "off the orbit", "bearing kN", "multiplier", "s")
 EXTREME_HEAD = ("channel", "least", "largest", "unit", "rpm", "largest orders: amplitude")
 PLACE_HEAD = ("place", "rpm", "amplitude MPa", "mean MPa", "safety", "life h")
 
@@ -32,6 +32,7 @@ def speed_rows(found: Summary) -> list[tuple[str, ...]]:
         (
             f"{s.rpm:g}",
             f"{s.eccentricity:.2f}",
+            f"{s.departure:.2f}",
             f"{s.bearing / 1000:.1f}",
             f"{s.largest:.4f}",
             f"{s.seconds:.2f}",
@@ -85,12 +86,17 @@ def head_lines(found: Summary) -> list[str]:
     layout = made.engine.layout
     fires = layout.firing_order()
     kept = f"{made.modes} modes and the static shapes" if made.modes else "every unknown kept"
+    films = {
+        "orbit": f"linear about their orbits, {made.passes} passes",
+        "centre": "as springs about the centre",
+    }["centre" if made.table else made.about]
     return [
         f"{layout.name}: {len(layout.cylinders)} cylinders, {layout.strokes}-stroke"
         + (f", fires {'-'.join(map(str, fires))}" if fires else ""),
         f"peak pressure {max(run.trace.bar):.4g} bar, bore {run.bore * 1000:g} mm",
         f"{made.rotor.size} unknowns, {kept}; webs: {made.webs}; housing: {made.connection}; "
         f"{made.steps} steps a cycle",
+        f"films: {films}; damping {run.damping:g} of critical",
         f"strength: tensile {run.strength.tensile / 1e6:g}, endurance {run.strength.endurance / 1e6:g} MPa",
         "bending + opens the throw, torsion + where the front drives the rear",
     ]

@@ -17,7 +17,8 @@ class Outcome:
     `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
     journals' displacements in their shells and `bearings` (s, b, 2) the shaft's forces on them, vertical
     and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error` the
-    integrator's own estimate, `seconds` its run time.
+    integrator's own estimate, `seconds` its run time. `departure` is how far, over the clearance, the orbits
+    lie from those the films are linear about.
     """
 
     rpm: float
@@ -31,6 +32,7 @@ class Outcome:
     largest: float
     error: float
     seconds: float
+    departure: float = float("nan")
 
     def channel(self, name: str) -> Array:
         """Return a channel's values (s,)."""
