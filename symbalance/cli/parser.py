@@ -36,6 +36,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_check(commands)
     _add_emit(commands)
     _add_torque(commands)
+    _add_crankshaft(commands)
     _add_engines(commands)
     _add_bench(commands)
     return parser
@@ -156,6 +157,37 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
     parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
     parser.add_argument("--delta", metavar="δ", default="0.02", help="speed fluctuation; default: 0.02")
     _add_output(parser, ("text", "json"))
+
+
+def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "crankshaft", "The running crankshaft: stress against the crank angle.")
+    parser.add_argument(
+        "engine",
+        metavar="ENGINE",
+        help="a .toml file with [crankshaft], [bearings] and [running]",
+    )
+    parser.add_argument("--rpm", metavar="N", help="speeds: 2200, 1000,2200 or from:to:step")
+    parser.add_argument(
+        "--modes", metavar="N", default="20", help="modes beside the static shapes; 0: all; default: 20"
+    )
+    parser.add_argument("--steps", metavar="N", default="720", help="steps of a cycle; default: 720")
+    parser.add_argument(
+        "--webs",
+        choices=("solid", "fitted", "formula", "nominal"),
+        default="formula",
+        help="where the webs' stiffness comes from; solid and fitted need the mesher; default: formula",
+    )
+    parser.add_argument(
+        "--connection",
+        choices=("exact", "equivalent"),
+        default="exact",
+        help="film and housing in series: exactly, or as one equivalent stiffness; default: exact",
+    )
+    parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
+    parser.add_argument(
+        "--format", choices=("text", "json", "latex"), default="text", help="on the terminal; default: text"
+    )
+    parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:
