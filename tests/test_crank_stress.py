@@ -55,7 +55,9 @@ def test_a_throw_on_two_bearings_under_a_load_on_its_pin_is_a_beam():
     bent, pressed = load / 2 * (0.015 + 0.01) * 6 / (0.08 * 0.02**2), -load / 2 / (0.08 * 0.02)
     expected = -factors.journal_bending * bent + factors.journal_pressure * pressed
     for web in (1, 2):
-        assert found[f"web {web} pin fillet bending"] == pytest.approx(factors.pin_bending * bent, rel=1e-9)
+        assert found[f"web {web} pin fillet bending"] == pytest.approx(
+            factors.pin_bending * bent, rel=1e-9
+        )
         assert found[f"web {web} journal fillet bending"] == pytest.approx(expected, rel=1e-9)
 
 
@@ -78,7 +80,9 @@ def test_a_torque_through_the_crank_is_the_same_in_every_pin_and_journal():
     at_pin, at_journal = (100 * 16 / (np.pi * d**3) for d in (0.05, 0.06))
     assert found["pin 1 torsion"] == pytest.approx(at_pin, rel=1e-9)
     for web in (1, 2):
-        assert found[f"web {web} pin fillet torsion"] == pytest.approx(at_pin * factors.pin_torsion, rel=1e-9)
+        assert found[f"web {web} pin fillet torsion"] == pytest.approx(
+            at_pin * factors.pin_torsion, rel=1e-9
+        )
         torsion = at_journal * factors.journal_torsion
         assert found[f"web {web} journal fillet torsion"] == pytest.approx(torsion, rel=1e-6)
 
@@ -100,7 +104,9 @@ def test_modes_times_amplitudes_are_the_stress():
     draw = np.random.default_rng(7)
     basis, amounts = draw.normal(size=(made.rotor.size, 5)), draw.normal(size=5)
     whole = made.stress @ (basis @ amounts)
-    assert (made.stress @ basis) @ amounts == pytest.approx(whole, rel=1e-9, abs=1e-3 * np.abs(whole).max())
+    assert (made.stress @ basis) @ amounts == pytest.approx(
+        whole, rel=1e-9, abs=1e-3 * np.abs(whole).max()
+    )
 
 
 def test_fillet_factors_fall_with_the_radius_and_say_when_they_are_extrapolated():
@@ -200,7 +206,9 @@ def test_the_mean_torque_leaves_through_the_flywheel():
     made = setting(read_running_engine(WORKED / "inline-4.toml"), webs="nominal", steps=240, passes=1)
     found = run(made, 2200)
     torque = made.loading(2200).pins.mean_torque
-    factors = fillet_factors(made.engine.crank.parts[0], made.engine.crank.parts[1], made.engine.crank.pins[0])
+    factors = fillet_factors(
+        made.engine.crank.parts[0], made.engine.crank.parts[1], made.engine.crank.pins[0]
+    )
     section = np.pi * 0.065**3 / 16
     last = found.channel("web 8 journal fillet torsion").mean() / factors.journal_torsion * section
     first = found.channel("web 1 journal fillet torsion").mean() / factors.journal_torsion * section

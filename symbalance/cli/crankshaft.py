@@ -42,10 +42,11 @@ def run(options: argparse.Namespace) -> int:
         steps=steps,
         about=options.about,
         passes=passes,
+        store=None if folder is None else folder / "webs.json",
     )
     kept = None if folder is None else folder / "speeds"
     outcomes = swept(made, kept, lambda line: print(line, file=sys.stderr, flush=True))
-    found = summary(made, outcomes, made.frequencies())
+    found = summary(made, outcomes)
     drawn = {} if options.no_plots or folder is None else pictures(found)
     if folder is not None:
         _write_all(folder, found, drawn)

@@ -194,7 +194,10 @@ def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
     parser.add_argument(
-        "--format", choices=("text", "json", "latex"), default="text", help="on the terminal; default: text"
+        "--format",
+        choices=("text", "json", "latex"),
+        default="text",
+        help="on the terminal; default: text",
     )
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 

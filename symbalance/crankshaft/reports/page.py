@@ -7,10 +7,12 @@ from collections.abc import Iterable, Sequence
 
 from symbalance.crankshaft.reports.summary import Summary
 from symbalance.crankshaft.reports.text import (
+    MODE_HEAD,
     PLACE_HEAD,
     comparison_lines,
     extreme_rows,
     head_lines,
+    mode_rows,
     place_rows,
     speed_rows,
 )
@@ -33,9 +35,7 @@ def summary_page(found: Summary, pictures: Sequence[str] = ()) -> str:
     body = [rf"\section*{{{escaped(found.setting.engine.layout.name)}}}"]
     body += [escaped(line) + r"\\" for line in head_lines(found)]
     body += _table("Speeds", SPEED_HEAD, speed_rows(found))
-    if found.frequencies:
-        listed = ", ".join(f"{f:.1f}" for f in found.frequencies)
-        body += [r"\subsection*{Natural frequencies of the free crank, Hz}", listed]
+    body += _table("Natural frequencies of the free crank", MODE_HEAD, mode_rows(found))
     body += _table("Stresses and twists", EXTREME_HEAD, extreme_rows(found))
     body += _table("Durability, the worst speed of each place", PLACE_HEAD, place_rows(found))
     if found.comparisons:
@@ -46,7 +46,11 @@ def summary_page(found: Summary, pictures: Sequence[str] = ()) -> str:
     for name in pictures:
         body += ["", rf"\noindent\includegraphics[width=\linewidth]{{{name}}}"]
     packages = ["amsmath", "booktabs", "lmodern", *(["graphicx"] if pictures else [])]
-    head = [r"\documentclass[10pt]{article}", r"\usepackage[T1]{fontenc}", r"\usepackage[margin=20mm]{geometry}"]
+    head = [
+        r"\documentclass[10pt]{article}",
+        r"\usepackage[T1]{fontenc}",
+        r"\usepackage[margin=20mm]{geometry}",
+    ]
     head += [rf"\usepackage{{{package}}}" for package in packages]
     return "\n".join([*head, r"\begin{document}", r"\raggedright", *body, r"\end{document}", ""])
 

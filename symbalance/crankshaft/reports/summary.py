@@ -8,6 +8,7 @@ from itertools import groupby
 
 import numpy as np
 
+from symbalance.crankshaft.modes import kinds
 from symbalance.crankshaft.running.measured import Comparison, compared
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.setting import Setting
@@ -61,7 +62,8 @@ class Summary:
 
     setting: Setting
     outcomes: tuple[Outcome, ...]
-    frequencies: tuple[float, ...]
+    frequencies: tuple[tuple[float, str], ...]
+    """The free crank's natural frequencies in Hz, and what moves: bending U, bending V, axial, torsion."""
     speeds: tuple[Speed, ...]
     extremes: tuple[Extreme, ...]
     places: tuple[Place, ...]
@@ -80,14 +82,15 @@ class Summary:
         return calm and self.worst.found.safety >= 1
 
 
-def summary(made: Setting, outcomes: Sequence[Outcome], frequencies: Sequence[float]) -> Summary:
-    """Return the figures of a run; `frequencies` are the free crank's, Hz."""
+def summary(made: Setting, outcomes: Sequence[Outcome]) -> Summary:
+    """Return the figures of a run."""
+    named = kinds(made.rotor, made.modes_at_rest)
     overlay = made.engine.operation.overlay
     comparisons = [c for o in outcomes if overlay and (c := compared(overlay, o))]
     return Summary(
         made,
         tuple(outcomes),
-        tuple(frequencies),
+        tuple(zip(map(float, made.modes_at_rest.frequencies), named, strict=True)),
         tuple(_speed(outcome) for outcome in outcomes),
         tuple(_extreme(name, outcomes) for name in outcomes[0].names),
         tuple(_places(made, outcomes)),
@@ -151,7 +154,9 @@ def _notes(made: Setting, outcomes: Sequence[Outcome]) -> list[str]:
                 f"about {'their orbits' if about else 'the centre'}, are taken beyond their validity"
             )
         if outcome.largest > UNSTABLE:
-            notes.append(f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}")
+            notes.append(
+                f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}"
+            )
     for number, outside in _outside(made):
         notes.append(f"{number}: outside the fillet formulas' range: {', '.join(outside)}")
     if made.engine.operation.strength == type(made.engine.operation.strength)():

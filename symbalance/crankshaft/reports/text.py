@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from symbalance.crankshaft.reports.summary import Summary
 
 SPEED_HEAD = ("rpm", "|x|/clearance", "off the orbit", "bearing kN", "multiplier", "s")
+MODE_HEAD = ("mode", "Hz", "mostly")
 EXTREME_HEAD = ("channel", "least", "largest", "unit", "rpm", "largest orders: amplitude")
 PLACE_HEAD = ("place", "rpm", "amplitude MPa", "mean MPa", "safety", "life h")
 
@@ -14,9 +15,7 @@ PLACE_HEAD = ("place", "rpm", "amplitude MPa", "mean MPa", "safety", "life h")
 def summary_text(found: Summary) -> str:
     """Return the report as text: what was run, speeds, stresses, durability, notes."""
     parts = [_head(found), _table("Speeds", SPEED_HEAD, speed_rows(found))]
-    if found.frequencies:
-        listed = ", ".join(f"{f:.1f}" for f in found.frequencies)
-        parts.append(f"Natural frequencies of the free crank, Hz\n  {listed}\n")
+    parts.append(_table("Natural frequencies of the free crank", MODE_HEAD, mode_rows(found)))
     parts.append(_table("Stresses and twists", EXTREME_HEAD, extreme_rows(found)))
     parts.append(_table("Durability, the worst speed of each place", PLACE_HEAD, place_rows(found)))
     if found.comparisons:
@@ -24,6 +23,11 @@ def summary_text(found: Summary) -> str:
     if found.notes:
         parts.append("Notes\n" + "".join(f"  {note}\n" for note in found.notes))
     return "\n".join(parts)
+
+
+def mode_rows(found: Summary) -> list[tuple[str, ...]]:
+    """Return the cells of the modes' table."""
+    return [(str(i), f"{f:.1f}", kind) for i, (f, kind) in enumerate(found.frequencies, 1)]
 
 
 def speed_rows(found: Summary) -> list[tuple[str, ...]]:
@@ -109,9 +113,12 @@ def _head(found: Summary) -> str:
 def _table(title: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     rows = [head, *rows]
     widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
-    left = {0} | ({len(head) - 1} if head is EXTREME_HEAD else set())
+    left = {0} | ({len(head) - 1} if head in (EXTREME_HEAD, MODE_HEAD) else set())
     lines = [
-        "  ".join(c.ljust(w) if i in left else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True)))
+        "  ".join(
+            c.ljust(w) if i in left else c.rjust(w)
+            for i, (c, w) in enumerate(zip(r, widths, strict=True))
+        )
         for r in rows
     ]
     ruled = [lines[0], "─" * len(lines[0]), *lines[1:]]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,18 +13,20 @@ import numpy as np
 from symbalance.crankshaft.assembly import assemble
 from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads import big_end_masses, pin_loads
+from symbalance.crankshaft.modes import Modes, natural_modes
 from symbalance.crankshaft.rotor import Array, Rotor
 from symbalance.crankshaft.running.films import Orbits, loaded_places, orbits_about, table_film
 from symbalance.crankshaft.running.holding import held
 from symbalance.crankshaft.running.loading import Loading
 from symbalance.crankshaft.running.reactions import bearing_points, quasi_static, stationary
+from symbalance.crankshaft.solid.store import open_store
 from symbalance.crankshaft.stress import Channel, channels, stress_matrix
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
 from symbalance.rational import checked_whole
 
 OMEGA = np.pi / 30
 """rad/s of one rpm."""
-RIGID = 6
+RIGID, MODES_SHOWN = 6, 20
 Loads = Callable[[Array], Array]
 
 
@@ -114,9 +117,10 @@ class Setting:
         thrust = self.rotor.journals[supports.thrust]
         return held(self.rotor, rpm * OMEGA, thrust, supports.thrust_stiffness)
 
-    def frequencies(self, count: int = 20) -> list[float]:
-        """Return the lowest natural frequencies of the free crank, rigid motions left out, Hz."""
-        return natural_frequencies(self.rotor, count)
+    @cached_property
+    def modes_at_rest(self) -> Modes:
+        """The lowest elastic modes of the free crank at rest."""
+        return natural_modes(self.rotor, min(MODES_SHOWN, self.rotor.size - RIGID))
 
     def at_speeds(self, rpm: tuple[float, ...]) -> Setting:
         """Return the same setting with other speeds."""
@@ -132,25 +136,25 @@ def setting(
     steps: int = 720,
     about: str = "orbit",
     passes: int = 2,
+    store: Path | None = None,
 ) -> Setting:
     """Return an engine made ready to run.
 
     `webs` is the way to the webs' stiffness (see `assembly.WEBS`), `modes` how many are kept beside the
-    static shapes, 0 for the full model. Every rod's big end turns with its pin's node.
+    static shapes, 0 for the full model; webs
+    solved by the mesher are kept in the file `store`. Every rod's big end turns with its pin's node.
     """
-    for name, value, low, high in (("modes", modes, 0, 10_000), ("steps", steps, 90, 46_080), ("passes", passes, 1, 20)):
+    for name, value, low, high in (
+        ("modes", modes, 0, 10_000),
+        ("steps", steps, 90, 46_080),
+        ("passes", passes, 1, 20),
+    ):
         checked_whole(value, name, low, high, "see symbalance crankshaft --help")
     rotor = assemble(
         engine.crank,
         webs=webs,
+        store=open_store(store),
         pin_masses=big_end_masses(engine),
         damping_ratio=engine.operation.damping,
     )
     return Setting(engine, rotor, webs, modes, connection, steps, about, passes)
-
-
-def natural_frequencies(rotor: Rotor, count: int) -> list[float]:
-    """Return the lowest natural frequencies of the free rotor at rest, rigid motions left out, Hz."""
-    inverse = np.linalg.inv(np.linalg.cholesky(rotor.mass))
-    squares = np.linalg.eigvalsh(inverse @ rotor.stiffness @ inverse.T)[RIGID : RIGID + count]
-    return [float(f) for f in np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi)]

@@ -42,7 +42,11 @@ def shifted(full: PeriodicSystem, rotor: Rotor, orbits: Orbits) -> Shifted:
         orbits.theta, turned_vectors(orbits.force, orbits.theta).reshape(there.shape), full.cycle
     )
     omega = full.omega
-    parts = [(omega**2 * full.mass @ shapes).T, (omega * full.damping @ shapes).T, (full.stiffness @ shapes).T]
+    parts = [
+        (omega**2 * full.mass @ shapes).T,
+        (omega * full.damping @ shapes).T,
+        (full.stiffness @ shapes).T,
+    ]
 
     def force(theta: Array) -> Array:
         moved = sum((bent(theta, 2 - k) @ part for k, part in enumerate(parts)), np.zeros(()))

@@ -112,5 +112,3 @@ def speeds_between(low: float, high: float, step: float) -> tuple[float, ...]:
     """
     count = int((high - low) / step * (1 + 1e-12)) + 1
     return tuple(float(low + step * i) for i in range(count))
-
-
