@@ -30,7 +30,7 @@ OUT = np.array([np.cos(ANGLE), np.sin(ANGLE)])
 
 
 def stressed(crank: Crank, loads: dict[int, float], held: list[int] | None = None) -> dict[str, float]:
-    """Return the channels of a throw on two bearings (front journal's w and turn held) under nodal loads."""
+    """Return the channels of a throw on two bearings, the front's w and turn held, under loads."""
     rotor = assemble(crank)
     front, rear = rotor.journals[0], rotor.journals[-1]
     fixed = [6 * front, 6 * front + 1, 6 * rear, 6 * rear + 1, 6 * front + 2, 6 * front + 5]
@@ -62,13 +62,13 @@ def test_a_throw_on_two_bearings_under_a_load_on_its_pin_is_a_beam():
 
 
 def test_a_load_across_the_throw_bends_the_leading_line_and_twists_the_pin():
-    """A tangential load: the held front bears its torque; half of it at the pin's middle from each side."""
+    """A tangential load: the held front bears its torque."""
     load, pin = 8e3, 6 * assemble(THROW).pins[0]
     found = stressed(THROW, {pin: -load * -OUT[1], pin + 1: -load * OUT[0]})
     modulus = np.pi * 0.05**3 / 32
     assert found["pin 1 bending"] == pytest.approx(0, abs=1)
     assert found["pin 1 sideways"] == pytest.approx(-load * 0.1 / 4 / modulus, rel=1e-9)
-    # torque load * radius passes the front web; at the pin's axis the front bearing's reaction takes half off
+    # load * radius passes the front web; at the pin's axis the bearing's reaction takes half off
     torque = load * 0.04 - load / 2 * 0.04
     assert found["pin 1 torsion"] == pytest.approx(torque / (2 * modulus), rel=1e-9)
 

@@ -152,7 +152,7 @@ def _read_journals(section: Section, count: int) -> list[Journal]:
     sizes += [table.numbers(key, count, 0.0, MILLI, zero=True) for key in ROUND[2:]]
     bare = section.places("no_bearing", count)
     rows = enumerate(zip(*sizes, strict=True), 1)
-    return [Journal(*row, bearing=i not in bare) for i, row in rows]
+    return [Journal(d, long, b, f, bearing=i not in bare) for i, (d, long, b, f) in rows]
 
 
 def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> list[Web]:
@@ -165,7 +165,7 @@ def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> li
         sizes[0] = [thin if f else t for f, t in zip(flying, sizes[0], strict=True)]
     weights = _read_counterweights(section, bays, pins, len(flying))
     rows = zip(*sizes, strict=True)
-    return [Web(*row, weights.get(i)) for i, row in enumerate(rows, 1)]
+    return [Web(*row[:4], counterweight=weights.get(i)) for i, row in enumerate(rows, 1)]
 
 
 def _read_counterweights(

@@ -104,7 +104,7 @@ def _speeds(section: Section) -> tuple[float, ...]:
 
 
 def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
-    """Return speeds in rising order, or refuse none at all, one that is not positive, and repeated ones."""
+    """Return speeds in rising order; refuse none at all, one not positive, and repeated ones."""
     if not speeds:
         raise SymbalanceError("rpm = []", "names no speed", "write rpm = 2200, or a list")
     for speed in speeds:

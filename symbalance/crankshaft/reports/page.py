@@ -49,7 +49,7 @@ def summary_page(found: Summary, pictures: Sequence[str] = ()) -> str:
     head = [
         r"\documentclass[10pt]{article}",
         r"\usepackage[T1]{fontenc}",
-        r"\usepackage[margin=20mm]{geometry}",
+        r"\usepackage[margin=15mm]{geometry}",
     ]
     head += [rf"\usepackage{{{package}}}" for package in packages]
     return "\n".join([*head, r"\begin{document}", r"\raggedright", *body, r"\end{document}", ""])
@@ -72,7 +72,7 @@ def _table(title: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> li
         columns = "lrrlrl"
     for start in range(0, len(rows), LONGEST):
         named = [h if "$" in h else escaped(h) for h in head]
-        lines += ["", r"\noindent{\small", rf"\begin{{tabular}}{{{columns}}}", r"\toprule"]
+        lines += ["", r"\noindent{\footnotesize\setlength{\tabcolsep}{4pt}", rf"\begin{{tabular}}{{{columns}}}", r"\toprule"]
         lines += [" & ".join(named) + r" \\", r"\midrule"]
         lines += [" & ".join(map(_cell, row)) + r" \\" for row in rows[start : start + LONGEST]]
         lines += [r"\bottomrule", r"\end{tabular}}"]

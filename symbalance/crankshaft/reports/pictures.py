@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
+from symbalance.crankshaft.bearings.series import quasi_static as in_series
 from symbalance.crankshaft.campbell import campbell
 from symbalance.crankshaft.modes import KINDS
 from symbalance.crankshaft.reports.summary import MEGA, Summary
-from symbalance.crankshaft.bearings.series import quasi_static as in_series
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.running.holding import driven_node
 from symbalance.crankshaft.running.outcome import Outcome
@@ -116,13 +115,13 @@ def _orbits(outcome: Outcome) -> Any:
     count = len(outcome.clearance)
     columns = min(count, 4)
     figure, axes = _figure((count - 1) // columns + 1, columns, width=2.6 * columns, height=2.6)
-    circle = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
+    circle = np.linspace(0, 2 * np.pi, 181)
     for j, axis in enumerate(axes.flat):
         axis.set_visible(j < count)
         if j >= count:
             continue
         orbit = outcome.orbits[:, j] / outcome.clearance[j]
-        axis.plot(circle.real, circle.imag, color="0.5", linewidth=1)
+        axis.plot(np.cos(circle), np.sin(circle), color="0.5", linewidth=1)
         axis.plot(orbit[:, 1], orbit[:, 0], color=COLOURS[0], linewidth=1)
         axis.set(aspect="equal", title=f"bearing {j + 1}: {outcome.eccentricity[j]:.2f}")
         axis.tick_params(labelsize=7)
@@ -188,7 +187,7 @@ def _campbell(found: Summary) -> Any:
     for unknown in (6 * driven_node(made.rotor) + 5, 6 * made.rotor.journals[-1] + 2):
         support[unknown, unknown] += HOLD
     speeds = np.linspace(0, 1.5 * last, 31)
-    lines = campbell(made.rotor, speeds * np.pi / 30, support, CAMPBELL_MODES)
+    lines = campbell(made.rotor, list(speeds * np.pi / 30), support, CAMPBELL_MODES)
     figure, axes = _figure(1, 2, sharey=True, height=4.2)
     hertz = 2 * np.pi
     for axis, rows, title in (

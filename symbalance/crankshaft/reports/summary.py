@@ -22,7 +22,7 @@ UNSTABLE = 1 + 1e-9
 
 @dataclass(frozen=True)
 class Extreme:
-    """A channel's least and largest value over all speeds, in MPa or degrees, and the speed of its largest size."""
+    """A channel's least and largest value over all speeds, MPa or degrees; where it is largest."""
 
     name: str
     unit: str
@@ -45,7 +45,10 @@ class Place:
 
 @dataclass(frozen=True)
 class Speed:
-    """A speed's figures: largest |x|/clearance, its departure from the films' orbit, bearing load (N), multiplier, error, seconds."""
+    """A speed's figures: largest |x|/clearance, departure from the films' orbits, bearing load (N).
+
+    Then the largest Floquet multiplier, the integrator's error and seconds.
+    """
 
     rpm: float
     eccentricity: float
@@ -63,7 +66,7 @@ class Summary:
     setting: Setting
     outcomes: tuple[Outcome, ...]
     frequencies: tuple[tuple[float, str], ...]
-    """The free crank's natural frequencies in Hz, and what moves: bending U, bending V, axial, torsion."""
+    """The free crank's natural frequencies in Hz, and what mostly moves."""
     speeds: tuple[Speed, ...]
     extremes: tuple[Extreme, ...]
     places: tuple[Place, ...]

@@ -101,7 +101,8 @@ def head_lines(found: Summary) -> list[str]:
         f"{made.rotor.size} unknowns, {kept}; webs: {made.webs}; housing: {made.connection}; "
         f"{made.steps} steps a cycle",
         f"films: {films}; damping {run.damping:g} of critical",
-        f"strength: tensile {run.strength.tensile / 1e6:g}, endurance {run.strength.endurance / 1e6:g} MPa",
+        f"strength: tensile {run.strength.tensile / 1e6:g} MPa, "
+        f"endurance {run.strength.endurance / 1e6:g} MPa",
         "bending + opens the throw, torsion + where the front drives the rear",
     ]
 

@@ -26,14 +26,14 @@ from symbalance.crankshaft.system import Film, Housing
 from symbalance.errors import MissingPartError
 
 MOST_ANGLES = 720
-"""Angles of a cycle at which films are computed, at most: else the steps. Too coarse a table breaks them."""
+"""Angles of a cycle at which films are computed, at most; else as many as steps."""
 CLOSEST = 0.98
 """The share of the clearance to which a journal's place is drawn in before a film is made of it."""
 
 
 @dataclass(frozen=True)
 class Orbits:
-    """Journals' places r_0 in their shells at even angles (s,), what their films carry there, and tangents.
+    """Journals' places r_0 in their shells at even angles (s,), what their films carry, tangents.
 
     `force` (s, b, 2) is the shaft's on the films, `shells` z_0 the places of the shells under it.
     """
@@ -55,7 +55,7 @@ def table_film(engine: RunningEngine) -> Film | None:
 def loaded_places(
     engine: RunningEngine, omega: float, loads: Callable[[Array], Array], steps: int
 ) -> Array:
-    """Return the journals' places (s, b, 2) at even angles of a cycle, going round under their loads, N."""
+    """Return the journals' places (s, b, 2) at even angles, going round under their loads, N."""
     cycle = engine.layout.strokes * np.pi
     count = min(steps, MOST_ANGLES)
     theta = cycle * np.arange(count) / count
@@ -90,7 +90,7 @@ def shell_places(force: Array, housing: Housing | None, cycle: float, omega: flo
 
 
 def periodic(theta: Array, values: Array, cycle: float) -> Any:
-    """Return the periodic cubic spline through values (s, ...) at angles (s,): a function (angle, derivative)."""
+    """Return the periodic cubic spline through values (s, ...): a function (angle, derivative)."""
     try:
         splines = import_module("scipy.interpolate")
     except ImportError:

@@ -57,8 +57,8 @@ def compared(overlay: Overlay, outcome: Outcome) -> Comparison | None:
 def read_curve(path: str | Path, cycle: int = 720) -> tuple[Array, Array]:
     """Return the crank angles in degrees at theta's zero and the values in MPa of a CSV file.
 
-    One point a line, parted by a comma, a semicolon or a tab, decimals with a point; a header, empty lines
-    and lines that begin with # are passed over.
+    One point a line, parted by a comma, a semicolon or a tab, decimals with a point; a header, empty
+    lines and lines that begin with # are passed over.
     """
     place, points = str(path), []
     for number, line in enumerate(read_text(path).splitlines(), 1):

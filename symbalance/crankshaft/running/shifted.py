@@ -1,8 +1,8 @@
 """The same equations for what departs from given journal orbits, so that the films may be linear there.
 
-With journals at Q^T (r_0 + z_0) in turning axes, let X_0 = Phi d(theta) bend the crank to them (Phi: static
-shapes, one a bearing direction, spin and axial place held) and x = X_0 + eta. Then eta obeys the same
-equations with the right side
+With journals at Q^T (r_0 + z_0) in turning axes, let X_0 = Phi d(theta) bend the crank to them (Phi:
+static shapes, one a bearing direction, spin and axial place held) and x = X_0 + eta. Then eta obeys the
+same equations with the right side
 
     f - B^T Q^T F_0 - (M X_0'' + D X_0' + S X_0),
 
@@ -65,4 +65,4 @@ def static_shapes(rotor: Rotor, flat: Array) -> Array:
     bordered = np.block([[rotor.stiffness / scale, holds.T], [holds, np.zeros((len(holds),) * 2)]])
     given = np.zeros((size + len(holds), count))
     given[size : size + count] = np.eye(count)
-    return np.linalg.solve(bordered, given)[:size]
+    return np.asarray(np.linalg.solve(bordered, given)[:size], dtype=np.float64)

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.bearings.series import quasi_static as in_series
+from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.running.films import Orbits, periodic, shell_places
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.reactions import bearing_points, stationary

@@ -1,4 +1,4 @@
-"""Stresses of a crankshaft as linear functions of its displacements: stress modes, and what they do to it.
+"""Stresses of a crankshaft as linear functions of its displacements, and what they do to it.
 
 sections        the six loads through any section, a row of the stiffness each
 concentration   stress concentration factors of the fillets by published formulas, with their range
