@@ -5,6 +5,7 @@ z are the housings' displacements, stationary. They have no mass: (C + C_B) z' =
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +24,8 @@ class FirstOrder:
     spread: Array
     """-M^-1 B^T below zeros (2n, 2b): what forces on the films do to the rotor's state."""
     inverse_mass: Array
+    product: Callable[[Array], Array]
+    """The constant part times a vector."""
 
     @classmethod
     def of(cls, system: PeriodicSystem) -> FirstOrder:
@@ -33,7 +36,8 @@ class FirstOrder:
         constant = np.zeros((2 * n, 2 * n))
         constant[:n, n:], constant[n:] = np.eye(n), -solved[:, : 2 * n]
         spread = np.vstack([np.zeros((n, len(points))), -solved[:, 2 * n : 2 * n + len(points)]])
-        return cls(system, constant, spread, solved[:, 2 * n + len(points) :])
+        inverse = solved[:, 2 * n + len(points) :]
+        return cls(system, cleaned(constant), spread, inverse, constant.__matmul__)
 
     @property
     def size(self) -> int:
@@ -65,9 +69,15 @@ class FirstOrder:
         n, points = self.system.size, gathered(self.system)
         force, rate = self.bearings(theta)
         seen = np.concatenate([points @ state[:n], points @ state[n : 2 * n], state[2 * n :]])
-        moved = self.constant @ state[: 2 * n] + self.spread @ (force @ seen)
+        moved = self.product(state[: 2 * n]) + self.spread @ (force @ seen)
         moved[n:] += self.inverse_mass @ self.system.force(np.array([theta]))[0]
         return np.concatenate([moved, rate @ seen])
+
+
+def cleaned(matrix: Array) -> Array:
+    """Return a matrix without what rounding left in it: entries below 1e-17 of their row's largest."""
+    largest = np.abs(matrix).max(axis=1, keepdims=True)
+    return np.where(np.abs(matrix) > 1e-17 * largest, matrix, 0.0)
 
 
 def film_laws(system: PeriodicSystem, theta: Array) -> tuple[Array, Array]:
