@@ -52,7 +52,8 @@ class Campbell:
 
     `rotating` frequencies and `growth` rates (positive: unstable) in turning axes; `stationary` the
     stronger line in stationary axes, negative where it whirls backward; `forward` the share, 0 to 1, of
-    the lateral motion that turns with the signed frequency (a frequency that passed zero turns on).
+    the lateral motion that turns with the signed frequency (a frequency that passed zero turns on);
+    `lateral` whether a mode moves the axis sideways rather than along or about itself.
     """
 
     speeds: Array
@@ -60,6 +61,7 @@ class Campbell:
     growth: Array
     stationary: Array
     forward: Array
+    lateral: NDArray[np.bool_]
 
 
 def campbell(
@@ -180,4 +182,4 @@ def _lines(found: Sequence[_Whirls]) -> Campbell:
     stationary = np.where(onward >= back, turn + frequencies, turn - frequencies)
     stationary = np.where(rest > 0.5, np.abs(frequencies), stationary)
     forward = onward / np.maximum(onward + back, 1e-300)
-    return Campbell(speeds, np.abs(frequencies), roots.real, stationary, forward)
+    return Campbell(speeds, np.abs(frequencies), roots.real, stationary, forward, rest <= 0.5)

@@ -72,10 +72,13 @@ def _add_body(sums: _Sums, point: Array, node: int, body: Body) -> None:
 def _add_beam(sums: _Sums, start: Array, ends: tuple[int, int], beam: Beam) -> None:
     """Add a beam's slices, each a thin rigid disc, by the beam's own interpolation."""
     mass, inertia, centred = beam.material.density * beam.section.area, beam.inertia, np.zeros(3)
-    slices = node_matrices(mass, centred, inertia)
-    for total, slice_ in zip((sums.mass, sums.gyroscopic, sums.centrifugal), slices, strict=True):
-        _add(total, beam.gathered(lambda _, q=slice_: q), *ends)
-    force = beam.gathered(lambda lever: node_force(mass, start + lever, centred, inertia))
+    slices = np.array(node_matrices(mass, centred, inertia))
+    totals, force = np.zeros((3, 2 * DOF, 2 * DOF)), np.zeros(2 * DOF)
+    for weight, lever, shape in beam.interpolations():
+        totals += weight * (shape.T @ slices @ shape)
+        force += weight * (shape.T @ node_force(mass, start + lever, centred, inertia))
+    for total, piece in zip((sums.mass, sums.gyroscopic, sums.centrifugal), totals, strict=True):
+        _add(total, piece, *ends)
     for node, part in zip(ends, (force[:DOF], force[DOF:]), strict=True):
         sums.force[DOF * node : DOF * node + DOF] += part
 

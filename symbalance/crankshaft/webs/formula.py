@@ -6,7 +6,8 @@ of a web of the length R - 0.2 (D_j + D_p) bent in its plane:
 
     L_e = D^4 [ (L_j + 0.4 D_j)/D_j^4 + (L_p + 0.4 D_p)/D_p^4 + (R - 0.2 (D_j + D_p))/(h W^3) ],
 
-the throw's flexibility being 32 L_e/(pi G D^4); h is the web's thickness, W its width. Carter's formula
+the throw's flexibility (both webs in the last term) being 32 L_e/(pi G D^4); h is a web's thickness, W
+its width. Carter's formula
 (1928) has L_j + 0.8 h, 0.75 L_p, 1.5 R instead. Both from memory, without the prints at hand.
 
 The bending, axial and shear terms are a beam's of the same clear length and stubs: no published formula
@@ -49,7 +50,7 @@ def _clear_web(arm: Arm) -> list[tuple[Array, Array]]:
     start = (arm.reach - clear) * arm.near.diameter / (arm.near.diameter + arm.far.diameter)
     web, material = arm.web, arm.material
     section = rectangular(web.width, web.thickness, material.poisson)
-    in_plane = pi * material.shear * web.thickness * web.width**3 / 32
+    in_plane = pi * material.shear * web.thickness * web.width**3 / 16  # the formula has both webs
     section = replace(section, bend_z=in_plane / material.young)
     lengths = (start, clear, arm.reach - clear - start)
     levers = [np.array([length, 0.0, 0.0]) for length in lengths]
