@@ -190,7 +190,7 @@ def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
         help="what the films are linear about: the journals' orbits, or the centre as the paper has it",
     )
     parser.add_argument(
-        "--passes", metavar="N", default="2", help="orbit: how often films are made; default: 2"
+        "--passes", metavar="N", default="5", help="orbit: how often films are made at most; default: 5"
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
     parser.add_argument(
@@ -212,7 +212,9 @@ def _add_engines(commands: argparse._SubParsersAction) -> None:
 def _add_bench(commands: argparse._SubParsersAction) -> None:
     parser = _command(commands, "bench", "Measurements on this machine, against named alternatives.")
     parser.add_argument(
-        "topic", choices=("derive", "check", "accuracy", "stability", "crankshaft"), help="what to measure"
+        "topic",
+        choices=("derive", "check", "accuracy", "stability", "crankshaft"),
+        help="what to measure",
     )
     parser.add_argument(
         "--quick", action="store_true", help="fewer repeats, and no alternative over 10 s"

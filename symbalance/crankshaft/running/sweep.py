@@ -19,6 +19,8 @@ from symbalance.crankshaft.running.shifted import shifted
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem, Trajectory
 
+SETTLED = 0.05
+"""The departure, over the clearance, at which films need not be made anew."""
 Progress = Callable[[str], None]
 
 
@@ -41,12 +43,14 @@ def swept(
 
 
 def run(made: Setting, rpm: float) -> Outcome:
-    """Return the outcome of one speed; with `passes` the films are made anew for the loads found."""
+    """Return the outcome of one speed; the films are made anew for the loads found, up to `passes` times."""
     if made.about == "centre" or made.table is not None:
         full = made.system(rpm)
         return _outcome(made, rpm, full, _solved(made, full))
     outcome = _about(made, rpm, made.orbits(rpm))
     for _ in range(made.passes - 1):
+        if outcome.departure < SETTLED:
+            break
         cycle, before = outcome.cycle, outcome.seconds
         orbits = made.orbits(rpm, periodic(outcome.theta, outcome.bearings, cycle))
         outcome = _about(made, rpm, orbits)
