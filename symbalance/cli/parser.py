@@ -200,7 +200,9 @@ def _add_engines(commands: argparse._SubParsersAction) -> None:
 def _add_bench(commands: argparse._SubParsersAction) -> None:
     parser = _command(commands, "bench", "Measurements on this machine, against named alternatives.")
     parser.add_argument(
-        "topic", choices=("derive", "check", "accuracy", "stability", "crankshaft"), help="what to measure"
+        "topic",
+        choices=("derive", "check", "accuracy", "stability", "crankshaft"),
+        help="what to measure",
     )
     parser.add_argument(
         "--quick", action="store_true", help="fewer repeats, and no alternative over 10 s"
@@ -209,6 +211,6 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
         "-o",
         "--output",
         metavar="NAME",
-        help="accuracy, crankshaft: also write all points to NAME.csv and pictures to NAME.png and NAME.pdf; "
+        help="accuracy, crankshaft: also write points to NAME.csv, pictures to NAME.png and NAME.pdf; "
         "other topics: write the table to the file NAME",
     )

@@ -1,8 +1,8 @@
 """One cycle of a system by each integrator: run time, and error against harmonic balance.
 
-Each starts from the reference's periodic state and integrates one cycle. The error is the largest of three,
-each over the largest value of its kind within the cycle: the journals' displacements, and the shifts and
-the turns of all nodes, the crank's turning as a whole taken out.
+Each starts from the reference's periodic state and integrates one cycle. The error is the largest of
+three, each over the largest value of its kind within the cycle: the journals' displacements, and the
+shifts and the turns of all nodes, the crank's turning as a whole taken out.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 def swept(
     case: str, model: str, reference: Reference, methods: Sequence[str], limit: float, say: Progress
 ) -> list[Run]:
-    """Return runs of all `methods`; a method's settings tighten until one passes the limit or is exact."""
+    """Return runs of all `methods`; settings tighten until one passes the limit or is exact."""
     runs: list[Run] = []
     for method in methods:
         say(f"{case}, {model}: {method}")
