@@ -63,6 +63,7 @@ _HOMES = {
     "RodSplit": "mechanisms",
     "dead_centres": "mechanisms",
     "force_harmonics": "mechanisms",
+    "node_equations": "crankshaft.equations",
     "SymbalanceError": "errors",
     "symbol": "symbols",
 }
@@ -98,6 +99,7 @@ if TYPE_CHECKING:
     from symbalance.checking import report_json as report_json
     from symbalance.checking import report_latex as report_latex
     from symbalance.checking import report_text as report_text
+    from symbalance.crankshaft.equations import node_equations as node_equations
     from symbalance.cylinders import Cylinder as Cylinder
     from symbalance.derivation import derive as derive
     from symbalance.errors import SymbalanceError as SymbalanceError

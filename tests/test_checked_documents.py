@@ -12,8 +12,9 @@ DOCUMENTS = runpy.run_path(str(CHECKED / "regenerate.py"))["documents"]
 IN_PROSE = {
     ("000", 32), ("000", 145), ("000", 156), ("001", 57), ("001", 65), ("001", 108), ("001", 132),
     ("001", 153), ("001", 162), ("001", 164), ("001", 166), ("001", 168), ("001", 173), ("003", 103),
+    ("004", 86), ("004", 107), ("004", 111), ("004", 115), ("004", 135), ("004", 153), ("004", 161),
 }  # fmt: skip
-"""Errors of derivations/README.md that no equation states: prose, a missing cell, notation as meant."""
+"""Errors of derivations/README.md that no equation states: prose, a missing cell, notation, matrices."""
 
 STEPS = {("003", line) for line in (100, 101, 102, 115, 116, 117)}
 """Sound steps of a chain whose first line is wrong."""

@@ -14,7 +14,9 @@ from symbalance.crankshaft.loads import big_end_masses, pin_loads
 from symbalance.crankshaft.running import setting
 
 OMEGA = 2200 * np.pi / 30
-VEE = "[layout]\nbanks = [-30, 30]\ncylinders = [[1, 3, 5], [2, 4, 6]]\nfiring_order = [1, 2, 3, 4, 5, 6]\n"
+VEE = (
+    "[layout]\nbanks = [-30, 30]\ncylinders = [[1, 3, 5], [2, 4, 6]]\nfiring_order = [1, 2, 3, 4, 5, 6]\n"
+)
 FLYING = "young = 206\nflying_web = 12"
 ROD = "rod_mass = 1.6\nrod_centre = 60\nrod_inertia = 11000"
 
@@ -94,7 +96,9 @@ def test_the_torque_of_the_pin_forces_is_the_librarys(name):
 
 def test_the_torque_of_a_vee_with_offset_and_rods_is_virtual_work(tmp_path):
     """T omega = sum of F y' r omega less what the rods' own couples take: J_x phi'' phi' omega^3."""
-    made = engine(tmp_path, sheet(VEE, big_end_mass=ROD, young=FLYING).replace("rod = 192", "rod = 192\noffset = 7"))
+    made = engine(
+        tmp_path, sheet(VEE, big_end_mass=ROD, young=FLYING).replace("rod = 192", "rod = 192\noffset = 7")
+    )
     check_virtual_work(made)
 
 

@@ -3,9 +3,9 @@
     python derivations/crankshaft/pressures.py       writes diesel.csv beside this file
 
 From intake closing at bottom dead centre to exhaust opening dp = -g p dV/V + (g - 1) dQ/V, the heat
-Q = Q_t (1 - exp(-6.9 x^(m + 1))), x = (theta - start)/duration; then a cosine blow-down to the exhaust's pressure.
-Sizes are estimates of a turbocharged truck diesel at full load. Source: Heywood, Internal Combustion Engine
-Fundamentals, ch. 9 (the Wiebe function; 6.9 = -ln 0.001 burns 99.9 %).
+Q = Q_t (1 - exp(-6.9 x^(m + 1))), x = (theta - start)/duration; then a cosine blow-down to the
+exhaust's pressure. Sizes are estimates of a turbocharged truck diesel at full load. Source: Heywood,
+Internal Combustion Engine Fundamentals, ch. 9 (the Wiebe function; 6.9 = -ln 0.001 burns 99.9 %).
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def burnt(degrees: float) -> float:
 
 
 def closed(step: float = 0.05) -> dict[int, float]:
-    """Return the pressure in bar at whole degrees from -180 to the exhaust's opening, by Heun's method."""
+    """Return the pressure in bar at whole degrees up to the exhaust's opening, by Heun's method."""
     pressure, found = INTAKE, {-180: INTAKE}
     for i in range(round((OPENING + 180) / step)):
         here, there = -180 + i * step, -180 + (i + 1) * step

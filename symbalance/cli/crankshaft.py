@@ -20,6 +20,7 @@ def run(options: argparse.Namespace) -> int:
     """
     modes = whole_number(options.modes, "modes")
     steps = whole_number(options.steps, "steps")
+    passes = whole_number(options.passes, "passes")
     folder = _checked_folder(options.output)
 
     from symbalance.crankshaft.files import read_running_engine
@@ -33,10 +34,19 @@ def run(options: argparse.Namespace) -> int:
     engine = read_running_engine(options.engine)
     if options.rpm is not None:
         engine = engine.at_speeds(_speeds(options.rpm))
-    made = setting(engine, webs=options.webs, modes=modes, connection=options.connection, steps=steps)
+    made = setting(
+        engine,
+        webs=options.webs,
+        modes=modes,
+        connection=options.connection,
+        steps=steps,
+        about=options.about,
+        passes=passes,
+        store=None if folder is None else folder / "webs.json",
+    )
     kept = None if folder is None else folder / "speeds"
     outcomes = swept(made, kept, lambda line: print(line, file=sys.stderr, flush=True))
-    found = summary(made, outcomes, made.frequencies())
+    found = summary(made, outcomes)
     drawn = {} if options.no_plots or folder is None else pictures(found)
     if folder is not None:
         _write_all(folder, found, drawn)
@@ -85,7 +95,7 @@ def _check_libraries() -> None:
     from symbalance.errors import MissingPartError
 
     for name in ("scipy", "rainflow"):
-        if find_spec(name) is None:
+        if sys.modules.get(name, name) is None or find_spec(name) is None:
             raise MissingPartError(
                 "crankshaft", f"{name} is not installed", "pip install 'symbalance[crankshaft]'"
             )

@@ -168,7 +168,7 @@ def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
     )
     parser.add_argument("--rpm", metavar="N", help="speeds: 2200, 1000,2200 or from:to:step")
     parser.add_argument(
-        "--modes", metavar="N", default="20", help="modes beside the static shapes; 0: all; default: 20"
+        "--modes", metavar="N", default="0", help="modes kept beside the static shapes; default: 0, all"
     )
     parser.add_argument("--steps", metavar="N", default="720", help="steps of a cycle; default: 720")
     parser.add_argument(
@@ -183,9 +183,21 @@ def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
         default="exact",
         help="film and housing in series: exactly, or as one equivalent stiffness; default: exact",
     )
+    parser.add_argument(
+        "--about",
+        choices=("orbit", "centre"),
+        default="orbit",
+        help="what the films are linear about: the journals' orbits, or the centre as the paper has it",
+    )
+    parser.add_argument(
+        "--passes", metavar="N", default="2", help="orbit: how often films are made; default: 2"
+    )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
     parser.add_argument(
-        "--format", choices=("text", "json", "latex"), default="text", help="on the terminal; default: text"
+        "--format",
+        choices=("text", "json", "latex"),
+        default="text",
+        help="on the terminal; default: text",
     )
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 

@@ -16,16 +16,19 @@ import numpy as np
 from symbalance.crankshaft.beams import ALONG_W, Beam, circular, element, flexibility
 from symbalance.crankshaft.bodies import Body, disc_body
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Pin, Web
-from symbalance.crankshaft.gyroscopics import node_force, node_matrices
-from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor
+from symbalance.crankshaft.gathering import damped, gathered
+from symbalance.crankshaft.rotor import Array, Member, Rotor
+from symbalance.crankshaft.solid.store import Store, open_store, solid_flexibility
 from symbalance.crankshaft.webs.arm import Arm, arms, axis_of
+from symbalance.crankshaft.webs.fitted import fitted_flexibility
+from symbalance.crankshaft.webs.formula import formula_flexibility
 from symbalance.crankshaft.webs.nominal import nominal_flexibility
 from symbalance.crankshaft.webs.shares import far_bodies, near_bodies
 from symbalance.errors import SymbalanceError, shown
 
 Flexibility = Callable[[Arm], Array]
-WEBS: dict[str, Flexibility] = {"nominal": nominal_flexibility}
-"""The ways to a web's flexibility, by name."""
+WEBS = ("solid", "fitted", "formula", "nominal")
+"""The ways to a web's flexibility, best first."""
 
 
 @dataclass(frozen=True)
@@ -38,28 +41,21 @@ class Nodes:
     flywheel: int | None
 
 
-@dataclass(frozen=True)
-class _Matrices:
-    """The growing sums."""
-
-    mass: Array
-    stiffness: Array
-    gyroscopic: Array
-    centrifugal: Array
-    force: Array
-
-
 def assemble(
     crank: Crank,
     *,
     webs: str | Flexibility = "nominal",
+    store: Store | None = None,
     pin_masses: Sequence[float] = (),
     damping_ratio: float = 0.0,
     damping_time: float = 0.0,
 ) -> Rotor:
     """Return the free crankshaft as nodes and matrices.
 
-    `webs` names the web's stiffness, or is a function from an `Arm` to its (6, 6) flexibility.
+    `webs`: "solid" (a whole-web element from the meshed half throw), "fitted" (the paper's six
+    flexibilities, fitted to it), "formula" (Ker Wilson's lengths), "nominal" (plain beams), or a function
+    from an `Arm` to its (6, 6) flexibility. Solved webs come from `store`, by default the package's own
+    (what it lacks is meshed, with gmsh and scikit-fem).
     `pin_masses` (kg, one per pin, front to rear) are big ends counted as part of the turning crank.
     Damping is `damping_ratio` of critical in every elastic mode, plus `damping_time` (s) times K.
 
@@ -71,25 +67,31 @@ def assemble(
     (54, (1, 7), (4,))
     """
     nodes = place_nodes(crank)
-    members = [*_members(crank, nodes, _flexibility(webs))]
-    sums = _empty(len(nodes.points))
-    for member in members:
-        _add(sums.stiffness, member.stiffness, member.front, member.rear)
-    _add_beams(sums, crank, nodes)
-    for node, body in _bodies(crank, nodes, pin_masses):
-        _add_body(sums, nodes.points[node], node, body)
-    rotor = _rotor(crank, nodes, sums, members)
-    if damping_ratio == 0:
-        return replace(rotor, damping=damping_time * rotor.stiffness)
-    return replace(rotor, damping=modal_damping(rotor, damping_ratio) + damping_time * rotor.stiffness)
+    members = [*_members(crank, nodes, _flexibility(webs, store))]
+    spans = [(front, rear, beam) for front, rear, beam, _, _ in beams(crank, nodes)]
+    rotor = gathered(nodes.points, members, spans, [*_bodies(crank, nodes, pin_masses)])
+    bearings = [i for i, part in enumerate(crank.parts) if isinstance(part, Journal) and part.bearing]
+    placed = replace(
+        rotor,
+        journals=tuple(nodes.ends[i][1] for i in bearings),
+        pins=_middles(crank, nodes, Pin),
+        pulley=nodes.pulley,
+        flywheel=nodes.flywheel,
+    )
+    return damped(placed, damping_ratio, damping_time)
 
 
-def _flexibility(webs: str | Flexibility) -> Flexibility:
+def _flexibility(webs: str | Flexibility, store: Store | None) -> Flexibility:
     if not isinstance(webs, str):
         return webs
     if webs not in WEBS:
         raise SymbalanceError(f"webs = {shown(webs)}", f"must be one of {', '.join(WEBS)}")
-    return WEBS[webs]
+    if webs in ("nominal", "formula"):
+        return nominal_flexibility if webs == "nominal" else formula_flexibility
+    kept = open_store() if store is None else store
+    if webs == "solid":
+        return lambda arm: solid_flexibility(arm, kept)
+    return lambda arm: fitted_flexibility(arm, solid_flexibility(arm, kept))
 
 
 def place_nodes(crank: Crank) -> Nodes:
@@ -186,65 +188,3 @@ def _big_ends(crank: Crank, nodes: Nodes, pin_masses: Sequence[float]) -> Iterat
 
 def _middles(crank: Crank, nodes: Nodes, kind: type) -> tuple[int, ...]:
     return tuple(nodes.ends[i][1] for i, part in enumerate(crank.parts) if isinstance(part, kind))
-
-
-def _empty(count: int) -> _Matrices:
-    size = DOF * count
-    return _Matrices(*(np.zeros((size, size)) for _ in range(4)), np.zeros(size))
-
-
-def _add(total: Array, piece: Array, *nodes: int) -> None:
-    unknowns = np.concatenate([np.arange(DOF * node, DOF * node + DOF) for node in nodes])
-    total[np.ix_(unknowns, unknowns)] += piece
-
-
-def _add_body(sums: _Matrices, point: Array, node: int, body: Body) -> None:
-    matrices = node_matrices(body.mass, body.offset, body.inertia, point)
-    for total, piece in zip((sums.mass, sums.gyroscopic, sums.centrifugal), matrices, strict=True):
-        _add(total, piece, node)
-    sums.force[DOF * node : DOF * node + DOF] += node_force(body.mass, point, body.offset, body.inertia)
-
-
-def _add_beams(sums: _Matrices, crank: Crank, nodes: Nodes) -> None:
-    for front, rear, beam, _, _ in beams(crank, nodes):
-        mass, inertia = beam.material.density * beam.section.area, beam.inertia
-        slices = node_matrices(mass, np.zeros(3), inertia)
-        for total, slice_ in zip((sums.mass, sums.gyroscopic, sums.centrifugal), slices, strict=True):
-            _add(total, beam.gathered(lambda _, q=slice_: q), front, rear)
-        start = nodes.points[front]
-        force = beam.gathered(
-            lambda lever, p=start, m=mass, i=inertia: node_force(m, p + lever, np.zeros(3), i)
-        )
-        sums.force[DOF * front : DOF * front + DOF] += force[:DOF]
-        sums.force[DOF * rear : DOF * rear + DOF] += force[DOF:]
-
-
-def _rotor(crank: Crank, nodes: Nodes, sums: _Matrices, members: Sequence[Member]) -> Rotor:
-    bearings = [i for i, part in enumerate(crank.parts) if isinstance(part, Journal) and part.bearing]
-    return Rotor(
-        points=nodes.points,
-        mass=sums.mass,
-        stiffness=sums.stiffness,
-        damping=np.zeros_like(sums.mass),
-        gyroscopic=sums.gyroscopic,
-        centrifugal=sums.centrifugal,
-        centrifugal_force=sums.force,
-        journals=tuple(nodes.ends[i][1] for i in bearings),
-        pins=_middles(crank, nodes, Pin),
-        pulley=nodes.pulley,
-        flywheel=nodes.flywheel,
-        members=tuple(members),
-    )
-
-
-def modal_damping(rotor: Rotor, ratio: float) -> Array:
-    """Return the C that gives every elastic mode this ratio of critical damping, rigid motions none.
-
-    C = 2 ratio M^(1/2) (M^(-1/2) K M^(-1/2))^(1/2) M^(1/2): no mode needs to be named.
-    """
-    factor = np.linalg.cholesky(rotor.mass)
-    inverse = np.linalg.inv(factor)
-    squares, shapes = np.linalg.eigh(inverse @ rotor.stiffness @ inverse.T)
-    roots = np.sqrt(np.maximum(squares, 0.0))
-    motions = factor @ shapes
-    return 2 * ratio * (motions * roots) @ motions.T

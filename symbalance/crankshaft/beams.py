@@ -17,7 +17,7 @@ coefficients, G. R. Cowper, J. Appl. Mech. 33 (1966), 335-340.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import pi
 
@@ -138,15 +138,19 @@ class Beam:
         """The (12, 12) stiffness between its ends."""
         return element(flexibility(self.section, self.material, self.length, self.axes), self.lever)
 
-    def interpolation(self, place: float) -> Array:
-        """Return (6, 12): the displacement at `place` (0 front to 1 rear) from those of the ends.
+    def interpolations(self) -> Iterator[tuple[float, Array, Array]]:
+        """Yield weight (m), lever from the front and interpolation N (6, 12) at four Gauss points.
 
-        x(s) = T(s) x_0 + S(s) T(L - s)' K (x_1 - T(L) x_0): exact where no load acts between the ends.
+        The displacement inside is N x, x those of both ends: x(s) = T(s) x_0 + S(s) T(L - s)' K (x_1 -
+        T(L) x_0), exact where no load acts between the ends. Four points are exact for N's cubics.
         """
-        near = flexibility(self.section, self.material, place * self.length, self.axes)
         rear = self.stiffness[DOF:]
-        start = np.hstack([transfer(place * self.lever), np.zeros((DOF, DOF))])
-        return start + near @ transfer((1 - place) * self.lever).T @ rear
+        places, weights = np.polynomial.legendre.leggauss(4)
+        for place, weight in zip((places + 1) / 2, weights / 2 * self.length, strict=True):
+            near = flexibility(self.section, self.material, place * self.length, self.axes)
+            start = np.hstack([transfer(place * self.lever), np.zeros((DOF, DOF))])
+            shape = start + near @ transfer((1 - place) * self.lever).T @ rear
+            yield weight, place * self.lever, shape
 
     @property
     def inertia(self) -> Array:
@@ -154,16 +158,3 @@ class Beam:
         s = self.section
         own = self.material.density * np.diag([s.bend_y + s.bend_z, s.bend_y, s.bend_z])
         return self.axes.T @ own @ self.axes
-
-    def gathered(self, per_metre: Callable[[Array], Array]) -> Array:
-        """Return the integral of N' q over the beam, q = per_metre(centre's lever from the front).
-
-        A matrix q (6, 6) gives the integral of N' q N. Four Gauss points: exact for N's cubics.
-        """
-        places, weights = np.polynomial.legendre.leggauss(4)
-        total: Array = np.zeros(1)
-        for place, weight in zip((places + 1) / 2, weights / 2 * self.length, strict=True):
-            shape = self.interpolation(place)
-            slice_ = per_metre(place * self.lever)
-            total = total + weight * (shape.T @ slice_ @ shape if slice_.ndim == 2 else shape.T @ slice_)
-        return total

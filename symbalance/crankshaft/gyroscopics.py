@@ -79,7 +79,7 @@ def node_force(mass: float, point: ArrayLike, offset: ArrayLike, inertia: ArrayL
 
 def _stiffening(one: ArrayLike, other: ArrayLike) -> Array:
     """Return a.b 1 - (a b^T + b a^T)/2: the second derivative of -a.(t x (t x b))/2 by t."""
-    product = np.outer(one, other)
+    product = np.multiply.outer(np.asarray(one), np.asarray(other))
     return np.trace(product) * np.eye(3) - (product + product.T) / 2
 
 

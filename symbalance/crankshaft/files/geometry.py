@@ -12,6 +12,7 @@ from fractions import Fraction
 from itertools import groupby, pairwise
 from math import pi
 
+from symbalance.crankshaft.checks import check_geometry
 from symbalance.crankshaft.crank import Counterweight, Crank, Disc, Journal, Material, Part, Pin, Web
 from symbalance.crankshaft.files.sections import MILLI, Section
 from symbalance.cylinders import Cylinder
@@ -55,6 +56,7 @@ def read_crank(section: Section, layout: Layout) -> Crank:
         _disc(section, "pulley"),
         _disc(section, "flywheel"),
     )
+    section.guarded("", lambda: check_geometry(crank))
     _check_pitch(section, crank, layout, [pin for bay in bays for pin in bay])
     return crank
 
@@ -132,11 +134,15 @@ def _crank_radius(section: Section, layout: Layout, group: Group) -> float:
     stroke = strokes.pop()
     if stroke is None:
         what = f"cylinder {group[0].number}"
-        raise SymbalanceError(what, "has no stroke", "give stroke in mm, in [crank_train]", section.place())
+        raise SymbalanceError(
+            what, "has no stroke", "give stroke in mm, in [crank_train]", section.place()
+        )
     if strokes:
         numbers = ", ".join(str(c.number) for c in group)
         what = f"cylinders {numbers}"
-        raise SymbalanceError(what, "share a pin and not a stroke", "give them one stroke", section.place())
+        raise SymbalanceError(
+            what, "share a pin and not a stroke", "give them one stroke", section.place()
+        )
     return float(stroke) / 2 * MILLI
 
 
@@ -146,7 +152,7 @@ def _read_journals(section: Section, count: int) -> list[Journal]:
     sizes += [table.numbers(key, count, 0.0, MILLI, zero=True) for key in ROUND[2:]]
     bare = section.places("no_bearing", count)
     rows = enumerate(zip(*sizes, strict=True), 1)
-    return [Journal(*row, bearing=i not in bare) for i, row in rows]
+    return [Journal(d, long, b, f, bearing=i not in bare) for i, (d, long, b, f) in rows]
 
 
 def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> list[Web]:
@@ -159,7 +165,7 @@ def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> li
         sizes[0] = [thin if f else t for f, t in zip(flying, sizes[0], strict=True)]
     weights = _read_counterweights(section, bays, pins, len(flying))
     rows = zip(*sizes, strict=True)
-    return [Web(*row, weights.get(i)) for i, row in enumerate(rows, 1)]
+    return [Web(*row[:4], counterweight=weights.get(i)) for i, row in enumerate(rows, 1)]
 
 
 def _read_counterweights(
@@ -230,7 +236,9 @@ def _check_pitch(section: Section, crank: Crank, layout: Layout, groups: Sequenc
     pitch = layout.crank_train.pitch
     if pitch is None:
         return
-    middles = [(start + end) / 2 / MILLI for part, start, end in crank.stations() if isinstance(part, Pin)]
+    middles = [
+        (start + end) / 2 / MILLI for part, start, end in crank.stations() if isinstance(part, Pin)
+    ]
     places = [-float(sum(c.station for c in g) / len(g) * pitch) for g in groups]
     for i, ((m0, m1), (p0, p1)) in enumerate(zip(pairwise(middles), pairwise(places), strict=True), 1):
         shared = abs(p1 - p0) < float(pitch) / 2  # pins of one bay: rods side by side

@@ -104,7 +104,7 @@ def _speeds(section: Section) -> tuple[float, ...]:
 
 
 def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
-    """Return speeds in rising order, or refuse none at all, one that is not positive, and repeated ones."""
+    """Return speeds in rising order; refuse none at all, one not positive, and repeated ones."""
     if not speeds:
         raise SymbalanceError("rpm = []", "names no speed", "write rpm = 2200, or a list")
     for speed in speeds:
@@ -151,13 +151,17 @@ def _rod(section: Section, layout: Layout) -> RodSplit | None:
         raise section.refusal("big_end_mass", "is rod_mass's big end already", "give one or the other")
     length = layout.train_of(layout.cylinders[0]).rod
     if length is None:
-        raise section.refusal(given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]")
+        raise section.refusal(
+            given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]"
+        )
     mass, centre, inertia = (section.table[key] for key in keys)
     rod = section.guarded("rod_centre", lambda: RodSplit(mass, length, centre, inertia))
     share = layout.crank_train.reciprocating_mass
     if share is not None and rod.reciprocating > share:
         rule = f"puts {float(rod.reciprocating):.6g} kg at the piston, above reciprocating_mass"
-        raise section.refusal("rod_mass", rule, "reciprocating_mass holds piston, pin and the rod's share")
+        raise section.refusal(
+            "rod_mass", rule, "reciprocating_mass holds piston, pin and the rod's share"
+        )
     return rod
 
 

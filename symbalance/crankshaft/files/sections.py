@@ -87,7 +87,13 @@ class Section:
         return [Section(row, self.source, name, tuple(known), i) for i, row in enumerate(rows)]
 
     def number(
-        self, key: str, default: float | None, unit: float = 1.0, *, zero: bool = False, any_sign: bool = False
+        self,
+        key: str,
+        default: float | None,
+        unit: float = 1.0,
+        *,
+        zero: bool = False,
+        any_sign: bool = False,
     ) -> float:
         """Return a number times its unit; positive, or with `zero` not negative, or of any sign.
 
@@ -126,7 +132,9 @@ class Section:
     def whole(self, key: str, lowest: int, highest: int, value: object = None) -> int:
         """Return a whole number of a range."""
         value = self.table[key] if value is None else value
-        return self.guarded(key, lambda: checked_whole(value, key, lowest, highest, "count from the front"))
+        return self.guarded(
+            key, lambda: checked_whole(value, key, lowest, highest, "count from the front")
+        )
 
     def text(self, key: str) -> str | None:
         """Return a text, None where it is not given."""

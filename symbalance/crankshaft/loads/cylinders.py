@@ -34,7 +34,7 @@ class RodForces:
     parts: tuple[str, ...] = ("gas", "inertia")
 
     def at(self, number: int, theta: Array) -> Complex:
-        """Return the force of a cylinder's rod on the crank pin; a link rod's comes through its master."""
+        """Return the force of a cylinder's rod on the crank pin, a link rod's through its master."""
         return self.own(number, theta) * np.exp(1j * (self._bank(number) - theta))
 
     def own(self, number: int, theta: Array) -> Complex:
@@ -115,7 +115,7 @@ class RodForces:
         return [c for c in found if c.link is not None and c.link.master == master.number]
 
     def _link_moment(self, cylinder: Cylinder, theta: Array) -> Array:
-        """Return the moment of a link rod's force about the crank pin, + in the sense of rotation, N m."""
+        """Return a link rod's moment about the crank pin, + in the sense of rotation, N m."""
         link = self._mechanisms[cylinder.number]
         assert isinstance(link, LinkRod)
         master = cylinder.link.master if cylinder.link else 0

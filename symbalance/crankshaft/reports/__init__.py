@@ -1,9 +1,9 @@
 """What a run leaves in its folder: tables as text, LaTeX and JSON, curves as CSV, pictures.
 
-    summary     the numbers every report prints
-    text, page  the report as text; as a LaTeX page that compiles alone
-    curves      every channel against the crank angle as CSV, the summary as JSON
-    pictures    plots against crank angle, order and speed
+summary     the numbers every report prints
+text, page  the report as text; as a LaTeX page that compiles alone
+curves      every channel against the crank angle as CSV, the summary as JSON
+pictures    plots against crank angle, order and speed
 """
 
 from symbalance.crankshaft.reports.curves import curves_csv, summary_json

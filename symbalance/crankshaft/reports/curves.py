@@ -15,7 +15,9 @@ from symbalance.crankshaft.running.outcome import Outcome
 def curves_csv(outcome: Outcome) -> str:
     """Return a speed's channels, bearing loads (N) and orbits (mm) against the crank angle (degrees)."""
     scale = np.array([1 / MEGA if unit == "Pa" else 1.0 for unit in outcome.units])
-    names = [f"{n} [{'MPa' if u == 'Pa' else u}]" for n, u in zip(outcome.names, outcome.units, strict=True)]
+    names = [
+        f"{n} [{'MPa' if u == 'Pa' else u}]" for n, u in zip(outcome.names, outcome.units, strict=True)
+    ]
     columns = [outcome.degrees, *(outcome.values * scale).T]
     for j in range(len(outcome.clearance)):
         for axis, way in enumerate(("vertical", "lateral")):
@@ -33,7 +35,7 @@ def summary_json(found: Summary) -> str:
         "webs": found.setting.webs,
         "modes": found.setting.modes,
         "connection": found.setting.connection,
-        "natural_frequencies": list(found.frequencies),
+        "natural_frequencies": [{"hertz": f, "mostly": kind} for f, kind in found.frequencies],
         "speeds": [_finite(vars(s)) for s in found.speeds],
         "channels": [_finite(vars(e)) for e in found.extremes],
         "places": [

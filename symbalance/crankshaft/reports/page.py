@@ -7,17 +7,19 @@ from collections.abc import Iterable, Sequence
 
 from symbalance.crankshaft.reports.summary import Summary
 from symbalance.crankshaft.reports.text import (
+    MODE_HEAD,
     PLACE_HEAD,
     comparison_lines,
     extreme_rows,
     head_lines,
+    mode_rows,
     place_rows,
     speed_rows,
 )
 
-SPEED_HEAD = (r"rpm", r"$\lvert x\rvert/c$", r"bearing kN", r"multiplier", r"s")
+SPEED_HEAD = (r"rpm", r"$\lvert x\rvert/c$", r"off the orbit", r"bearing kN", r"multiplier", r"s")
 EXTREME_HEAD = ("channel", "least", "largest", "unit", "rpm", "largest orders: amplitude")
-LONGEST = 42
+LONGEST = 34
 """Rows of a table on one page."""
 _SPECIAL = {
     **{c: "\\" + c for c in "%_&#${}"},
@@ -33,9 +35,7 @@ def summary_page(found: Summary, pictures: Sequence[str] = ()) -> str:
     body = [rf"\section*{{{escaped(found.setting.engine.layout.name)}}}"]
     body += [escaped(line) + r"\\" for line in head_lines(found)]
     body += _table("Speeds", SPEED_HEAD, speed_rows(found))
-    if found.frequencies:
-        listed = ", ".join(f"{f:.1f}" for f in found.frequencies)
-        body += [r"\subsection*{Natural frequencies of the free crank, Hz}", listed]
+    body += _table("Natural frequencies of the free crank", MODE_HEAD, mode_rows(found))
     body += _table("Stresses and twists", EXTREME_HEAD, extreme_rows(found))
     body += _table("Durability, the worst speed of each place", PLACE_HEAD, place_rows(found))
     if found.comparisons:
@@ -45,8 +45,12 @@ def summary_page(found: Summary, pictures: Sequence[str] = ()) -> str:
         body += [r"\subsection*{Notes}", r"\begin{itemize}", *items, r"\end{itemize}"]
     for name in pictures:
         body += ["", rf"\noindent\includegraphics[width=\linewidth]{{{name}}}"]
-    packages = ["amsmath", "booktabs", *(["graphicx"] if pictures else [])]
-    head = [r"\documentclass[10pt]{article}", r"\usepackage[T1]{fontenc}", r"\usepackage[margin=20mm]{geometry}"]
+    packages = ["amsmath", "booktabs", "lmodern", *(["graphicx"] if pictures else [])]
+    head = [
+        r"\documentclass[10pt]{article}",
+        r"\usepackage[T1]{fontenc}",
+        r"\usepackage[margin=15mm]{geometry}",
+    ]
     head += [rf"\usepackage{{{package}}}" for package in packages]
     return "\n".join([*head, r"\begin{document}", r"\raggedright", *body, r"\end{document}", ""])
 
@@ -68,7 +72,7 @@ def _table(title: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> li
         columns = "lrrlrl"
     for start in range(0, len(rows), LONGEST):
         named = [h if "$" in h else escaped(h) for h in head]
-        lines += ["", r"\noindent{\small", rf"\begin{{tabular}}{{{columns}}}", r"\toprule"]
+        lines += ["", r"\noindent{\footnotesize\setlength{\tabcolsep}{4pt}", rf"\begin{{tabular}}{{{columns}}}", r"\toprule"]
         lines += [" & ".join(named) + r" \\", r"\midrule"]
         lines += [" & ".join(map(_cell, row)) + r" \\" for row in rows[start : start + LONGEST]]
         lines += [r"\bottomrule", r"\end{tabular}}"]

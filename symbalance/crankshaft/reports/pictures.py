@@ -3,21 +3,28 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
 import numpy as np
 
-from symbalance.crankshaft.reports.summary import MEGA, Summary
 from symbalance.crankshaft.bearings.series import quasi_static as in_series
+from symbalance.crankshaft.campbell import campbell
+from symbalance.crankshaft.modes import KINDS
+from symbalance.crankshaft.reports.summary import MEGA, Summary
+from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.running.holding import driven_node
 from symbalance.crankshaft.running.outcome import Outcome
+from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import MissingPartError
 from symbalance.torque import firing_tops
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#555555", "#000000")
 RESOLUTION = 110
 HIGHEST_ORDER = 24
+CAMPBELL_MODES = 12
+HOLD = 1e8
+"""N/m and N m/rad that hold the crank's axial place and its spin in the Campbell diagram."""
 
 
 def pictures(found: Summary) -> dict[str, bytes]:
@@ -34,8 +41,8 @@ def pictures(found: Summary) -> dict[str, bytes]:
         "bearings.png": _bearings(last),
         "films.png": _films(found, last),
     }
-    if found.frequencies:
-        drawn["frequencies.png"] = _frequencies(found.frequencies)
+    drawn["frequencies.png"] = _frequencies(found)
+    drawn["campbell.png"] = _campbell(found)
     if len(found.outcomes) > 2:
         drawn["waterfall.png"] = _waterfall(found)
         drawn["order-cuts.png"] = _order_cuts(found)
@@ -47,7 +54,10 @@ def check_drawing() -> Any:
     try:
         return import_module("matplotlib.figure")
     except ImportError:
-        rule, remedy = "matplotlib is not installed", "pip install 'symbalance[crankshaft]', or --no-plots"
+        rule, remedy = (
+            "matplotlib is not installed",
+            "pip install 'symbalance[crankshaft]', or --no-plots",
+        )
         raise MissingPartError("plots", rule, remedy) from None
 
 
@@ -64,7 +74,9 @@ def _png(figure: Any) -> bytes:
 
 def _angles(found: Summary, outcome: Outcome, kind: str) -> Any:
     """Draw a stress of every pin against the crank angle, with all firings; measured curves on top."""
-    pins = [n for n in outcome.names if n.startswith("pin ") and n.endswith(f" {kind}") and "fillet" not in n]
+    pins = [
+        n for n in outcome.names if n.startswith("pin ") and n.endswith(f" {kind}") and "fillet" not in n
+    ]
     figure, axes = _figure(len(pins), 1, sharex=True, sharey=True, height=1.5)
     tops = {n: float(top) for n, top in firing_tops(found.setting.engine.layout).items()}
     cycle = np.degrees(outcome.cycle)
@@ -72,13 +84,13 @@ def _angles(found: Summary, outcome: Outcome, kind: str) -> Any:
         axis.plot(outcome.degrees, outcome.channel(name) / MEGA, color=COLOURS[0], linewidth=1.2)
         for number, top in tops.items():
             own = number in pin.cylinders
-            axis.axvline(top, color=COLOURS[1] if own else "0.75", linewidth=1.4 if own else 0.8, zorder=0)
+            axis.axvline(top, color=COLOURS[1] if own else "0.6", linewidth=1.6 if own else 0.9, zorder=1)
             axis.text(top, 0.98, f" {number}", transform=axis.get_xaxis_transform(), va="top", fontsize=8)
         for curve in found.comparisons:
             if curve.channel == name and curve.rpm == outcome.rpm:
                 axis.plot(curve.degrees % cycle, curve.values, ".", color="black", markersize=3)
         axis.set_ylabel(f"{name.rsplit(' ', 1)[0]}, MPa")
-        axis.grid(color="0.92", linewidth=0.6)
+        axis.grid(color="0.93", linewidth=0.5)
     axes[-1, 0].set(xlabel="crank angle, degrees", xlim=(0, cycle))
     axes[-1, 0].set_xticks(np.arange(0, cycle + 1, 90))
     figure.suptitle(f"{kind} stress of the pins at {outcome.rpm:g} rpm; lines: firings, own in colour")
@@ -103,13 +115,13 @@ def _orbits(outcome: Outcome) -> Any:
     count = len(outcome.clearance)
     columns = min(count, 4)
     figure, axes = _figure((count - 1) // columns + 1, columns, width=2.6 * columns, height=2.6)
-    circle = np.exp(1j * np.linspace(0, 2 * np.pi, 181))
+    circle = np.linspace(0, 2 * np.pi, 181)
     for j, axis in enumerate(axes.flat):
         axis.set_visible(j < count)
         if j >= count:
             continue
         orbit = outcome.orbits[:, j] / outcome.clearance[j]
-        axis.plot(circle.real, circle.imag, color="0.5", linewidth=1)
+        axis.plot(np.cos(circle), np.sin(circle), color="0.5", linewidth=1)
         axis.plot(orbit[:, 1], orbit[:, 0], color=COLOURS[0], linewidth=1)
         axis.set(aspect="equal", title=f"bearing {j + 1}: {outcome.eccentricity[j]:.2f}")
         axis.tick_params(labelsize=7)
@@ -121,7 +133,9 @@ def _bearings(outcome: Outcome) -> Any:
     figure, axes = _figure(1, 1, height=3.4)
     loads = np.hypot(outcome.bearings[..., 0], outcome.bearings[..., 1]) / 1000
     for j, load in enumerate(loads.T):
-        axes[0, 0].plot(outcome.degrees, load, color=COLOURS[j % 8], linewidth=1, label=f"bearing {j + 1}")
+        axes[0, 0].plot(
+            outcome.degrees, load, color=COLOURS[j % 8], linewidth=1, label=f"bearing {j + 1}"
+        )
     axes[0, 0].set(xlabel="crank angle, degrees", ylabel="load, kN", xlim=(0, np.degrees(outcome.cycle)))
     axes[0, 0].legend(fontsize=8, ncols=4)
     figure.suptitle(f"Main bearing loads at {outcome.rpm:g} rpm")
@@ -151,11 +165,52 @@ def _films(found: Summary, outcome: Outcome) -> Any:
     return figure
 
 
-def _frequencies(frequencies: Sequence[float]) -> Any:
+def _frequencies(found: Summary) -> Any:
+    """Draw the natural frequencies by mode, coloured by what moves; the paper's figure 3 in kind."""
     figure, axes = _figure(1, 1, width=7, height=3.2)
-    axes[0, 0].bar(range(1, len(frequencies) + 1), frequencies, color=COLOURS[0])
+    for colour, kind in zip(COLOURS, KINDS, strict=False):
+        rows = [(i, f) for i, (f, own) in enumerate(found.frequencies, 1) if own == kind]
+        if rows:
+            axes[0, 0].bar(*zip(*rows, strict=True), color=colour, label=kind)
     axes[0, 0].set(xlabel="mode", ylabel="Hz", title="Natural frequencies of the free crank")
+    axes[0, 0].legend(fontsize=8)
     return figure
+
+
+def _campbell(found: Summary) -> Any:
+    """Draw the modes on the bearings' mean stiffness over speed, turning and stationary lines, orders."""
+    made, last = found.setting, found.outcomes[-1].rpm
+    full = made.system(last)
+    theta = found.outcomes[-1].theta
+    middle = np.abs(series_film(full, theta)).mean(axis=0).trace(axis1=1, axis2=2) / 2
+    support = np.einsum("b,bin,bim->nm", middle, full.points, full.points)
+    for unknown in (6 * driven_node(made.rotor) + 5, 6 * made.rotor.journals[-1] + 2):
+        support[unknown, unknown] += HOLD
+    speeds = np.linspace(0, 1.5 * last, 31)
+    lines = campbell(made.rotor, list(speeds * np.pi / 30), support, CAMPBELL_MODES)
+    figure, axes = _figure(1, 2, sharey=True, height=4.2)
+    hertz = 2 * np.pi
+    for axis, rows, title in (
+        (axes[0, 0], np.abs(lines.rotating), "axes that turn with the crank"),
+        (axes[0, 1], np.abs(lines.stationary), "stationary axes"),
+    ):
+        axis.plot(speeds, rows / hertz, color=COLOURS[0], linewidth=1)
+        for order in range(2, HIGHEST_ORDER + 1, 2):
+            axis.plot(speeds, order * speeds / 60, color="0.8", linewidth=0.6, zorder=0)
+        axis.axvline(last, color=COLOURS[1], linewidth=0.8)
+        axis.set(
+            xlabel="rpm", title=title, ylim=(0, float(rows.max()) / hertz * 1.05), xlim=(0, speeds[-1])
+        )
+    axes[0, 0].set_ylabel("Hz")
+    figure.suptitle(
+        "Campbell diagram on the bearings' mean stiffness; grey: orders 2, 4, ... of the speed"
+    )
+    return figure
+
+
+def series_film(full: PeriodicSystem, theta: Array) -> Array:
+    """Return the stiffness of films and housings in series (s, b, 2, 2)."""
+    return in_series(full).film.stiffness(theta)
 
 
 def _worst_pin(found: Summary) -> str:
@@ -185,7 +240,9 @@ def _order_cuts(found: Summary) -> Any:
     sizes = np.array([o.orders(name)[1] for o in found.outcomes]) / MEGA
     ranked = sorted(np.flatnonzero(orders > 0), key=lambda k: -sizes[:, k].max())[:8]
     for colour, k in zip(COLOURS, sorted(ranked), strict=False):
-        axes[0, 0].plot([o.rpm for o in found.outcomes], sizes[:, k], color=colour, label=f"{orders[k]:g}")
+        axes[0, 0].plot(
+            [o.rpm for o in found.outcomes], sizes[:, k], color=colour, label=f"{orders[k]:g}"
+        )
     axes[0, 0].set(xlabel="rpm", ylabel="amplitude, MPa", title=f"Largest orders of {name} stress")
     axes[0, 0].legend(title="order", fontsize=8, ncols=2)
     return figure

@@ -8,6 +8,7 @@ from itertools import groupby
 
 import numpy as np
 
+from symbalance.crankshaft.modes import kinds
 from symbalance.crankshaft.running.measured import Comparison, compared
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.setting import Setting
@@ -21,7 +22,7 @@ UNSTABLE = 1 + 1e-9
 
 @dataclass(frozen=True)
 class Extreme:
-    """A channel's least and largest value over all speeds, in MPa or degrees, and the speed of its largest size."""
+    """A channel's least and largest value over all speeds, MPa or degrees; where it is largest."""
 
     name: str
     unit: str
@@ -44,10 +45,14 @@ class Place:
 
 @dataclass(frozen=True)
 class Speed:
-    """A speed's figures: largest |x|/clearance and bearing load (N), multiplier, error, seconds."""
+    """A speed's figures: largest |x|/clearance, departure from the films' orbits, bearing load (N).
+
+    Then the largest Floquet multiplier, the integrator's error and seconds.
+    """
 
     rpm: float
     eccentricity: float
+    departure: float
     bearing: float
     largest: float
     error: float
@@ -60,7 +65,8 @@ class Summary:
 
     setting: Setting
     outcomes: tuple[Outcome, ...]
-    frequencies: tuple[float, ...]
+    frequencies: tuple[tuple[float, str], ...]
+    """The free crank's natural frequencies in Hz, and what mostly moves."""
     speeds: tuple[Speed, ...]
     extremes: tuple[Extreme, ...]
     places: tuple[Place, ...]
@@ -79,14 +85,15 @@ class Summary:
         return calm and self.worst.found.safety >= 1
 
 
-def summary(made: Setting, outcomes: Sequence[Outcome], frequencies: Sequence[float]) -> Summary:
-    """Return the figures of a run; `frequencies` are the free crank's, Hz."""
+def summary(made: Setting, outcomes: Sequence[Outcome]) -> Summary:
+    """Return the figures of a run."""
+    named = kinds(made.rotor, made.modes_at_rest)
     overlay = made.engine.operation.overlay
     comparisons = [c for o in outcomes if overlay and (c := compared(overlay, o))]
     return Summary(
         made,
         tuple(outcomes),
-        tuple(frequencies),
+        tuple(zip(map(float, made.modes_at_rest.frequencies), named, strict=True)),
         tuple(_speed(outcome) for outcome in outcomes),
         tuple(_extreme(name, outcomes) for name in outcomes[0].names),
         tuple(_places(made, outcomes)),
@@ -100,6 +107,7 @@ def _speed(outcome: Outcome) -> Speed:
     return Speed(
         outcome.rpm,
         float(outcome.eccentricity.max()),
+        outcome.departure,
         float(loads.max()),
         outcome.largest,
         outcome.error,
@@ -140,15 +148,18 @@ def _places(made: Setting, outcomes: Sequence[Outcome]) -> list[Place]:
 def _notes(made: Setting, outcomes: Sequence[Outcome]) -> list[str]:
     """Return what a reader must know before believing the figures."""
     notes = []
+    about = made.about == "orbit" and made.table is None
     for outcome in outcomes:
         if not outcome.within_clearance:
             most = outcome.eccentricity.max()
             notes.append(
                 f"{outcome.rpm:g} rpm: an orbit reaches {most:.2f} of its clearance: the films, linear "
-                "about a moving orbit, are taken beyond their validity"
+                f"about {'their orbits' if about else 'the centre'}, are taken beyond their validity"
             )
         if outcome.largest > UNSTABLE:
-            notes.append(f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}")
+            notes.append(
+                f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}"
+            )
     for number, outside in _outside(made):
         notes.append(f"{number}: outside the fillet formulas' range: {', '.join(outside)}")
     if made.engine.operation.strength == type(made.engine.operation.strength)():

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Sequence
 
 from symbalance.crankshaft.reports.summary import Summary
 
-SPEED_HEAD = ("rpm", "|x|/clearance", "bearing kN", "multiplier", "s")
+SPEED_HEAD = ("rpm", "|x|/clearance", "off the orbit", "bearing kN", "multiplier", "s")
+MODE_HEAD = ("mode", "Hz", "mostly")
 EXTREME_HEAD = ("channel", "least", "largest", "unit", "rpm", "largest orders: amplitude")
 PLACE_HEAD = ("place", "rpm", "amplitude MPa", "mean MPa", "safety", "life h")
 
@@ -14,9 +15,7 @@ PLACE_HEAD = ("place", "rpm", "amplitude MPa", "mean MPa", "safety", "life h")
 def summary_text(found: Summary) -> str:
     """Return the report as text: what was run, speeds, stresses, durability, notes."""
     parts = [_head(found), _table("Speeds", SPEED_HEAD, speed_rows(found))]
-    if found.frequencies:
-        listed = ", ".join(f"{f:.1f}" for f in found.frequencies)
-        parts.append(f"Natural frequencies of the free crank, Hz\n  {listed}\n")
+    parts.append(_table("Natural frequencies of the free crank", MODE_HEAD, mode_rows(found)))
     parts.append(_table("Stresses and twists", EXTREME_HEAD, extreme_rows(found)))
     parts.append(_table("Durability, the worst speed of each place", PLACE_HEAD, place_rows(found)))
     if found.comparisons:
@@ -26,12 +25,18 @@ def summary_text(found: Summary) -> str:
     return "\n".join(parts)
 
 
+def mode_rows(found: Summary) -> list[tuple[str, ...]]:
+    """Return the cells of the modes' table."""
+    return [(str(i), f"{f:.1f}", kind) for i, (f, kind) in enumerate(found.frequencies, 1)]
+
+
 def speed_rows(found: Summary) -> list[tuple[str, ...]]:
     """Return the cells of the speeds' table."""
     return [
         (
             f"{s.rpm:g}",
             f"{s.eccentricity:.2f}",
+            f"{s.departure:.2f}",
             f"{s.bearing / 1000:.1f}",
             f"{s.largest:.4f}",
             f"{s.seconds:.2f}",
@@ -85,13 +90,19 @@ def head_lines(found: Summary) -> list[str]:
     layout = made.engine.layout
     fires = layout.firing_order()
     kept = f"{made.modes} modes and the static shapes" if made.modes else "every unknown kept"
+    films = {
+        "orbit": f"linear about their orbits, {made.passes} passes",
+        "centre": "as springs about the centre",
+    }["centre" if made.table else made.about]
     return [
         f"{layout.name}: {len(layout.cylinders)} cylinders, {layout.strokes}-stroke"
         + (f", fires {'-'.join(map(str, fires))}" if fires else ""),
         f"peak pressure {max(run.trace.bar):.4g} bar, bore {run.bore * 1000:g} mm",
         f"{made.rotor.size} unknowns, {kept}; webs: {made.webs}; housing: {made.connection}; "
         f"{made.steps} steps a cycle",
-        f"strength: tensile {run.strength.tensile / 1e6:g}, endurance {run.strength.endurance / 1e6:g} MPa",
+        f"films: {films}; damping {run.damping:g} of critical",
+        f"strength: tensile {run.strength.tensile / 1e6:g} MPa, "
+        f"endurance {run.strength.endurance / 1e6:g} MPa",
         "bending + opens the throw, torsion + where the front drives the rear",
     ]
 
@@ -103,9 +114,12 @@ def _head(found: Summary) -> str:
 def _table(title: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     rows = [head, *rows]
     widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
-    left = {0} | ({len(head) - 1} if head is EXTREME_HEAD else set())
+    left = {0} | ({len(head) - 1} if head in (EXTREME_HEAD, MODE_HEAD) else set())
     lines = [
-        "  ".join(c.ljust(w) if i in left else c.rjust(w) for i, (c, w) in enumerate(zip(r, widths, strict=True)))
+        "  ".join(
+            c.ljust(w) if i in left else c.rjust(w)
+            for i, (c, w) in enumerate(zip(r, widths, strict=True))
+        )
         for r in rows
     ]
     ruled = [lines[0], "─" * len(lines[0]), *lines[1:]]

@@ -12,8 +12,8 @@ from symbalance.crankshaft.spin import deflated, spin_motion
 SPIN_ORDER = 0.05
 """The driveline's own order: the free spin swings at this multiple of the speed, half critically damped.
 
-A soft coupling to a load at constant speed, as on a test bed: at order 2 it alters the flywheel's swing by
-(0.05/2)^2 < 0.1 %.
+A soft coupling to a load at constant speed, as on a test bed: at order 2 it alters the flywheel's
+swing by (0.05/2)^2 < 0.1 %.
 """
 SPIN_DAMPING = 0.5
 THRUST_DAMPING = 0.1

@@ -51,21 +51,23 @@ def compared(overlay: Overlay, outcome: Outcome) -> Comparison | None:
     there = np.interp(degrees % cycle, theta, np.append(computed, computed[0]))
     off = there - values
     rms, peak = float(np.sqrt(np.mean(off**2))), float(computed.max() - values.max())
-    return Comparison(
-        outcome.rpm, overlay.channel, degrees, values, rms, peak, float(np.ptp(values))
-    )
+    return Comparison(outcome.rpm, overlay.channel, degrees, values, rms, peak, float(np.ptp(values)))
 
 
 def read_curve(path: str | Path, cycle: int = 720) -> tuple[Array, Array]:
     """Return the crank angles in degrees at theta's zero and the values in MPa of a CSV file.
 
-    One point a line, parted by a comma, a semicolon or a tab, decimals with a point; a header, empty lines
-    and lines that begin with # are passed over.
+    One point a line, parted by a comma, a semicolon or a tab, decimals with a point; a header, empty
+    lines and lines that begin with # are passed over.
     """
     place, points = str(path), []
     for number, line in enumerate(read_text(path).splitlines(), 1):
         cells = re.split(r"[,;\t]", line.strip())
-        if not line.strip() or line.lstrip().startswith("#") or (not points and not re.search(r"\d", cells[0])):
+        if (
+            not line.strip()
+            or line.lstrip().startswith("#")
+            or (not points and not re.search(r"\d", cells[0]))
+        ):
             continue
         where = f"{place}:{number}"
         if len(cells) != 2:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from symbalance.crankshaft.rotor import Array
 
@@ -16,8 +15,9 @@ class Outcome:
 
     `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
     journals' displacements in their shells and `bearings` (s, b, 2) the shaft's forces on them, vertical
-    and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error` the
-    integrator's own estimate, `seconds` its run time.
+    and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error`
+    the integrator's own estimate, `seconds` its run time. `departure` is how far, over the clearance,
+    the orbits lie from those the films are linear about.
     """
 
     rpm: float
@@ -31,6 +31,7 @@ class Outcome:
     largest: float
     error: float
     seconds: float
+    departure: float = float("nan")
 
     def channel(self, name: str) -> Array:
         """Return a channel's values (s,)."""
@@ -66,7 +67,7 @@ class Outcome:
         return bool((self.eccentricity < 1).all())
 
 
-def harmonic_content(values: Array, cycle: float) -> tuple[Array, NDArray[np.float64]]:
+def harmonic_content(values: Array, cycle: float) -> tuple[Array, Array]:
     """Return the orders and the amplitudes of values at even angles of a cycle, mean first.
 
     >>> theta = 4 * np.pi * np.arange(64) / 64
@@ -78,4 +79,4 @@ def harmonic_content(values: Array, cycle: float) -> tuple[Array, NDArray[np.flo
     spectrum[1:] *= 2
     if len(values) % 2 == 0:
         spectrum[-1] /= 2
-    return np.arange(len(spectrum)) * 2 * np.pi / cycle, spectrum
+    return np.array(range(len(spectrum)), dtype=float) * (2 * np.pi / cycle), spectrum

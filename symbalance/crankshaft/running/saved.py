@@ -64,7 +64,7 @@ def restored(folder: Path, key: str, rpm: float) -> Outcome | None:
             found = {f.name: data[f.name] for f in fields(Outcome)}
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
         return None
-    for name in ("rpm", "largest", "error", "seconds"):
+    for name in ("rpm", "largest", "error", "seconds", "departure"):
         found[name] = float(found[name])
     for name in ("names", "units"):
         found[name] = tuple(str(x) for x in found[name])

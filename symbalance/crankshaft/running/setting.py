@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,23 +13,29 @@ import numpy as np
 from symbalance.crankshaft.assembly import assemble
 from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads import big_end_masses, pin_loads
+from symbalance.crankshaft.modes import Modes, natural_modes
 from symbalance.crankshaft.rotor import Array, Rotor
-from symbalance.crankshaft.running.films import films
+from symbalance.crankshaft.running.films import Orbits, loaded_places, orbits_about, table_film
 from symbalance.crankshaft.running.holding import held
 from symbalance.crankshaft.running.loading import Loading
 from symbalance.crankshaft.running.reactions import bearing_points, quasi_static, stationary
+from symbalance.crankshaft.solid.store import open_store
 from symbalance.crankshaft.stress import Channel, channels, stress_matrix
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
+from symbalance.rational import checked_whole
 
 OMEGA = np.pi / 30
 """rad/s of one rpm."""
-RIGID = 6
+RIGID, MODES_SHOWN = 6, 20
+Loads = Callable[[Array], Array]
 
 
 @dataclass(frozen=True)
 class Setting:
     """An engine, its rotor (webs and big ends in it), and how it is solved.
 
+    `about` is what the films are linear about: orbit, the journals' own, or centre, as the paper has it
+    (a table is always about the centre); `passes` repeat the former under the bearing loads found.
     `modes` 0 keeps every unknown; `connection` is exact (a housing state a bearing) or equivalent (the
     paper's K(K + K_B)^-1 K_B as one film); `steps` are those of a cycle.
     """
@@ -38,6 +46,13 @@ class Setting:
     modes: int
     connection: str
     steps: int
+    about: str = "orbit"
+    passes: int = 2
+
+    @property
+    def how(self) -> tuple[object, ...]:
+        """How it is solved, for a key."""
+        return self.webs, self.modes, self.connection, self.steps, self.about, self.passes
 
     @cached_property
     def channels(self) -> list[Channel]:
@@ -57,9 +72,12 @@ class Setting:
         """Return (s, b, 2): the shaft's quasi-static forces on the bearings, stationary axes, N."""
         return stationary(quasi_static(self.rotor, self.loading(rpm).at(theta)), theta)
 
-    def film(self, rpm: float) -> Film:
-        """Return the films at a speed: from the quasi-static loads, or the file's table."""
-        return films(self.engine, rpm * OMEGA, lambda theta: self.bearing_loads(rpm, theta))
+    def orbits(self, rpm: float, loads: Loads | None = None) -> Orbits:
+        """Return the films along the orbits under bearing loads, by default the quasi-static ones, N."""
+        omega = rpm * OMEGA
+        loads = loads or (lambda theta: self.bearing_loads(rpm, theta))
+        place = loaded_places(self.engine, omega, loads, self.steps)
+        return orbits_about(self.engine, omega, place, self.housing)
 
     @cached_property
     def housing(self) -> Housing | None:
@@ -71,15 +89,23 @@ class Setting:
         damping = np.array([row[2] * np.eye(2) for row in given])
         return Housing(stiffness, damping)
 
-    def system(self, rpm: float) -> PeriodicSystem:
-        """Return the full periodic system at a speed, the films in series with an exact housing."""
+    @cached_property
+    def table(self) -> Film | None:
+        """The films of the file's table, if it names one."""
+        return table_film(self.engine)
+
+    def system(self, rpm: float, film: Film | None = None) -> PeriodicSystem:
+        """Return the full periodic system at a speed, the films in series with an exact housing.
+
+        Without a `film`: the table's, or that of the orbits under the quasi-static loads.
+        """
         holding = self._held(rpm)
         return PeriodicSystem(
             mass=holding.mass,
             damping=holding.damping,
             stiffness=holding.stiffness,
             points=bearing_points(self.rotor),
-            film=self.film(rpm),
+            film=film or self.table or self.orbits(rpm).film,
             housing=self.housing,
             force=self.loading(rpm).at,
             omega=rpm * OMEGA,
@@ -91,9 +117,10 @@ class Setting:
         thrust = self.rotor.journals[supports.thrust]
         return held(self.rotor, rpm * OMEGA, thrust, supports.thrust_stiffness)
 
-    def frequencies(self, count: int = 20) -> list[float]:
-        """Return the lowest natural frequencies of the free crank, rigid motions left out, Hz."""
-        return natural_frequencies(self.rotor, count)
+    @cached_property
+    def modes_at_rest(self) -> Modes:
+        """The lowest elastic modes of the free crank at rest."""
+        return natural_modes(self.rotor, min(MODES_SHOWN, self.rotor.size - RIGID))
 
     def at_speeds(self, rpm: tuple[float, ...]) -> Setting:
         """Return the same setting with other speeds."""
@@ -104,26 +131,30 @@ def setting(
     engine: RunningEngine,
     *,
     webs: str = "formula",
-    modes: int = 20,
+    modes: int = 0,
     connection: str = "exact",
     steps: int = 720,
+    about: str = "orbit",
+    passes: int = 2,
+    store: Path | None = None,
 ) -> Setting:
     """Return an engine made ready to run.
 
     `webs` is the way to the webs' stiffness (see `assembly.WEBS`), `modes` how many are kept beside the
-    static shapes, 0 for the full model. Every rod's big end turns with its pin's node.
+    static shapes, 0 for the full model; webs
+    solved by the mesher are kept in the file `store`. Every rod's big end turns with its pin's node.
     """
+    for name, value, low, high in (
+        ("modes", modes, 0, 10_000),
+        ("steps", steps, 90, 46_080),
+        ("passes", passes, 1, 20),
+    ):
+        checked_whole(value, name, low, high, "see symbalance crankshaft --help")
     rotor = assemble(
         engine.crank,
         webs=webs,
+        store=open_store(store),
         pin_masses=big_end_masses(engine),
         damping_ratio=engine.operation.damping,
     )
-    return Setting(engine, rotor, webs, modes, connection, steps)
-
-
-def natural_frequencies(rotor: Rotor, count: int) -> list[float]:
-    """Return the lowest natural frequencies of the free rotor at rest, rigid motions left out, Hz."""
-    inverse = np.linalg.inv(np.linalg.cholesky(rotor.mass))
-    squares = np.linalg.eigvalsh(inverse @ rotor.stiffness @ inverse.T)[RIGID : RIGID + count]
-    return [float(f) for f in np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi)]
+    return Setting(engine, rotor, webs, modes, connection, steps, about, passes)

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.bearings.series import quasi_static as in_series
+from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.running.films import Orbits, periodic, shell_places
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.reactions import bearing_points, stationary
 from symbalance.crankshaft.running.saved import key_of, restored, save
 from symbalance.crankshaft.running.setting import Setting
+from symbalance.crankshaft.running.shifted import shifted
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem, Trajectory
 
@@ -25,7 +28,7 @@ def swept(
     """Return the outcome of every speed; with a `folder` each is saved at once and found again."""
     speeds, found = made.engine.operation.rpm, []
     for number, rpm in enumerate(speeds, 1):
-        key = key_of(made.engine.at_speeds([rpm]), made.webs, made.modes, made.connection, made.steps)
+        key = key_of(made.engine.at_speeds([rpm]), *made.how)
         outcome = restored(folder, key, rpm) if folder else None
         how = "found" if outcome else "solved"
         if outcome is None:
@@ -38,54 +41,67 @@ def swept(
 
 
 def run(made: Setting, rpm: float) -> Outcome:
-    """Return the outcome of one speed."""
-    full = made.system(rpm)
+    """Return the outcome of one speed; with `passes` the films are made anew for the loads found."""
+    if made.about == "centre" or made.table is not None:
+        full = made.system(rpm)
+        return _outcome(made, rpm, full, _solved(made, full))
+    outcome = _about(made, rpm, made.orbits(rpm))
+    for _ in range(made.passes - 1):
+        cycle, before = outcome.cycle, outcome.seconds
+        orbits = made.orbits(rpm, periodic(outcome.theta, outcome.bearings, cycle))
+        outcome = _about(made, rpm, orbits)
+        outcome = replace(outcome, seconds=before + outcome.seconds)
+    return outcome
+
+
+def _about(made: Setting, rpm: float, orbits: Orbits) -> Outcome:
+    """Return the outcome with films linear about given orbits."""
+    full = made.system(rpm, orbits.film)
+    moved = shifted(full, made.rotor, orbits)
+    found = _solved(made, moved.system)
+    theta = found.theta
+    bearing = found.bearing - periodic(orbits.theta, orbits.force, full.cycle)(theta)
+    position = found.position + moved.field(theta)
+    outcome = _outcome(made, rpm, full, replace(found, position=position, bearing=bearing))
+    off = outcome.orbits - periodic(orbits.theta, orbits.place, full.cycle)(theta)
+    most = np.linalg.norm(off, axis=-1) / outcome.clearance
+    return replace(outcome, departure=float(most.max()))
+
+
+def _solved(made: Setting, full: PeriodicSystem) -> Trajectory:
+    """Return the periodic motion of all unknowns."""
     system = in_series(full) if made.connection == "equivalent" else full
-    motion, trajectory = _solved(made, system)
-    supports, shown = made.engine.supports, made.channels
-    size = trajectory.multipliers
-    return Outcome(
-        rpm=rpm,
-        theta=trajectory.theta,
-        names=tuple(c.name for c in shown),
-        units=tuple(c.unit for c in shown),
-        values=motion @ made.stress.T,
-        orbits=_orbits(made, full, motion, trajectory),
-        bearings=-trajectory.bearing,
-        clearance=np.array(supports.clearance),
-        largest=float(np.abs(size).max()) if size is not None and len(size) else float("nan"),
-        error=trajectory.error,
-        seconds=trajectory.seconds,
-    )
-
-
-def _solved(made: Setting, system: PeriodicSystem) -> tuple[Array, Trajectory]:
-    """Return the displacements of all unknowns (s, n) and the trajectory they come from."""
     if not made.modes:
-        found = steady_state(system, steps=made.steps)
-        return found.position, found
+        return steady_state(system, steps=made.steps)
     from symbalance.crankshaft.reduction import reduced
 
     small, basis = reduced(system, made.modes)
     found = steady_state(small, steps=made.steps)
-    return found.position @ basis.T, found
+    return replace(found, position=found.position @ basis.T, velocity=found.velocity @ basis.T)
 
 
-def _orbits(made: Setting, full: PeriodicSystem, motion: Array, found: Trajectory) -> Array:
-    """Return the journals' displacements in their shells, stationary axes (s, b, 2).
+def _outcome(made: Setting, rpm: float, full: PeriodicSystem, found: Trajectory) -> Outcome:
+    size = found.multipliers
+    return Outcome(
+        rpm=rpm,
+        theta=found.theta,
+        names=tuple(c.name for c in made.channels),
+        units=tuple(c.unit for c in made.channels),
+        values=found.position @ made.stress.T,
+        orbits=_orbits(made, full, found),
+        bearings=-found.bearing,
+        clearance=np.array(made.engine.supports.clearance),
+        largest=float(np.abs(size).max()) if size is not None and len(size) else float("nan"),
+        error=found.error,
+        seconds=found.seconds,
+    )
 
-    A shell moves by z, K_B z + C_B z' = the shaft's force on it, solved order by order.
-    """
-    flat = bearing_points(made.rotor)
-    journals = stationary(np.einsum("bin,sn->sbi", flat, motion), found.theta)
-    housing = full.housing
-    if housing is None:
-        return journals
-    spectrum = np.fft.rfft(-found.bearing, axis=0)
-    rates = 1j * np.arange(len(spectrum)) * 2 * np.pi / full.cycle * full.omega
-    springs = housing.stiffness + rates[:, None, None, None] * housing.damping
-    shells = np.linalg.solve(springs, spectrum[..., None])[..., 0]
-    return journals - np.fft.irfft(shells, n=len(motion), axis=0)
+
+def _orbits(made: Setting, full: PeriodicSystem, found: Trajectory) -> Array:
+    """Return the journals' displacements in their shells, stationary axes (s, b, 2)."""
+    turning = np.einsum("bin,sn->sbi", bearing_points(made.rotor), found.position)
+    shells = shell_places(-found.bearing, full.housing, full.cycle, full.omega)
+    return stationary(turning, found.theta) - shells
 
 
 def speeds_between(low: float, high: float, step: float) -> tuple[float, ...]:
@@ -96,5 +112,3 @@ def speeds_between(low: float, high: float, step: float) -> tuple[float, ...]:
     """
     count = int((high - low) / step * (1 + 1e-12)) + 1
     return tuple(float(low + step * i) for i in range(count))
-
-

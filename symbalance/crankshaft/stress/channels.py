@@ -1,15 +1,15 @@
 """The named stresses and twists of a crank, each a row over the rotor's displacements.
 
-    pin k bending           axial stress at pin k's middle, at the line of its surface nearest the crank's axis
+    pin k bending           axial stress at pin k's middle, at its line nearest the crank's axis
     pin k sideways          the same at the line that leads, a quarter turn on
     pin k torsion           shear stress at its surface there
     web k pin fillet bending, torsion           peak stresses of the fillet between web k and its pin
     web k journal fillet bending, torsion       of the fillet between web k and its journal
-    twist k                 the turn of bearing k + 1 beyond that of bearing k, degrees; the last: flywheel
-                            beyond the last bearing
+    twist k                 the turn of bearing k + 1 beyond bearing k's, degrees; the last: the
+                            flywheel's beyond the last bearing's
 
-Stresses in Pa. Bending is + where it opens the throw (load on the pin towards the crank's axis), tension at
-the pin's inner line and in the pin's fillet; torsion + where the front drives the rear.
+Stresses in Pa. Bending is + where it opens the throw (a load on the pin towards the crank's axis):
+tension at the pin's inner line and in the pin's fillet; torsion + where the front drives the rear.
 The nominal stresses are those of M53 (see `concentration`): M6/(B W^2) and Q/(B W) at the web's middle,
 torsion of the pin and of the journal beside the web.
 """
@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -152,7 +153,7 @@ def _web_nominal(
 def _twists(rotor: Rotor) -> Iterator[Channel]:
     """Yield the twist from each bearing to the next, and from the last to the flywheel."""
     nodes = [*rotor.journals, *([] if rotor.flywheel is None else [rotor.flywheel])]
-    for number, (front, rear) in enumerate(zip(nodes, nodes[1:], strict=False), 1):
+    for number, (front, rear) in enumerate(pairwise(nodes), 1):
         row = np.zeros(rotor.size)
         row[DOF * rear + 5], row[DOF * front + 5] = 1 / DEGREE, -1 / DEGREE
         yield Channel(f"twist {number}", "degrees", row)

@@ -31,7 +31,7 @@ RANGES = {
 
 @dataclass(frozen=True)
 class FilletFactors:
-    """A web's factors: bending and torsion of the pin's fillet, bending, pressure, torsion of the journal's.
+    """A web's factors: bending, torsion at the pin; bending, pressure, torsion at the journal.
 
     `outside` names what lies outside the formulas' range, with its value: then they are extrapolated.
     """
@@ -47,7 +47,8 @@ class FilletFactors:
 def fillet_factors(journal: Journal, web: Web, pin: Pin) -> FilletFactors:
     """Return the stress concentration factors of a web between a journal and a pin.
 
-    >>> journal, pin = Journal(0.065, 0.03, fillet=0.0035), Pin(0.055, 0.036, 0.06, 0.0, (1,), fillet=0.0035)
+    >>> journal = Journal(0.065, 0.03, fillet=0.0035)
+    >>> pin = Pin(0.055, 0.036, 0.06, 0.0, (1,), fillet=0.0035)
     >>> found = fillet_factors(journal, Web(0.022, 0.092, 0.038, 0.042), pin)
     >>> [round(x, 2) for x in (found.pin_bending, found.pin_torsion, found.journal_bending)]
     [2.74, 1.72, 3.1]

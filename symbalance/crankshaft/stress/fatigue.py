@@ -27,7 +27,7 @@ from symbalance.errors import MissingPartError
 
 @dataclass(frozen=True)
 class Durability:
-    """A place's durability: equivalent amplitude and mean in Pa, Goodman's safety factor, damage a cycle."""
+    """Equivalent amplitude and mean in Pa, Goodman's safety factor, damage a cycle."""
 
     amplitude: float
     mean: float
@@ -35,7 +35,7 @@ class Durability:
     damage: float
 
     def hours(self, cycle_time: float) -> float:
-        """Return the life in hours at a working cycle of `cycle_time` seconds; infinite without damage."""
+        """Return the life in hours at a cycle of `cycle_time` seconds; infinite without damage."""
         return cycle_time / self.damage / 3600 if self.damage else float("inf")
 
 
@@ -60,7 +60,7 @@ def _equivalent(normal: float, shear: float) -> float:
 
 
 def damage(stress: Array, strength: Strength) -> float:
-    """Return the share of the life that one cycle of a stress (s,) takes; infinite at the tensile strength."""
+    """Return the share of the life that a cycle of a stress (s,) takes; infinite at the strength."""
     start = int(np.argmax(np.abs(stress)))
     closed = np.concatenate([stress[start:], stress[: start + 1]])  # from its largest value round to it
     total = 0.0

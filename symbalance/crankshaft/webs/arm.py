@@ -7,7 +7,7 @@ that stands pin first is the mirror image, w to -w, of one that stands journal f
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, hypot, sin
 
 import numpy as np
@@ -24,8 +24,8 @@ MIRROR = np.diag([1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
 class Arm:
     """A web with what it joins: `near` and `far` parts, `reach` between their axes, material.
 
-    `angle` turns its own u axis from U about W; `mirrored` where the near part is behind it; `axis` is the
-    place (U, V) of the near part's axis.
+    `angle` turns its own u axis from U about W; `mirrored` where the near part is behind it; `axis`
+    is the place (U, V) of the near part's axis.
     """
 
     web: Web
@@ -52,6 +52,16 @@ class Arm:
         """How far the web reaches beyond the far axis."""
         return self.web.tip
 
+    def canonical(self) -> Arm:
+        """Return the same web standing near part first, with its arm along U."""
+        near, far = (_turned_part(part, -self.angle) for part in (self.near, self.far))
+        weight = self.web.counterweight
+        if weight is not None:
+            weight = replace(weight, angle=weight.angle - self.angle)
+        web = replace(self.web, counterweight=weight)
+        axis = axis_of(near)
+        return replace(self, web=web, near=near, far=far, angle=0.0, mirrored=False, axis=axis)
+
     def placed(self, flexible: Array) -> Array:
         """Return the stiffness (12, 12), front node first, of a far end's flexibility in own axes."""
         if self.mirrored:
@@ -77,6 +87,10 @@ def axis_of(part: Journal | Pin) -> tuple[float, float]:
     if isinstance(part, Journal):
         return (0.0, 0.0)
     return (part.radius * cos(part.angle), part.radius * sin(part.angle))
+
+
+def _turned_part(part: Journal | Pin, angle: float) -> Journal | Pin:
+    return part if isinstance(part, Journal) else replace(part, angle=part.angle + angle)
 
 
 def arms(crank: Crank) -> Iterator[tuple[int, Arm]]:

@@ -1,0 +1,178 @@
+"""The linear equations of a rigid body at a node of axes that turn with the crank, derived.
+
+The kinetic energy of a body of mass m, tensor I about its mass centre, seen from axes that turn at omega:
+
+    T = m v.v/2 + Omega.I Omega/2,   v = r' + omega w x r,   r = (U, V, W) + (u, v, w) + A e,
+    Omega = A^T omega w + (axis of A^T A'),   A a rotation by small theta_u, theta_v, theta_w.
+
+Through the second order in the coordinates q and their rates it is, with powers of omega apart,
+
+    T = q'.M q'/2 + omega (q'.B q + c.q') + omega^2 (b.q + q.N q/2) + ...
+
+and Lagrange's equations for a speed that may vary (alpha = omega') are
+
+    M q'' + omega (B - B^T) q' + (-omega^2 N + alpha B) q = F + omega^2 b - alpha c.
+
+Hence G = B - B^T is skew and dK = -N symmetric whatever the body and the coordinates. In a rotation
+vector the moment of F is that about the node, N in turning axes, less theta x N/2; the difference is of
+the first order only where N stands at rest. Gravity acts along -X.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import permutations
+
+import sympy
+
+from symbalance.crankshaft.equations.quantities import (
+    COORDINATES,
+    MOVING,
+    OFFSET,
+    OMEGA,
+    PLACE,
+    PRODUCTS,
+    RING,
+    SHIFT,
+    THETA,
+    M,
+    Polynomial,
+    Rows,
+    Vector,
+    applied,
+    cross,
+    dot,
+    inertia_rows,
+    polynomial,
+    polynomials,
+    product,
+    rate,
+    transposed,
+)
+from symbalance.crankshaft.equations.rotations import rotation_rows
+
+Matrix = sympy.ImmutableMatrix
+_SIZE = len(COORDINATES)
+
+
+@dataclass(frozen=True)
+class NodeEquations:
+    """M q'' + omega G q' + (omega^2 dK + alpha H) q = F + omega^2 F_M - alpha c + g F_g.
+
+    6 x 6 `mass`, `gyroscopic`, `centrifugal`, `euler` and 6 x 1 `centrifugal_force`, `euler_force` (c),
+    `gravity_force` (F_g), in u, v, w, theta_u, theta_v, theta_w and the symbols of `quantities`.
+    """
+
+    rotation: str
+    mass: sympy.ImmutableMatrix
+    gyroscopic: sympy.ImmutableMatrix
+    centrifugal: sympy.ImmutableMatrix
+    euler: sympy.ImmutableMatrix
+    centrifugal_force: sympy.ImmutableMatrix
+    euler_force: sympy.ImmutableMatrix
+    gravity_force: sympy.ImmutableMatrix
+
+    def with_values(self, **values: object) -> NodeEquations:
+        """Return the equations with symbols replaced, by name.
+
+        >>> node_equations().with_values(e_u=0, e_v=0, e_w=0).centrifugal_force.T
+        Matrix([[U*m, V*m, 0, I_vw, -I_uw, 0]])
+        """
+        named = {str(symbol): symbol for symbol in self.symbols}
+        replaced = {named[name]: sympy.sympify(value) for name, value in values.items() if name in named}
+        return replace(self, **{name: matrix.subs(replaced) for name, matrix in self.parts().items()})
+
+    def principal(self) -> NodeEquations:
+        """Return the equations of the paper's node: mass centre at the node, principal axes U, V, W."""
+        return self.with_values(**{str(symbol): 0 for symbol in (*OFFSET, *PRODUCTS)})
+
+    def parts(self) -> dict[str, sympy.ImmutableMatrix]:
+        """Return the matrices and vectors by name."""
+        return {name: value for name, value in vars(self).items() if name != "rotation"}
+
+    @property
+    def symbols(self) -> set[sympy.Symbol]:
+        """The symbols the equations hold."""
+        return set().union(*(matrix.free_symbols for matrix in self.parts().values()))
+
+
+@cache
+def node_equations(rotation: str = "vector") -> NodeEquations:
+    """Derive the equations of a general node; `rotation` is "vector" or a Cardan order such as "uvw".
+
+    >>> node_equations().principal().gyroscopic[3, 4]
+    -I_uu - I_vv + I_ww
+    >>> node_equations().centrifugal[5, 5]
+    U*e_u*m + V*e_v*m
+    """
+    attitude = rotation_rows(rotation)
+    centre = _mass_centre(attitude)
+    linear, quadratic = _coefficients(_kinetic_energy(centre, attitude))
+    B = _matrix(quadratic[1], rows=_SIZE)
+    return NodeEquations(
+        rotation=rotation,
+        mass=_matrix(quadratic[0], rows=_SIZE, columns=_SIZE),
+        gyroscopic=B - B.T,
+        centrifugal=-_matrix(quadratic[2]),
+        euler=B,
+        centrifugal_force=_column(linear[2]),
+        euler_force=_column(linear[1], rows=_SIZE),
+        gravity_force=_gravity(centre),
+    )
+
+
+def _mass_centre(attitude: Rows) -> Vector:
+    """Return the place of the mass centre in turning axes, (U, V, W) + (u, v, w) + A e."""
+    arm = applied(attitude, polynomials(OFFSET))
+    return [p + d + a for p, d, a in zip(polynomials(PLACE), polynomials(SHIFT), arm, strict=True)]
+
+
+def _kinetic_energy(centre: Vector, attitude: Rows) -> Polynomial:
+    """Return the kinetic energy through the second order in coordinates and rates."""
+    axis = [RING.zero, RING.zero, RING.one]
+    carried = cross(axis, centre)
+    omega = polynomial(OMEGA)
+    velocity = [rate(r) + omega * c for r, c in zip(centre, carried, strict=True)]
+    body_axes = transposed(attitude)
+    turning = product(body_axes, [[rate(cell) for cell in row] for row in attitude])
+    own = [turning[2][1], turning[0][2], turning[1][0]]
+    spin = [omega * a + o for a, o in zip(applied(body_axes, axis), own, strict=True)]
+    return (polynomial(M) * dot(velocity, velocity) + dot(spin, applied(inertia_rows(), spin))) / 2
+
+
+Coefficients = list[dict[tuple[int, ...], sympy.Expr]]
+
+
+def _coefficients(energy: Polynomial) -> tuple[Coefficients, Coefficients]:
+    """Return the first and the second derivatives at rest, a table for each power of omega."""
+    tables: dict[int, Coefficients] = {1: [{}, {}, {}], 2: [{}, {}, {}]}
+    for powers, number in energy.terms():
+        moving, power = powers[:MOVING], powers[MOVING]
+        places = tuple(i for i, n in enumerate(moving) for _ in range(n))
+        if not places:
+            continue
+        weight = RING.from_dict({(0,) * (MOVING + 1) + powers[MOVING + 1 :]: number}).as_expr()
+        for order in set(permutations(places)):
+            table = tables[len(places)][power]
+            twice = 2 if len(set(places)) < len(places) else 1
+            table[order] = table.get(order, sympy.S.Zero) + twice * weight
+    return tables[1], tables[2]
+
+
+def _matrix(table: dict[tuple[int, ...], sympy.Expr], rows: int = 0, columns: int = 0) -> Matrix:
+    """Return six rows and columns of second derivatives, from this row and column on."""
+    return Matrix(_SIZE, _SIZE, lambda i, j: table.get((rows + i, columns + j), 0))
+
+
+def _column(table: dict[tuple[int, ...], sympy.Expr], rows: int = 0) -> Matrix:
+    """Return six first derivatives, from this row on."""
+    return Matrix(_SIZE, 1, lambda i, _: table.get((rows + i,), 0))
+
+
+def _gravity(centre: Vector) -> Matrix:
+    """Return the force of gravity per g: the X of the mass centre is r_u cos theta - r_v sin theta."""
+    along, across = (_coefficients(polynomial(M) * r)[0][0] for r in centre[:2])
+    down = -sympy.cos(THETA), sympy.sin(THETA)
+    u, v = _column(along), _column(across)
+    return Matrix(_SIZE, 1, lambda i, _: down[0] * u[i] + down[1] * v[i])

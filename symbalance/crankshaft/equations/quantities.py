@@ -1,0 +1,108 @@
+"""The symbols of a node's equations, and the polynomials they are derived in.
+
+Everything is a polynomial with rational coefficients: in the mass, the place, the offset, the inertia
+tensor, the six coordinates and their rates. SymPy's sparse rings keep them in normal form, so that a
+zero is a comparison.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import sympy
+from sympy.polys.rings import PolyRing, ring
+
+M = sympy.Symbol("m", positive=True)
+PLACE = sympy.symbols("U V W", real=True)
+OFFSET = sympy.symbols("e_u e_v e_w", real=True)
+PRODUCTS = sympy.symbols("I_uv I_uw I_vw", real=True)
+MOMENTS = sympy.symbols("I_uu I_vv I_ww", positive=True)
+OMEGA = sympy.Symbol("omega", positive=True)
+THETA = sympy.Symbol("theta", real=True)
+SHIFT = sympy.symbols("u v w", real=True)
+TURN = sympy.symbols("theta_u theta_v theta_w", real=True)
+COORDINATES = (*SHIFT, *TURN)
+RATES = tuple(sympy.Symbol(f"{name}_dot", real=True) for name in COORDINATES)
+
+LATEX = {
+    **{s: rf"\theta_{x}" for s, x in zip(TURN, "uvw", strict=True)},
+    **{s: rf"e_{x}" for s, x in zip(OFFSET, "uvw", strict=True)},
+    **{s: rf"I_{{{str(s)[2:]}}}" for s in (*PRODUCTS, *MOMENTS)},
+    OMEGA: r"\omega",
+    THETA: r"\theta",
+}
+"""What `sympy.latex` needs as `symbol_names` to print them."""
+
+PARAMETERS = (M, *PLACE, *OFFSET, *MOMENTS, *PRODUCTS)
+RING: PolyRing = ring((*COORDINATES, *RATES, OMEGA, *PARAMETERS), sympy.QQ)[0]
+MOVING = len(COORDINATES) + len(RATES)
+"""How many of the ring's generators, the first, are small."""
+
+Polynomial = Any
+"""An element of the ring: SymPy's types do not say what their sums are."""
+Vector = list[Polynomial]
+Rows = list[Vector]
+
+
+def polynomial(symbol: sympy.Expr | int) -> Polynomial:
+    """Return a symbol, or a sum of products of them, as an element of the ring."""
+    return RING.from_expr(sympy.sympify(symbol))
+
+
+def polynomials(symbols: tuple[sympy.Symbol, ...]) -> Vector:
+    """Return several symbols as elements of the ring."""
+    return [polynomial(symbol) for symbol in symbols]
+
+
+def inertia_rows() -> Rows:
+    """Return the inertia tensor about the mass centre, with I_uv = -(integral of u v dm) and so on."""
+    uu, vv, ww = polynomials(MOMENTS)
+    uv, uw, vw = polynomials(PRODUCTS)
+    return [[uu, uv, uw], [uv, vv, vw], [uw, vw, ww]]
+
+
+def through(value: Polynomial, degree: int = 2) -> Polynomial:
+    """Return a polynomial without its terms of higher degree in the small quantities."""
+    kept = {powers: c for powers, c in value.terms() if sum(powers[:MOVING]) <= degree}
+    return RING.from_dict(kept)
+
+
+def total(values: Iterable[Polynomial]) -> Polynomial:
+    """Return the sum."""
+    return sum(values, RING.zero)
+
+
+def dot(one: Vector, other: Vector, degree: int = 2) -> Polynomial:
+    """Return the scalar product, through a degree in the small quantities."""
+    return through(total(a * b for a, b in zip(one, other, strict=True)), degree)
+
+
+def applied(rows: Rows, vector: Vector) -> Vector:
+    """Return matrix times vector, through the second degree."""
+    return [dot(row, vector) for row in rows]
+
+
+def product(one: Rows, other: Rows) -> Rows:
+    """Return matrix times matrix, through the second degree."""
+    return [[dot(row, list(column)) for column in zip(*other, strict=True)] for row in one]
+
+
+def transposed(rows: Rows) -> Rows:
+    """Return the transpose."""
+    return [list(column) for column in zip(*rows, strict=True)]
+
+
+def cross(one: Vector, other: Vector) -> Vector:
+    """Return the vector product, through the second degree."""
+    return [
+        dot([one[1], -one[2]], [other[2], other[1]]),
+        dot([one[2], -one[0]], [other[0], other[2]]),
+        dot([one[0], -one[1]], [other[1], other[0]]),
+    ]
+
+
+def rate(value: Polynomial) -> Polynomial:
+    """Return the time derivative of a polynomial in the coordinates."""
+    pairs = zip(polynomials(COORDINATES), polynomials(RATES), strict=True)
+    return total(value.diff(q) * q_dot for q, q_dot in pairs)
