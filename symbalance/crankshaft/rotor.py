@@ -10,12 +10,11 @@ The matrices are dense: a crank has some hundred unknowns.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.floating[Any]]
+Array = NDArray[np.float64]
 DOF = 6
 
 

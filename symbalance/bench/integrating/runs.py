@@ -21,8 +21,9 @@ from symbalance.crankshaft.rotor import DOF, Array
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import SymbalanceError
 
-ASKED = 90
-"""The number of intervals in the cycle between the angles at which states are compared."""
+ASKED, ENOUGH = 90, 1e-4
+"""The number of intervals in the cycle between the angles at which states are compared; an error that is
+low enough not to go on where the reference is not known better."""
 
 
 @dataclass(frozen=True)
@@ -125,8 +126,7 @@ def swept(
             else:
                 run = reference.by_scipy(method, setting, limit)
                 runs.append(Run(case, model, method, f"{setting:.0e}", *run))
-            if not run[1] > 4 * reference.uncertain and not np.isnan(run[1]):
-                break
-            if np.isnan(run[1]) and method not in FIXED:
+            known = min(4 * reference.uncertain, ENOUGH)
+            if run[1] <= known or (np.isnan(run[1]) and method not in FIXED):
                 break
     return runs
