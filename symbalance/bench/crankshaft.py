@@ -1,7 +1,7 @@
 """`symbalance bench crankshaft`: integrators of the running crankshaft, error against run time.
 
-An in-line four on five bearings, in 39 unknowns (modes and attachment vectors) and in full, then stiff and
-extreme cases. Everything timed runs in one process on one thread; the reference is harmonic balance.
+An in-line four on five bearings, in 39 unknowns (modes and attachment vectors) and in full, then stiff
+and extreme cases. Everything timed runs in one process on one thread; the reference is harmonic balance.
 """
 
 from __future__ import annotations
@@ -62,7 +62,9 @@ class CrankshaftReport:
 def check_files() -> None:
     """Refuse, before the long run, if its picture could not be drawn."""
     if find_spec("matplotlib") is None:
-        raise MissingPartError("--output", "Matplotlib, which draws the picture, is not installed", INSTALL)
+        raise MissingPartError(
+            "--output", "Matplotlib, which draws the picture, is not installed", INSTALL
+        )
 
 
 def report(quick: bool = False) -> CrankshaftReport:
@@ -94,7 +96,9 @@ def goal(sweep: Extreme) -> Measurement:
     ours = min((r for r in reached if r.method in OURS), key=lambda r: r.seconds, default=None)
     others = [r for r in reached if r.method not in (*OURS, "newmark")]
     other = min(others, key=lambda r: r.seconds, default=None)
-    wanted = f"an error of {WANTED:g} at least {TIMES:g} times faster than SciPy's fastest that reaches it"
+    wanted = (
+        f"an error of {WANTED:g} at least {TIMES:g} times faster than SciPy's fastest that reaches it"
+    )
     if ours is None:
         return Measurement("none of ours reaches it", math.inf, "", None, wanted, False)
     what = f"{ours.named}, error {ours.error:.1e}"
@@ -112,7 +116,9 @@ def sweep_table(sweep: Extreme) -> str:
         cells = [_cell(r) for r in sweep.runs if r.method == method]
         lines.append(f"{method:<12} " + "  ".join(f"{c:<26}" for c in cells).rstrip())
     doubt = f"reference: harmonic balance, itself within {sweep.uncertain:.0e}"
-    return "\n".join([*lines, doubt, f"largest multiplier {sweep.multipliers[0]:.4f}, {sweep.multipliers[1]:.4f}"])
+    return "\n".join(
+        [*lines, doubt, f"largest multiplier {sweep.multipliers[0]:.4f}, {sweep.multipliers[1]:.4f}"]
+    )
 
 
 def _cell(run: Run) -> str:
@@ -125,7 +131,9 @@ def extreme_table(extremes: Sequence[Extreme]) -> str:
     """Return the extremes as text: per case each method's first run within 1e-4, or its best."""
     lines = []
     for e in extremes:
-        lines.append(f"{e.case}, {e.model}: |multiplier| {e.multipliers[0]:.4g}, reference within {e.uncertain:.0e}")
+        lines.append(
+            f"{e.case}, {e.model}: |multiplier| {e.multipliers[0]:.4g}, reference to {e.uncertain:.0e}"
+        )
         for method in dict.fromkeys(r.method for r in e.runs):
             runs = [r for r in e.runs if r.method == method]
             best = min(runs, key=lambda r: math.inf if math.isnan(r.error) else r.error)
@@ -157,6 +165,6 @@ def _head(found: Measured) -> str:
     low, high, most = found.film
     return (
         f"{made}; one thread, {os.cpu_count()} cores\n"
-        f"In-line four, {found.sizes[0]} unknowns reduced, {found.sizes[1]} in full, five bearings with housings; "
-        f"films at 2200 rpm: direct terms {low:.1e} to {high:.1e} N/m, cross terms to {most:.1e} N/m"
+        f"In-line four, {found.sizes[0]} unknowns reduced, {found.sizes[1]} in full, "
+        f"five bearings with housings; films at 2200 rpm: direct terms {low:.1e} to {high:.1e} N/m, cross terms to {most:.1e} N/m"
     )

@@ -223,6 +223,6 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
         "-o",
         "--output",
         metavar="NAME",
-        help="accuracy, crankshaft: also write all points to NAME.csv and pictures to NAME.png and NAME.pdf; "
+        help="accuracy, crankshaft: also write points to NAME.csv, pictures to NAME.png and NAME.pdf; "
         "other topics: write the table to the file NAME",
     )

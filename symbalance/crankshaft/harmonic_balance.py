@@ -13,6 +13,7 @@ than any power of N for smooth films, else as the film table's smoothness has it
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,11 +22,11 @@ from symbalance.crankshaft.integrators.coefficients import bearing_count, gather
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import PeriodicSystem
 
-Complex = NDArray[np.complex128]
+Complex = NDArray[np.complexfloating[Any, Any]]
 SUPPORT, DAMPER = 1e8, 1e5
 """Springs (N/m) and dampers (N s/m) added at the bearings where the rotor's answers are taken, and taken
 off in the balance: a rotor without any has no answer to a force that stands still."""
-FORWARD = np.array([[1, 1j], [-1j, 1]]) / 2
+FORWARD: Complex = np.array([[1, 1j], [-1j, 1]], dtype=complex) / 2
 
 
 @dataclass(frozen=True)
@@ -158,7 +159,7 @@ def _housing_answers(system: PeriodicSystem, frequency: Array) -> Complex:
     return _whole(np.linalg.inv(system.housing.stiffness + speed))
 
 
-def _whole(blocks: NDArray) -> NDArray:
+def _whole(blocks: NDArray[Any]) -> NDArray[Any]:
     """Return (s, b, 2, 2) as (s, 2b, 2b), the bearings on the diagonal."""
     count, b = blocks.shape[:2]
     full = np.zeros((count, b, 2, b, 2), dtype=blocks.dtype)

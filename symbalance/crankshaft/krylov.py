@@ -21,7 +21,9 @@ def solved(apply: Map, side: Array, tolerance: float = 1e-11, most: int = 400) -
     size = float(np.linalg.norm(side))
     if size == 0:
         return np.zeros_like(side)
-    basis, columns, weights = [side / size], [], np.zeros(0)
+    basis: list[Array] = [side / size]
+    columns: list[Array] = []
+    weights: Array = np.zeros(0)
     for k in range(min(most, len(side))):
         basis, column = _grown(apply, basis)
         columns.append(column)
@@ -43,7 +45,8 @@ def leading(apply: Map, size: int, wanted: int = 12, most: int = 120) -> NDArray
     array([59., 58.])
     """
     start = np.random.default_rng(1).standard_normal(size)
-    basis, columns = [start / np.linalg.norm(start)], []
+    basis: list[Array] = [start / np.linalg.norm(start)]
+    columns: list[Array] = []
     before = found = np.zeros(0, dtype=complex)
     for k in range(min(most, size)):
         basis, column = _grown(apply, basis)

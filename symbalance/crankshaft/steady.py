@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 from time import perf_counter
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symbalance.crankshaft.integrators.first_order import film_forces
 from symbalance.crankshaft.integrators.marching import LinearSteps
@@ -39,7 +41,7 @@ def steady_state(
     `method` is one of `FIXED`: radau-iia (order 5), radau-iia-9, newmark. With a `tolerance` the
     steps are doubled until the displacements' relative change, over 7, is below it; `error` holds
     that estimate, else NaN. `multipliers` are sorted by size, largest first (the largest dozen for
-    systems beyond `DENSE` states). Refuses a system without a periodic state: a mean load that nothing holds.
+    systems beyond `DENSE` states). Refuses a system without a periodic state: a mean load unheld.
     """
     begun = perf_counter()
     found, previous = _at(system, method, steps, multipliers), None
@@ -65,11 +67,13 @@ def _at(system: PeriodicSystem, method: str, steps: int, multipliers: bool) -> T
 
 
 def _relative(change: Array, position: Array) -> float:
-    """Return the largest change over the largest displacement, shifts and turns alike in their own size."""
+    """Return the norm of the largest changes over that of the largest displacements."""
     return float(np.linalg.norm(change) / np.linalg.norm(np.abs(position).max(axis=0)))
 
 
-def closed(made: LinearSteps, multipliers: bool = True) -> tuple[Array, Array | None]:
+def closed(
+    made: LinearSteps, multipliers: bool = True
+) -> tuple[Array, NDArray[np.complexfloating[Any, Any]] | None]:
     """Return the state that comes back after a cycle, and the multipliers, largest first (or None)."""
     units = made.units
     pushed = made.marched(np.zeros(made.state_size))[-1] / units
@@ -81,7 +85,7 @@ def closed(made: LinearSteps, multipliers: bool = True) -> tuple[Array, Array | 
     else:
         carried = made.carried(np.diag(units)) / units[:, None]
         start = np.linalg.lstsq(np.eye(len(carried)) - carried, pushed, rcond=1e-12)[0]
-        factors = np.linalg.eigvals(carried) if multipliers else None
+        factors = np.linalg.eigvals(carried).astype(complex) if multipliers else None
     missing = np.linalg.norm(start - made.carried(units * start) / units - pushed)
     if not missing <= CLOSED * (np.linalg.norm(pushed) + np.linalg.norm(start)):
         rule = "there is no periodic state: a mean load is held by nothing, or a multiplier is 1"

@@ -26,18 +26,22 @@ def integrate(
     start: Array | None = None,
     rtol: float = 1e-6,
 ) -> Trajectory:
-    """Return displacements, velocities and bearing forces over `cycles` cycles from angle 0, both ends in.
+    """Return displacements, velocities, bearing forces over `cycles` cycles from angle 0, ends in.
 
     `start` is a state (x, x', z), rest by default; z are the housings' displacements, stationary.
     `steps` a cycle are taken by the fixed-step methods, and given back by SciPy's, which keep to `rtol`.
     """
     if method not in METHODS:
-        raise SymbalanceError(f"method = {shown(method)!r}", "is not known", f"one of {', '.join(METHODS)}")
+        raise SymbalanceError(
+            f"method = {shown(method)!r}", "is not known", f"one of {', '.join(METHODS)}"
+        )
     size = state_size(system)
     state = np.zeros(size) if start is None else np.asarray(start, dtype=float)
     if state.shape != (size,) or not np.isfinite(state).all():
         rule = f"must be {size} finite numbers"
-        raise SymbalanceError(f"start of shape {state.shape}", rule, "displacements, velocities, housings")
+        raise SymbalanceError(
+            f"start of shape {state.shape}", rule, "displacements, velocities, housings"
+        )
     begun = perf_counter()
     theta = system.cycle / steps * np.arange(cycles * steps + 1)
     if method in FIXED:

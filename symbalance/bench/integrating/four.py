@@ -26,7 +26,7 @@ SMOOTHED = 3.0
 """Degrees over which the films' tables are averaged, by a bell curve, so that they stay positive: sharper
 peaks only make every reference dearer."""
 THRUST, COUPLING = (1e8, 1e3), (1e4, 50.0)
-"""What holds the middle journal lengthwise (N/m, N s/m), and the flywheel's turning (N m, N m s per rad)."""
+"""What holds the middle journal lengthwise (N/m, N s/m), the flywheel's turning (N m, N m s per rad)."""
 GAS, PISTON, RATIO = 3e4, 1.0, 0.25
 """Peak gas force in N, reciprocating mass in kg, rod ratio r/l."""
 
@@ -73,7 +73,7 @@ def spin() -> Array:
 
 
 def _held(rotor: Rotor, omega: float) -> tuple[Array, Array, Array]:
-    """Return stiffness and damping of the turning crank, thrust and coupling in, and its bearings' rows."""
+    """Return stiffness and damping of the turning crank, thrust and coupling in, its bearings' rows."""
     turning = deflated(rotor.centrifugal, rotor.mass, spin_motion(rotor.points))
     stiffness = rotor.stiffness + omega**2 * turning
     damping = rotor.damping + omega * rotor.gyroscopic
@@ -95,6 +95,7 @@ class Loads:
     omega: float
 
     def __call__(self, theta: Array) -> Array:
+        """Return the forces at angles (s,)."""
         force = np.tile(self.omega**2 * self.rotor.centrifugal_force, (len(theta), 1))
         for node, fires, throw in zip(self.rotor.pins, FIRING, THROWS, strict=True):
             x = theta - fires

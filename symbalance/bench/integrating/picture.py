@@ -6,6 +6,7 @@ import io
 import math
 from collections.abc import Sequence
 from importlib import import_module
+from typing import Any
 
 from symbalance.bench.integrating.runs import Run
 
@@ -25,17 +26,21 @@ def drawn(runs: Sequence[Run]) -> dict[str, bytes]:
     files = {}
     for ending in ("png", "pdf"):
         stream = io.BytesIO()
-        figure.savefig(stream, format=ending, dpi=130, metadata={"CreationDate": None} if ending == "pdf" else None)
+        figure.savefig(
+            stream, format=ending, dpi=130, metadata={"CreationDate": None} if ending == "pdf" else None
+        )
         files[f".{ending}"] = stream.getvalue()
     pyplot.close(figure)
     return files
 
 
-def _panel(axis: object, runs: Sequence[Run]) -> None:
+def _panel(axis: Any, runs: Sequence[Run]) -> None:
     for method in dict.fromkeys(r.method for r in runs):
         points = [(r.seconds, r.error) for r in runs if r.method == method and not math.isnan(r.error)]
         if points:
-            style = {"linewidth": 2.2, "marker": "o"} if method in OURS else {"linewidth": 1, "marker": "x"}
+            style = (
+                {"linewidth": 2.2, "marker": "o"} if method in OURS else {"linewidth": 1, "marker": "x"}
+            )
             axis.loglog(*zip(*points, strict=True), label=method, **style)
     axis.axhline(1e-4, color="grey", linewidth=0.7, linestyle=":")
     axis.set_xlabel("seconds for one cycle, preparation included")

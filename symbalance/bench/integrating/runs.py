@@ -1,8 +1,8 @@
 """One cycle of a system by each integrator: run time, and error against harmonic balance.
 
-Each starts from the reference's periodic state and integrates one cycle. The error is the largest of three,
-each over the largest value of its kind within the cycle: the journals' displacements, and the shifts and
-the turns of all nodes, the crank's turning as a whole taken out.
+Each starts from the reference's periodic state and integrates one cycle. The error is the largest of
+three, each over the largest value of its kind within the cycle: the journals' displacements, and the
+shifts and the turns of all nodes, the crank's turning as a whole taken out.
 """
 
 from __future__ import annotations
@@ -21,8 +21,9 @@ from symbalance.crankshaft.rotor import DOF, Array
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import SymbalanceError
 
-ASKED = 90
-"""The number of intervals in the cycle between the angles at which states are compared."""
+ASKED, ENOUGH = 90, 1e-4
+"""The number of intervals in the cycle between the angles at which states are compared; an error that is
+low enough not to go on where the reference is not known better."""
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,7 @@ TOLERANCES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 def swept(
     case: str, model: str, reference: Reference, methods: Sequence[str], limit: float, say: Progress
 ) -> list[Run]:
-    """Return runs of all `methods`; a method's settings tighten until one passes the limit or is exact."""
+    """Return runs of all `methods`; settings tighten until one passes the limit or is exact."""
     runs: list[Run] = []
     for method in methods:
         say(f"{case}, {model}: {method}")
@@ -125,8 +126,7 @@ def swept(
             else:
                 run = reference.by_scipy(method, setting, limit)
                 runs.append(Run(case, model, method, f"{setting:.0e}", *run))
-            if not run[1] > 4 * reference.uncertain and not np.isnan(run[1]):
-                break
-            if np.isnan(run[1]) and method not in FIXED:
+            known = min(4 * reference.uncertain, ENOUGH)
+            if run[1] <= known or (np.isnan(run[1]) and method not in FIXED):
                 break
     return runs

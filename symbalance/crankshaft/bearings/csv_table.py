@@ -51,7 +51,9 @@ def _row(path: Path, line: int, row: list[str], width: int) -> list[float]:
     place = f"{path}:{line}"
     if len(row) != width:
         rule = f"must have {width} columns"
-        raise SymbalanceError(f"{len(row)} columns", rule, f"degrees, then {', '.join(COEFFICIENTS)}", place)
+        raise SymbalanceError(
+            f"{len(row)} columns", rule, f"degrees, then {', '.join(COEFFICIENTS)}", place
+        )
     for text in row:
         if not _is_number(text):
             raise SymbalanceError(shown(repr(text)), "must be a number", "write 1.2e8 or -3400", place)

@@ -25,7 +25,7 @@ FARTHEST = 0.9995
 
 @dataclass(frozen=True)
 class Orbit:
-    """Journals' places (s, b, 2) in m at angles (s,) of a cycle, their velocities, the films' tangents."""
+    """Journals' places (s, b, 2) in m at angles (s,) of a cycle, velocities, the films' tangents."""
 
     theta: Array
     place: Array

@@ -48,11 +48,13 @@ def checked_table(theta: Array, stiffness: Array, damping: Array, cycle: float) 
     if len(theta) < LEAST_ANGLES or not (np.diff(theta) > 0).all() or theta[0] < 0 or theta[-1] >= cycle:
         degrees = f"{np.degrees(cycle):g}"
         rule = f"must be at least {LEAST_ANGLES}, rising, from 0 to below {degrees} degrees"
-        raise SymbalanceError(f"{len(theta)} angles", rule, "the last angle of the cycle is its first again")
+        raise SymbalanceError(
+            f"{len(theta)} angles", rule, "the last angle of the cycle is its first again"
+        )
     for name, table in (("stiffness", stiffness), ("damping", damping)):
         if not np.isfinite(table).all():
             row, bearing = np.argwhere(~np.isfinite(table))[0][:2]
-            raise SymbalanceError(name, "must be finite", "", _place(theta[row], int(bearing)))
+            raise SymbalanceError(name, "must be finite", "", _place(float(theta[row]), int(bearing)))
     symmetric = (damping + np.swapaxes(damping, -1, -2)) / 2
     least = np.linalg.eigvalsh(symmetric)[..., 0]
     if not (least > 0).all():
@@ -60,7 +62,7 @@ def checked_table(theta: Array, stiffness: Array, damping: Array, cycle: float) 
         what = f"damping with least eigenvalue {shown(float(f'{least[row, bearing]:.4g}'))} N s/m"
         rule = "must be positive definite in its symmetric part: a film takes energy out"
         remedy = "look for a sign, or for rows and columns in another order"
-        raise SymbalanceError(what, rule, remedy, _place(theta[row], int(bearing)))
+        raise SymbalanceError(what, rule, remedy, _place(float(theta[row]), int(bearing)))
 
 
 def _place(theta: float, bearing: int) -> str:

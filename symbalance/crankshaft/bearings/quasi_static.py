@@ -1,4 +1,4 @@
-"""The loads that bearings carry where the crank follows its loads without delay: the start of a film table."""
+"""The loads that bearings carry where the crank has no inertia: the start of a film table."""
 
 from __future__ import annotations
 

@@ -5,8 +5,8 @@ At one frequency W the dynamic stiffnesses Z = K + i W C and Z_B = K_B + i W C_B
     Z* = Z (Z + Z_B)^-1 Z_B,     K* = Re Z*,     C* = Im Z*/W:
 
 the paper's equivalent coefficients, taken at every crank angle as if it stood still. With the cross terms
-of K they can exceed the film's own. Exact: the housing's displacement z is a state, K_B z + C_B z' = b. What
-the film's change with the angle then does to z, the quasi-static way leaves out.
+of K they can exceed the film's own. Exact: the housing's displacement z is a state, K_B z + C_B z' = b.
+What the film's change with the angle then does to z, the quasi-static way leaves out.
 """
 
 from __future__ import annotations

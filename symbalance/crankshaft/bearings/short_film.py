@@ -10,7 +10,8 @@ parts of r/c along V and a quarter turn ahead of it, kappa^2 = 1 - p^2 - q^2 and
 
     w = integral dpsi/(1 - p cos psi - q sin psi) = 2 beta/kappa,
 
-F = g |V| (w_pp, w_pq)/2, and the tangents follow. Short bearing: Ocvirk (1952), NACA TN 2808 (from memory).
+F = g |V| (w_pp, w_pq)/2, and the tangents follow.
+Short bearing: Ocvirk, NACA TN 2808 (1952, from memory).
 """
 
 from __future__ import annotations
@@ -78,7 +79,7 @@ def film_state(bearing: Bearing, place: ArrayLike, velocity: ArrayLike, omega: f
 
 
 def film_states(strength: Array, clearance: Array, r: Array, speed: Array, omega: float) -> FilmState:
-    """Return the same for many bearings at once: g and c of shape (...), places and velocities (..., 2)."""
+    """Return the same for many bearings at once: g and c (...), places and velocities (..., 2)."""
     wind = speed - omega / 2 * r @ QUARTER_TURN.T
     size = np.linalg.norm(wind, axis=-1, keepdims=True)
     along = np.where(size > 0, wind / np.where(size > 0, size, 1.0), [1.0, 0.0])
@@ -102,11 +103,15 @@ def _moments(p: Array, q: Array) -> tuple[Array, Array]:
     f, k4, k6 = beta / np.sqrt(k2), k2 * k2, k2**3
     pp = 3 * p / k4 + f * (k2 + 3 * p * p) / k4
     pq = 2 * q / k4 + p * p * q / (k4 * m) + 3 * f * p * q / k4
-    qq = p / (k2 * m) + 3 * p * q * q / (k4 * m) + 2 * p * q * q / (k2 * m * m) + f * (k2 + 3 * q * q) / k4
+    qq = (
+        p / (k2 * m) + 3 * p * q * q / (k4 * m) + 2 * p * q * q / (k2 * m * m) + f * (k2 + 3 * q * q) / k4
+    )
     ppp = 4 / k4 + 15 * p * p / k6 + 3 * f * p * (3 * k2 + 5 * p * p) / k6
     ppq = 12 * p * q / k6 + p * q * (k2 + 3 * p * p) / (k6 * m) + 3 * f * q * (k2 + 5 * p * p) / k6
     pqq = 2 / k4 + 8 * q * q / k6 + p * p / (k4 * m) + 4 * (p * q) ** 2 / (k6 * m)
-    pqq += 2 * (p * q) ** 2 / (k4 * m * m) + 3 * (p * q) ** 2 / (k6 * m) + 3 * f * p * (k2 + 5 * q * q) / k6
+    pqq += (
+        2 * (p * q) ** 2 / (k4 * m * m) + 3 * (p * q) ** 2 / (k6 * m) + 3 * f * p * (k2 + 5 * q * q) / k6
+    )
     return _square(pp, pq, pq, qq), _square(ppp, ppq, ppq, pqq)
 
 
@@ -117,7 +122,7 @@ def _square(a: Array, b: Array, c: Array, d: Array) -> Array:
 def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
     """Return the place (2,) in m where a journal turning at omega carries a steady load (2,) in N.
 
-    Newton's method on the eccentricity in log(load), which is nearly straight; a load of 0 is carried at 0.
+    Newton's method on the eccentricity in log(load), which is nearly straight; a load of 0 is at 0.
 
     >>> place = equilibrium(Bearing(0.1, 0.03, 1e-4, 0.1), [-525.0, 0.0], 50 * np.pi)
     >>> round(float(np.linalg.norm(place)) / 1e-4, 4)

@@ -1,4 +1,4 @@
-"""What films and housings give at a step's stages, per journal velocity, displacement and housing state."""
+"""Films and housings at a step's stages, per journal velocity, displacement and housing state."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from symbalance.crankshaft.system import Housing, PeriodicSystem
 class StageFilms:
     """Film forces b in turning axes, stage by stage, for each of N steps; b acts on the film.
 
-    b = velocity v + displacement d + housing z, with the journals' velocities v at the stages (s 2b), their
-    displacements d at the step's start (2b) and the housings' z there (2b, or 0); z+ = kept z + moved b.
+    b = velocity v + displacement d + housing z, with the journals' velocities v at the stages (s 2b),
+    their displacements d at the step's start (2b) and the housings' z there (2b, or 0); z+ = kept z
+    + moved b.
     """
 
     velocity: Array
@@ -50,7 +51,9 @@ def stage_films(system: PeriodicSystem, at: Coefficients, matrix: Array, h: floa
         moved = _spread(end @ turn, 1, s)
     sides = np.swapaxes(turn, -1, -2) @ sides
     velocity, displacement = sides[..., : 2 * s], sides[..., 2 * s : 2 * s + 2]
-    housing = _spread(sides[..., 2 * s + 2 :], s, 1) if system.housing else np.zeros((steps, 2 * s * count, 0))
+    housing = (
+        _spread(sides[..., 2 * s + 2 :], s, 1) if system.housing else np.zeros((steps, 2 * s * count, 0))
+    )
     return StageFilms(_spread(velocity, s, s), _spread(displacement, s, 1), housing, kept, moved)
 
 

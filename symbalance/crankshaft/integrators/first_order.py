@@ -1,6 +1,7 @@
-"""A periodic system as first-order equations y' = A(theta) y + g(theta), y = (x, x', z): for general solvers.
+"""A periodic system as first-order equations y' = A(theta) y + g(theta), for general solvers.
 
-z are the housings' displacements, stationary. They have no mass: (C + C_B) z' = K (y - z) + C y' - K_B z.
+A state is y = (x, x', z); z are the housings' displacements, stationary. They have no mass: with the
+journals' displacements s, (C + C_B) z' = K (s - z) + C s' - K_B z.
 """
 
 from __future__ import annotations
@@ -83,8 +84,8 @@ def cleaned(matrix: Array) -> Array:
 def film_laws(system: PeriodicSystem, theta: Array) -> tuple[Array, Array]:
     """Return, per angle and bearing, the film's force in turning axes and z' per (d, d', z).
 
-    Shapes (s, b, 2, 6) and (s, b, 2, 6); without a housing (s, b, 2, 4) and (s, b, 0, 4). Where neither film
-    nor housing damps a direction, its z follows without delay and this form does not exist: the
+    Shapes (s, b, 2, 6) and (s, b, 2, 6); without a housing (s, b, 2, 4) and (s, b, 0, 4). Where neither
+    film nor housing damps a direction, its z follows without delay and this form does not exist: the
     least-squares rate is taken, right for z' = 0.
     """
     at = coefficients(system, theta)
@@ -111,7 +112,7 @@ def film_forces(system: PeriodicSystem, theta: Array, states: Array) -> Array:
 
 
 def diagonal(laws: Array) -> Array:
-    """Return one angle's per-bearing (b, r, 2 k) as one matrix (b r, k 2b), columns in the order kind, bearing."""
+    """Return one angle's (b, r, 2 k) as one matrix (b r, k 2b), columns by kind, then bearing."""
     count, rows, columns = laws.shape
     full = np.zeros((count, rows, columns // 2, count, 2))
     for j in range(count):

@@ -1,9 +1,9 @@
 """SciPy's integrators on the first-order equations, with the settings that suit each.
 
-The implicit ones get the exact Jacobian: sparse for Radau and BDF where it is (a crank of lumped slices), as
-they then factor it sparse, dense for LSODA, whose alternative is a narrow band, which housings and bearings
-break. The constant part of the slope is one sparse product; films, housings and loads come from the
-system's own functions at every call.
+The implicit ones get the exact Jacobian: sparse for Radau and BDF where it is (a crank of lumped
+slices), as they then factor it sparse, dense for LSODA, whose alternative is a narrow band, which
+housings and bearings break. The constant part of the slope is one sparse product; films, housings and
+loads come from the system's own functions at every call.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 
@@ -51,7 +52,9 @@ def scipy_states(
     first, omega = FirstOrder.of(system), system.omega
     sparse = np.count_nonzero(first.constant) < SPARSE * first.constant.size
     packed = csc_array if sparse and method in ("radau", "bdf") else np.asarray
-    extra = {} if method in EXPLICIT else {"jac": lambda t, _: packed(first.matrix(omega * t))}
+    extra: dict[str, Any] = (
+        {} if method in EXPLICIT else {"jac": lambda t, _: packed(first.matrix(omega * t))}
+    )
     first = replace(first, product=(csr_array(first.constant) if sparse else first.constant).__matmul__)
     until = perf_counter() + limit
 

@@ -70,7 +70,7 @@ class LinearSteps:
         return states
 
     def carried(self, columns: Array) -> Array:
-        """Return states (state, k), or one state, after one cycle without loads: the monodromy's action."""
+        """Return states (state, k), or one state, after a cycle without loads: the monodromy's action."""
         m = self.motion_size
         motion, housing = columns[:m], columns[m:]
         for i in range(self.steps):

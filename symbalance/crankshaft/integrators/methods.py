@@ -23,7 +23,9 @@ def linear_steps(system: PeriodicSystem, method: str, steps: int) -> LinearSteps
     if method not in FIXED:
         raise SymbalanceError(f"method = {shown(method)!r}", "is not known", f"one of {', '.join(FIXED)}")
     if steps < LEAST_STEPS:
-        raise SymbalanceError(f"steps = {shown(steps)}", f"must be at least {LEAST_STEPS}", "720 is usual")
+        raise SymbalanceError(
+            f"steps = {shown(steps)}", f"must be at least {LEAST_STEPS}", "720 is usual"
+        )
     if not system.omega > 0:
         raise SymbalanceError(f"speed = {shown(system.omega)} rad/s", "must be positive", "give rpm > 0")
     return FIXED[method](system, steps)

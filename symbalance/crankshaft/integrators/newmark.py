@@ -39,7 +39,7 @@ def newmark_steps(system: PeriodicSystem, steps: int) -> LinearSteps:
 
 
 def _rotor(system: PeriodicSystem, h: float, force: Array) -> tuple[Array, Array, Array]:
-    """Return (2n, 2n) of the state, (2n, 4b) of the bearings' forces at both ends, (N, 2n) of the loads."""
+    """Return (2n, 2n) of the state, (2n, 4b) of both ends' bearing forces, (N, 2n) of the loads."""
     n, points = system.size, gathered(system)
     zero = np.zeros_like(points.T)
     before = np.linalg.solve(
@@ -64,7 +64,7 @@ def _gains(system: PeriodicSystem, theta: Array, h: float, compliance: Array) ->
     count, housing, steps = 2 * len(system.points), housing_size(system), len(theta) - 1
     width, here = laws.shape[-1], np.zeros((steps, count, count + laws.shape[-1]))
     here[..., count:] = laws[:-1]
-    # what is seen, as rows over (free v+, d, v, z): the end's velocity, still without b+, and displacement
+    # all in terms of (free v+, d, v, z): first the end's velocity, still without b+
     rows = np.eye(count + width)
     speed, start, first, rest = np.split(rows, [count, 2 * count, 3 * count])
     velocity = speed - compliance[:, :count] @ here

@@ -6,7 +6,7 @@ With A = T diag(poles) T^-1 the stages' accelerations come apart into one n x n 
 
 real or complex, factored once for the whole run. What the bearings add has rank 2 b a stage: their forces
 at the s stages are the only unknowns that a step solves for, and the systems of all steps are solved
-together beforehand. Housing states go along exactly; they are massless, so a stiffly accurate method is needed.
+together beforehand. Housing states go along exactly; massless, they need a stiffly accurate method.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ def radau_steps(system: PeriodicSystem, steps: int, stages: int = 3) -> LinearSt
     rotor = _Rotor.of(system, tableau, h, system.force(theta.ravel()).reshape(steps, stages, -1))
     films = stage_films(system, coefficients(system, theta.ravel()), tableau.matrix, h)
     count = len(rotor.compliance)
-    small = (films.velocity.reshape(-1, count) @ rotor.compliance).reshape(films.velocity.shape)
-    small += np.eye(count)
+    small = films.velocity.reshape(steps * count, count) @ rotor.compliance
+    small = small.reshape(steps, count, count) + np.eye(count)
     loads = films.velocity @ rotor.velocity_forced[..., None]
     known = np.concatenate([films.velocity, films.displacement, films.housing, loads], axis=2)
     gain = np.linalg.solve(small, known)
@@ -71,7 +71,9 @@ class _Rotor:
         shares, shapes = factored(force.reshape(-1, n))
         made = [_pole(system, tableau, h, k, shapes) for k in tableau.kept]
         sums = _Sums(made, tableau, shares.reshape(len(force), s, -1))
-        modes = h * tableau.transform[:, tableau.kept] * tableau.counted * tableau.poles[list(tableau.kept)]
+        modes = (
+            h * tableau.transform[:, tableau.kept] * tableau.counted * tableau.poles[list(tableau.kept)]
+        )
         place, speed = h * modes[-1] * tableau.poles[list(tableau.kept)], modes[-1]
         shift = np.hstack([np.eye(n), h * np.eye(n)])
         keep = np.hstack([np.zeros((n, n)), np.eye(n)])

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbalance.crankshaft.rotor import Array
 from symbalance.errors import SymbalanceError, shown
 
-Complex = NDArray[np.complex128]
+Complex = NDArray[np.complexfloating[Any, Any]]
 MOST_STAGES = 9
 
 
