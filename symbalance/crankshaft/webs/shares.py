@@ -3,7 +3,7 @@
 The web is cut midway between its two axes: the half around the near axis, with the counterweight, moves
 with the near node or, in a solved web, as a body of its own; the other half with the far node. Mass,
 mass centre and inertia of the whole are exact. Against a crank meshed whole
-(`derivations/crankshaft_model.md`) this did better than mass divided in proportion to the place between
+(`derivations/crankshaft-model.md`) this did better than mass divided in proportion to the place between
 the axes: where the web is held by journal or pin it hardly bends.
 
 The outline is a rectangle, `width` across, from `heel` behind the near axis to `tip` beyond the far one,
