@@ -59,7 +59,7 @@ def test_the_closed_form_is_the_integral_over_the_arc(seed):
 
 
 def test_against_a_textbook_bearing():
-    """Friswell et al., Dynamics of Rotating Machines (2010), ex. 5.5.1; its load is along -y, ours lateral."""
+    """Friswell et al., Dynamics of Rotating Machines (2010), ex. 5.5.1; its load is along -y."""
     place = equilibrium(TEXTBOOK, [0.0, -525.0], OMEGA)
     assert abs(np.linalg.norm(place) / 1e-4 - 0.2663) < 5e-5
     state = film_state(TEXTBOOK, place, [0.0, 0.0], OMEGA)
@@ -98,6 +98,27 @@ def test_an_orbit_carries_its_loads_with_its_own_velocity():
     assert off[0] < off[1] / 5
 
 
+@pytest.mark.parametrize("size", [300.0, 2000.0, 80000.0])
+def test_the_whole_orbit_at_once_is_the_one_that_marching_finds(size, monkeypatch):
+    theta = 4 * np.pi / 240 * np.arange(240)
+    loads = size * np.stack([1.5 + np.cos(theta / 2) ** 9, 0.7 * np.sin(theta)], axis=-1)[:, None]
+    found = journal_orbit([TEXTBOOK], loads, OMEGA, 4 * np.pi)
+    monkeypatch.setattr("symbalance.crankshaft.bearings.orbits.closed_places", lambda *_: None)
+    marched = journal_orbit([TEXTBOOK], loads, OMEGA, 4 * np.pi)
+    assert np.abs(found.place - marched.place).max() < 1e-6 * TEXTBOOK.clearance
+    assert (found.place != marched.place).any()
+
+
+def test_an_orbit_that_marching_does_not_close_is_found():
+    """A light load: the journal whirls at half speed, hardly damped, and marching needs ages."""
+    theta = 4 * np.pi / 240 * np.arange(240)
+    loads = 20 * np.stack([1.5 + np.cos(theta / 2) ** 9, 0.7 * np.sin(theta)], axis=-1)[:, None]
+    orbit = journal_orbit([TEXTBOOK], loads, OMEGA, 4 * np.pi)
+    order = 1j * np.fft.fftfreq(240, 1 / 240)[:, None, None] * OMEGA / 2
+    speed = np.fft.ifft(order * np.fft.fft(orbit.place, axis=0), axis=0).real
+    assert np.abs(films([TEXTBOOK], orbit.place, speed, OMEGA).force - loads).max() < 0.2
+
+
 def test_a_steady_load_has_no_orbit_but_a_place():
     orbit = journal_orbit([TEXTBOOK], np.full((32, 1, 2), [-400.0, 0.0]), OMEGA, 2 * np.pi)
     assert np.allclose(orbit.place, equilibrium(TEXTBOOK, [-400.0, 0.0], OMEGA), atol=1e-14)
@@ -115,7 +136,7 @@ def test_springs_in_series_and_what_cross_terms_do():
 
 
 def test_series_and_exact_agree_where_nothing_turns_or_changes():
-    """A round rotor on a film the same at all angles, driven at one order: the paper's way is exact there."""
+    """A round rotor, a film the same at all angles, one order: the paper's way is exact there."""
     omega, order = 100.0, 3
 
     def pushed(theta):

@@ -166,5 +166,6 @@ def _head(found: Measured) -> str:
     return (
         f"{made}; one thread, {os.cpu_count()} cores\n"
         f"In-line four, {found.sizes[0]} unknowns reduced, {found.sizes[1]} in full, "
-        f"five bearings with housings; films at 2200 rpm: direct terms {low:.1e} to {high:.1e} N/m, cross terms to {most:.1e} N/m"
+        f"five bearings with housings; films at 2200 rpm: direct terms {low:.1e} to {high:.1e} N/m, "
+        f"cross terms to {most:.1e} N/m"
     )

@@ -1,9 +1,10 @@
 """The periodic orbit of journals that carry given loads, and the films' tangents along it.
 
-A film has no mass: at every angle F(r, r') = load. The equation is integrated over the cycle by Radau IIA
-with two stages (order 3, L-stable), all bearings together, until the orbit closes; Newton's method takes
-the film's own tangents. Stiffness and damping along the orbit are then those tangents: what a small
-departure from this orbit meets, not springs about the centre.
+A film has no mass: at every angle F(r, r') = load. The equation is discretised over the cycle by Radau
+IIA with two stages (order 3, L-stable) and solved by Newton's method on the whole closed orbit
+(`closing`), or, should that fail, by going round until it closes. Stiffness and damping along the orbit
+are then the film's own tangents: what a small departure from this orbit meets, not springs about the
+centre.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from symbalance.crankshaft.bearings.closing import closed_places
 from symbalance.crankshaft.bearings.short_film import Bearing, FilmState, equilibrium, film_states
 from symbalance.crankshaft.integrators.tableau import radau_iia
 from symbalance.crankshaft.rotor import Array
@@ -21,6 +23,8 @@ from symbalance.errors import SymbalanceError, shown
 MOST_CYCLES, MOST_NEWTON, CLOSES, NEWTON = 40, 60, 1e-7, 1e-11
 FARTHEST = 0.9995
 """The eccentricity at which Newton's steps are cut short."""
+COARSE = 120
+"""About how many steps the cycle has from which the whole orbit's Newton method starts."""
 
 
 @dataclass(frozen=True)
@@ -48,19 +52,25 @@ def journal_orbit(bearings: Sequence[Bearing], loads: Array, omega: float, cycle
         raise SymbalanceError(f"{count} bearing loads", f"must be {len(bearings)}", "one per bearing")
     if not np.isfinite(loads).all():
         raise SymbalanceError("bearing loads", "must be finite")
-    place = np.array([equilibrium(b, load, omega) for b, load in zip(bearings, loads[0], strict=True)])
     march = _March(bearings, loads, omega, cycle / steps / omega)
-    found, rate = np.empty((steps, count, 2)), np.zeros((2, count, 2))
-    for _ in range(MOST_CYCLES):
-        before = place
-        for k in range(steps):
-            found[k] = place
-            place, rate = march.stepped(k, place, rate)
-        found[0] = place
-        if (np.abs(place - before) / march.limits).max() <= CLOSES:
-            return _tangents(bearings, found, loads, omega, cycle)
-    rule = f"no orbit closes within {MOST_CYCLES} cycles"
-    raise SymbalanceError("journal orbit", rule, "a wider bearing, more angles or smaller loads")
+    found = _at_once(march, cycle) if steps > COARSE else None
+    return _tangents(bearings, march.closed() if found is None else found, loads, omega, cycle)
+
+
+def _at_once(march: _March, cycle: float) -> Array | None:
+    """Return the closed orbit by Newton's method on all steps, from a march of one coarse cycle."""
+    steps, every = len(march.loads), -(-len(march.loads) // COARSE)
+    if steps % every:
+        return None
+    coarse = _March(march.bearings, march.loads[::every], march.omega, march.h * every)
+    try:
+        places, rates, _ = coarse.cycle(coarse.at_rest())
+    except SymbalanceError:
+        return None
+    share = (np.arange(every) / every)[:, None, None]
+    between = places[:, None] * (1 - share) + np.roll(places, -1, axis=0)[:, None] * share
+    start = between.reshape(steps, *places.shape[1:]), np.repeat(rates, every, axis=0)
+    return closed_places(march.at, march.wanted, march.inner, FARTHEST * march.limits, start)
 
 
 def films(bearings: Sequence[Bearing], place: Array, velocity: Array, omega: float) -> FilmState:
@@ -74,17 +84,49 @@ class _March:
 
     def __init__(self, bearings: Sequence[Bearing], loads: Array, omega: float, h: float) -> None:
         tableau = radau_iia(2)
-        self.bearings, self.omega = bearings, omega
+        self.bearings, self.loads, self.omega, self.h = bearings, loads, omega, h
         self.inner = h * tableau.matrix
         self.limits = np.array([[b.clearance] for b in bearings])
         self.wanted = np.stack([_between(loads, tableau.nodes[0]), np.roll(loads, -1, axis=0)], axis=1)
+
+    def at(self, place: Array, velocity: Array) -> FilmState:
+        """Return all bearings' films."""
+        return films(self.bearings, place, velocity, self.omega)
+
+    def at_rest(self) -> Array:
+        """Return the places where the journals would carry the first loads, were they steady."""
+        every = zip(self.bearings, self.loads[0], strict=True)
+        return np.array([equilibrium(b, load, self.omega) for b, load in every])
+
+    def closed(self) -> Array:
+        """Return the places (N, b, 2) of the closed orbit, by going round until it closes."""
+        place = self.at_rest()
+        for _ in range(MOST_CYCLES):
+            found, _, end = self.cycle(place)
+            if (np.abs(end - place) / self.limits).max() <= CLOSES:
+                found[0] = end
+                return found
+            place = end
+        rule = f"no orbit closes within {MOST_CYCLES} cycles"
+        raise SymbalanceError("journal orbit", rule, "a wider bearing, more angles or smaller loads")
+
+    def cycle(self, place: Array) -> tuple[Array, Array, Array]:
+        """Return one cycle's places (N, b, 2), stage velocities (N, 2, b, 2) and end, from a place."""
+        steps = len(self.loads)
+        found, rates = np.empty((steps, *place.shape)), np.empty((steps, 2, *place.shape))
+        rate = np.zeros((2, *place.shape))
+        for k in range(steps):
+            found[k] = place
+            place, rate = self.stepped(k, place, rate)
+            rates[k] = rate
+        return found, rates, place
 
     def stepped(self, k: int, place: Array, rate: Array) -> tuple[Array, Array]:
         """Return places and stage velocities after step k; `rate` is where Newton's method begins."""
         count, inner = len(place), self.inner
         rate, stage = self._kept_within(place, 0 * rate, rate)
         for _ in range(MOST_NEWTON):
-            at = films(self.bearings, stage, rate, self.omega)
+            at = self.at(stage, rate)
             matrix = np.einsum("ij,ibcd->bicjd", inner, at.stiffness)
             matrix[:, 0, :, 0] += at.damping[0]
             matrix[:, 1, :, 1] += at.damping[1]
