@@ -55,9 +55,9 @@ def _run(name: str, kept: Path | None) -> dict[str, Any]:
         "bending": {str(o.rpm): _peaks(made, o) for o in outcomes},
         "high": {str(o.rpm): _high(o) for o in outcomes},
         "worst": {"place": found.worst.name, "safety": found.worst.found.safety},
-        "clearance": {"orbit": float(last.eccentricity.max()), "centre": float(paper.eccentricity.max())},
+        "clearance": {"orbit": float(max(o.eccentricity.max() for o in outcomes)), "centre": float(paper.eccentricity.max())},
         "centre": float(np.abs(paper.values - last.values).max() / np.abs(last.values).max()),
-        "departure": last.departure,
+        "departure": max(o.departure for o in outcomes),
         "multiplier": last.largest,
     }
 
