@@ -427,9 +427,7 @@ def test_a_webs_two_ends_are_the_whole_with_nothing_pulling_between():
     ends, middle = slice(0, 12), slice(12, 18)
     whole = member.whole
     kept = whole[ends, middle] @ np.linalg.solve(whole[middle, middle], whole[middle, ends])
-    assert whole[ends, ends] - kept == pytest.approx(
-        member.stiffness, rel=1e-6, abs=1e-6 * whole[0, 0]
-    )
+    assert whole[ends, ends] - kept == pytest.approx(member.stiffness, rel=1e-6, abs=1e-6 * whole[0, 0])
 
 
 def found(store, arm):

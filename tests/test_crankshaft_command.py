@@ -127,6 +127,12 @@ REFUSED = [
     ({"big_end_mass": "rod_mass = 1.5"}, "[running]: needs rod_centre"),
     ({"bore": "bore = -92"}, "bore = -92: must be positive"),
     ({"clearance": "clearance = 0"}, "clearance = 0: must be positive"),
+    ({"clearance": "clearance = 35"}, "clearance = 35: exceeds 0.65 mm, a hundredth of the journal"),
+    ({"bore": "bore = 92\nambient = -1"}, "ambient = -1: must not be negative"),
+    ({"pressure": "compression = 16\nheat = -10"}, "heat = -10: must lie in"),
+    ({"length": "length = -5"}, "length = -5: must be positive"),
+    ({"diameter": "diameter = 300"}, "width = 100 mm: must cover the journal with its fillets"),
+    ({"fillet": "fillet = 60"}, "fillet = 60 mm: must be less than half the length"),
     ({"viscosity": ""}, "[bearings]: needs viscosity"),
     ({"viscosity": "viscosity = 0.01\nlength = 40"}, "length = 40: exceeds the journal's 30 mm"),
     ({"viscosity": "viscosity = 0.01\nhousing_vertical = 1e9"}, "needs housing_lateral"),
@@ -170,6 +176,50 @@ def test_missing_tables_and_counterweights_on_one_web_are_refused(tmp_path, caps
         "[[crankshaft.counterweight]]", text.splitlines().index(weight[:28]) + 1
     )
     assert f":{line + 2}: webs = [1]: gives web 1 a second counterweight" in err
+
+
+def test_a_counterweight_names_its_webs(tmp_path, capsys):
+    text = sheet(SINGLE, "[[crankshaft.counterweight]]\nmass = 1\nradius = 50")
+    assert run(["crankshaft", str(written(tmp_path, text)), *QUICK]) == 2
+    assert "[crankshaft.counterweight]: needs webs" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "channel", "said"),
+    [
+        ("none.csv", "pin 1 bending", "none.csv: cannot be read"),
+        ("wide.csv", "pin 1 bending", "wide.csv:2: line '0,1,2': has 3 columns, not 2"),
+        ("short.csv", "pin 1 bending", "holds 1 points, and a curve needs 8"),
+        ("short.csv", "pin 9 bending", "names no channel of this crank; one of pin 1 bending"),
+    ],
+)
+def test_a_measured_curve_is_checked_before_the_run(name, channel, said, tmp_path, capsys):
+    (tmp_path / "wide.csv").write_text("degrees,MPa,x\n0,1,2\n", encoding="utf-8")
+    (tmp_path / "short.csv").write_text("degrees,MPa\n0,1\n", encoding="utf-8")
+    text = sheet(SINGLE, f'[running.overlay]\nfile = "{name}"\nchannel = "{channel}"')
+    assert run(["crankshaft", str(written(tmp_path, text)), *QUICK]) == 2
+    out, err = capsys.readouterr()
+    assert (out, len(err.splitlines())) == ("", 1)
+    assert said in err
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "said"),
+    [
+        ([-1e8, 0, 0, -1e8, -1e5, 0, 0, -1e5], "film.csv"),
+        ([1e8, 0, 0, 1e8, "nan", 0, 0, 1e5], "film.csv:1: 'nan': must be a number"),
+        ([1e8, 0, 0], "film.csv:1: 7 columns: must have 17 columns"),
+    ],
+)
+def test_a_film_table_that_no_film_has_is_refused(coefficients, said, tmp_path, capsys):
+    row = ",".join(map(str, coefficients))
+    rows = "".join(f"{angle},{row},{row}\n" for angle in range(0, 720, 10))
+    (tmp_path / "film.csv").write_text(rows, encoding="utf-8")
+    path = written(tmp_path, sheet(viscosity='table = "film.csv"'))
+    assert run(["crankshaft", str(path), *QUICK]) == 2
+    out, err = capsys.readouterr()
+    assert (out, len(err.splitlines())) == ("", 1)
+    assert said in err
 
 
 @pytest.mark.parametrize(

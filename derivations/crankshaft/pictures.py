@@ -55,11 +55,16 @@ def _run(name: str, kept: Path | None) -> dict[str, Any]:
         "bending": {str(o.rpm): _peaks(made, o) for o in outcomes},
         "high": {str(o.rpm): _high(o) for o in outcomes},
         "worst": {"place": found.worst.name, "safety": found.worst.found.safety},
-        "clearance": {"orbit": float(max(o.eccentricity.max() for o in outcomes)), "centre": float(paper.eccentricity.max())},
+        "clearance": {"orbit": max(map(_widest, outcomes)), "centre": _widest(paper)},
         "centre": float(np.abs(paper.values - last.values).max() / np.abs(last.values).max()),
         "departure": max(o.departure for o in outcomes),
         "multiplier": last.largest,
     }
+
+
+def _widest(outcome: Outcome) -> float:
+    """Return the largest share of its clearance that an orbit takes."""
+    return float(outcome.eccentricity.max())
 
 
 def _peaks(made: Setting, outcome: Outcome) -> dict[str, list[float]]:

@@ -27,6 +27,7 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.crankshaft.reports import summary
     from symbalance.crankshaft.reports.pictures import check_drawing, pictures
     from symbalance.crankshaft.running import setting, swept
+    from symbalance.crankshaft.running.measured import check_overlay
 
     _check_libraries()
     if not options.no_plots:
@@ -44,6 +45,9 @@ def run(options: argparse.Namespace) -> int:
         passes=passes,
         store=None if folder is None else folder / "webs.json",
     )
+    if engine.operation.overlay is not None:  # before the long run, not after it
+        names = [channel.name for channel in made.channels]
+        check_overlay(engine.operation.overlay, names, engine.layout.strokes * 180)
     kept = None if folder is None else folder / "speeds"
     outcomes = swept(made, kept, lambda line: print(line, file=sys.stderr, flush=True))
     found = summary(made, outcomes)

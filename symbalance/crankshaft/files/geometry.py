@@ -179,6 +179,8 @@ def _read_counterweights(
         beside += [*own, own[-1]]
     found: dict[int, Counterweight] = {}
     for row in section.subsections("counterweight", WEIGHT):
+        if not row.table.get("webs"):
+            raise row.missing("webs", "add webs = [1, 2], counted from 1 at the front")
         for web in row.places("webs", count):
             if web in found:
                 raise row.refusal("webs", f"gives web {web} a second counterweight", "name each web once")

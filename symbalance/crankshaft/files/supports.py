@@ -19,6 +19,8 @@ KEYS = (
     "thrust",
     "thrust_stiffness",
 )
+WIDEST = 0.01
+"""The largest radial clearance, of the journal's diameter: beyond it is no bearing, or another unit."""
 THRUST_STIFFNESS = 2e8
 """N/m of the thrust bearing where none is given: an estimate; it only holds the crank in place."""
 
@@ -55,8 +57,13 @@ def read_supports(section: Section, crank: Crank, folder: Path) -> Supports:
                 rule = f"exceeds the journal's {journal.length / MILLI:.6g} mm"
                 raise section.refusal("length", rule, "a bearing shell lies on its journal")
     table = section.text("table")
+    clearance = section.numbers("clearance", count, None, MILLI)
+    for given, journal in zip(clearance, journals, strict=True):
+        if given > WIDEST * journal.diameter:
+            rule = f"exceeds {WIDEST * journal.diameter / MILLI:.6g} mm, a hundredth of the journal"
+            raise section.refusal("clearance", rule, "radial, in mm: about a thousandth of the radius")
     return Supports(
-        tuple(section.numbers("clearance", count, None, MILLI)),
+        tuple(clearance),
         tuple(lengths),
         tuple(j.diameter for j in journals),
         tuple(section.numbers("viscosity", count, 0.01 if table else None)),

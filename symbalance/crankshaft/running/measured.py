@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 
 import numpy as np
@@ -40,11 +42,8 @@ def compared(overlay: Overlay, outcome: Outcome) -> Comparison | None:
     """Return the comparison at an outcome's speed, None where the curve belongs to another one."""
     if overlay.rpm is not None and abs(overlay.rpm - outcome.rpm) > 1e-9 * outcome.rpm:
         return None
-    if overlay.channel not in outcome.names:
-        known = ", ".join(outcome.names[:3])
-        what = f"channel = {shown(overlay.channel)}"
-        raise SymbalanceError(what, "names no channel of this crank", f"one of {known}, ...")
     cycle = round(np.degrees(outcome.cycle))
+    check_overlay(overlay, outcome.names, cycle)
     degrees, values = read_curve(overlay.path, cycle)
     theta = np.append(outcome.degrees, cycle)
     computed = outcome.channel(overlay.channel) / MEGA
@@ -52,6 +51,15 @@ def compared(overlay: Overlay, outcome: Outcome) -> Comparison | None:
     off = there - values
     rms, peak = float(np.sqrt(np.mean(off**2))), float(computed.max() - values.max())
     return Comparison(outcome.rpm, overlay.channel, degrees, values, rms, peak, float(np.ptp(values)))
+
+
+def check_overlay(overlay: Overlay, names: Sequence[str], cycle: int) -> None:
+    """Refuse a curve that cannot be compared: an unknown channel, a file that does not read."""
+    if overlay.channel not in names:
+        near = get_close_matches(overlay.channel, names, 3, 0.4) or names[:3]
+        what = f"channel = {shown(overlay.channel)}"
+        raise SymbalanceError(what, "names no channel of this crank", f"one of {', '.join(near)}, ...")
+    read_curve(overlay.path, cycle)
 
 
 def read_curve(path: str | Path, cycle: int = 720) -> tuple[Array, Array]:
