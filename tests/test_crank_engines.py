@@ -63,7 +63,7 @@ def test_a_preset_has_no_sizes_and_says_so(capsys):
 def test_slow_and_stiff_is_statics(tmp_path):
     """One throw at 100 rpm on stiff springs, with a heavy wheel: a simply supported beam, by hand.
 
-    The rod's force from the trace and plain trigonometry, the stress from F L/4; weight is below a percent.
+    The rod's force from the trace and plain trigonometry, stress from F L/4; weight is below a percent.
     """
     wheel = "[crankshaft.flywheel]\nmass = 1\npolar = 1e9\n"
     made = setting(engine(tmp_path, sheet().replace(CRANKSHAFT, STIFF + wheel)), webs="nominal")
