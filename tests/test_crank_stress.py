@@ -189,9 +189,9 @@ def test_films_about_the_orbit_carry_the_nonlinear_films_own_force(tmp_path):
     from symbalance.crankshaft.bearings.short_film import film_states
     from symbalance.crankshaft.running.films import periodic, plain_bearings
 
-    made = setting(engine(tmp_path, sheet()), webs="nominal", passes=3, steps=240)
+    made = setting(engine(tmp_path, sheet()), webs="nominal", steps=360)
     once, found = run(replace(made, passes=1), 1500), run(made, 1500)
-    assert found.departure < 0.01 < once.departure
+    assert found.departure < 0.05 < once.departure
     assert found.within_clearance
     bearings, omega = plain_bearings(made.engine), 1500 * np.pi / 30
     velocity = omega * periodic(found.theta, found.orbits, found.cycle)(found.theta, 1)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cranks import SINGLE, sheet, written
+from cranks import SINGLE, engine, sheet, written
 
 from symbalance.cli import run
 from symbalance.crankshaft.running import sweep
@@ -210,3 +210,16 @@ def test_the_package_and_other_commands_need_none_of_it():
     )
     printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert printed.stdout.splitlines()[-1] == "False"
+
+
+def test_the_readmes_tables_are_read(tmp_path):
+    """The engine file of the README, first block, with the three tables of its block for cranks."""
+    readme = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```toml\n(.*?)```", readme, re.DOTALL)
+    tables = next(block for block in blocks if "[crankshaft.journal]" in block)
+    text = blocks[0].replace("[layout]", "reciprocating_mass = 0.6\n\n[layout]") + tables
+    made = engine(tmp_path, text)
+    assert len(made.crank.pins) == 4
+    assert made.operation.rpm == (1000, 2200)
+    weighted = [i for i, p in enumerate(made.crank.parts) if getattr(p, "counterweight", None)]
+    assert weighted == [1, 3, 13, 15]

@@ -2,8 +2,9 @@
 
 Journals and pins are Timoshenko beams from web face to web face, each in two halves with a node at its
 middle; a web joins the nodes at its two faces, as an element whose stiffness is inverted from a
-flexibility (`webs`) and whose mass is shared between them; pulley and flywheel are rigid. All that has
-mass turns: M, G, dK and F_M of every slice and body are those of `gyroscopics`.
+flexibility (`webs`) and whose mass is shared between them (of a solved web, heel and counterweight hang
+on it as a body with a node of its own); pulley and flywheel are rigid. All that has mass turns: M, G, dK
+and F_M of every slice and body are those of `gyroscopics`.
 """
 
 from __future__ import annotations
@@ -17,28 +18,32 @@ from symbalance.crankshaft.beams import ALONG_W, Beam, circular, element, flexib
 from symbalance.crankshaft.bodies import Body, disc_body
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Pin, Web
 from symbalance.crankshaft.gathering import damped, gathered
-from symbalance.crankshaft.rotor import Array, Member, Rotor
-from symbalance.crankshaft.solid.store import Store, open_store, solid_flexibility
-from symbalance.crankshaft.webs.arm import Arm, arms, axis_of
+from symbalance.crankshaft.rotor import Array, Hanging, Member, Rotor
+from symbalance.crankshaft.solid.store import Store, open_store, solid_web
+from symbalance.crankshaft.webs.arm import Arm, Elastic, arms, axis_of
 from symbalance.crankshaft.webs.fitted import fitted_flexibility
 from symbalance.crankshaft.webs.formula import formula_flexibility
 from symbalance.crankshaft.webs.nominal import nominal_flexibility
-from symbalance.crankshaft.webs.shares import far_bodies, near_bodies
+from symbalance.crankshaft.webs.shares import far_bodies, near_bodies, near_fillet
 from symbalance.errors import SymbalanceError, shown
 
-Flexibility = Callable[[Arm], Array]
+Flexibility = Callable[[Arm], Array | Elastic]
 WEBS = ("solid", "fitted", "formula", "nominal")
 """The ways to a web's flexibility, best first."""
 
 
 @dataclass(frozen=True)
 class Nodes:
-    """The crank's nodes: `points` (n, 3), and (front, middle, rear) nodes of each journal and pin."""
+    """The crank's nodes: `points` (n, 3), and (front, middle, rear) nodes of each journal and pin.
+
+    `hanging` are the nodes of what hangs on the near ends of webs.
+    """
 
     points: Array
     ends: dict[int, tuple[int, int, int]]
     pulley: int | None
     flywheel: int | None
+    hanging: dict[int, int]
 
 
 def assemble(
@@ -54,8 +59,8 @@ def assemble(
 
     `webs`: "solid" (a whole-web element from the meshed half throw), "fitted" (the paper's six
     flexibilities, fitted to it), "formula" (Ker Wilson's lengths), "nominal" (plain beams), or a function
-    from an `Arm` to its (6, 6) flexibility. Solved webs come from `store`, by default the package's own
-    (what it lacks is meshed, with gmsh and scikit-fem).
+    from an `Arm` to its (6, 6) flexibility or `Elastic`. Solved webs come from `store`, by default the
+    package's own (what it lacks is meshed, with gmsh and scikit-fem).
     `pin_masses` (kg, one per pin, front to rear) are big ends counted as part of the turning crank.
     Damping is `damping_ratio` of critical in every elastic mode, plus `damping_time` (s) times K.
 
@@ -66,8 +71,9 @@ def assemble(
     >>> rotor.size, rotor.journals, rotor.pins
     (54, (1, 7), (4,))
     """
-    nodes = place_nodes(crank)
-    members = [*_members(crank, nodes, _flexibility(webs, store))]
+    elastic = _elastic(crank, _flexibility(webs, store))
+    nodes = place_nodes(crank, elastic)
+    members = [*_members(crank, nodes, elastic)]
     spans = [(front, rear, beam) for front, rear, beam, _, _ in beams(crank, nodes)]
     rotor = gathered(nodes.points, members, spans, [*_bodies(crank, nodes, pin_masses)])
     bearings = [i for i, part in enumerate(crank.parts) if isinstance(part, Journal) and part.bearing]
@@ -90,12 +96,17 @@ def _flexibility(webs: str | Flexibility, store: Store | None) -> Flexibility:
         return nominal_flexibility if webs == "nominal" else formula_flexibility
     kept = open_store() if store is None else store
     if webs == "solid":
-        return lambda arm: solid_flexibility(arm, kept)
-    return lambda arm: fitted_flexibility(arm, solid_flexibility(arm, kept))
+        return lambda arm: solid_web(arm, kept)
+    return lambda arm: fitted_flexibility(arm, solid_web(arm, kept).face)
 
 
-def place_nodes(crank: Crank) -> Nodes:
-    """Return the nodes: front, middle and rear of each journal and pin, then those of the discs."""
+def _elastic(crank: Crank, flexibility: Flexibility) -> dict[int, Elastic]:
+    found = {index: flexibility(arm) for index, arm in arms(crank)}
+    return {index: web if isinstance(web, Elastic) else Elastic(web) for index, web in found.items()}
+
+
+def place_nodes(crank: Crank, elastic: dict[int, Elastic]) -> Nodes:
+    """Return the nodes: front, middle and rear of each journal and pin, then discs, then webs' bodies."""
     points: list[Array] = []
     ends: dict[int, tuple[int, int, int]] = {}
     for index, (part, start, stop) in enumerate(crank.stations()):
@@ -107,7 +118,18 @@ def place_nodes(crank: Crank) -> Nodes:
     last = len(points) - 1
     pulley = _disc_node(points, 0, crank.pulley, -1)
     flywheel = _disc_node(points, last, crank.flywheel, 1)
-    return Nodes(np.array(points), ends, pulley, flywheel)
+    hanging: dict[int, int] = {}
+    for index, arm in arms(crank):
+        if (body := elastic[index].body) is not None:
+            hanging[index] = len(points)
+            points.append(arm.place_of(body, points[_faces(ends, index, arm)[0]]))
+    return Nodes(np.array(points), ends, pulley, flywheel, hanging)
+
+
+def _faces(ends: dict[int, tuple[int, int, int]], index: int, arm: Arm) -> tuple[int, int]:
+    """Return the near and the far node of a web."""
+    front, rear = ends[index - 1][2], ends[index + 1][0]
+    return (rear, front) if arm.mirrored else (front, rear)
 
 
 def _disc_node(points: list[Array], end: int, disc: Disc | None, side: int) -> int | None:
@@ -144,12 +166,15 @@ def _shafts(crank: Crank, nodes: Nodes) -> Iterator[tuple[int, int, Beam, str, i
         yield front, rear, Beam(section, crank.material, disc.distance, ALONG_W), "shaft", -1
 
 
-def _members(crank: Crank, nodes: Nodes, web: Flexibility) -> Iterator[Member]:
+def _members(crank: Crank, nodes: Nodes, elastic: dict[int, Elastic]) -> Iterator[Member]:
     for front, rear, beam, kind, index in beams(crank, nodes):
         yield Member(front, rear, beam.stiffness, kind, index)
     for index, arm in arms(crank):
         front, rear = nodes.ends[index - 1][2], nodes.ends[index + 1][0]
-        yield Member(front, rear, arm.placed(web(arm)), "web", index)
+        web, hangs = elastic[index], None
+        if index in nodes.hanging:
+            hangs = Hanging(nodes.hanging[index], arm.placed(web), in_front=not arm.mirrored)
+        yield Member(front, rear, arm.placed(Elastic(web.face)), "web", index, hangs)
     for index, (before, after) in enumerate(zip(crank.parts, crank.parts[1:], strict=False)):
         if isinstance(before, Pin) and isinstance(after, Pin):
             yield _joint(crank, nodes, index, before, after)
@@ -167,9 +192,11 @@ def _joint(crank: Crank, nodes: Nodes, index: int, before: Pin, after: Pin) -> M
 
 def _bodies(crank: Crank, nodes: Nodes, pin_masses: Sequence[float]) -> Iterator[tuple[int, Body]]:
     for index, arm in arms(crank):
-        front, rear = nodes.ends[index - 1][2], nodes.ends[index + 1][0]
-        near, far = (rear, front) if arm.mirrored else (front, rear)
-        yield from ((near, body) for body in near_bodies(arm))
+        near, far = _faces(nodes.ends, index, arm)
+        holder = nodes.hanging.get(index, near)
+        away = nodes.points[near] - nodes.points[holder]
+        yield from ((holder, body.shifted(away)) for body in near_bodies(arm))
+        yield from ((near, body) for body in near_fillet(arm))
         yield from ((far, body) for body in far_bodies(arm))
     for disc, node in ((crank.pulley, nodes.pulley), (crank.flywheel, nodes.flywheel)):
         if disc is not None and node is not None:

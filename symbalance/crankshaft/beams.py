@@ -112,10 +112,13 @@ def flexibility(section: Section, material: Material, length: float, axes: Array
     return turned(own, axes)
 
 
-def element(flexible: Array, lever: Array) -> Array:
-    """Return the stiffness (12, 12) of a piece whose far end, `lever` away, has this flexibility."""
+def element(flexible: Array, *levers: Array) -> Array:
+    """Return the stiffness of a piece between its near end and the places that give by `flexible`.
+
+    `levers` lead to those places from the near end: one, and (12, 12), for a far end alone.
+    """
     stiffness = np.linalg.inv((flexible + flexible.T) / 2)
-    ends = np.hstack([-transfer(lever), np.eye(DOF)])
+    ends = np.hstack([-np.vstack([transfer(lever) for lever in levers]), np.eye(len(flexible))])
     return ends.T @ stiffness @ ends
 
 

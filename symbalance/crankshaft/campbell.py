@@ -115,7 +115,9 @@ def _eigen(parts: Sequence[Array], speed: float) -> tuple[Shapes, Shapes]:
     turning[:size, size:] = np.eye(size)
     turning[size:, :size] = -(stiffness + speed**2 * centrifugal)
     turning[size:, size:] = -(damping + speed * gyroscopic)
-    roots, vectors = np.linalg.eig(turning)
+    found = np.linalg.eig(turning)
+    roots: Shapes = np.array(found[0], dtype=np.complex128)
+    vectors: Shapes = np.array(found[1], dtype=np.complex128)
     moving = np.abs(roots.imag) > 1e-7 * np.abs(roots).max()
     order = [k for k in np.lexsort((roots.imag < 0, np.abs(roots.imag).round(6))) if moving[k]]
     return roots[order], vectors[:size, order]

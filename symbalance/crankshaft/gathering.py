@@ -37,8 +37,8 @@ def gathered(
     size = DOF * len(points)
     stiffness = np.zeros((size, size))
     for member in members:
-        _add(stiffness, member.stiffness, member.front, member.rear)
-    sums = _Sums(*(np.zeros((size, size)) for _ in range(3)), np.zeros(size))
+        _add(stiffness, member.whole, *member.nodes)
+    sums = _Sums(*np.zeros((3, size, size)), force=np.zeros(size))
     for front, rear, beam in spans:
         _add_beam(sums, points[front], (front, rear), beam)
     for node, body in bodies:

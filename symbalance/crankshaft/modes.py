@@ -9,10 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symbalance.crankshaft.rotor import DOF, Array, Rotor
 from symbalance.errors import SymbalanceError, shown
 
+AnyShapes = Array | NDArray[np.complex128]
 KINDS = ("bending U", "bending V", "axial", "torsion")
 
 
@@ -55,10 +57,10 @@ def _eigen(stiffness: Array, mass: Array) -> tuple[Array, Array]:
     """Return eigenvalues and mass-normalised vectors of a symmetric pair, by M = L L'."""
     inverse = np.linalg.inv(np.linalg.cholesky(mass))
     squares, vectors = np.linalg.eigh(inverse @ stiffness @ inverse.T)
-    return squares, inverse.T @ vectors
+    return np.asarray(squares, dtype=float), np.asarray(inverse.T @ vectors, dtype=float)
 
 
-def assurance(one: Array, other: Array) -> Array:
+def assurance(one: AnyShapes, other: AnyShapes) -> Array:
     """Return the modal assurance criterion of each shape of `one` (n, a) against `other` (n, b): (a, b).
 
     |p^H q|^2/(p^H p q^H q): 1 for the same shape, 0 for an orthogonal one.

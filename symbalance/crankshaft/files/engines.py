@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from symbalance.catalogue import preset_names
 from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.files import geometry, operation, supports
 from symbalance.crankshaft.files.operation import Operation
@@ -39,6 +40,7 @@ class RunningEngine:
 
 def read_running_engine(path: str | Path) -> RunningEngine:
     """Return the engine of a file with [crankshaft], [bearings] and [running]; refusals name the line."""
+    refuse_preset(path)
     text, place = read_text(path), str(path)
     layout = parse_engine(text, place, default_name=Path(path).stem)
     table, source = toml_table(text, place), Source(tuple(text.split("\n")), place)
@@ -51,6 +53,18 @@ def read_running_engine(path: str | Path) -> RunningEngine:
     held = supports.read_supports(_section(table, source, "bearings", supports.KEYS), crank, folder)
     run = operation.read_operation(_section(table, source, "running", operation.KEYS), layout, folder)
     return RunningEngine(layout, crank, held, run)
+
+
+def refuse_preset(path: str | Path) -> None:
+    """Refuse a preset's name: what it has, and what it lacks to run."""
+    name = str(path)
+    if name in preset_names() and not Path(name).exists():
+        rule = "is a preset: angles and firing order, no sizes, and a crankshaft runs from an engine file"
+        remedy = (
+            f"symbalance engines --show {name} > engine.toml; add stroke, rod and reciprocating_mass to "
+            "[crank_train], then [crankshaft], [bearings] and [running] as the README shows"
+        )
+        raise SymbalanceError(name, rule, remedy)
 
 
 def _section(table: dict[str, Any], source: Source, name: str, known: tuple[str, ...]) -> Section:

@@ -72,7 +72,12 @@ def _table(title: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> li
         columns = "lrrlrl"
     for start in range(0, len(rows), LONGEST):
         named = [h if "$" in h else escaped(h) for h in head]
-        lines += ["", r"\noindent{\footnotesize\setlength{\tabcolsep}{4pt}", rf"\begin{{tabular}}{{{columns}}}", r"\toprule"]
+        lines += [
+            "",
+            r"\noindent{\footnotesize\setlength{\tabcolsep}{4pt}",
+            rf"\begin{{tabular}}{{{columns}}}",
+            r"\toprule",
+        ]
         lines += [" & ".join(named) + r" \\", r"\midrule"]
         lines += [" & ".join(map(_cell, row)) + r" \\" for row in rows[start : start + LONGEST]]
         lines += [r"\bottomrule", r"\end{tabular}}"]

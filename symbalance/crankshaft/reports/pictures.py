@@ -23,6 +23,9 @@ COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#5
 RESOLUTION = 110
 HIGHEST_ORDER = 24
 CAMPBELL_MODES = 12
+MOST_TICKS = 12
+JUMP = 1.6
+"""A Campbell line that moves further than this times the step of speed turned its whirl: it is cut."""
 HOLD = 1e8
 """N/m and N m/rad that hold the crank's axial place and its spin in the Campbell diagram."""
 
@@ -84,17 +87,30 @@ def _angles(found: Summary, outcome: Outcome, kind: str) -> Any:
         axis.plot(outcome.degrees, outcome.channel(name) / MEGA, color=COLOURS[0], linewidth=1.2)
         for number, top in tops.items():
             own = number in pin.cylinders
-            axis.axvline(top, color=COLOURS[1] if own else "0.6", linewidth=1.6 if own else 0.9, zorder=1)
+            axis.axvline(
+                top,
+                color=COLOURS[1] if own else "0.6",
+                linewidth=1.6 if own else 0.9,
+                zorder=1,
+                clip_on=False,
+            )
             axis.text(top, 0.98, f" {number}", transform=axis.get_xaxis_transform(), va="top", fontsize=8)
         for curve in found.comparisons:
             if curve.channel == name and curve.rpm == outcome.rpm:
                 axis.plot(curve.degrees % cycle, curve.values, ".", color="black", markersize=3)
         axis.set_ylabel(f"{name.rsplit(' ', 1)[0]}, MPa")
         axis.grid(color="0.93", linewidth=0.5)
-    axes[-1, 0].set(xlabel="crank angle, degrees", xlim=(0, cycle))
-    axes[-1, 0].set_xticks(np.arange(0, cycle + 1, 90))
-    figure.suptitle(f"{kind} stress of the pins at {outcome.rpm:g} rpm; lines: firings, own in colour")
+    _over_a_cycle(axes[-1, 0], outcome)
+    figure.suptitle(
+        f"{kind.capitalize()} stress of the pins at {outcome.rpm:g} rpm; lines: firings, own in colour"
+    )
     return figure
+
+
+def _over_a_cycle(axis: Any, outcome: Outcome) -> None:
+    cycle = np.degrees(outcome.cycle)
+    axis.set(xlabel="crank angle, degrees", xlim=(0, cycle))
+    axis.set_xticks(np.arange(0, cycle + 1, 90))
 
 
 def _orders(found: Summary, outcome: Outcome) -> Any:
@@ -105,7 +121,8 @@ def _orders(found: Summary, outcome: Outcome) -> Any:
         kept = (orders > 0) & (orders <= HIGHEST_ORDER)
         axis.bar(orders[kept], sizes[kept] / MEGA, width=0.35, color=COLOURS[0])
         axis.set_ylabel(f"{name.rsplit(' ', 1)[0]}, MPa")
-    axes[-1, 0].set_xlabel("order of the crank's turn")
+    axes[-1, 0].set(xlabel="order: per turn of the crank", xlim=(0, HIGHEST_ORDER + 0.5))
+    axes[-1, 0].set_xticks(range(0, HIGHEST_ORDER + 1, 2))
     figure.suptitle(f"Order content of the pins' bending stress at {outcome.rpm:g} rpm")
     return figure
 
@@ -125,7 +142,9 @@ def _orbits(outcome: Outcome) -> Any:
         axis.plot(orbit[:, 1], orbit[:, 0], color=COLOURS[0], linewidth=1)
         axis.set(aspect="equal", title=f"bearing {j + 1}: {outcome.eccentricity[j]:.2f}")
         axis.tick_params(labelsize=7)
-    figure.suptitle(f"Journal orbits over the clearance at {outcome.rpm:g} rpm")
+    figure.supxlabel("lateral displacement in the shell over the clearance", fontsize=9)
+    figure.supylabel("vertical, over the clearance", fontsize=9)
+    figure.suptitle(f"Journal orbits at {outcome.rpm:g} rpm, largest share of the clearance")
     return figure
 
 
@@ -136,8 +155,9 @@ def _bearings(outcome: Outcome) -> Any:
         axes[0, 0].plot(
             outcome.degrees, load, color=COLOURS[j % 8], linewidth=1, label=f"bearing {j + 1}"
         )
-    axes[0, 0].set(xlabel="crank angle, degrees", ylabel="load, kN", xlim=(0, np.degrees(outcome.cycle)))
-    axes[0, 0].legend(fontsize=8, ncols=4)
+    _over_a_cycle(axes[0, 0], outcome)
+    axes[0, 0].set(ylabel="load, kN", ylim=(0, None))
+    axes[0, 0].legend(fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
     figure.suptitle(f"Main bearing loads at {outcome.rpm:g} rpm")
     return figure
 
@@ -150,7 +170,7 @@ def _films(found: Summary, outcome: Outcome) -> Any:
     full = found.setting.system(outcome.rpm)
     series = in_series(full)
     j = len(outcome.clearance) // 2
-    figure, axes = _figure(2, 1, sharex=True)
+    figure, axes = _figure(2, 1, sharex=True, sharey=True)
     for i, (axis, name) in enumerate(zip(axes[:, 0], ("vertical", "lateral"), strict=True)):
         alone = full.film.stiffness(outcome.theta)[:, j, i, i]
         both = series.film.stiffness(outcome.theta)[:, j, i, i]
@@ -159,8 +179,8 @@ def _films(found: Summary, outcome: Outcome) -> Any:
             axis.axhline(full.housing.stiffness[j, i, i], color="0.5", linestyle="--", label="housing")
         axis.plot(outcome.degrees, np.abs(both), color=COLOURS[0], linewidth=1.6, label="in series")
         axis.set(yscale="log", ylabel=f"{name}, |K| in N/m")
-        axis.legend(fontsize=8, ncols=3)
-    axes[-1, 0].set_xlabel("crank angle, degrees")
+    axes[0, 0].legend(fontsize=8, ncols=3, loc="lower right", bbox_to_anchor=(1, 1))
+    _over_a_cycle(axes[-1, 0], outcome)
     figure.suptitle(f"Stiffness of main bearing {j + 1} at {outcome.rpm:g} rpm")
     return figure
 
@@ -173,6 +193,7 @@ def _frequencies(found: Summary) -> Any:
         if rows:
             axes[0, 0].bar(*zip(*rows, strict=True), color=colour, label=kind)
     axes[0, 0].set(xlabel="mode", ylabel="Hz", title="Natural frequencies of the free crank")
+    axes[0, 0].set_xticks(range(1, len(found.frequencies) + 1))
     axes[0, 0].legend(fontsize=8)
     return figure
 
@@ -190,11 +211,13 @@ def _campbell(found: Summary) -> Any:
     lines = campbell(made.rotor, list(speeds * np.pi / 30), support, CAMPBELL_MODES)
     figure, axes = _figure(1, 2, sharey=True, height=4.2)
     hertz = 2 * np.pi
+    step = speeds[1] * np.pi / 30
     for axis, rows, title in (
         (axes[0, 0], np.abs(lines.rotating), "axes that turn with the crank"),
         (axes[0, 1], np.abs(lines.stationary), "stationary axes"),
     ):
-        axis.plot(speeds, rows / hertz, color=COLOURS[0], linewidth=1)
+        jumps = np.abs(np.diff(rows, axis=0, prepend=rows[:1])) > JUMP * step
+        axis.plot(speeds, np.where(jumps, np.nan, rows) / hertz, color=COLOURS[0], linewidth=1)
         for order in range(2, HIGHEST_ORDER + 1, 2):
             axis.plot(speeds, order * speeds / 60, color="0.8", linewidth=0.6, zorder=0)
         axis.axvline(last, color=COLOURS[1], linewidth=0.8)
@@ -229,7 +252,10 @@ def _waterfall(found: Summary) -> Any:
     shade = np.log10(np.maximum(sizes[:, kept], 1e-2))
     mesh = axes[0, 0].pcolormesh(orders[kept], speeds, shade, shading="nearest", cmap="viridis")
     figure.colorbar(mesh, label="lg of the amplitude in MPa")
-    axes[0, 0].set(xlabel="order", ylabel="rpm", title=f"{name} stress, order by order")
+    axes[0, 0].set(xlabel="order", ylabel="rpm", title=f"{name.capitalize()} stress, order by order")
+    axes[0, 0].set_yticks(
+        speeds if len(speeds) <= MOST_TICKS else speeds[:: len(speeds) // MOST_TICKS + 1]
+    )
     return figure
 
 
@@ -240,9 +266,8 @@ def _order_cuts(found: Summary) -> Any:
     sizes = np.array([o.orders(name)[1] for o in found.outcomes]) / MEGA
     ranked = sorted(np.flatnonzero(orders > 0), key=lambda k: -sizes[:, k].max())[:8]
     for colour, k in zip(COLOURS, sorted(ranked), strict=False):
-        axes[0, 0].plot(
-            [o.rpm for o in found.outcomes], sizes[:, k], color=colour, label=f"{orders[k]:g}"
-        )
+        rpm = [o.rpm for o in found.outcomes]
+        axes[0, 0].plot(rpm, sizes[:, k], "o-", markersize=3, color=colour, label=f"{orders[k]:g}")
     axes[0, 0].set(xlabel="rpm", ylabel="amplitude, MPa", title=f"Largest orders of {name} stress")
-    axes[0, 0].legend(title="order", fontsize=8, ncols=2)
+    axes[0, 0].legend(title="order", fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
     return figure

@@ -91,7 +91,7 @@ def head_lines(found: Summary) -> list[str]:
     fires = layout.firing_order()
     kept = f"{made.modes} modes and the static shapes" if made.modes else "every unknown kept"
     films = {
-        "orbit": f"linear about their orbits, {made.passes} passes",
+        "orbit": f"linear about their orbits, at most {made.passes} passes",
         "centre": "as springs about the centre",
     }["centre" if made.table else made.about]
     return [

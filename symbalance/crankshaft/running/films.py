@@ -25,8 +25,10 @@ from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import Film, Housing
 from symbalance.errors import MissingPartError
 
-MOST_ANGLES = 720
-"""Angles of a cycle at which films are computed, at most; else as many as steps."""
+FEWEST_ANGLES = 720
+"""Angles of a cycle at which films are computed, at least: a film almost dry needs them (360 gave an
+in-line four stresses half as large again at one speed).
+"""
 CLOSEST = 0.98
 """The share of the clearance to which a journal's place is drawn in before a film is made of it."""
 
@@ -57,7 +59,7 @@ def loaded_places(
 ) -> Array:
     """Return the journals' places (s, b, 2) at even angles, going round under their loads, N."""
     cycle = engine.layout.strokes * np.pi
-    count = min(steps, MOST_ANGLES)
+    count = max(steps, FEWEST_ANGLES)
     theta = cycle * np.arange(count) / count
     return journal_orbit(plain_bearings(engine), loads(theta), omega, cycle).place
 

@@ -35,7 +35,7 @@ class Setting:
     """An engine, its rotor (webs and big ends in it), and how it is solved.
 
     `about` is what the films are linear about: orbit, the journals' own, or centre, as the paper has it
-    (a table is always about the centre); `passes` repeat the former under the bearing loads found.
+    (a table is always about the centre); up to `passes` times under the loads found.
     `modes` 0 keeps every unknown; `connection` is exact (a housing state a bearing) or equivalent (the
     paper's K(K + K_B)^-1 K_B as one film); `steps` are those of a cycle.
     """
@@ -47,7 +47,7 @@ class Setting:
     connection: str
     steps: int
     about: str = "orbit"
-    passes: int = 2
+    passes: int = 9
 
     @property
     def how(self) -> tuple[object, ...]:
@@ -135,14 +135,14 @@ def setting(
     connection: str = "exact",
     steps: int = 720,
     about: str = "orbit",
-    passes: int = 2,
+    passes: int = 9,
     store: Path | None = None,
 ) -> Setting:
     """Return an engine made ready to run.
 
     `webs` is the way to the webs' stiffness (see `assembly.WEBS`), `modes` how many are kept beside the
-    static shapes, 0 for the full model; webs
-    solved by the mesher are kept in the file `store`. Every rod's big end turns with its pin's node.
+    static shapes, 0 for the full model; webs solved by the mesher are kept in the file `store`. Every
+    rod's big end turns with its pin's node.
     """
     for name, value, low, high in (
         ("modes", modes, 0, 10_000),

@@ -14,11 +14,13 @@ from symbalance.crankshaft.running.films import Orbits, periodic, shell_places
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.reactions import bearing_points, stationary
 from symbalance.crankshaft.running.saved import key_of, restored, save
-from symbalance.crankshaft.running.setting import Setting
+from symbalance.crankshaft.running.setting import Loads, Setting
 from symbalance.crankshaft.running.shifted import shifted
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem, Trajectory
 
+SETTLED = 0.05
+"""The departure, over the clearance, at which films need not be made anew."""
 Progress = Callable[[str], None]
 
 
@@ -41,17 +43,29 @@ def swept(
 
 
 def run(made: Setting, rpm: float) -> Outcome:
-    """Return the outcome of one speed; with `passes` the films are made anew for the loads found."""
+    """Return the outcome of one speed.
+
+    Films about orbits are made anew for the mean of the loads they were made for and those found, until
+    orbits and films agree, up to `passes` times; of all, the outcome nearest its films' orbits counts.
+    Loads taken over whole need not converge where a film is almost dry.
+    """
     if made.about == "centre" or made.table is not None:
         full = made.system(rpm)
         return _outcome(made, rpm, full, _solved(made, full))
-    outcome = _about(made, rpm, made.orbits(rpm))
+    loads, seconds = _quasi_static(made, rpm), 0.0
+    best = found = _about(made, rpm, made.orbits(rpm, loads))
     for _ in range(made.passes - 1):
-        cycle, before = outcome.cycle, outcome.seconds
-        orbits = made.orbits(rpm, periodic(outcome.theta, outcome.bearings, cycle))
-        outcome = _about(made, rpm, orbits)
-        outcome = replace(outcome, seconds=before + outcome.seconds)
-    return outcome
+        if best.departure < SETTLED:
+            break
+        seconds += found.seconds
+        loads = periodic(found.theta, (loads(found.theta) + found.bearings) / 2, found.cycle)
+        found = _about(made, rpm, made.orbits(rpm, loads))
+        best = min(best, found, key=lambda outcome: outcome.departure)
+    return replace(best, seconds=seconds + found.seconds)
+
+
+def _quasi_static(made: Setting, rpm: float) -> Loads:
+    return lambda theta: made.bearing_loads(rpm, theta)
 
 
 def _about(made: Setting, rpm: float, orbits: Orbits) -> Outcome:

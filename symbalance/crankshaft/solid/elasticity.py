@@ -70,6 +70,8 @@ def elastic_solid(mesh: Any, material: Material) -> Solid:
     basis = Basis(mesh, ElementVector(ElementTetP2()), intorder=4)
     across = np.zeros(basis.N, dtype=int)
     for numbers in (basis.dofs.nodal_dofs, basis.dofs.edge_dofs):
+        if numbers is None:
+            continue
         for component in range(3):
             across[numbers[component]] = component
     return Solid(elastic.assemble(basis), inert.assemble(basis), basis.doflocs, across)

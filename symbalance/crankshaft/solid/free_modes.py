@@ -44,7 +44,7 @@ def _frequencies(body: Solid, free: Any, count: int) -> list[float]:
     shift = -((2 * np.pi * 20.0) ** 2)
     stiffness, mass = (m.tocsr()[free][:, free].tocsc() for m in (body.stiffness, body.mass))
     factors = factored(body.stiffness - shift * body.mass, free)
-    inverse = LinearOperator(stiffness.shape, factors.solve, dtype=float)
+    inverse = LinearOperator(stiffness.shape, factors.solve)
     squares = eigsh(stiffness, count, mass, sigma=shift, OPinv=inverse, return_eigenvectors=False)
     return [*(np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi))]
 

@@ -1,8 +1,9 @@
 """Solved web flexibilities as data: what one machine has meshed, every other reads.
 
-A store is a JSON file {"webs": {key: {"web": what it is of, "flexibility": 36 numbers}}}. The key is that
-of the geometry in own axes (sizes to the nanometre) and Poisson's ratio; the numbers are E S, which does
-not depend on Young's modulus. The package's own store holds the worked cranks'.
+A store is a JSON file {"webs": {key: {"web": what it is of, "flexibility": 144 numbers, "body": 3
+numbers}}}. The key is that of the geometry in own axes (sizes to the nanometre) and Poisson's ratio; the
+flexibility is E S, which does not depend on Young's modulus. The package's own store holds the worked
+cranks'.
 """
 
 from __future__ import annotations
@@ -13,12 +14,13 @@ from dataclasses import dataclass, field
 from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.rotor import DOF, Array
-from symbalance.crankshaft.webs.arm import Arm, arms
+from symbalance.crankshaft.webs.arm import Arm, Elastic, arms
 from symbalance.errors import SymbalanceError, shown
 
 
@@ -26,20 +28,24 @@ from symbalance.errors import SymbalanceError, shown
 class Store:
     """Web flexibilities by geometry; `path` is where new ones are kept, if anywhere."""
 
-    webs: dict[str, dict[str, object]] = field(default_factory=dict)
+    webs: dict[str, dict[str, Any]] = field(default_factory=dict)
     path: Path | None = None
 
-    def found(self, arm: Arm) -> Array | None:
-        """Return the web's flexibility (6, 6) in its own axes, or None where nobody has solved it."""
+    def found(self, arm: Arm) -> Elastic | None:
+        """Return the web's flexibility in its own axes, or None where nobody has solved it."""
         entry = self.webs.get(key(arm))
         if entry is None:
             return None
-        return np.array(entry["flexibility"], dtype=float).reshape(DOF, DOF) / arm.material.young
+        flexible, body = _numbers(entry)
+        return Elastic(flexible / arm.material.young, body)
 
-    def kept(self, arm: Arm, flexible: Array) -> None:
+    def kept(self, arm: Arm, elastic: Elastic) -> None:
         """Keep a solved flexibility, on disk too where the store has a path; whole or not at all."""
-        scaled = (flexible * arm.material.young).ravel().tolist()
-        self.webs[key(arm)] = {"web": described(arm), "flexibility": scaled}
+        if elastic.body is None:
+            raise SymbalanceError("a web without a body", "is not a solved one", "solve it as a solid")
+        scaled = (elastic.flexibility * arm.material.young).ravel().tolist()
+        entry = {"web": described(arm), "flexibility": scaled, "body": elastic.body.tolist()}
+        self.webs[key(arm)] = entry
         if self.path is not None:
             part = self.path.with_name(f"{self.path.name}.{os.getpid()}.part")
             part.write_text(json.dumps({"webs": self.webs}, indent=1) + "\n", encoding="utf-8")
@@ -59,12 +65,12 @@ def open_store(path: Path | None = None) -> Store:
     return Store(webs, path)
 
 
-def _read(text: str, place: str) -> dict[str, dict[str, object]]:
+def _read(text: str, place: str) -> dict[str, dict[str, Any]]:
     rule, remedy = "must hold solved webs", "delete it: it is written anew"
     try:
         webs = json.loads(text)["webs"]
         for name, entry in webs.items():
-            matrix = np.array(entry["flexibility"], dtype=float).reshape(DOF, DOF)
+            matrix, _ = _numbers(entry)
             if not (np.allclose(matrix, matrix.T) and np.linalg.eigvalsh(matrix)[0] > 0):
                 what = f"flexibility of {shown(name)}"
                 raise SymbalanceError(what, "must be symmetric and positive", remedy, place)
@@ -73,6 +79,11 @@ def _read(text: str, place: str) -> dict[str, dict[str, object]]:
             raise
         raise SymbalanceError("the file", rule, remedy, place) from err
     return webs
+
+
+def _numbers(entry: dict[str, Any]) -> tuple[Array, Array]:
+    flexible = np.array(entry["flexibility"], dtype=float).reshape(2 * DOF, 2 * DOF)
+    return flexible, np.array(entry["body"], dtype=float).reshape(3)
 
 
 def described(arm: Arm) -> str:
@@ -115,13 +126,12 @@ def solve_missing(crank: Crank, store: Store, size: float = 0.0) -> int:
     return solved
 
 
-def solid_flexibility(arm: Arm, store: Store | None = None) -> Array:
+def solid_web(arm: Arm, store: Store) -> Elastic:
     """Return a web's flexibility from the store, or meshed and solved now."""
     from symbalance.crankshaft.solid.half_throw import solved_web
 
-    kept = open_store() if store is None else store
-    flexible = kept.found(arm)
-    if flexible is None:
-        flexible = solved_web(arm)
-        kept.kept(arm, flexible)
-    return flexible
+    elastic = store.found(arm)
+    if elastic is None:
+        elastic = solved_web(arm)
+        store.kept(arm, elastic)
+    return elastic

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor
+from symbalance.crankshaft.rotor import Array, Member, Rotor
 
 
 def transmitted(rotor: Rotor, member: Member, point: Array) -> Array:
@@ -12,17 +12,13 @@ def transmitted(rotor: Rotor, member: Member, point: Array) -> Array:
 
     Forces F and moments M about `point` (3,), all in U, V, W: the loads at the member's front end,
     stiffness times displacements, carried to the point, M = M_front + (front - point) x F. What the
-    member itself weighs between is left out.
+    member itself weighs between is left out; what hangs on a web counts with the end it hangs on.
 
     A member stretched along W transmits F_w = -N: the part in front pulls forward.
     """
-    n = DOF
-    rows = np.zeros((n, rotor.size))
-    for node, columns in ((member.front, slice(0, n)), (member.rear, slice(n, 2 * n))):
-        rows[:, n * node : n * node + n] += member.stiffness[:n, columns]
+    carried = rotor.passing(member)
     arm = rotor.points[member.front] - np.asarray(point, dtype=float)
-    carried = rows.copy()
-    carried[3:] += np.cross(arm, rows[:3], axisb=0, axisc=0)
+    carried[3:] += np.cross(arm, carried[:3], axisb=0, axisc=0)
     return carried
 
 

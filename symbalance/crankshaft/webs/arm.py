@@ -21,6 +21,23 @@ MIRROR = np.diag([1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
 
 
 @dataclass(frozen=True)
+class Elastic:
+    """A web's give, held at its near face, in own axes: `flexibility` (6, 6) of the far face.
+
+    With `body` (3,), from the near node to the centre of what hangs on the near end (heel and
+    counterweight), it is (12, 12): far face, then the mean motion of that body under inertia forces.
+    """
+
+    flexibility: Array
+    body: Array | None = None
+
+    @property
+    def face(self) -> Array:
+        """The (6, 6) flexibility of the far face alone."""
+        return self.flexibility[:DOF, :DOF]
+
+
+@dataclass(frozen=True)
 class Arm:
     """A web with what it joins: `near` and `far` parts, `reach` between their axes, material.
 
@@ -62,16 +79,22 @@ class Arm:
         axis = axis_of(near)
         return replace(self, web=web, near=near, far=far, angle=0.0, mirrored=False, axis=axis)
 
-    def placed(self, flexible: Array) -> Array:
-        """Return the stiffness (12, 12), front node first, of a far end's flexibility in own axes."""
+    def placed(self, elastic: Elastic) -> Array:
+        """Return a web's stiffness in U, V, W: front node, rear node, body if it has one."""
+        levers = (self.lever,) if elastic.body is None else (self.lever, elastic.body)
+        own = element(elastic.flexibility, *levers)
+        count = len(own) // DOF
         if self.mirrored:
-            swap = np.roll(np.eye(2 * DOF), DOF, axis=0)
-            faces = np.kron(np.eye(2), MIRROR) @ swap
-            own = faces.T @ element(flexible, self.lever) @ faces
-        else:
-            own = element(flexible, self.lever)
-        turn = np.kron(np.eye(4), turn_about_w(self.angle))
+            swapped = [*range(DOF, 2 * DOF), *range(DOF), *range(2 * DOF, count * DOF)]
+            flips = np.kron(np.eye(count), MIRROR)
+            own = (flips @ own @ flips)[np.ix_(swapped, swapped)]
+        turn = np.kron(np.eye(2 * count), turn_about_w(self.angle))
         return turn @ own @ turn.T
+
+    def place_of(self, lever: Array, near: Array) -> Array:
+        """Return the place in U, V, W of what is `lever` from the near node, at `near`, in own axes."""
+        flip = np.array([1.0, 1.0, -1.0 if self.mirrored else 1.0])
+        return near + turn_about_w(self.angle) @ (flip * lever)
 
     def settled(self, body: Body) -> Body:
         """Return a body given in own axes in U, V, W."""

@@ -11,7 +11,7 @@ its width. Carter's formula
 (1928) has L_j + 0.8 h, 0.75 L_p, 1.5 R instead. Both from memory, without the prints at hand.
 
 The bending, axial and shear terms are a beam's of the same clear length and stubs: no published formula
-gives all six. The error of either against the solid is in `derivations/crankshaft_model.md`.
+gives all six. The error of either against the solid is in `derivations/crankshaft-model.md`.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 Journal and pin reach to the web's mid-plane with their own sections; the web is a beam from axis to axis,
 `thickness` by `width`, with shear and Saint-Venant torsion. It is what a beam program gives when every
-part is drawn as a beam, and it is too soft by far for stocky webs: see `derivations/crankshaft_model.md`.
+part is drawn as a beam, and it is too soft by far for stocky webs: see `derivations/crankshaft-model.md`.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
 """A web's mass, divided between the nodes at its two faces.
 
-The web is cut midway between its two axes: the half around the near axis moves with the near node, the
-other with the far one, the counterweight with the journal. Mass, mass centre and inertia of the whole are
-exact. Against a crank meshed whole (`derivations/crankshaft_model.md`) this did better than mass divided
-in proportion to the place between the axes: where the web is held by journal or pin it hardly bends.
+The web is cut midway between its two axes: the half around the near axis, with the counterweight, moves
+with the near node or, in a solved web, as a body of its own; the other half with the far node. Mass,
+mass centre and inertia of the whole are exact. Against a crank meshed whole
+(`derivations/crankshaft-model.md`) this did better than mass divided in proportion to the place between
+the axes: where the web is held by journal or pin it hardly bends.
 
 The outline is a rectangle, `width` across, from `heel` behind the near axis to `tip` beyond the far one,
 its corners rounded with the radius min(width/2, heel) at one end, min(width/2, tip) at the other.
@@ -20,16 +21,21 @@ from symbalance.crankshaft.bodies import Body, ring, turn_about_w
 from symbalance.crankshaft.crank import Counterweight
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.webs.arm import Arm
+from symbalance.crankshaft.webs.sector import sector_plate
 
 
 def near_bodies(arm: Arm) -> list[Body]:
-    """Return what of the web goes with its near node, in U, V, W: share, fillet, counterweight."""
-    share = _share(arm, near=True)
-    fillet = _fillet(arm.near.diameter, arm.near.fillet, -1, arm)
-    bodies = [arm.settled(body) for body in (share, fillet) if body.mass > 0]
+    """Return what hangs on the web's near end, about the near node in U, V, W: half, counterweight."""
+    bodies = [arm.settled(_share(arm, near=True))]
     if (weight := arm.web.counterweight) and weight.mass > 0:
         bodies.append(_counterweight(arm, weight))
     return bodies
+
+
+def near_fillet(arm: Arm) -> list[Body]:
+    """Return the near part's fillet, about the near node in U, V, W."""
+    fillet = _fillet(arm.near.diameter, arm.near.fillet, -1, arm)
+    return [arm.settled(fillet)] if fillet.mass > 0 else []
 
 
 def far_bodies(arm: Arm) -> list[Body]:
@@ -92,9 +98,25 @@ def _fillet(diameter: float, radius: float, side: int, arm: Arm) -> Body:
 
 
 def _counterweight(arm: Arm, weight: Counterweight) -> Body:
-    """Return the counterweight about the near node; its section taken as equal in all directions."""
-    place = turn_about_w(weight.angle) @ [weight.radius, 0.0, 0.0]
+    """Return the counterweight about the near node, a flat piece as thick as the web.
+
+    Its inertia about the axis' direction is divided as the drawn sector's is; into halves without one.
+    """
+    turn = turn_about_w(weight.angle)
     through = (-1 if arm.mirrored else 1) * arm.web.thickness / 2
-    offset = place - [*arm.axis, -through]
-    flat = weight.inertia / 2 + weight.mass * arm.web.thickness**2 / 12
-    return Body(weight.mass, offset, np.diag([flat, flat, weight.inertia]))
+    offset = turn @ [weight.radius, 0.0, 0.0] - [*arm.axis, -through]
+    thick = weight.mass * arm.web.thickness**2 / 12
+    along = _along(arm, weight) * weight.inertia
+    own = np.diag([weight.inertia - along + thick, along + thick, weight.inertia])
+    return Body(weight.mass, offset, turn @ own @ turn.T)
+
+
+def _along(arm: Arm, weight: Counterweight) -> float:
+    """Return the part of a counterweight's inertia that comes of its extent along its own radius."""
+    if not weight.outer or arm.axis != (0.0, 0.0):
+        return 0.5
+    web, turn = arm.web, weight.angle - arm.angle
+    sizes = (web.width, web.heel, web.tip, arm.reach)
+    plate = sector_plate(*sizes, weight.outer, weight.half_angle, turn)
+    total = plate.along + plate.across
+    return plate.along / total if total else 0.5
