@@ -26,7 +26,7 @@ Complex = NDArray[np.complexfloating[Any, Any]]
 SUPPORT, DAMPER = 1e8, 1e5
 """Springs (N/m) and dampers (N s/m) added at the bearings where the rotor's answers are taken, and taken
 off in the balance: a rotor without any has no answer to a force that stands still."""
-FORWARD: Complex = np.array([[1, 1j], [-1j, 1]], dtype=complex) / 2
+FORWARD: Complex = np.array([[0.5, 0.5j], [-0.5j, 0.5]])
 
 
 @dataclass(frozen=True)

@@ -47,7 +47,7 @@ def durability(normal: Array, shear: Array, strength: Strength) -> Durability:
     >>> round(found.safety, 9), bool(abs(found.damage * 2e6 * 4**8 - 1) < 1e-9)
     (4.0, True)
     """
-    amplitude = _equivalent(np.ptp(normal) / 2, np.ptp(shear) / 2)
+    amplitude = _equivalent(float(np.ptp(normal)) / 2, float(np.ptp(shear)) / 2)
     middle = (normal.max() + normal.min()) / 2, (shear.max() + shear.min()) / 2
     mean = _equivalent(*middle) if middle[0] > 0 else 0.0
     used = amplitude / strength.endurance + mean / strength.tensile
