@@ -19,12 +19,16 @@ from symbalance.firing import (
     FiringOrder,
     firing_angles,
     read_cylinders,
+    read_firing_at,
     read_firing_order,
+    read_offset,
     read_stagger,
     stations,
 )
 from symbalance.layout import Layout, checked_strokes
-from symbalance.rational import checked_whole, listed
+from symbalance.rational import checked_whole, exact, listed
+from symbalance.tops import bank_leads
+from symbalance.trains import own_train
 
 
 def from_firing_order(
@@ -34,6 +38,9 @@ def from_firing_order(
     cylinders: Sequence[Sequence[int]] | None = None,
     firing_intervals: Sequence[object] | None = None,
     stagger: Sequence[object] | None = None,
+    offset: Sequence[object] | None = None,
+    firing_at: str = "pins",
+    pin_step: object = "1/100",
     strokes: int = 4,
     **about: Any,
 ) -> Layout:
@@ -41,8 +48,11 @@ def from_firing_order(
 
     `banks` are angles from vertical, `cylinders` the numbers in each bank from front to rear (may be
     left out with one bank), `firing_intervals` the degrees after each firing (default: even), summing
-    to 720 (360 for two strokes), `stagger` each bank's shift towards the front in pitches. `about`:
-    name, ratio, crank_train of the `Layout`.
+    to 720 (360 for two strokes), `stagger` each bank's shift towards the front in pitches, `offset` how
+    far each bank's axes pass the crank, mm. Offset moves the dead centres: with `firing_at` "pins" the
+    intervals are those at which the pins pass the axes; with "dead centres" the pins are turned on by
+    what the dead centres have moved, to `pin_step` of a degree, bank by bank. `about`: name, ratio,
+    crank_train of the `Layout`.
 
     >>> [str(c.throw.in_degrees()) for c in from_firing_order("1-3-4-2").cylinders]
     ['0', '180', '180', '0']
@@ -55,15 +65,23 @@ def from_firing_order(
     numbers = read_cylinders(cylinders, order, len(axes))
     fires = firing_angles(order, firing_intervals, 180 * strokes)
     places = stations(numbers, read_stagger(stagger, len(axes)))
-    return Layout(
-        (
-            Cylinder(n, axis - Angle(fires[n] / 360), axis, places[n], fires[n])
-            for axis, bank in zip(axes, numbers, strict=True)
-            for n in bank
-        ),
-        strokes=strokes,
-        **about,
-    )
+    offsets = read_offset(offset, len(axes))
+
+    def made(leads: Sequence[Fraction]) -> Layout:
+        return Layout(
+            (
+                Cylinder(
+                    n, axis + Angle((turn - fires[n]) / 360), axis, places[n], fires[n], offset=aside
+                )
+                for axis, bank, aside, turn in zip(axes, numbers, offsets, leads, strict=True)
+                for n in bank
+            ),
+            strokes=strokes,
+            **about,
+        )
+
+    layout = made([Fraction(0)] * len(axes))
+    return made(bank_leads(layout, numbers, pin_step)) if read_firing_at(firing_at) else layout
 
 
 def inline(
@@ -117,6 +135,42 @@ def vee(
     count = len(read_firing_order(firing_order))
     banks = cylinders or [list(range(1, count + 1, 2)), list(range(2, count + 1, 2))]
     return from_firing_order(firing_order, banks=axes, cylinders=banks, stagger=stagger, **rest)
+
+
+def vr(
+    bank_angle: object,
+    firing_order: FiringOrder,
+    *,
+    offset: object,
+    stroke: object,
+    rod: object,
+    cylinders: Sequence[Sequence[int]] | None = None,
+    stagger: Sequence[object] = ("1/4", "-1/4"),
+    firing_at: str = "dead centres",
+    **rest: Any,
+) -> Layout:
+    """Return a narrow vee: two banks so close that their axes pass the crank, `offset` mm to each side.
+
+    The left bank's axes (odd numbers unless `cylinders` says otherwise) pass the crank on its left. Half
+    a pitch lies between neighbouring cylinders; the crank's pins are split so that dead centres
+    follow one another at the firing intervals (`pin_step`, `firing_at` as in `from_firing_order`).
+
+    >>> six = vr(15, "1-5-3-6-2-4", offset=12.5, stroke=90.3, rod=164, pin_step="1/2")
+    >>> [c.throw.as_text() for c in six.cylinders]
+    ['-11', '109', '-131', '-109', '131', '11']
+    """
+    aside = exact(offset, "offset")
+    sizes = own_train({"stroke": stroke, "rod": rod})
+    return vee(
+        bank_angle,
+        firing_order,
+        cylinders=cylinders,
+        stagger=stagger,
+        offset=[-aside, aside],
+        crank_train=sizes,
+        firing_at=firing_at,
+        **rest,
+    )
 
 
 def boxer(

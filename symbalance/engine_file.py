@@ -14,22 +14,24 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, TypeVar
 
+from symbalance.balancer_tables import TABLES, with_balancers
 from symbalance.builders import from_firing_order
 from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout, checked_name, checked_strokes
 from symbalance.slider_crank import checked_ratio
-from symbalance.trains import OWN, CrankTrain, Link, checked_size
+from symbalance.trains import OWN, ROD, CrankTrain, Link, checked_size
 from symbalance.unlike import kinds
 
 T = TypeVar("T")
 LARGEST_FILE = 1_000_000
 
-_TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder")
+_TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder", *TABLES)
 _ROOMS = ("crankshaft", "bearings", "running")
 """Tables that rooms of their own read: `symbalance.crankshaft.files`."""
-_CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset")
-_LAYOUT = ("strokes", "banks", "cylinders", "firing_order", "firing_intervals", "stagger")
+_CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset", *ROD)
+_LAYOUT_LISTS = ("banks", "cylinders", "firing_order", "firing_intervals", "stagger", "offset")
+_LAYOUT = ("strokes", *_LAYOUT_LISTS, "firing_at", "pin_step")
 _LINK = ("master", "link_angle", "link_radius")
 _CYLINDER = ("number", "throw", "bank", "station", "fires", *OWN, *_LINK)
 
@@ -40,19 +42,19 @@ def read_engine_file(path: str | Path) -> Layout:
     return parse_engine(text, str(path), default_name=Path(path).stem)
 
 
-def read_text(path: str | Path) -> str:
+def read_text(path: str | Path, largest: int = LARGEST_FILE) -> str:
     """Return a file's text, or refuse what is missing, a directory, too large or not UTF-8."""
     place = str(path)
     try:
         with open(path, "rb") as stream:
-            data = stream.read(LARGEST_FILE + 1)
+            data = stream.read(largest + 1)
     except IsADirectoryError:
         raise SymbalanceError(place, "is a directory", "name an engine file in it") from None
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or "not a usable path"
         raise SymbalanceError(place, f"cannot be read ({reason})", "check the path") from None
-    if len(data) > LARGEST_FILE:
-        raise SymbalanceError(place, f"is larger than {LARGEST_FILE} bytes", "name an engine file")
+    if len(data) > largest:
+        raise SymbalanceError(place, f"is larger than {largest} bytes", "name an engine file")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
@@ -105,10 +107,14 @@ class _Reader:
     def joined(self, table: dict[str, Any], made: Layout) -> Layout:
         """Return a layout, refused where a rod does not reach or a size it needs is not given."""
         if not made.is_uniform:
-            shared = "offset" in self.subtable(table, "crank_train")
-            section, key = ("crank_train", "offset") if shared else ("cylinder", "")
+            places = [s for s in ("crank_train", "layout") if "offset" in self.subtable(table, s)]
+            section, key = (places[-1], "offset") if places else ("cylinder", "")
             self.guarded(section, key, 0, lambda: kinds(made))
-        return made
+        for i, cylinder in enumerate(made.cylinders):
+            own = any(getattr(cylinder.own, key) is not None for key in ROD)
+            section = "cylinder" if own else "crank_train"
+            self.guarded(section, "", i if own else 0, lambda c=cylinder: made.train_of(c).rod_split)
+        return with_balancers(self, table, made)
 
     def crank_train(self, table: dict[str, Any]) -> CrankTrain:
         section = "crank_train"
@@ -135,7 +141,7 @@ class _Reader:
             raise SymbalanceError(
                 place, "needs firing_order", "write it like firing_order = [1, 3, 4, 2]"
             )
-        for key in ("banks", "cylinders", "firing_order", "firing_intervals", "stagger"):
+        for key in _LAYOUT_LISTS:
             self.check_list(table, key)
         made = self.guarded("layout", "", 0, lambda: from_firing_order(**table, **about))
         fine = next((k for k in ("firing_intervals", "banks") if k in table), "firing_order")

@@ -12,6 +12,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.rational import exact, listed
 
 FiringOrder = str | Sequence[int]
+FIRING_AT = ("pins", "dead centres")
 
 
 def read_firing_order(firing_order: FiringOrder) -> list[int]:
@@ -145,6 +146,25 @@ def read_stagger(stagger: Sequence[object] | None, banks: int) -> list[Fraction]
             "give one value a bank, in pitches",
         )
     return [exact(value, f"stagger[{i}]") for i, value in enumerate(stagger, 1)]
+
+
+def read_offset(offset: Sequence[object] | None, banks: int) -> list[Fraction | None]:
+    """Return each bank's own offset in mm, None where it has none of its own."""
+    if offset is None:
+        return [None] * banks
+    values = listed(offset, "offset")
+    if len(values) != banks:
+        rule = f"has {len(values)} values for {banks} bank(s)"
+        raise SymbalanceError(f"offset = {shown(values)}", rule, "give one value a bank, in mm")
+    return [exact(value, f"offset[{i}]") for i, value in enumerate(values, 1)]
+
+
+def read_firing_at(firing_at: object) -> bool:
+    """Tell whether intervals count between dead centres, not between the pins' passing the axes."""
+    if firing_at not in FIRING_AT:
+        what, rule = f"firing_at = {shown(firing_at)}", f"must be one of {', '.join(FIRING_AT)}"
+        raise SymbalanceError(what, rule, "they differ where cylinders are offset")
+    return firing_at == "dead centres"
 
 
 def stations(numbers: list[list[int]], stagger: list[Fraction]) -> dict[int, Fraction]:

@@ -9,6 +9,7 @@ from functools import cached_property
 from math import lcm
 
 from symbalance.angles import SymbolPart
+from symbalance.balancers import Balancers, BalanceShaft, Counterweight, check_shares, checked_balancers
 from symbalance.cylinders import MOST_CYLINDERS, Cylinder
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.phasor import checked_modulus
@@ -17,6 +18,8 @@ from symbalance.slider_crank import checked_ratio
 from symbalance.trains import CrankTrain
 
 LONGEST_NAME = 60
+NEAR_TOP = Fraction(1, 8)
+"""Turns by which an offset or a link rod may move a top dead centre."""
 
 
 @dataclass(frozen=True, init=False)
@@ -33,6 +36,7 @@ class Layout:
     name: str
     ratio: Fraction | None
     crank_train: CrankTrain
+    balancers: Balancers
 
     def __init__(
         self,
@@ -42,6 +46,7 @@ class Layout:
         name: str = "engine",
         ratio: object = None,
         crank_train: CrankTrain | None = None,
+        balancers: Balancers | None = None,
     ) -> None:
         set_field = object.__setattr__
         train = _checked_train(crank_train)
@@ -49,16 +54,19 @@ class Layout:
         _check_links(self.cylinders)
         set_field(self, "strokes", checked_strokes(strokes))
         set_field(self, "name", checked_name(name))
-        _check_fires(self.cylinders)
+        _check_fires(self.cylinders, bool(train.offset))
         known = train.ratio if ratio is None else ratio
         set_field(self, "ratio", None if known is None else checked_ratio(known))
         set_field(self, "crank_train", train)
+        set_field(self, "balancers", checked_balancers(balancers, self.cylinders))
+        if self.balancers.shafts and self.is_uniform:
+            check_shares(self.balancers.shafts)
 
     @cached_property
     def modulus(self) -> int:
         """The m for which every numeric angle is a whole number of m-ths of a turn."""
         angles = (a.turns.denominator for c in self.cylinders for a in (c.bank, c.delay))
-        return checked_modulus(lcm(*angles))
+        return checked_modulus(lcm(*angles, *self.balancers.denominators()))
 
     @property
     def has_symbols(self) -> bool:
@@ -83,6 +91,15 @@ class Layout:
             and not any(c.link for c in self.cylinders)
         )
 
+    @cached_property
+    def is_geometric(self) -> bool:
+        """Whether forces are geometry in units of A_n m r omega^2: no order needs its A_n to be known.
+
+        So it is where cylinders are alike and every balance shaft above the crank's speed has shares.
+        """
+        fast = (s for s in self.balancers.shafts if abs(s.speed) > 1)
+        return self.is_uniform and not any(w.in_kg_mm for s in fast for w in s.weights)
+
     @property
     def mean_station(self) -> Fraction:
         """The mean of all stations: the default reference plane of couples."""
@@ -104,6 +121,26 @@ class Layout:
             name=self.name,
             ratio=ratio,
             crank_train=self.crank_train,
+            balancers=self.balancers,
+        )
+
+    def balanced_by(self, *added: Counterweight | BalanceShaft) -> Layout:
+        """Return the layout with counterweights and balance shafts added to those it has.
+
+        >>> single = Layout([Cylinder(1)]).balanced_by(Counterweight(throw=1, overbalance="1/2"))
+        >>> len(single.balancers.counterweights)
+        1
+        """
+        had = self.balancers
+        weights = tuple(a for a in added if not isinstance(a, BalanceShaft))
+        shafts = tuple(a for a in added if isinstance(a, BalanceShaft))
+        return Layout(
+            self.cylinders,
+            strokes=self.strokes,
+            name=self.name,
+            ratio=self.ratio,
+            crank_train=self.crank_train,
+            balancers=Balancers(had.counterweights + weights, had.shafts + shafts),
         )
 
 
@@ -170,18 +207,25 @@ def _check_links(cylinders: Sequence[Cylinder]) -> None:
             )
 
 
-def _check_fires(cylinders: Iterable[Cylinder]) -> None:
-    """Refuse firing angles that the throws contradict: all cylinders fire at a top dead centre."""
-    fixed: dict[SymbolPart, tuple[Fraction, int]] = {}
+def _check_fires(cylinders: Iterable[Cylinder], offset: bool) -> None:
+    """Refuse firing angles that the throws contradict: all cylinders fire at a top dead centre.
+
+    An offset or a link rod moves that; there `fires` need only say which of them it is.
+    """
+    fixed: dict[SymbolPart, tuple[Fraction, Cylinder]] = {}
     for cylinder in cylinders:
         if cylinder.fires is None:
             continue
         own = cylinder.delay
         start = (own.turns + cylinder.fires / 360) % 1
-        first, other = fixed.setdefault(own.symbols, (start, cylinder.number))
-        if start != first:
+        first, other = fixed.setdefault(own.symbols, (start, cylinder))
+        moved = offset or any(c.own.offset or c.link for c in (cylinder, other))
+        half = Fraction(1, 2)
+        if abs((start - first + half) % 1 - half) > (NEAR_TOP if moved else 0):
             what = f"throw = {cylinder.throw.as_text()} and fires = {cylinder.fires}"
-            rule = f"contradict cylinder {other}'s: throw - bank + fires must be the same, modulo 360"
+            nearly = "nearly " if moved else ""
+            rule = f"contradict cylinder {other.number}'s: throw - bank + fires must be {nearly}the same"
+            rule += ", modulo 360"
             at_top = (first - own.turns) % 1 * 360
             raise SymbalanceError(what, rule, f"it is at top dead centre at fires = {at_top}")
 

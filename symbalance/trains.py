@@ -7,10 +7,13 @@ from fractions import Fraction
 
 from symbalance.angles import degrees
 from symbalance.errors import SymbalanceError, shown
+from symbalance.mechanisms import RodSplit
 from symbalance.rational import checked_whole, exact
 
 MASSES = ("reciprocating_mass", "rotating_mass")
-OWN = ("stroke", "rod", *MASSES, "offset")
+ROD = ("rod_mass", "rod_centre", "rod_inertia")
+"""What tells a rod's own inertia: kg, mm from the big end, kg mm^2 about the centre of gravity."""
+OWN = ("stroke", "rod", *MASSES, "offset", *ROD)
 """Sizes a cylinder may have of its own."""
 
 
@@ -19,7 +22,8 @@ class CrankTrain:
     """Sizes as in an engine file, mm and kg, each None if not given.
 
     `offset` (désaxé) is how far the cylinder's axis passes the crank, towards the side the pin moves to
-    after top dead centre.
+    after top dead centre. The rod's own mass, centre of gravity and moment of inertia give its couple
+    alone (`rod_split`): what it adds to the reciprocating and the rotating mass is counted there already.
     """
 
     stroke: Fraction | None = None
@@ -29,6 +33,9 @@ class CrankTrain:
     rotating_mass: Fraction | None = None
     given_ratio: Fraction | None = None
     offset: Fraction | None = None
+    rod_mass: Fraction | None = None
+    rod_centre: Fraction | None = None
+    rod_inertia: Fraction | None = None
 
     @property
     def ratio(self) -> Fraction | None:
@@ -50,6 +57,24 @@ class CrankTrain:
                 what, "needs the stroke", "give stroke = ..., in mm: e/r = 2 offset/stroke"
             )
         return 2 * self.offset / self.stroke
+
+    @property
+    def rod_split(self) -> RodSplit | None:
+        """The rod as two masses and a couple, kg and mm; None where its inertia is not given."""
+        given = {key: getattr(self, key) for key in ROD}
+        missing = [key for key, value in given.items() if value is None]
+        if len(missing) == len(ROD):
+            return None
+        if missing:
+            rule = f"tell a rod's inertia together: {missing[0]} is missing"
+            raise SymbalanceError(", ".join(k for k in ROD if k not in missing), rule, "give all three")
+        if self.rod is None:
+            raise SymbalanceError("rod_mass", "needs the rod's length", "give rod = ..., in mm")
+        if given["rod_centre"] > self.rod:
+            what = f"rod_centre = {shown(given['rod_centre'])}"
+            rule = f"must lie between the rod's ends, within 0 and {shown(self.rod)}"
+            raise SymbalanceError(what, rule, "count mm from the big end")
+        return RodSplit(given["rod_mass"], self.rod, given["rod_centre"], given["rod_inertia"])
 
     def overridden(self, own: CrankTrain) -> CrankTrain:
         """Return these sizes with those given in `own` put in; a rod or stroke ends a given ratio."""
@@ -88,7 +113,7 @@ def checked_size(key: str, value: object) -> Fraction:
     number = exact(value, key)
     if key == "offset":
         return number
-    if number < 0 or (not number and key not in (*MASSES, "link_radius")):
+    if number < 0 or (not number and key not in (*MASSES, *ROD, "link_radius")):
         raise SymbalanceError(f"{key} = {shown(value)}", "must be positive", "sizes are in mm and kg")
     return number
 

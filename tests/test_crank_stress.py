@@ -206,9 +206,11 @@ def test_the_mean_torque_leaves_through_the_flywheel():
     made = setting(read_running_engine(WORKED / "inline-4.toml"), webs="nominal", steps=240, passes=1)
     found = run(made, 2200)
     torque = made.loading(2200).pins.mean_torque
-    factors = fillet_factors(
-        made.engine.crank.parts[0], made.engine.crank.parts[1], made.engine.crank.pins[0]
-    )
+    journal, web, pin = made.engine.crank.parts[:3]
+    assert isinstance(journal, Journal)
+    assert isinstance(web, Web)
+    assert isinstance(pin, Pin)
+    factors = fillet_factors(journal, web, pin)
     section = np.pi * 0.065**3 / 16
     last = found.channel("web 8 journal fillet torsion").mean() / factors.journal_torsion * section
     first = found.channel("web 1 journal fillet torsion").mean() / factors.journal_torsion * section

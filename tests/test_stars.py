@@ -140,7 +140,11 @@ def test_every_catalogue_engine_fires_as_its_crank_allows(name):
     assert list(known.order) == layout.firing_order()
     assert intervals(layout) == known.intervals
     assert sum(known.intervals) == 180 * layout.strokes
-    assert known in firing_orders(layout, even_only=is_even(layout))
+    if layout.is_uniform:
+        assert known in firing_orders(layout, even_only=is_even(layout))
+    else:  # pins and link rods as built: nearly even
+        near = [firing.order for firing in firing_orders(layout, within=8)]
+        assert known.order in near
 
 
 def test_cylinder_1_leads_wherever_its_firing_is_counted_from():

@@ -544,7 +544,7 @@ BAD = {
     "no layout": (lambda: inertia_torque("inline-4"), "must be a Layout"),
     "unlike": (
         lambda: inertia_torque(sb.Layout([sb.Cylinder(1, reciprocating_mass=1), sb.Cylinder(2, 180)])),
-        "engine: has unlike cylinders",
+        "reciprocating_mass: is given for some cylinders and not for others",
     ),
     "power": (lambda: inertia_torque(sb.load("inline-6"), 9, power=5), "is 7"),
     "order": (lambda: torque_series(0, 3), "order = 0"),

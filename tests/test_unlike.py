@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from mpmath import mp
+from placed import planar
 
 import symbalance as sb
 from symbalance.cli import run
@@ -51,53 +52,6 @@ def mixed_four() -> sb.Layout:
 
 
 ENGINES = {"narrow six": narrow_six, "hung radial": hung_radial, "mixed four": mixed_four}
-
-
-def place(layout: sb.Layout, cylinder: sb.Cylinder, theta):
-    """Return how far a piston stands from the crank along its axis, in mm, by geometry alone."""
-    train = layout.train_of(cylinder)
-    if cylinder.link is None:
-        axis = direction(cylinder.bank)
-        pin = exact(train.stroke / 2) * mp.expj(theta + turned(cylinder.throw))
-        return along(pin, axis, train.rod, train.offset or 0)
-    master = layout.cylinders[cylinder.link.master - 1]
-    over = layout.train_of(master)
-    pin = exact(over.stroke / 2) * mp.expj(theta + turned(master.throw))
-    top = along(pin, direction(master.bank), over.rod, over.offset or 0) * direction(master.bank)
-    rod = (top - pin) / abs(top - pin)
-    link_pin = pin + exact(cylinder.link.radius) * rod * mp.expjpi(mp.mpf(2) * exact(cylinder.link.angle))
-    return along(link_pin, direction(cylinder.bank), cylinder.own.rod, cylinder.own.offset or 0)
-
-
-def along(pin, axis, length, offset):
-    """Return where a rod from `pin` meets a line parallel to `axis`, `offset` to its right."""
-    own = pin / axis
-    return own.real + mp.sqrt(exact(length) ** 2 - (own.imag - exact(Fraction(offset))) ** 2)
-
-
-def exact(fraction: Fraction):
-    return mp.mpf(fraction.numerator) / fraction.denominator
-
-
-def turned(angle):
-    return 2 * mp.pi * exact(angle.turns)
-
-
-def direction(angle):
-    return mp.expj(turned(angle))
-
-
-def planar(layout: sb.Layout, theta, arms: bool):
-    """Return vertical + i lateral over m r omega^2 of cylinder 1, by numeric differentiation."""
-    first = layout.train_of(layout.cylinders[0])
-    total = mp.mpc(0)
-    for cylinder in layout.cylinders:
-        train = layout.train_of(cylinder)
-        mass = exact((train.reciprocating_mass or 1) / (first.reciprocating_mass or Fraction(1)))
-        force = -mp.diff(lambda t, c=cylinder: place(layout, c, t), theta, 2) / exact(first.stroke / 2)
-        arm = exact(cylinder.station - layout.mean_station) if arms else 1
-        total += mass * arm * force * direction(cylinder.bank)
-    return total
 
 
 @pytest.mark.parametrize("name", ENGINES)
@@ -190,9 +144,13 @@ def test_an_engine_file_of_link_rods(tmp_path, capsys):
         assert run(["balance", str(path), "--order", "4", "--format", form]) == 0
         out = capsys.readouterr().out
         if form == "json":
-            assert json.loads(out)["orders"][0]["coefficient"] is None
+            written = json.loads(out)
+            assert written["orders"][0]["coefficient"] is None
+            assert written["cylinders"][1]["link"] == {"master": 1, "angle": "60", "radius": "2/3"}
+            assert written["cylinders"][0]["ratio"] == "164/45"
         else:
-            assert "link rod" in out
+            assert "rod of 1" in out
+            assert "link pin" in out
 
 
 @pytest.mark.parametrize(
@@ -222,7 +180,76 @@ def test_sizes_some_have_and_others_not_are_refused():
         sb.balance(sb.Layout(rows, crank_train=SHARED))
     with pytest.raises(sb.SymbalanceError, match="needs the stroke"):
         sb.balance(sb.Layout([sb.Cylinder(1, offset=3)], ratio=4))
-    with pytest.raises(sb.SymbalanceError, match="no proven bound"):
-        sb.to_function(sb.balance(narrow_six()), tolerance=1e-3)
     with pytest.raises(sb.SymbalanceError, match="cannot be set"):
         sb.to_function(sb.balance(narrow_six()), ratio=4)
+
+
+def near_the_limit() -> sb.Layout:
+    """Return a twin whose rods nearly lie across: lambda 2.2, axes 1.1 r aside, one hung on the other."""
+    rows = [
+        sb.Cylinder(1, 0, -30, offset=Fraction(44)),
+        sb.Cylinder(2, 0, 40, rod=Fraction(78), link=Link(1, Fraction(75), Fraction(12))),
+    ]
+    return sb.Layout(rows, crank_train=CrankTrain(stroke=Fraction(80), rod=Fraction(88)), name="limit")
+
+
+BOUNDED = {**ENGINES, "near the limit": near_the_limit}
+NOTHING = 1e-12
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-5, 1e-9])
+@pytest.mark.parametrize("name", BOUNDED)
+def test_what_a_tolerance_leaves_out_is_bounded(name, tolerance):
+    """The bound is within the tolerance, holds at every angle, and is no more than thrice too large."""
+    layout = BOUNDED[name]()
+    outputs = ("force.vertical", "force.lateral", "couple.vertical", "force.forward")
+    made = sb.to_function(sb.balance(layout, 1), outputs=outputs, tolerance=tolerance)
+    every = sb.to_function(sb.balance(layout, 1), outputs=outputs, tolerance=0)
+    theta = np.linspace(0, 2 * np.pi, 20_001)
+    kept, whole = made(theta), every(theta)
+    for output in outputs:
+        if not every.amplitude[output]:
+            continue
+        lost = np.abs(whole[output] - kept[output]).max()
+        bound = made.left_out[output]
+        assert lost <= bound + 1e-14
+        assert bound <= tolerance
+        assert lost > 1e-13 / 3 or bound < 1e-12, (output, lost, bound)
+        if lost > NOTHING:
+            assert bound < 3 * lost, (output, bound / lost)
+
+
+@pytest.mark.parametrize("ratio", ["1.3", "2", "4"])
+@pytest.mark.parametrize("aside", ["0", "1/2", "9/10"])
+@pytest.mark.parametrize("order", [1, 2, 5, 12, 40])
+def test_the_tail_is_bounded(ratio, aside, order):
+    """Every harmonic above an order: the proved bound is above their sum."""
+    from symbalance.mechanisms import SliderCrank, force_harmonics, force_tail
+
+    lam = Fraction(ratio)
+    crank = SliderCrank(lam, (lam - 1) * Fraction(aside))
+    found = force_harmonics(crank, 300 if lam < 2 or aside == "9/10" else 120, 30)
+    with mp.workdps(30):
+        rest = mp.fsum(mp.hypot(*pair) for n, pair in found.items() if n > order)
+        assert rest <= force_tail(crank, order) <= 150 * order ** mp.mpf("1.5") * rest
+
+
+def test_the_tail_of_a_link_rod_is_bounded():
+    from symbalance.mechanisms import force_harmonics, force_tail
+    from symbalance.unlike import mechanism_of
+
+    layout = near_the_limit()
+    link = mechanism_of(layout, layout.cylinders[1])
+    found = force_harmonics(link, 300, 30)
+    for order in (1, 4, 20, 60):
+        rest = mp.fsum(mp.hypot(*pair) for n, pair in found.items() if n > order)
+        assert rest <= force_tail(link, order)
+
+
+def test_sizes_said_one_by_one_cost_nothing():
+    """The function of a four whose cylinders each say that they are not offset is the plain one."""
+    from symbalance.bench.unused import functions, stripped, whole
+
+    own, plain = functions()
+    assert np.array_equal(own(), plain())
+    assert whole().force.terms == stripped().force.terms

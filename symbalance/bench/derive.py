@@ -14,6 +14,7 @@ import sympy
 from sympy.core.cache import clear_cache
 
 from symbalance.bench.timing import Measurement, Report, best, processes, progress
+from symbalance.bench.unused import ideal_engine
 from symbalance.builders import inline
 from symbalance.notation import series_latex
 from symbalance.resultants import geometry
@@ -32,6 +33,7 @@ def report(quick: bool = False) -> Report:
         ),
         ("Exact zeros: orders 1 to 24 of an evenly firing in-line N", zeros(quick)),
         ("LaTeX of a series", [series_in_latex()]),
+        ("What an ideal engine pays for offsets, link rods and unlike cylinders", ideal_engine()),
         ("Whole processes (medians, in turn)", whole_processes()),
     ]
     head = f"Python {platform.python_version()}, SymPy {sympy.__version__}, {platform.machine()}"

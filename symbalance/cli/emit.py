@@ -7,6 +7,7 @@ from math import isfinite
 from pathlib import Path
 
 from symbalance.cli.output import whole_number, write, write_files
+from symbalance.cli.torque import running_engine
 from symbalance.errors import SymbalanceError
 
 
@@ -19,12 +20,17 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.numeric import planned_for
     from symbalance.numeric.targets import FILES, files, identifier
     from symbalance.resultants import balance
+    from symbalance.slider_crank import checked_ratio
 
     path = _path(options.output, FILES[options.target], options.target)
     layout = load(options.engine)
     outputs = [name.strip() for name in options.outputs.split(",")]
-    result = balance(layout, 1 if order is None else order, ratio=options.ratio)
-    planned = planned_for(result, None, outputs, options.target, tolerance)
+    if options.ratio is not None:
+        layout = layout.with_ratio(checked_ratio(options.ratio))
+    running = running_engine(options, layout, "torque.total" in outputs)
+    highest = 1 if order is None else order
+    result = balance(layout, highest) if running is None else running
+    planned = planned_for(result, None, outputs, options.target, tolerance, highest)
     name = identifier(layout.name) if path is None else path.stem
     made = files(planned, options.target, layout.name, name, grid=options.uniform_grid)
     if path is None or len(made) == 1:

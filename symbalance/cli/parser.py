@@ -37,6 +37,10 @@ def build_parser() -> argparse.ArgumentParser:
     _add_emit(commands)
     _add_torque(commands)
     _add_crankshaft(commands)
+    _add_design(commands)
+    _add_sensitivities(commands)
+    _add_tolerances(commands)
+    _add_assign(commands)
     _add_engines(commands)
     _add_bench(commands)
     return parser
@@ -115,8 +119,9 @@ def _add_emit(commands: argparse._SubParsersAction) -> None:
         "--outputs",
         metavar="NAMES",
         default="force.vertical",
-        help="with commas: force. or couple. with vertical, lateral, forward or backward; piston. with "
-        "displacement, velocity or acceleration; default: force.vertical",
+        help="with commas: force. or couple. with vertical, lateral, forward, backward; piston. with "
+        "displacement, velocity or acceleration; torque. with inertia, rod or frame, and with a pressure "
+        "gas or total; default: force.vertical",
     )
     orders = parser.add_mutually_exclusive_group()
     orders.add_argument("--order", metavar="N", help="highest order, 1 to 1000")
@@ -127,6 +132,7 @@ def _add_emit(commands: argparse._SubParsersAction) -> None:
         "default: every order that shows in a double",
     )
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    _add_running(parser)
     parser.add_argument(
         "--uniform-grid",
         action="store_true",
@@ -137,11 +143,7 @@ def _add_emit(commands: argparse._SubParsersAction) -> None:
     )
 
 
-def _add_torque(commands: argparse._SubParsersAction) -> None:
-    parser = _command(commands, "torque", "The torque on an engine's crank: inertia exactly, gas on top.")
-    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
-    parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
-    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+def _add_running(parser: argparse.ArgumentParser) -> None:
     pressure = parser.add_mutually_exclusive_group()
     pressure.add_argument(
         "--pressure", metavar="FILE", help="CSV: degrees after firing top dead centre, bar absolute"
@@ -151,12 +153,136 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
         "--heat",
         metavar="Q",
         default="18",
-        help="its heat added, in p V at bottom dead centre; default: 18",
+        help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
     parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
     parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
+
+
+def _add_torque(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "torque", "The torque on an engine's crank and frame: inertia exactly, gas on top."
+    )
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    _add_running(parser)
     parser.add_argument("--delta", metavar="δ", default="0.02", help="speed fluctuation; default: 0.02")
-    _add_output(parser, ("text", "json"))
+    _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    if order is not None:
+        help_ = f"highest order, 1 to 1000; default: {order}"
+        parser.add_argument("--order", metavar="N", default=order, help=help_)
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+
+
+def _add_sensitivities(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "sensitivities", "How each order changes with each size of each cylinder, worst first."
+    )
+    _add_engine(parser, "4")
+    parser.add_argument(
+        "--parameters",
+        metavar="NAMES",
+        help="with commas, some of mass, throw, bank, station, stroke, rod, offset, rotating",
+    )
+    _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_tolerances(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "tolerances", "The worst an engine within its tolerances can shake.")
+    _add_engine(parser, "4")
+    for name, unit, about in (
+        ("mass", "KG", "reciprocating mass, kg or percent (0.5%%)"),
+        ("throw", "DEGREES", "crank pin angle"),
+        ("bank", "DEGREES", "angle of a cylinder's axis"),
+        ("station", "MM", "place along the crank, mm or percent of the pitch"),
+        ("stroke", "MM", "stroke"),
+        ("rod", "MM", "rod length"),
+        ("offset", "MM", "offset of the axis from the crank"),
+        ("rotating", "KG", "rotating mass, kg or percent of the reciprocating mass"),
+    ):
+        parser.add_argument(f"--{name}", metavar=unit, help=f"plus or minus, of every cylinder: {about}")
+    parser.add_argument(
+        "--of",
+        metavar="NAMES",
+        default="largest",
+        help="with commas: largest (over a turn), vertical, lateral, forward, backward; default: largest",
+    )
+    parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
+    _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_assign(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "assign", "Which weighed part goes to which cylinder, so that least is left."
+    )
+    _add_engine(parser)
+    parser.add_argument(
+        "--parts",
+        metavar="FILE",
+        required=True,
+        help="CSV with a header: name, piston, rod_reciprocating, rod_rotating; kg",
+    )
+    parser.add_argument("--paired", action="store_true", help="keep a row's piston and rod together")
+    parser.add_argument("--orders", metavar="LIST", default="1", help="orders that count; default: 1")
+    parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
+    parser.add_argument(
+        "--lever",
+        metavar="MM",
+        help="a couple counts as the force at this lever; default: root mean square of the stations",
+    )
+    parser.add_argument(
+        "--whole", action="store_true", help="count whole masses, not what they differ from their mean by"
+    )
+    _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_design(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "design", "Counterweights and balance shafts that end given orders, with a certificate."
+    )
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to end; default: 1,2")
+    parser.add_argument(
+        "--shafts", metavar="N", help="at most so many shafts; default: as many as it takes"
+    )
+    parser.add_argument(
+        "--no-counter-rotation", action="store_true", help="no shaft may turn against the crank"
+    )
+    parser.add_argument(
+        "--no-counterweights", action="store_true", help="nothing may be put on the crank"
+    )
+    parser.add_argument(
+        "--stations",
+        metavar="A,…",
+        help="places for weights, in pitches, as --stations=1,-1; default: one if that does, or the ends",
+    )
+    parser.add_argument(
+        "--spread", choices=("ends", "even"), default="ends", help="even: a weight at every station"
+    )
+    parser.add_argument(
+        "--per-throw",
+        action="store_true",
+        help="counterweights on every throw, half the reciprocating mass",
+    )
+    parser.add_argument(
+        "--vertical", metavar="W", default="1", help="weight of the vertical in what is left; default: 1"
+    )
+    parser.add_argument(
+        "--lateral", metavar="W", default="1", help="weight of the lateral in what is left; default: 1"
+    )
+    parser.add_argument(
+        "--length", metavar="L", default="1", help="pitches over which couples count; default: 1"
+    )
+    parser.add_argument("--most", metavar="KGMM", help="no weight may have a larger unbalance, kg mm")
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    _add_output(parser, ("text", "latex", "json"))
+    parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
+    parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
 
 
 def _add_crankshaft(commands: argparse._SubParsersAction) -> None:

@@ -1,4 +1,4 @@
-"""`symbalance torque`: the torque on an engine's crank, its inertia part exact."""
+"""`symbalance torque`: the torque on an engine's crank and frame, its inertia part exact."""
 
 from __future__ import annotations
 
@@ -14,23 +14,28 @@ def run(options: argparse.Namespace) -> int:
     order = whole_number(options.order, "order")
 
     from symbalance.catalogue import load
+    from symbalance.tables.torque_latex import torque_latex
     from symbalance.tables.torque_table import running_text, torque_json, torque_text
-    from symbalance.torque import inertia_torque
+    from symbalance.torque import torque_report
 
-    layout = load(options.engine)
-    balance = inertia_torque(layout, order, ratio=options.ratio)
-    running = _running(options, balance.layout)
+    report = torque_report(load(options.engine), order, ratio=options.ratio)
+    running = running_engine(options, report.layout)
     delta = _number(options.delta, "delta")
     if options.format == "json":
-        write(torque_json(balance, running, delta, order) + "\n", options.output)
-        return 0
-    parts = [torque_text(balance), *([running_text(running, delta, order)] if running else [])]
-    write("\n".join(parts), options.output)
+        write(torque_json(report, running, delta, order) + "\n", options.output)
+    elif options.format == "latex":
+        write(torque_latex(report, running, delta, order, standalone=True), options.output)
+    else:
+        parts = [torque_text(report), *([running_text(running, delta, order)] if running else [])]
+        write("\n".join(parts), options.output)
     return 0
 
 
-def _running(options: argparse.Namespace, layout: Any) -> Any:
-    """Return the running engine's torque, None where no pressure is given."""
+def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True) -> Any:
+    """Return the running engine's torque, None where no pressure is given.
+
+    Without `whole` only its gas is asked for, over the crank radius: sizes that are not known do no harm.
+    """
     from symbalance.torque import crank_torque, ideal_cycle, read_pressure
 
     if options.pressure is None and options.compression is None:
@@ -40,14 +45,16 @@ def _running(options: argparse.Namespace, layout: Any) -> Any:
                 raise SymbalanceError(f"--{name}", "is for a running engine", remedy)
         return None
     for name, what in (("bore", "the cylinder's bore in mm"), ("rpm", "the crank's speed")):
-        if getattr(options, name) is None:
+        if getattr(options, name) is None and (whole or name == "bore"):
             raise SymbalanceError(f"--{name}", "is missing", f"a pressure needs {what}")
     if options.pressure is not None:
-        trace = read_pressure(options.pressure, strokes=layout.strokes)
+        gas = read_pressure(options.pressure, strokes=layout.strokes)
     else:
-        cycle = ideal_cycle(options.compression, heat=options.heat, strokes=layout.strokes)
-        trace = cycle.trace(layout.train_of(layout.cylinders[0]).ratio)
-    return crank_torque(layout, trace, bore=options.bore, rpm=options.rpm)
+        gas = ideal_cycle(options.compression, heat=options.heat, strokes=layout.strokes)
+    first = layout.train_of(layout.cylinders[0])
+    sizes = {"stroke": 1, "reciprocating_mass": 0}
+    unknown = {} if whole else {k: v for k, v in sizes.items() if getattr(first, k) is None}
+    return crank_torque(layout, gas, bore=options.bore, rpm=options.rpm or "1", **unknown)
 
 
 def _number(text: str, name: str) -> float:

@@ -34,6 +34,7 @@ from symbalance.mechanisms.offset_powers import (
 )
 from symbalance.mechanisms.rod import RodSplit, rocking_series, side_thrust
 from symbalance.mechanisms.strokes import DeadCentres, dead_centres, exact_dead_centres
+from symbalance.mechanisms.tails import force_tail
 
 __all__ = [
     "DeadCentres",
@@ -48,6 +49,7 @@ __all__ = [
     "delta_symbol",
     "exact_dead_centres",
     "force_harmonics",
+    "force_tail",
     "harmonics_of",
     "height",
     "height_motion",

@@ -82,6 +82,14 @@ def rod_angle_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> d
     return dict(_harmonics(plain(mechanism), *_checked(order, digits), "rod-angle"))
 
 
+def series_of(mechanism: Mechanism, order: int, digits: int, quantity: str) -> dict[int, Real]:
+    """Return the harmonics of the "height" or the "rod-angle" to any order, which is not checked.
+
+    For products of series, whose factors are needed beyond the order of the product.
+    """
+    return dict(_harmonics(plain(mechanism), order, digits, quantity))
+
+
 def _checked(order: int, digits: int) -> tuple[int, int]:
     return checked_order(order), checked_whole(digits, "digits", 1, MOST_DIGITS, "20 is usual")
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, Protocol
 
 from mpmath import mp
 
+from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
+from symbalance.layout import Layout
 from symbalance.numeric.waves import (
     ACCELERATION,
     COUPLE,
@@ -26,6 +28,7 @@ from symbalance.resultants import Balance, balance
 from symbalance.slider_crank import HIGHEST_ORDER, acceleration_values, checked_ratio
 from symbalance.spectrum import COMPONENTS, Spectrum
 from symbalance.truncation import left_out
+from symbalance.unlike import spectrum_left_out
 
 PISTON = ("displacement", "velocity", "acceleration")
 OUTPUTS = (
@@ -46,28 +49,36 @@ UNITS = {
     "piston.velocity": SPEED,
     "piston.acceleration": ACCELERATION,
 }
-MANY_ORDERS = 96
-"""Orders of unlike cylinders taken where all are asked for; what does not show is dropped."""
 FIRST_TRY = 48
 """Orders looked at first for a tolerance; enough for any engine's rod ratio."""
 NOTHING = mp.mpf(10) ** (5 - DIGITS)
 """Weights smaller than this are rounding of weights that cancel."""
 
 
-def checked_outputs(outputs: Sequence[str] | str) -> list[str]:
+class _Rated(Protocol):
+    """What has a layout and perhaps a rod ratio."""
+
+    @property
+    def layout(self) -> Layout: ...
+    @property
+    def ratio(self) -> Fraction | None: ...
+
+
+def checked_outputs(outputs: Sequence[str] | str, known: Sequence[str] = OUTPUTS) -> list[str]:
     """Return the names of outputs, each once, or refuse an unknown one."""
     names = [outputs] if isinstance(outputs, str) else listed(outputs, "outputs", '("force.vertical",)')
     for name in names:
-        if name not in OUTPUTS:
-            raise SymbalanceError(f"output {shown(name)!r}", "is unknown", f"known: {', '.join(OUTPUTS)}")
+        if name not in known:
+            raise SymbalanceError(f"output {shown(name)!r}", "is unknown", f"known: {', '.join(known)}")
     if not names:
-        raise SymbalanceError("outputs = ()", "names no output", f"known: {', '.join(OUTPUTS)}")
+        raise SymbalanceError("outputs = ()", "names no output", f"known: {', '.join(known)}")
     return list(dict.fromkeys(names))
 
 
-def known_ratio(result: Balance, ratio: object) -> Fraction:
+def known_ratio(result: _Rated, ratio: object) -> Fraction:
     """Return the rod ratio to use, or refuse if neither the call nor the engine gives one."""
-    if not result.is_uniform:
+    alike = result.is_uniform if isinstance(result, Balance) else result.layout.is_uniform
+    if not alike:
         return _first_ratio(result, ratio)
     number = result.ratio if ratio is None else checked_ratio(ratio)
     if number is None:
@@ -83,7 +94,7 @@ def known_ratio(result: Balance, ratio: object) -> Fraction:
     return number
 
 
-def _first_ratio(result: Balance, ratio: object) -> Fraction:
+def _first_ratio(result: _Rated, ratio: object) -> Fraction:
     """Return the first cylinder's ratio: unlike cylinders have their own, and keep them."""
     if ratio is not None:
         rule = "cannot be set for cylinders that are not alike"
@@ -107,21 +118,8 @@ def within(result: Balance, names: Iterable[str], ratio: Fraction, tolerance: fl
     The unit of `tolerance` is the output's with every keyword 1: m r omega^2, times a for couples. 0 asks
     for everything that can show in a double: the bound then is 2^-57 of the largest harmonic.
     """
-    if not result.is_uniform:
-        return _every_order(result, names, ratio, tolerance)
     with mp.workdps(DIGITS + 10):
         return tuple(_Asked(result, name, ratio).within(tolerance) for name in names)
-
-
-def _every_order(
-    result: Balance, names: Iterable[str], ratio: Fraction, tolerance: float
-) -> tuple[Wave, ...]:
-    """Return unlike cylinders' harmonics to an order beyond which none shows in a double."""
-    if tolerance:
-        rule = "has no proven bound for cylinders that are not alike"
-        raise SymbalanceError(f"tolerance = {tolerance:g}", rule, "give the highest order instead")
-    wide = balance(result.layout, MANY_ORDERS, reference=result.reference)
-    return truncated(wide, names, ratio)
 
 
 @dataclass(frozen=True)
@@ -150,14 +148,14 @@ class _Asked:
     def truncated(self) -> Wave:
         if self.part in ("displacement", "velocity") and self.result.is_uniform:
             return self.wave(left_out=0.0, closed=self.closed())
-        return self.wave(terms=_shown(self.terms(self.result.highest)), through=self.result.highest)
+        return self.wave(terms=shown_terms(self.terms(self.result.highest)), through=self.result.highest)
 
     def within(self, tolerance: float) -> Wave:
         if self.part in ("displacement", "velocity"):
             return self.truncated()
-        order, bound = FIRST_TRY, mp.inf
+        order, bound = min(FIRST_TRY + self.fastest(), HIGHEST_ORDER), mp.inf
         while True:
-            terms, beyond = self.terms(order), self.weight() * left_out(order, self.ratio)
+            terms, beyond = self.terms(order), self.beyond(order)
             sizes = [t.size for t in terms]
             wanted = tolerance or mp.ldexp(max(sizes, default=mp.mpf(0)), -57)
             for kept in range(len(sizes) + 1):
@@ -165,7 +163,7 @@ class _Asked:
                 if bound <= wanted or not sizes:
                     through = int(terms[kept - 1].order) if kept else 0
                     closed = self.closed() if kept else None
-                    bound = _up(bound) if sizes else 0.0
+                    bound = upward(bound) if sizes or not self.result.is_uniform else 0.0
                     return self.wave(terms=terms[:kept], through=through, left_out=bound, closed=closed)
             if order == HIGHEST_ORDER:
                 return self._beyond(tolerance, bound)
@@ -177,7 +175,8 @@ class _Asked:
         if closed is not None:
             return self.wave(left_out=0.0, closed=closed)
         what = f"tolerance = {tolerance:g}" if tolerance else "every order that shows in a double"
-        rule = f"needs orders above {HIGHEST_ORDER} of {self.name} at lambda = {float(self.ratio):g}"
+        at = f" at lambda = {float(self.ratio):g}" if self.result.is_uniform else ""
+        rule = f"needs orders above {HIGHEST_ORDER} of {self.name}{at}"
         remedy = f"{HIGHEST_ORDER} orders leave out up to {float(bound):.2g}: ask for that"
         raise SymbalanceError(what, rule, remedy)
 
@@ -210,9 +209,28 @@ class _Asked:
             result = balance(result.layout, order, reference=result.reference)
         return result.force if self.kind == "force" else result.couple
 
-    def weight(self) -> Real:
-        """Return what bounds the output's geometry at every order: the sum of all cylinders' weights."""
-        return mp.fsum(abs(w) for w in self._weights())
+    def fastest(self) -> int:
+        """Return the highest order of a balance shaft, which a cylinder's closed form does not hold."""
+        shafts = () if self.kind == "piston" else self.result.layout.balancers.shafts
+        return max((abs(s.speed) for s in shafts), default=0)
+
+    def beyond(self, order: int) -> Real:
+        """Return a proved bound on what all orders above `order` add to the output."""
+        weights = self._weights()
+        if self.result.is_uniform:
+            return mp.fsum(abs(w) for w in weights) * left_out(order, self.ratio)
+        layout = self.result.layout
+        parts = [
+            weight * self._onto(cylinder)
+            for weight, cylinder in zip(weights, layout.cylinders, strict=True)
+        ]
+        return spectrum_left_out(layout, order, parts)
+
+    def _onto(self, cylinder: Cylinder) -> Real:
+        """Return how much of a cylinder's force the output can hold at most."""
+        if self.part not in ("vertical", "lateral"):
+            return mp.mpf(1) / 2
+        return (mp.cospi if self.part == "vertical" else mp.sinpi)(2 * real(cylinder.bank.turns))
 
     def closed(self) -> Closed | None:
         """Return the closed form of every order at once; the forward and backward parts have none."""
@@ -222,14 +240,14 @@ class _Asked:
             turns = cylinders[0].delay.turns
             first = self.terms(1) if kind == "secondary" else ()
             return Closed(kind, self.ratio, ((mp.mpf(1), turns),), first)
-        if self.part not in ("vertical", "lateral"):
+        alone = self.result.is_uniform and self.fastest() <= 1
+        if self.part not in ("vertical", "lateral") or not alone:
             return None
         merged: dict[Fraction, Real] = {}
-        onto = mp.cospi if self.part == "vertical" else mp.sinpi
         for weight, cylinder in zip(self._weights(), cylinders, strict=True):
             turns = cylinder.delay.turns % Fraction(1, 2)
             merged.setdefault(turns, mp.mpf(0))
-            merged[turns] += weight * onto(2 * real(cylinder.bank.turns))
+            merged[turns] += weight * self._onto(cylinder)
         places = tuple((w, turns) for turns, w in sorted(merged.items()) if abs(w) > NOTHING)
         return Closed("secondary", self.ratio, places, self.terms(1)) if places else None
 
@@ -245,7 +263,7 @@ class _Asked:
         return [real(arm) for arm in arms]
 
 
-def _shown(terms: tuple[Term, ...]) -> tuple[Term, ...]:
+def shown_terms(terms: tuple[Term, ...]) -> tuple[Term, ...]:
     """Return the harmonics without the last ones that cannot show in a double: 2^-57 of the largest."""
     sizes = [t.size for t in terms]
     least = mp.ldexp(max(sizes, default=mp.mpf(0)), -57)
@@ -259,6 +277,6 @@ def _turned(n: int, coefficient: Real, turns: Fraction) -> Term:
     return Term(Fraction(n), coefficient * mp.cospi(turned), -coefficient * mp.sinpi(turned))
 
 
-def _up(bound: Real) -> float:
+def upward(bound: Real) -> float:
     """Return a bound as a double that is not below it."""
     return float(bound) * (1 + 2.0**-50)

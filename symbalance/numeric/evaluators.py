@@ -11,11 +11,19 @@ from math import isfinite
 from typing import Any
 
 from symbalance.errors import MissingPartError, SymbalanceError, shown
-from symbalance.numeric.asked import checked_outputs, known_ratio, truncated, within
+from symbalance.numeric.asked import OUTPUTS, checked_outputs, known_ratio, truncated, within
+from symbalance.numeric.asked_torque import TORQUES, torque_wave
 from symbalance.numeric.plans import Plan, plan
 from symbalance.numeric.targets import FILES, IN_MEMORY, files
-from symbalance.resultants import Balance, checked_balance
+from symbalance.numeric.waves import Wave
+from symbalance.resultants import Balance, balance, checked_balance
+from symbalance.slider_crank import checked_order
+from symbalance.torque import CrankTorque, TorqueBalance
 
+ASKED = (*OUTPUTS, *TORQUES)
+RUNNING_ORDER = 12
+"""The highest order of a running engine's torque, unless another is given."""
+Source = Balance | TorqueBalance | CrankTorque
 Result = Any
 
 
@@ -25,8 +33,8 @@ class Evaluator:
 
     theta may have any shape; the values come back in it, as an array for one output and a dict of arrays
     for several. mass (kg, reciprocating, one cylinder), radius (m, half the stroke), omega (rad/s) and
-    pitch (m) are 1 unless given: the result then is in units of m r omega^2 (couples: times a). + is up
-    and right; couples are + with the front pushed up or right.
+    pitch (m) are 1 unless given: the result then is in units of m r omega^2 (couples: times a; torque:
+    times r). + is up and right; couples are + with the front pushed up or right, torque as it turns.
 
     `rounding` holds, by output, what a value may be off by rounding, in u = 2^-53 of the output's
     `amplitude` (for |theta| <= 2^20); `left_out` what the orders left out may sum to, in units of
@@ -72,22 +80,29 @@ class Evaluator:
 
 
 def to_function(
-    result: Balance,
+    result: Source,
     ratio: object = None,
-    outputs: Sequence[str] | str = ("force.vertical",),
+    outputs: Sequence[str] | str | None = None,
     target: str = "numpy",
     *,
     tolerance: float | None = None,
+    order: int | None = None,
 ) -> Evaluator:
-    """Return a picklable function of the crank angle that holds `outputs` of a balance and no more.
+    """Return a picklable function of the crank angle that holds `outputs` of a result and no more.
 
     Outputs: force or couple, a dot, and vertical, lateral, forward or backward; and piston.displacement,
     piston.velocity and piston.acceleration of cylinder 1, exact. `ratio` is the rod ratio lambda = l/r;
-    every A_n is taken exact in it, rounded once. Targets: numpy, numba, array-api.
+    every A_n is taken exact in it, rounded once. Targets: numpy, numba, array-api. The default is
+    force.vertical, of an inertia torque torque.inertia, of a running engine torque.total.
 
-    The orders are those of the balance; with a `tolerance`, in units of m r omega^2 (couples: times a),
-    the fewest whose proven bound is within it; with tolerance 0 all that can show in a double. A
-    tolerance leaves the choice between harmonics and the closed form to the cheaper (`numeric.plans`).
+    Torque: torque.inertia and torque.frame, in units of m r^2 omega^2; torque.rod, which takes omega
+    alone; of a running engine (`crank_torque`) torque.gas, which takes the radius alone, and
+    torque.total, which takes no keyword: it is that of the engine's own sizes and speed, in N m.
+
+    The orders are those of the result (of a running engine `order`, 12 unless given); with a `tolerance`,
+    in units of m r omega^2 (couples: times a), the fewest whose proven bound is within it; with tolerance
+    0 all that can show in a double. A tolerance leaves the choice between harmonics and the closed form
+    to the cheaper (`numeric.plans`).
 
     >>> from symbalance.resultants import balance
     >>> from symbalance.catalogue import load
@@ -100,7 +115,7 @@ def to_function(
         raise SymbalanceError(
             f"target = {shown(target)!r}", f"must be one of {known}", f"emit writes {', '.join(FILES)}"
         )
-    planned = planned_for(result, ratio, outputs, target, tolerance)
+    planned = planned_for(result, ratio, outputs, target, tolerance, order)
     if target == "numba" and find_spec("numba") is None:
         raise MissingPartError("target = 'numba'", "Numba is not installed", "pip install numba")
     (source,) = files(planned, target, result.layout.name, result.layout.name).values()
@@ -119,15 +134,49 @@ def to_function(
 
 
 def planned_for(
-    result: Balance, ratio: object, outputs: Sequence[str] | str, target: str, tolerance: float | None
+    result: Source,
+    ratio: object,
+    outputs: Sequence[str] | str | None,
+    target: str,
+    tolerance: float | None,
+    order: int | None = None,
 ) -> Plan:
-    """Return the plan of a balance's outputs for a target, or refuse."""
-    checked_balance(result)
-    names = checked_outputs(outputs)
+    """Return the plan of a result's outputs for a target, or refuse."""
+    if not isinstance(result, TorqueBalance | CrankTorque):
+        checked_balance(result)
+    names = checked_outputs(_default(result) if outputs is None else outputs, ASKED)
+    if isinstance(result, CrankTorque) and ratio is not None:
+        rule = "is the running engine's own already"
+        raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give it to crank_torque")
     number = known_ratio(result, ratio)
+    tolerance = None if tolerance is None else checked_tolerance(tolerance)
+    highest = checked_order(_highest(result) if order is None else order)
+    waves = {n: torque_wave(result, n, number, highest, tolerance) for n in names if n in TORQUES}
+    forces = [name for name in names if name not in waves]
+    if forces:
+        known = result if isinstance(result, Balance) and order is None else None
+        known = balance(result.layout, highest) if known is None else known
+        found = _force_waves(known, forces, number, tolerance)
+        waves |= {wave.name: wave for wave in found}
+    return plan([waves[name] for name in names], number, target)
+
+
+def _force_waves(
+    result: Balance, names: Sequence[str], ratio: Fraction, tolerance: float | None
+) -> tuple[Wave, ...]:
     if tolerance is None:
-        return plan(truncated(result, names, number), number, target)
-    return plan(within(result, names, number, checked_tolerance(tolerance)), number, target)
+        return truncated(result, names, ratio)
+    return within(result, names, ratio, tolerance)
+
+
+def _default(result: Source) -> str:
+    if isinstance(result, CrankTorque):
+        return "torque.total"
+    return "torque.inertia" if isinstance(result, TorqueBalance) else "force.vertical"
+
+
+def _highest(result: Source) -> int:
+    return RUNNING_ORDER if isinstance(result, CrankTorque) else result.highest
 
 
 def checked_tolerance(tolerance: object) -> float:

@@ -105,6 +105,8 @@ def _plan(waves: Sequence[Wave], ratio: Fraction, target: str) -> Plan:
 def _planned(wave: Wave, target: str, bases: Bases, tail: Kernel) -> Output:
     """Return an output by its harmonics or by its closed form, adding its lines and bases."""
     if wave.closed is None and not wave.terms:
+        if wave.mean:
+            return _by_mean(wave, bases, tail)
         return Output(wave, "0.0", 0.0, 0.0, "zero: no order is left")
     size = wave.amplitude()
     if wave.closed is None:
@@ -130,8 +132,20 @@ def _draft(
     return output, sum(plain + root * dear for plain, dear in counted)
 
 
+def _by_mean(wave: Wave, bases: Bases, tail: Kernel) -> Output:
+    """Return a constant; a cosine times 0 gives it the angles' shape, and NaN where they are lost."""
+    formula = f"{_mean(wave, tail)} + 0.0*{bases.name(Fraction(1), mp.mpf(0))}"
+    return Output(wave, formula, abs(float(wave.mean)), 2.0, "the mean alone", scaled=True)
+
+
+def _mean(wave: Wave, tail: Kernel) -> str:
+    return tail.constant(f"{prefix(wave.name)}MEAN", wave.mean, "the mean")
+
+
 def _by_harmonics(wave: Wave, size: float, bases: Bases, tail: Kernel) -> Output:
     formula, error, form = polynomials(wave, bases, tail, size)
+    if wave.mean:
+        formula, error = f"{_mean(wave, tail)} + {formula}", error + 1.5 * size
     return Output(wave, formula, size, error / size + 1.0, form, scaled=True)
 
 

@@ -36,7 +36,9 @@ class Family:
 
 
 def family(terms: Sequence[Term]) -> Family:
-    """Return harmonics on their common step, and on a common phase if they have one.
+    """Return harmonics on their common step, and on a phase where all are cosines, or all sines.
+
+    Where there is none of either the largest needs no sine.
 
     >>> one = Term(Fraction(2), mp.mpf(0), mp.mpf(3))
     >>> found = family([one])
@@ -51,6 +53,10 @@ def family(terms: Sequence[Term]) -> Family:
             turned = {k: z * mp.expjpi(-2 * k * phase) for k, z in numbers.items()}
             if all(abs(z.imag) <= ALIGNED * largest for z in turned.values()):
                 return Family(step, phase, _row(turned, count, "real"), ())
+        for phase in _phases({k: z * -1j for k, z in numbers.items()}):
+            turned = {k: z * mp.expjpi(-2 * k * phase) for k, z in numbers.items()}
+            if all(abs(z.real) <= ALIGNED * largest for z in turned.values()):
+                return Family(step, phase, (), _row(turned, count, "imag"))
         chief = max(numbers, key=lambda k: abs(numbers[k]))  # the largest needs no sine: least is rounded
         phase = _phases({chief: numbers[chief]})[0]
         turned = {k: z * mp.expjpi(-2 * k * phase) for k, z in numbers.items()}

@@ -33,6 +33,19 @@ def derivative(row: Sequence[float], psi: Grid) -> Grid:
     return np.abs(sum(k * a * chebyshev_u(k, psi) for k, a in enumerate(row) if a))
 
 
+def sine_factors(row: Sequence[float], psi: Grid) -> tuple[Grid, Grid]:
+    """Return |P| and |sin psi P'(c)| of sum a_k sin k psi = sin psi P(c), P = sum a_k U_{k-1}.
+
+    sin psi P' = (c P - sum k a_k cos k psi)/sin psi, which goes to 0 with sin psi.
+    """
+    inner = sum(a * chebyshev_u(k, psi) for k, a in enumerate(row) if a)
+    slope = sum(k * a * np.cos(k * psi) for k, a in enumerate(row) if a)
+    sine = np.sin(psi)
+    inside = np.abs(sine) > 1e-9
+    change = np.where(inside, (np.cos(psi) * inner - slope) / np.where(inside, sine, 1.0), 0.0)
+    return np.abs(inner), np.abs(change)
+
+
 def chebyshev_u(k: int, psi: Grid) -> Grid:
     """Return U_{k-1}(cos psi) = sin k psi/sin psi."""
     near = np.minimum(psi, np.pi - psi) < 1e-9

@@ -1,7 +1,7 @@
 """What a scene asks for, as numbers: each output a sum of harmonics or a closed form, to 40 digits.
 
 A `Wave` is all the evaluators know of a result. Whatever has a spectrum can be evaluated by making
-waves of it: forces and couples today, torque (half orders included) alike.
+waves of it: forces and couples, torque (half orders included) alike.
 """
 
 from __future__ import annotations
@@ -48,13 +48,17 @@ class Unit:
     @property
     def formula(self) -> str:
         """The product, as every target language writes it."""
-        return "*".join(self.factors)
+        return "*".join(self.factors) or "1.0"
 
 
 FORCE = Unit(("mass", "radius", "omega", "omega"), "N")
 COUPLE = Unit(("mass", "radius", "omega", "omega", "pitch"), "N m")
 LENGTH = Unit(("radius",), "m")
 SPEED = Unit(("radius", "omega"), "m/s")
+TORQUE = Unit(("mass", "radius", "radius", "omega", "omega"), "N m")
+RODS = Unit(("omega", "omega"), "N m")
+TORQUE_PER_RADIUS = Unit(("radius",), "N m")
+TORQUE_ITSELF = Unit((), "N m")
 ACCELERATION = Unit(("radius", "omega", "omega"), "m/s^2")
 
 
@@ -105,7 +109,7 @@ def _velocity(theta: Real, rho: Real) -> Real:
 
 @dataclass(frozen=True)
 class Wave:
-    """One output: its harmonics or its closed form, and how it is measured.
+    """One output: its mean and harmonics or its closed form, and how it is measured.
 
     `left_out` bounds what the harmonics, which reach order `through`, leave out of the exact function, in
     the wave's unit with every keyword 1; it is None where nothing was promised beyond `through`.
@@ -118,13 +122,14 @@ class Wave:
     through: int = 0
     left_out: float | None = None
     closed: Closed | None = None
+    mean: Real = 0
 
     def value(self, theta: Any) -> Real:
         """Return the harmonics' sum at a crank angle (radians), or a closed form that stands alone."""
         theta = mp.mpf(theta)
         if self.closed is not None and not self.terms:
             return self.closed.value(theta)
-        return mp.fsum(term.at(theta) for term in self.terms)
+        return self.mean + mp.fsum(term.at(theta) for term in self.terms)
 
     def amplitude(self) -> float:
         """Return the largest size over all angles: sampled, so a lower bound, within 1 in 1000."""
@@ -137,7 +142,7 @@ class Wave:
                 return float(max(abs(self.value(2 * mp.pi * mp.mpf(x))) for x in self.closed.peaks()))
         turns = 2 * max((t.order.denominator for t in self.terms), default=1)
         theta = np.linspace(0.0, turns * np.pi, 1 + 96 * max(16, self.through))
-        total = np.zeros_like(theta)
+        total = np.full_like(theta, float(self.mean))
         for term in self.terms:
             angle = float(term.order) * theta
             total += float(term.cos) * np.cos(angle) + float(term.sin) * np.sin(angle)

@@ -66,7 +66,7 @@ class _Way:
     @staticmethod
     def of(found: Family, size: float) -> _Way:
         """Return the shortest way that rounds little beside `size`, else the one that rounds least."""
-        psi = rounding.angles(len(found.even))
+        psi = rounding.angles(max(len(found.even), len(found.odd)))
         rows = (("T", found.even), ("U", found.odd))
         plain = [_plain(row, kind, psi) for kind, row in rows]
         error = float(np.max(plain[0][1] + plain[1][1]))
@@ -83,14 +83,14 @@ class _Way:
         found = self.family
         if self.careful:
             return _careful(found, own, bases, tail)
-        cosine = bases.name(found.step, found.phase)
-        text = _recurrence(found.even, "T", self.by_powers[0], own, cosine, tail)
-        if not any(found.odd):
-            return text
-        sine = bases.name(found.step, found.phase + mp.mpf(1) / 4)
-        return (
-            f"{text} + {sine}*({_recurrence(found.odd, 'U', self.by_powers[1], own + 'S', cosine, tail)})"
-        )
+        cosine, parts = bases.name(found.step, found.phase), []
+        if any(found.even):
+            parts.append(_recurrence(found.even, "T", self.by_powers[0], own, cosine, tail))
+        if any(found.odd):
+            sine = bases.name(found.step, found.phase + mp.mpf(1) / 4)
+            over = _recurrence(found.odd, "U", self.by_powers[1], own + "S", cosine, tail)
+            parts.append(f"{sine}*({over})")
+        return " + ".join(parts)
 
 
 def _recurrence(
@@ -104,12 +104,14 @@ def _recurrence(
 def _careful(found: Family, own: str, bases: Bases, tail: Kernel) -> str:
     """Return the formula by Reinsch's recurrence, adding its lines."""
     m, sigma, sine = bases.crest(found.step, found.phase)
-    d, b = reinsch_lines(tail, own, found.even, m, sigma)
-    text = f"({d} - 0.5*{m}*{b})"
+    parts = []
+    if any(found.even):
+        d, b = reinsch_lines(tail, own, found.even, m, sigma)
+        parts.append(f"({d} - 0.5*{m}*{b})")
     if any(found.odd):
         _, b = reinsch_lines(tail, own + "S", found.odd, m, sigma)
-        text += f" + {sine}*{b}"
-    return text
+        parts.append(f"{sine}*{b}")
+    return " + ".join(parts)
 
 
 def _plain(row: Sequence[Real], kind: str, psi: rounding.Grid) -> tuple[bool, rounding.Grid]:
@@ -118,12 +120,16 @@ def _plain(row: Sequence[Real], kind: str, psi: rounding.Grid) -> tuple[bool, ro
     if not any(floats):
         return True, np.zeros_like(psi)
     of_cosine = rounding.cosine_error(psi) * rounding.derivative(floats, psi)
-    by_clenshaw = rounding.of_clenshaw(floats, psi, kind)
+    over = 1.0
     if kind == "U":  # times the sine, whose own error counts once more
-        of_cosine = of_cosine + 2.0 * sum(abs(a) * k for k, a in enumerate(floats))
+        inner, change = rounding.sine_factors(floats, psi)
+        over = np.sin(psi)
+        of_cosine = rounding.cosine_error(psi) * change
+        of_cosine = of_cosine + rounding.cosine_error(np.abs(psi - np.pi / 2)) * inner + over * inner
+    by_clenshaw = over * rounding.of_clenshaw(floats, psi, kind)
     if len(floats) > HIGHEST_POWER + 1:
         return False, of_cosine + by_clenshaw
-    by_horner = rounding.of_powers([float(p) for p in powers(row, kind)], psi)
+    by_horner = over * rounding.of_powers([float(p) for p in powers(row, kind)], psi)
     few = FEW * max(abs(a) for a in floats)
     if np.max(by_horner) <= max(few, float(np.max(by_clenshaw))):
         return True, of_cosine + by_horner

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from math import isqrt
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     import sympy
+
+LARGEST_PRIME = 1000
+"""Square factors of larger primes are not looked for: numbers of many digits cannot be factored."""
 
 
 def tidy_root(form: sympy.Expr) -> sympy.Expr:
@@ -19,8 +23,10 @@ def tidy_root(form: sympy.Expr) -> sympy.Expr:
 
     content, rest = form.primitive()
     outside, inside = sympy.S.One, sympy.S.One
-    factors: Any = sympy.factorrat(content)
-    for prime, power in factors.items():
+    factors: Any = sympy.factorrat(content, limit=LARGEST_PRIME)
+    for found, times in factors.items():
+        root = isqrt(int(found))  # what is left of large numbers may be a square still
+        prime, power = (root, 2 * times) if root * root == found and root > 1 else (found, times)
         half = int(power / 2)  # towards zero, so that an odd power of a denominator stays inside
         outside *= sympy.Integer(prime) ** half
         inside *= sympy.Integer(prime) ** (power - 2 * half)

@@ -6,7 +6,8 @@ A cylinder fires at one of its top dead centres. Counted from cylinder 1's, the 
 
 a two-stroke fires there, a four-stroke there or 360 degrees later. Cylinders whose t_j agree share
 these moments, and unless they may fire together each takes one: the choices of one such group do not
-touch the next group's, so all firing orders are a product over the groups.
+touch the next group's, so all firing orders are a product over the groups. Where an offset or a link
+rod moves the dead centre (`symbalance.tops`) t_j is what it moves to, to a millionth of a degree.
 """
 
 from __future__ import annotations
@@ -16,14 +17,19 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import permutations, product
-from math import prod
+from math import gcd, prod
 
 from symbalance.angles import Angle
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
+from symbalance.rational import exact
+from symbalance.tops import firing_tops, has_moved, top_angles
 
 MOST_ORDERS = 2**16
 """More firing orders are not listed: 17 cylinders, if they need not fire evenly."""
+
+FARTHEST = 20
+"""Degrees from an even moment beyond which no dead centre counts as lying there."""
 
 Moments = dict[int, Fraction]
 """Cylinder number -> degrees after cylinder 1's firing."""
@@ -72,12 +78,16 @@ class Firing:
         return push - max(self.intervals)
 
 
-def firing_orders(layout: Layout, *, even_only: bool = True, simultaneous: bool = False) -> list[Firing]:
+def firing_orders(
+    layout: Layout, *, even_only: bool = True, simultaneous: bool = False, within: object = 0
+) -> list[Firing]:
     """Return all firing orders a crank allows, its lowest-numbered cylinder first; `fires` is ignored.
 
     `even_only`: equal intervals; otherwise every order, 2^(N-1) in a four-stroke whose cylinders all
     reach top dead centre apart. `simultaneous`: cylinders may fire together (interval 0, written by
     number); such an order counts as even if equally many fire at equally spaced moments.
+    `within`: dead centres that lie as near to a multiple of the even interval as so many degrees count
+    as lying there, as pins rounded by their maker do.
     Refused: more than `MOST_ORDERS` orders, and a symbolic angle between cylinders.
 
     >>> from symbalance.builders import inline, vee
@@ -85,9 +95,12 @@ def firing_orders(layout: Layout, *, even_only: bool = True, simultaneous: bool 
     ['1-2-4-3', '1-3-4-2']
     >>> firing_orders(vee(90, pins=[0, 120, 240]))  # a 90-degree V6 on shared pins: never even
     []
+    >>> from symbalance.catalogue import load
+    >>> [f.as_text() for f in firing_orders(load("vw-vr6"), within="1/2")]
+    ['1-2-3-6-5-4', '1-2-4-6-5-3', '1-5-3-6-2-4', '1-5-4-6-2-3']
     """
     cycle = 180 * _checked(layout).strokes
-    groups = _groups(layout)
+    groups = _groups(layout, _checked_within(within))
     count = len(layout.cylinders)
     if not even_only:
         choices = [_choices(group, start, cycle, simultaneous) for start, group in groups.items()]
@@ -122,6 +135,8 @@ def evenest(layout: Layout) -> list[Firing]:
 def known_firing(layout: Layout) -> Firing:
     """Return the firing order a layout's `fires` say, its lowest-numbered cylinder first.
 
+    Intervals are those between top dead centres.
+
     >>> from symbalance.catalogue import load
     >>> known_firing(load("v8-90")).as_text()
     '1-8-4-3-6-5-7-2'
@@ -135,12 +150,14 @@ def known_firing(layout: Layout) -> Firing:
             "has no firing angle",
             "give fires, or ask firing_orders(layout) for those its crank allows",
         )
+    if has_moved(layout):
+        return _firing(firing_tops(layout), cycle)
     start = fires[min(fires)]
     return _firing({number: (angle - start) % cycle for number, angle in fires.items()}, cycle)
 
 
 def intervals(layout: Layout) -> tuple[Fraction, ...]:
-    """Return the degrees after each firing of a layout whose `fires` are known.
+    """Return the degrees after each firing of a layout whose `fires` are known: between dead centres.
 
     >>> from symbalance.catalogue import load
     >>> [int(gap) for gap in intervals(load("v6-90"))]
@@ -161,13 +178,27 @@ def _checked(layout: object) -> Layout:
     return layout
 
 
-def _groups(layout: Layout) -> dict[Fraction, list[int]]:
+def _checked_within(within: object) -> Fraction:
+    degrees = exact(within, "within")
+    if not 0 <= degrees <= FARTHEST:
+        raise SymbalanceError(f"within = {shown(within)}", f"must lie in [0, {FARTHEST}]", "degrees")
+    return degrees
+
+
+def _groups(layout: Layout, within: Fraction) -> dict[Fraction, list[int]]:
     """Return the cylinders by the degrees at which they first reach top dead centre, cylinder 1 at 0."""
     cylinders = sorted(layout.cylinders, key=lambda c: c.number)
+    moved = top_angles(layout) if has_moved(layout) else {}
+    count, turns = len(cylinders), layout.strokes // 2
+    step = Fraction(360 * gcd(count, turns), count)  # even moments, modulo a turn
     groups: dict[Fraction, list[int]] = {}
     for cylinder in cylinders:
-        ahead = _numeric(cylinders[0].delay - cylinder.delay, cylinder.number)
-        groups.setdefault(ahead.turns * 360 % 360, []).append(cylinder.number)
+        ahead = _numeric(cylinders[0].delay - cylinder.delay, cylinder.number).turns * 360
+        ahead = moved.get(cylinder.number, ahead)
+        place = round(ahead / step) * step
+        if abs(ahead - place) <= within:
+            ahead = place
+        groups.setdefault(ahead % 360, []).append(cylinder.number)
     return groups
 
 

@@ -13,13 +13,14 @@ from mpmath import mp
 from symbalance.angles import Angle
 from symbalance.decimal_phasor import DecimalPhasor
 from symbalance.layout import Layout
-from symbalance.mechanisms import LinkRod, Mechanism
 from symbalance.rational import Real, decimal_text
 from symbalance.resultants import Balance, Order, Resultant
 from symbalance.spectrum import Component, SymbolicPhasor
-from symbalance.unlike import kinds
+from symbalance.tops import firing_tops, has_moved, lead_of
 
 SHOWN_DIGITS = 6
+PLAIN_PARTS = 60
+"""Parts of pi that a decimal component's phase is recognised in: 3 degrees."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,14 @@ class Row:
             values = (cos, sin, mp.hypot(cos, sin), mp.atan2(sin, cos))
         cos_text, sin_text, amplitude, phase = (shown(v) for v in values)
         return cos_text, sin_text, amplitude, phase
+
+    def phase_in_turns(self) -> sympy.Expr | None:
+        """Return the phase of a decimal component where it is a plain fraction of pi, else None."""
+        cos, sin = self.component.decimal(SHOWN_DIGITS + 24)
+        with mp.workdps(SHOWN_DIGITS + 30):
+            parts = mp.atan2(sin, cos) / mp.pi * PLAIN_PARTS
+            near = int(mp.nint(parts))
+            return sympy.pi * near / PLAIN_PARTS if abs(parts - near) < mp.mpf(10) ** -20 else None
 
     def exact(self) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, sympy.Expr]:
         """Return cos, sin, amplitude and phase exactly; an endless amplitude as the root of C^2 + S^2."""
@@ -94,6 +103,8 @@ def _of(order: Order, resultant: str) -> Resultant:
     return order.force if resultant == "force" else order.couple
 
 
+NEAR = 20
+"""Degrees from a dead centre within which it is named."""
 IN_ONE_PLANE = "each order is two equal halves, turning with and against the crank"
 
 
@@ -135,18 +146,25 @@ def firing(layout: Layout) -> str:
         return ""
     numbers = "-".join(map(str, order))
     steps = firing_intervals(layout)
+    apart = ", dead centres apart by" if has_moved(layout) else " at intervals of"
     if len(set(steps)) == 1:
         return numbers
     period = next(k for k in range(1, len(steps) + 1) if steps == (steps[:k] * len(steps))[: len(steps)])
     intervals = [f"{_decimal(step)}°" for step in steps[:period]]
     intervals += ["and so on"] if period < len(steps) else []
-    return f"{numbers} at intervals of {', '.join(intervals)}"
+    return f"{numbers}{apart} {', '.join(intervals)}"
 
 
 def firing_intervals(layout: Layout) -> list[Fraction]:
-    """Return the degrees after each firing of a layout whose firing angles are known."""
+    """Return the degrees after each firing of a layout whose firing angles are known.
+
+    Dead centres that an offset or a link rod has moved count where they are, to 0.01 degrees.
+    """
     cycle = 180 * layout.strokes
-    starts = sorted(c.fires % cycle for c in layout.cylinders if c.fires is not None)
+    if has_moved(layout):
+        starts = sorted(round(top, 2) for top in firing_tops(layout).values())
+    else:
+        starts = sorted(c.fires % cycle for c in layout.cylinders if c.fires is not None)
     ends = [*starts[1:], starts[0] + cycle]
     return [end - start for start, end in zip(starts, ends, strict=True)]
 
@@ -159,29 +177,16 @@ def origin(layout: Layout, printed: Callable[[Angle], str]) -> str:
     ('cylinder 1 at firing top dead centre', 'the pin of cylinder 1 at 30 from straight up')
     """
     first = min(layout.cylinders, key=lambda c: c.number)
-    if first.delay != Angle(Fraction(0)):
-        return f"the pin of cylinder {first.number} at {printed(first.throw)} from straight up"
-    return f"cylinder {first.number} at {'firing ' if first.fires == 0 else ''}top dead centre"
-
-
-def unlike(layout: Layout) -> list[str]:
-    """Return what is said of cylinders that are not alike: which share what, and the units of it all."""
-    first = layout.cylinders[0].number
-    lines = ["cylinders by kind:"]
-    for (mechanism, size), places in kinds(layout).items():
-        numbers = ", ".join(str(layout.cylinders[i].number) for i in places)
-        share = "" if size == 1 else f", m r {_decimal(size)} times that of cylinder {first}"
-        lines.append(f"  {numbers}: {_mechanism(mechanism)}{share}")
-    return [*lines, f"m, r: reciprocating mass and crank radius of cylinder {first}; a: cylinder pitch"]
-
-
-def _mechanism(mechanism: Mechanism) -> str:
-    if isinstance(mechanism, LinkRod):
-        angle, radius = _decimal(mechanism.link_angle * 360), _decimal(mechanism.link_radius)
-        where = f"its pin {radius} r from the crank pin at {angle}°"
-        return f"link rod, l/r = {_decimal(mechanism.length)}, {where}"
-    offset = f", offset e/r = {_decimal(mechanism.offset)}" if mechanism.offset else ""
-    return f"λ = l/r = {_decimal(mechanism.ratio)}{offset}"
+    dead_centre = f"{'firing ' if first.fires == 0 else ''}top dead centre"
+    lead = Fraction(0) if first.delay.symbols else lead_of(layout, first)
+    if not lead and first.delay == Angle(Fraction(0)):
+        return f"cylinder {first.number} at {dead_centre}"
+    where = f"the pin of cylinder {first.number} at {printed(first.throw)} from straight up"
+    past = Fraction(0) if first.delay.symbols else round(first.delay.in_degrees() - lead, 2)
+    if not lead or abs(past) > NEAR:
+        return where
+    side = f"{_decimal(abs(past))}° {'past' if past > 0 else 'before'} its " if past else "at its "
+    return f"{where}, {side}{dead_centre}"
 
 
 def degrees_text(angle: Angle) -> str:

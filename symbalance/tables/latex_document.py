@@ -2,6 +2,7 @@ r"""Results as LaTeX: amsmath and booktabs only, the conventions stated, nothing
 
 from __future__ import annotations
 
+import re
 from functools import singledispatch
 from typing import Any
 
@@ -15,6 +16,7 @@ from symbalance.notation import series_latex
 from symbalance.resultants import Balance, Order
 from symbalance.slider_crank import Series
 from symbalance.spectrum import Component
+from symbalance.tables.balancer_facts import LATEX, balancer_lines
 from symbalance.tables.expressions import latex
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
@@ -28,39 +30,26 @@ from symbalance.tables.facts import (
     rows,
     shown,
     strokes,
-    unlike,
 )
+from symbalance.tables.kinds import kind_columns, kind_legend
+from symbalance.tables.latex_parts import escaped as _escaped
+from symbalance.tables.latex_parts import in_document
+from symbalance.tables.latex_parts import number as _number
+from symbalance.tables.latex_parts import tabulars as _tabulars
+from symbalance.tables.roll_facts import roll_rows
 from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
+from symbalance.torque import TorqueReport
 
-ROWS_PER_TABLE = 36
 LONGEST_SERIES = 160
 LONGEST_NUMERATOR = 30
-
-_PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
-\usepackage[T1]{fontenc}
-\usepackage[utf8]{inputenc}
-\usepackage{lmodern}
-\usepackage[margin=22mm]{geometry}
-\usepackage{amsmath}
-\usepackage{booktabs}
-\setlength{\parindent}{0pt}
-\setlength{\jot}{6pt}
-\allowdisplaybreaks
-\begin{document}
-"""
-
-
-def in_document(body: str) -> str:
-    """Return a complete document around a fragment."""
-    return f"{_PREAMBLE}{body.rstrip()}\n\\end{{document}}\n"
 
 
 @singledispatch
 def to_latex(result: Any, *, standalone: bool = False) -> str:
-    r"""Return LaTeX of a balance, a derivation, a component, a coefficient series or an expression.
+    r"""Return LaTeX of a balance, a torque report, a derivation, a component, a series or an expression.
 
-    `standalone` wraps a balance or a derivation in a complete document; a fragment needs amsmath and
-    booktabs. Components, series and expressions give a formula for math mode.
+    `standalone` wraps a balance, a torque report or a derivation in a complete document; a fragment needs
+    amsmath and booktabs. Components, series and expressions give a formula for math mode.
 
     >>> from symbalance.slider_crank import acceleration_series
     >>> print(to_latex(acceleration_series(6, 7)))
@@ -94,7 +83,20 @@ def _(result: Derivation, *, standalone: bool = False) -> str:
 
 
 @to_latex.register
+def _(result: TorqueReport, *, standalone: bool = False) -> str:
+    from symbalance.tables.torque_latex import torque_latex
+
+    return torque_latex(result, standalone=standalone)
+
+
+@to_latex.register
 def _(result: Balance, *, standalone: bool = False) -> str:
+    body = f"{heading_latex(result)}\n\n\\medskip\n{resultants_latex(result)}"
+    return in_document(body) if standalone else body + "\n"
+
+
+def resultants_latex(result: Balance) -> str:
+    """Return the free force, the free couple and the coefficients, without the engine's heading."""
     units = (r"\(F_n = A_n\, m r \omega^2\)", r"\(F_n a\)")
     if not result.is_uniform:
         units = (r"\(m r \omega^2\)", r"\(m r \omega^2 a\)")
@@ -102,25 +104,29 @@ def _(result: Balance, *, standalone: bool = False) -> str:
     couple = _resultant(
         result, "couple", rf"\textbf{{Free couple}} about {plane(result)}, unit {units[1]}"
     )
-    body = "\n\n\\medskip\n".join([_heading(result), force, couple, _coefficients(result)])
-    return in_document(body) if standalone else body + "\n"
+    blocks = [*_kinds(result), force, couple, _roll(result), _coefficients(result)]
+    return "\n\n\\medskip\n".join(block for block in blocks if block)
 
 
-def _escaped(text: str) -> str:
-    """Return text with LaTeX's own characters taken literally, other scripts as question marks."""
-    table = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
-    table |= {c: f"\\{c}" for c in "&%$#_{}"}
-    table |= {"°": r"\textdegree{}", "–": "--", "−": r"\(-\)"}
-    return "".join(table.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
+def _roll(result: Balance) -> str:
+    found = roll_rows(result)
+    unit = r"\(F_n r\)" if result.is_uniform else r"\(m r^2 \omega^2\)"
+    text = r"\textbf{Roll moment of the shafts} on the frame, positive in the sense of rotation"
+    return "\n".join([f"{text}, unit {unit}:", _components(found)]) if found else ""
 
 
-def _heading(balance: Balance) -> str:
+def heading_latex(balance: Balance) -> str:
+    """Return what is said of an engine before its numbers."""
     layout, ratio = balance.layout, ""
     count, fires = len(layout.cylinders), firing(layout)
     noun = "cylinders" if count > 1 else "cylinder"
     sizes = [r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius,"]
     if not balance.is_uniform:
-        sizes = [_escaped(line).strip() + "," for line in unlike(layout)]
+        first = layout.cylinders[0].number
+        sizes = [
+            rf"\(m\) and \(r\) are the reciprocating mass and the crank radius of cylinder {first};",
+            *(rf"{_mathematical(line)};" for line in kind_legend(layout)),
+        ]
     elif balance.ratio is not None:
         ratio = rf", here \(\lambda = {_ratio(balance)}\)"
     return "\n".join(
@@ -133,10 +139,36 @@ def _heading(balance: Balance) -> str:
             *sizes,
             r"\(a\) the pitch of the cylinders; forces are positive upwards and to the right,",
             r"seen from the front; couples are positive with the front pushed up or right.",
+            *(f"{line[0].upper()}{line[1:]}." for line in balancer_lines(layout, LATEX)),
             r"Order \(n\) reads",
             r"\(C \cos n\theta + S \sin n\theta = \text{amplitude} \cdot \cos(n\theta - \text{phase})\).",
         ]
     )
+
+
+def _mathematical(line: str) -> str:
+    """Return a line of the legend, its letters in math mode."""
+    letters, _, meaning = line.partition(": ")
+    names = [rf"\({letter.replace('ψ', chr(92) + 'psi')}\)" for letter in letters.split(", ")]
+    return rf"{' and '.join(names)}: {meaning.replace('+', r'positive')}"
+
+
+def _kinds(balance: Balance) -> list[str]:
+    """Return the table of cylinders by kind, if there are several."""
+    if balance.is_uniform:
+        return []
+    columns = kind_columns(balance.layout)
+    rows = zip(*(column.cells for column in columns), strict=True)
+    lines = [" & ".join(_kind_cell(cell) for cell in row) for row in rows]
+    head = " & ".join(column.latex for column in columns)
+    return ["\\textbf{Cylinders by kind}:\n" + _tabulars("l" * len(columns), head, lines)]
+
+
+def _kind_cell(cell: str) -> str:
+    number = cell.rstrip("°")
+    if not re.fullmatch(r"-?[0-9.]+(e[+-]?[0-9]+)?", number):
+        return cell.replace("...", r"\dots")
+    return rf"\({_number(number)}{r'^' + chr(92) + 'circ' if cell != number else ''}\)"
 
 
 def _angle(bank: Angle) -> str:
@@ -147,16 +179,22 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
     found = rows(balance, name)
     if not found:
         return rf"{title}: none, to order {balance.highest}."
-    head = r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
-    table = _tabulars("rlccccc", head, [_row(row) for row in found])
-    return "\n".join([rf"{title}:", table, *exact_forms(found), _rotating(balance, name)])
+    return "\n".join([rf"{title}:", _components(found), _rotating(balance, name)])
+
+
+def _components(found: list[Row]) -> str:
+    columns, head = "rlccccc", r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
+    if any(row.is_decimal for row in found):
+        columns, head = "rlllll", r"\(n\) & component & \(C\) & \(S\) & amplitude & phase"
+    table = _tabulars(columns, head, [_row(row) for row in found])
+    return "\n".join([table, *exact_forms([row for row in found if not row.is_decimal])])
 
 
 def _row(row: Row) -> str:
     exact, decimals = [latex(e) for e in row.exact()], row.decimals()
     if row.is_decimal and decimals is not None:
-        cos, sin, amplitude, phase = (rf"\({_number(d)}\)" for d in decimals)
-        return " & ".join([str(row.order), row.name, cos, sin, amplitude, "", phase])
+        cos, sin, amplitude = (rf"\({_number(d)}\)" for d in decimals[:3])
+        return " & ".join([str(row.order), row.name, cos, sin, amplitude, _phase(row, decimals[3])])
     cells, nearly = [], r"\approx "
     for i, formula in enumerate(exact):
         if decimals is None:
@@ -181,6 +219,11 @@ def _rotating(balance: Balance, name: str) -> str:
     return "As rotating parts:\n" + _tabulars("rcccc", head, lines)
 
 
+def _phase(row: Row, decimal: str) -> str:
+    plain = row.phase_in_turns()
+    return rf"\({_number(decimal) if plain is None else latex(plain)}\)"
+
+
 def _turning(row: Row) -> list[str]:
     if row.component.is_zero():
         return [r"\(0\)", ""]
@@ -188,38 +231,12 @@ def _turning(row: Row) -> list[str]:
     if decimals is None:
         return [rf"\({e}\)" if len(e) <= LONGEST_CELL else "long" for e in exact[2:]]
     if row.is_decimal:
-        return [rf"\({_number(d)}\)" for d in decimals[2:]]
+        return [rf"\({_number(decimals[2])}\)", _phase(row, decimals[3])]
     amplitude, phase = (_number(d) for d in decimals[2:])
     if len(exact[2]) <= LONGEST_CELL and exact[2] != amplitude:
         amplitude = rf"{exact[2]} \approx {amplitude}"
     phase = rf"\approx {phase}" if "atan2" in exact[3] else exact[3]
     return [rf"\({amplitude}\)", rf"\({phase}\)"]
-
-
-def _number(decimal: str) -> str:
-    mantissa, *exponent = decimal.split("e")
-    return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
-
-
-def _tabulars(columns: str, head: str, lines: list[str], gap: int = 2) -> str:
-    """Return tables of at most `ROWS_PER_TABLE` rows, one below the other."""
-    chunks = [lines[i : i + ROWS_PER_TABLE] for i in range(0, len(lines), ROWS_PER_TABLE)]
-    return "\n".join(
-        "\n".join(
-            [
-                r"\begin{center}",
-                rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}",
-                r"\toprule",
-                head + r" \\",
-                r"\midrule",
-                *(rf"{line} \\[{gap}pt]" for line in chunk),
-                r"\bottomrule",
-                r"\end{tabular}",
-                r"\end{center}",
-            ]
-        )
-        for chunk in chunks
-    )
 
 
 def _coefficients(balance: Balance) -> str:

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from textwrap import wrap
 
 from symbalance.angles import Angle
+from symbalance.layout import Layout
 from symbalance.notation import series_text
 from symbalance.resultants import Balance, checked_balance
+from symbalance.tables.balancer_facts import balancer_lines
 from symbalance.tables.expressions import text
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
@@ -21,8 +23,9 @@ from symbalance.tables.facts import (
     rows,
     shown,
     strokes,
-    unlike,
 )
+from symbalance.tables.kinds import kind_columns, kind_legend
+from symbalance.tables.roll_facts import roll_rows
 
 WIDTH = 79
 SHORT = 14
@@ -40,17 +43,24 @@ _LEGEND = (
 def to_text(balance: Balance) -> str:
     """Return a balance as text: the engine, its free force, its free couple, the coefficients A_n."""
     checked_balance(balance)
+    return f"{heading_text(balance)}\n\n{resultants_text(balance)}"
+
+
+def resultants_text(balance: Balance) -> str:
+    """Return the free force, the free couple and the coefficients, without the engine's heading."""
     force, couple = ("Fₙ = Aₙ m r ω²", "Fₙ a") if balance.is_uniform else ("m r ω²", "m r ω² a")
     blocks = [
-        _heading(balance),
+        _kinds(balance),
         _resultant(balance, "force", f"Free force, unit {force}"),
         _resultant(balance, "couple", f"Free couple about {plane(balance)}, unit {couple}"),
+        _roll(balance),
         _coefficients(balance),
     ]
     return "\n\n".join(block for block in blocks if block) + "\n"
 
 
-def _heading(balance: Balance) -> str:
+def heading_text(balance: Balance) -> str:
+    """Return what is said of an engine before its numbers."""
     layout = balance.layout
     count, fires = len(layout.cylinders), firing(layout)
     lines = [
@@ -58,7 +68,8 @@ def _heading(balance: Balance) -> str:
         f"{banks(layout, _angle)}",
         *([f"fires {fires}"] if fires else []),
         f"θ (clockwise seen from the front) = 0: {origin(layout, _angle)}",
-        *(_like(balance) if balance.is_uniform else unlike(layout)),
+        *(_like(balance) if balance.is_uniform else _unlike(layout)),
+        *(line.replace("-", "−") for line in balancer_lines(layout)),
         *_LEGEND,
     ]
     return "\n".join(part for line in lines for part in _wrapped(line, "  "))
@@ -70,6 +81,25 @@ def _like(balance: Balance) -> list[str]:
         f"λ = l/r (rod over crank radius): {ratio}",
         "m: reciprocating mass of one cylinder, r: crank radius, a: cylinder pitch",
     ]
+
+
+def _unlike(layout: Layout) -> list[str]:
+    first = layout.cylinders[0].number
+    return [
+        f"m, r: reciprocating mass and crank radius of cylinder {first}; a: cylinder pitch",
+        *kind_legend(layout),
+    ]
+
+
+def _kinds(balance: Balance) -> str:
+    """Return the table of cylinders by kind."""
+    if balance.is_uniform:
+        return ""
+    columns = kind_columns(balance.layout)
+    table = [[column.text for column in columns]]
+    table += [list(row) for row in zip(*(column.cells for column in columns), strict=True)]
+    lines = grid([[cell.replace("-", "−").replace("...", "…") for cell in row] for row in table])
+    return "\n".join(["Cylinders by kind", *lines])
 
 
 def _angle(bank: Angle) -> str:
@@ -85,6 +115,13 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
     if not found:
         return f"{title}\n  none, to order {balance.highest}"
     return "\n".join([title, *_components(found), *_rotating(balance, name)])
+
+
+def _roll(balance: Balance) -> str:
+    found = roll_rows(balance)
+    unit = "Fₙ r" if balance.is_uniform else "m r² ω²"
+    title = f"Roll moment of the shafts on the frame, + in the sense of rotation, unit {unit}"
+    return "\n".join([title, *_components(found)]) if found else ""
 
 
 def _components(found: Sequence[Row]) -> list[str]:
@@ -106,10 +143,11 @@ def _width(table: Sequence[Sequence[str]]) -> int:
 
 
 def _cells(row: Row, below: Sequence[int] = (), short: int = SHORT) -> list[str]:
-    exact, decimals = [text(e) for e in row.exact()], row.decimals()
+    decimals = row.decimals()
     if row.is_decimal and decimals is not None:
-        cos, sin, amplitude, phase = (d.replace("-", "−") for d in decimals)
-        return [str(row.order), row.name, cos, sin, amplitude, "", phase]
+        cos, sin, amplitude, _ = (d.replace("-", "−") for d in decimals)
+        return [str(row.order), row.name, cos, sin, amplitude, "", _phase(row, decimals[3])]
+    exact = [text(e) for e in row.exact()]
     cells = [str(row.order), row.name, *exact[:3], "", exact[3]]
     if decimals is None:
         return ["see below" if i in below and len(c) > short else c for i, c in enumerate(cells)]
@@ -126,7 +164,7 @@ def _exact_lines(found: Sequence[Row], below: Sequence[int], short: int = SHORT)
     """Return the exact forms left out of a table, each once, with all the places it belongs to."""
     places: dict[tuple[str, str], list[str]] = {}
     for row in found:
-        for column in sorted(below):
+        for column in () if row.is_decimal else sorted(below):
             formula = text(row.exact()[column - 2])
             if len(formula) > max(short, 3):
                 what = f"{row.name} {_HEAD[column].split()[0]}"
@@ -156,6 +194,11 @@ def _rotating(balance: Balance, name: str) -> list[str]:
     return ["", "  as rotating parts", *grid(table)]
 
 
+def _phase(row: Row, decimal: str) -> str:
+    plain = row.phase_in_turns()
+    return decimal.replace("-", "−") if plain is None else text(plain)
+
+
 def _turning(row: Row, longest: int = SHORT) -> list[str]:
     if row.component.is_zero():
         return ["0", ""]
@@ -163,7 +206,7 @@ def _turning(row: Row, longest: int = SHORT) -> list[str]:
     if decimals is None:
         return [exact[2], exact[3]]
     if row.is_decimal:
-        return [d.replace("-", "−") for d in decimals[2:]]
+        return [decimals[2], _phase(row, decimals[3])]
     amplitude, phase = (d.replace("-", "−") for d in decimals[2:])
     if len(exact[2]) <= longest and exact[2] != amplitude:
         amplitude = f"{exact[2]} ≈ {amplitude}"

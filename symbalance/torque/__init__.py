@@ -5,9 +5,13 @@ angle, a cylinder's own angle theta + throw - bank; all cylinders are alike and 
 crank's.
 
     inertia          t_n of one cylinder: series in 1/lambda, values exact in lambda, proved bounds
-    inertia_balance  their sum over a layout, order by order, exact
+    rod              what the rod's own inertia adds, on the crank and on the frame, in closed form
+    kinetic          the same of any mechanism: offset axes and link rods, to any number of digits
+    inertia_balance  their sum over a layout, order by order;  kinds: where cylinders are not alike
+    roll             the rods' part, and the whole moment that rolls the frame
     stars            star diagrams of all orders, halves in a four-stroke, closed or not: exact
     pressure         pressure traces;  csv_file reads them,  ideal makes them
+    pistons          any mechanism's piston in floating point, from its own top dead centre
     tangential       gas torque of one cylinder, work and harmonics;  gas sums it over a layout
     running          whole torque, mean, fluctuation, energy;  flywheel sizes what evens it
 """
@@ -19,7 +23,17 @@ from symbalance.torque.ideal import IdealCycle, ideal_cycle
 from symbalance.torque.inertia import torque_left_out, torque_series, torque_values
 from symbalance.torque.inertia_balance import TorqueBalance, TorqueOrder, inertia_torque
 from symbalance.torque.pressure import PressureTrace, pressure_trace
+from symbalance.torque.roll import (
+    TorqueReport,
+    beside_moment,
+    has_rods,
+    rod_couple,
+    rod_torque,
+    roll_moment,
+    torque_report,
+)
 from symbalance.torque.running import CrankTorque, crank_torque
+from symbalance.torque.shafts import has_shafts_aside, shaft_moment
 from symbalance.torque.stars import Star, firing_stars, firing_tops
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
@@ -35,19 +49,28 @@ __all__ = [
     "TangentialPressure",
     "TorqueBalance",
     "TorqueOrder",
+    "TorqueReport",
+    "beside_moment",
     "crank_torque",
     "firing_stars",
     "firing_tops",
     "flywheel_inertia",
     "gas_torque",
+    "has_rods",
+    "has_shafts_aside",
     "ideal_cycle",
     "inertia_torque",
     "parse_pressure",
     "pressure_trace",
     "read_pressure",
+    "rod_couple",
+    "rod_torque",
+    "roll_moment",
+    "shaft_moment",
     "speed_fluctuation",
     "tangential_pressure",
     "torque_left_out",
+    "torque_report",
     "torque_series",
     "torque_values",
 ]

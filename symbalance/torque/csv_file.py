@@ -8,9 +8,11 @@ from pathlib import Path
 from symbalance.engine_file import read_text
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import checked_strokes
-from symbalance.torque.measured import measured
+from symbalance.torque.measured import reading
 from symbalance.torque.pressure import PressureTrace, Row, from_rows
 
+LARGEST_FILE = 20_000_000
+"""Bytes: some hundred thousand points, whatever their digits."""
 _SEPARATOR = re.compile(r"[,;\t]")
 _OTHER_UNIT = re.compile(r"\b([kMh]?Pa|psia?|atm|rad|mbar)\b", re.IGNORECASE)
 
@@ -24,7 +26,7 @@ def read_pressure(path: str | Path, *, strokes: int = 4) -> PressureTrace:
     """
     cycle = 180 * checked_strokes(strokes)
     try:
-        text = read_text(path)
+        text = read_text(path, LARGEST_FILE)
     except SymbalanceError as problem:
         what, rule = problem.what, problem.rule
         raise SymbalanceError(what, rule, "name a CSV file of angles and pressures") from None
@@ -62,6 +64,6 @@ def _row(where: str, line: str) -> Row:
         what, rule = f"line {shown(line)!r}", f"has {len(cells)} columns, not 2"
         raise SymbalanceError(what, rule, "write angle, pressure, decimals with a point", where)
     try:
-        return where, measured(cells[0].strip(), "angle"), measured(cells[1].strip(), "pressure")
+        return where, reading(cells[0].strip(), "angle"), reading(cells[1].strip(), "pressure")
     except SymbalanceError as problem:
         raise problem.within(where) from None

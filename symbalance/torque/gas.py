@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from cmath import exp
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -9,28 +11,48 @@ from mpmath import mp
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
+from symbalance.mechanisms import Mechanism, SliderCrank
+from symbalance.mechanisms.linkages import plain
 from symbalance.rational import Real, exact
 from symbalance.slider_crank import checked_order, checked_ratio
-from symbalance.torque.inertia_balance import checked_known, shared_sizes
+from symbalance.torque.ideal import IdealCycle
+from symbalance.torque.inertia_balance import checked_known, checked_layout
+from symbalance.torque.kinds import torque_kinds
 from symbalance.torque.measured import measured
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
-from symbalance.torque.stars import Star, firing_stars
+from symbalance.torque.stars import Star, firing_stars, firing_tops, stars_of
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
 
 @dataclass(frozen=True)
+class GasKind:
+    """Like cylinders: one's tangential pressure, their firing tops (degrees), r over the first's."""
+
+    tangential: TangentialPressure
+    tops: Mapping[int, Fraction]
+    radius: float
+
+    def numbers(self, strokes: int, order: int) -> dict[Fraction, complex]:
+        """Return C + iS in bar of every order their star leaves: orders that close are absent."""
+        harmonics, lead = self.tangential.harmonics(order), self.tangential.piston.top
+        found = {}
+        for star in stars_of(self.tops, strokes, order):
+            if not star.is_closed():
+                turned = complex(*star.resultant.decimal(20)) * exp(1j * float(star.order) * lead)
+                found[star.order] = self.radius * harmonics[star.order] * turned
+        return found
+
+
+@dataclass(frozen=True)
 class GasOrder:
-    """One order that survives: its star, and C + iS of one cylinder in bar."""
+    """One order that survives: C + iS of the whole layout in bar, times A r the torque; its star.
+
+    `star` is that of all cylinders, whether they are alike or not.
+    """
 
     order: Fraction
     star: Star
-    harmonic: complex
-
-    @property
-    def number(self) -> complex:
-        """C + iS of the whole layout, in bar; times A r the torque."""
-        cosine, sine = self.star.resultant.decimal(20)
-        return self.harmonic * complex(cosine, sine)
+    number: complex
 
     @property
     def amplitude(self) -> float:
@@ -42,18 +64,24 @@ class GasOrder:
 class GasTorque:
     """The gas torque of a layout by order, in bar: times A r (piston area, crank radius) the torque.
 
-    Every cylinder has the same trace. Orders whose star is closed are absent.
+    Every cylinder has the same bore, and the same trace or ideal cycle, counted from its own firing top
+    dead centre. r is cylinder 1's. Orders that close among like cylinders, and in all, are absent.
     """
 
     layout: Layout
-    cylinder: TangentialPressure
+    kinds: tuple[GasKind, ...]
     highest: int
     orders: tuple[GasOrder, ...]
 
     @property
+    def cylinder(self) -> TangentialPressure:
+        """The tangential pressure of the first cylinder."""
+        return self.kinds[0].tangential
+
+    @property
     def mean(self) -> float:
         """The mean over the cycle, of all cylinders."""
-        return len(self.layout.cylinders) * self.cylinder.mean
+        return sum(len(kind.tops) * kind.radius * kind.tangential.mean for kind in self.kinds)
 
     def __getitem__(self, order: object) -> GasOrder:
         wanted = exact(order, "order")
@@ -71,15 +99,16 @@ class GasTorque:
 
 def gas_torque(
     layout: Layout,
-    trace: PressureTrace,
+    trace: PressureTrace | IdealCycle,
     order: int = 6,
     *,
     ratio: object = None,
     ambient: object = AMBIENT,
 ) -> GasTorque:
-    """Return the gas torque of a layout whose cylinders all have one pressure trace.
+    """Return the gas torque of a layout whose cylinders all have one pressure trace, or one ideal cycle.
 
     `ratio` overrides the layout's rod ratio, `ambient` is the pressure below the pistons, bar absolute.
+    An ideal cycle gives every kind of cylinder the trace of its own piston's way.
 
     >>> from symbalance.catalogue import load
     >>> from symbalance.torque.ideal import ideal_cycle
@@ -87,30 +116,70 @@ def gas_torque(
     >>> [(str(o.order), round(o.amplitude, 2)) for o in six.orders]
     [('3', 12.43), ('6', 3.65), ('9', 1.32)]
     """
-    cylinder = tangential_pressure(layout, trace, ratio=ratio, ambient=ambient)
+    kinds = gas_kinds(layout, trace, ratio=ratio, ambient=ambient)
     checked_order(order)
-    stars = [star for star in firing_stars(layout, order) if not star.is_closed()]
-    harmonics = cylinder.harmonics(order)
-    found = tuple(GasOrder(star.order, star, harmonics[star.order]) for star in stars)
-    return GasTorque(layout, cylinder, order, found)
+    total: dict[Fraction, complex] = {}
+    for kind in kinds:
+        for n, number in kind.numbers(layout.strokes, order).items():
+            total[n] = total.get(n, 0j) + number
+    stars = {star.order: star for star in firing_stars(layout, order)}
+    found = tuple(GasOrder(n, stars[n], total[n]) for n in sorted(total))
+    return GasTorque(layout, kinds, order, found)
+
+
+def gas_kinds(
+    layout: Layout,
+    trace: PressureTrace | IdealCycle,
+    *,
+    ratio: object = None,
+    ambient: object = AMBIENT,
+) -> tuple[GasKind, ...]:
+    """Return the cylinders by kind, each with its tangential pressure."""
+    below, tops = _checked(layout, trace, ambient), firing_tops(layout)
+    if layout.is_uniform:
+        known = checked_ratio(checked_known(layout, ratio))
+        return (GasKind(_tangential(SliderCrank(known), trace, below), tops, 1.0),)
+    layout = layout if ratio is None else layout.with_ratio(ratio)
+    return tuple(
+        GasKind(
+            _tangential(kind.mechanism, trace, below),
+            {c.number: tops[c.number] for c in kind.cylinders},
+            float(kind.radius),
+        )
+        for kind in torque_kinds(layout)
+    )
 
 
 def tangential_pressure(
-    layout: Layout, trace: PressureTrace, *, ratio: object = None, ambient: object = AMBIENT
+    layout: Layout,
+    trace: PressureTrace | IdealCycle,
+    *,
+    ratio: object = None,
+    ambient: object = AMBIENT,
 ) -> TangentialPressure:
-    """Return the tangential pressure of one cylinder of a layout."""
-    shared_sizes(layout)
-    if not isinstance(trace, PressureTrace):
+    """Return the tangential pressure of a layout's first cylinder."""
+    return gas_kinds(layout, trace, ratio=ratio, ambient=ambient)[0].tangential
+
+
+def _tangential(
+    mechanism: Mechanism, trace: PressureTrace | IdealCycle, below: float
+) -> TangentialPressure:
+    own = trace.trace(mechanism) if isinstance(trace, IdealCycle) else trace
+    return TangentialPressure(own, plain(mechanism).length, below, mechanism)
+
+
+def _checked(layout: Layout, trace: object, ambient: object) -> float:
+    """Return the pressure below the pistons; refuse it, or a trace that does not fit the layout."""
+    checked_layout(layout)
+    if not isinstance(trace, PressureTrace | IdealCycle):
         rule, remedy = "must be a PressureTrace", "read_pressure(path), or ideal_cycle(...).trace(ratio)"
         raise SymbalanceError(f"trace = {shown(trace)}", rule, remedy)
     if trace.strokes != layout.strokes:
-        what, rule = (
-            f"a trace of {trace.strokes} strokes",
-            f"does not fit {layout.name}, of {layout.strokes}",
-        )
+        what = f"a trace of {trace.strokes} strokes"
+        rule = f"does not fit {layout.name}, of {layout.strokes}"
         raise SymbalanceError(what, rule, "give the same strokes to both")
     below = measured(ambient, "ambient")
     if not 0 <= below <= MOST_BAR:
         what, rule = f"ambient = {shown(ambient)}", f"must lie in [0, {MOST_BAR}] bar"
         raise SymbalanceError(what, rule, "absolute; the atmosphere is 1.01325")
-    return TangentialPressure(trace, checked_ratio(checked_known(layout, ratio)), float(below))
+    return float(below)

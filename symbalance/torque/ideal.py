@@ -13,19 +13,25 @@ limited-pressure cycles).
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from dataclasses import dataclass
 from fractions import Fraction
-from math import acos, pi, sin, sqrt
+from math import pi
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import checked_strokes
+from symbalance.mechanisms import LinkRod, SliderCrank
 from symbalance.rational import checked_whole
 from symbalance.slider_crank import checked_ratio
 from symbalance.torque.measured import measured
+from symbalance.torque.pistons import Piston
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
 
 POINTS = 2880
 MOST_POINTS = 100_000
+NEAR = 1e-9
+"""Degrees within which a point of the grid is a dead centre."""
+HALVINGS = 60
 
 
 @dataclass(frozen=True)
@@ -64,7 +70,9 @@ class IdealCycle:
 
     @property
     def efficiency(self) -> float:
-        """The closed work over the heat; 1 - eps^(1 - gamma) for Otto's cycle."""
+        """The closed work over the heat; 1 - eps^(1 - gamma) for Otto's cycle, without heat too."""
+        if not self.heat:
+            return 1 - self.compression_ratio ** (1 - self.gamma)
         return self.closed_work / self.heat
 
     def pressure(self, volume: float, down: bool) -> float:
@@ -74,40 +82,52 @@ class IdealCycle:
         return self.peak * min(1.0, (self.cutoff / volume)) ** self.gamma
 
     def trace(self, ratio: object, points: int = POINTS) -> PressureTrace:
-        """Return the pressure against the crank angle for a rod ratio, at evenly spread points.
+        """Return the pressure against the crank angle for a rod ratio or a mechanism, at even steps.
 
-        `points` is a multiple of 8; the dead centres, their jumps and the cutoff are added exactly. The
-        straight lines between add about 30/points^2 of the work (compression ratio 10; 4e-6 for 2880).
+        0 is the piston's own top dead centre. `points` is a multiple of 8; the dead centres, their jumps
+        and the cutoff are added exactly. The straight lines between add about 30/points^2 of the work
+        (compression ratio 10; 4e-6 for 2880).
         """
         checked_whole(points, "points", 8, MOST_POINTS, "2880 is every quarter of a degree")
         if points % 8:
             raise SymbalanceError(f"points = {points}", "must be a multiple of 8", "2880 is usual")
-        crank = float(checked_ratio(ratio))
-        step = 180 * self.strokes / points
-        found = sorted(p for i in range(points) for p in self._points(i * step, crank))
+        known = isinstance(ratio, SliderCrank | LinkRod)
+        piston = Piston(ratio if known else SliderCrank(checked_ratio(ratio)))
+        down = 180.0 if piston.down == pi else piston.down * 180 / pi
+        centres = [360.0 * turn + part for turn in range(self.strokes // 2) for part in (0.0, down)]
+        grid = (180 * self.strokes * i / points for i in range(points))
+        angles = sorted({*centres, *(a for a in grid if min(abs(a - c) for c in centres) > NEAR)})
+        found = [
+            p for a in angles for p in self._points(a, bisect_right(centres, a) - 1, centres, piston)
+        ]
         if self.cutoff > 1:
-            found = sorted([*found, (self._cutoff_angle(crank), 1, self.peak)])
+            found = sorted([*found, (self._cutoff_angle(piston), 1, self.peak)])
         return PressureTrace(tuple(f[0] for f in found), tuple(f[2] for f in found), self.strokes)
 
-    def _points(self, degrees: float, crank: float) -> list[tuple[float, int, float]]:
-        """Return (angle, which of two, pressure) at an angle: two where the pressure jumps."""
-        quarter, rest = divmod(degrees, 180)
-        firing, last = quarter == 0, quarter == self.strokes - 1
-        here = self._closed_pressure(degrees, crank, firing) if firing or last else 0.0
-        level = here if firing or last else (self.exhaust if quarter == 1 else self.intake)
+    def _points(
+        self, degrees: float, stroke: int, centres: list[float], piston: Piston
+    ) -> list[tuple[float, int, float]]:
+        """Return (angle, which of two, pressure) in one of the strokes: two where the pressure jumps."""
+        firing, last = stroke == 0, stroke == self.strokes - 1
+        here = self._closed_pressure(degrees, piston, firing) if firing or last else 0.0
+        level = here if firing or last else (self.exhaust if stroke == 1 else self.intake)
         before = {0: self.compressed, 1: self.expanded, 2: self.exhaust, 3: self.intake}
-        if rest == 0 and before[int(quarter)] != level:
-            return [(degrees, 0, before[int(quarter)]), (degrees, 1, level)]
+        if degrees == centres[stroke] and before[stroke] != level:
+            return [(degrees, 0, before[stroke]), (degrees, 1, level)]
         return [(degrees, 1, level)]
 
-    def _closed_pressure(self, degrees: float, crank: float, down: bool) -> float:
-        angle = degrees * pi / 180
-        way = 2 * sin(angle / 2) ** 2 + crank - sqrt(crank * crank - sin(angle) ** 2)
-        return self.pressure(1 + (self.compression_ratio - 1) * way / 2, down)
+    def _closed_pressure(self, degrees: float, piston: Piston, down: bool) -> float:
+        share = min(max(piston.way(degrees * pi / 180) / piston.stroke, 0.0), 1.0)
+        return self.pressure(1 + (self.compression_ratio - 1) * share, down)
 
-    def _cutoff_angle(self, crank: float) -> float:
-        height = 1 + crank - 2 * (self.cutoff - 1) / (self.compression_ratio - 1)
-        return acos((height * height + 1 - crank * crank) / (2 * height)) * 180 / pi
+    def _cutoff_angle(self, piston: Piston) -> float:
+        """Return the degrees after top dead centre at the cutoff, by bisection."""
+        way = (self.cutoff - 1) / (self.compression_ratio - 1) * piston.stroke
+        low, high = 0.0, piston.down
+        for _ in range(HALVINGS):
+            middle = (low + high) / 2
+            low, high = (middle, high) if piston.way(middle) < way else (low, middle)
+        return high * 180 / pi
 
 
 def ideal_cycle(
@@ -150,7 +170,7 @@ def _heated(
     if heat is None and peak_pressure is None:
         raise SymbalanceError("ideal_cycle(...)", "needs heat or peak_pressure", "heat=20 is full load")
     scale = (volume - 1) * (index - 1)
-    added = None if heat is None else _above(heat, "heat", 0, 1000, "Q/V_h in bar: 100 J per litre")
+    added = None if heat is None else _heat(heat)
     if peak_pressure is None:
         assert added is not None
         return pressed + scale * added, 1.0, added
@@ -169,6 +189,14 @@ def _heated(
         remedy = "leave peak_pressure out" if left < 0 else "raise it, or add less heat"
         raise SymbalanceError(f"peak_pressure = {shown(peak_pressure)}", rule, remedy)
     return peak, max(cutoff, 1.0), added
+
+
+def _heat(heat: object) -> float:
+    number = measured(heat, "heat")
+    if not 0 <= number <= 1000:
+        rule, remedy = "must lie in [0, 1000]", "Q/V_h in bar: 100 J per litre; 0 is a motored engine"
+        raise SymbalanceError(f"heat = {shown(heat)}", rule, remedy)
+    return float(number)
 
 
 def _above(value: object, name: str, low: int, high: int, remedy: str) -> float:

@@ -5,14 +5,17 @@ all cylinders that is T_n (C cos n theta + S sin n theta), T_n = t_n m r^2 omega
 
     C + iS = i sum of e^(-i n delta_j):    geometry alone; t_n is the kinematics of one cylinder.
 
-Torque is positive on the crank in the sense of rotation; the frame gets the opposite. m is the
-reciprocating mass of one cylinder: the rod counts as two masses, one at each end. No t_n vanishes, so an
+Torque is positive on the crank in the sense of rotation. m is the reciprocating mass of one cylinder: the
+rod counts as two masses, one at each end; what its inertia differs by is `roll`'s. No t_n vanishes, so an
 order is absent exactly where its geometry is zero.
+
+Where cylinders are not alike (offset axes, link rods, masses and strokes of their own) the components
+hold the kinematics too, to 40 digits, in units of m r^2 omega^2 of cylinder 1 (`kinds`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
@@ -25,6 +28,8 @@ from symbalance.rational import Real
 from symbalance.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.spectrum import QUARTER, Component
 from symbalance.torque.inertia import default_power, torque_series, torque_values
+from symbalance.torque.kinds import joined, torque_kinds
+from symbalance.torque.kinetic import inertia_harmonics
 from symbalance.torque.stars import summed
 from symbalance.trains import CrankTrain
 
@@ -32,17 +37,33 @@ DIGITS = 30
 
 
 @dataclass(frozen=True)
+class Kinematics:
+    """The coefficients of one cylinder's torque: their letter, their unit, series and exact values."""
+
+    letter: str
+    unit: str
+    series: Callable[[int, int], Series]
+    values: Callable[[int, Fraction, int], dict[int, Real]]
+    power: Callable[[int], int]
+
+
+INERTIA = Kinematics("t", "m r^2 omega^2", torque_series, torque_values, default_power)
+
+
+@dataclass(frozen=True)
 class TorqueOrder:
-    """One order that survives: its coefficient t_n, and its geometry in units of T_n."""
+    """One order that survives: its coefficient (None where cylinders are unlike) and its geometry."""
 
     order: int
-    coefficient: Series
+    coefficient: Series | None
     torque: Component
 
 
 @dataclass(frozen=True)
 class TorqueBalance:
-    """The inertia torque of a layout by order, up to `highest`; unit T_n = t_n m r^2 omega^2.
+    """A torque of a layout by order, up to `highest`; unit T_n = t_n m r^2 omega^2.
+
+    `kinematics` says what t_n is; None where the components hold it, in `unit`.
 
     >>> from symbalance.builders import inline
     >>> four = inertia_torque(inline("1-3-4-2"), order=6)
@@ -54,11 +75,13 @@ class TorqueBalance:
     highest: int
     components: Mapping[int, Component] = field(hash=False)
     power: int | None = None
+    kinematics: Kinematics | None = INERTIA
+    unit: str = INERTIA.unit
 
     @property
     def ratio(self) -> Fraction | None:
         """The rod ratio lambda = l/r, if known."""
-        return shared_sizes(self.layout).ratio
+        return self.layout.ratio
 
     @cached_property
     def orders(self) -> tuple[TorqueOrder, ...]:
@@ -72,26 +95,29 @@ class TorqueBalance:
         kept = ", ".join(map(str, self.components)) or "none"
         raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
 
-    def coefficient(self, order: int) -> Series:
+    def coefficient(self, order: int) -> Series | None:
         """Return t_order as a series in 1/lambda: through `power`, or two terms."""
-        return torque_series(order, default_power(order) if self.power is None else self.power)
+        if self.kinematics is None:
+            return None
+        power = self.kinematics.power(order) if self.power is None else self.power
+        return self.kinematics.series(order, power)
 
     @cached_property
     def values(self) -> dict[int, Real]:
         """t_n exact in lambda, to 30 digits, for the orders that survive; empty without a ratio."""
-        if self.ratio is None or not self.components:
+        if self.ratio is None or not self.components or self.kinematics is None:
             return {}
-        values = torque_values(max(self.components), self.ratio, DIGITS)
+        values = self.kinematics.values(max(self.components), self.ratio, DIGITS)
         return {n: values[n] for n in self.components}
 
     def reaction(self) -> TorqueBalance:
-        """Return the torque on the frame: the opposite."""
+        """Return the opposite: without offset and rods' inertia, the torque on the frame."""
         return replace(self, components={n: Component(-c.number) for n, c in self.components.items()})
 
     def terms(
         self, ratio: object = None, digits: int = DIGITS
     ) -> tuple[tuple[Fraction, Real, Real], ...]:
-        """Return (order, C t_n, S t_n) for each order, in m r^2 omega^2, exact in lambda to `digits`.
+        """Return (order, C t_n, S t_n) for each order, in `unit`, exact in lambda to `digits`.
 
         >>> from symbalance.builders import inline
         >>> [(order, mp.nstr(s, 6)) for order, _, s in inertia_torque(inline("1-3-4-2"), 2).terms(4)]
@@ -99,7 +125,11 @@ class TorqueBalance:
         """
         if not self.components:
             return ()
-        values = torque_values(max(self.components), checked_known(self.layout, ratio), digits)
+        if self.kinematics is None:
+            _check_own(self.layout, ratio)
+            return tuple((Fraction(n), *c.decimal(digits)) for n, c in self.components.items())
+        known = checked_known(self.layout, ratio)
+        values = self.kinematics.values(max(self.components), known, digits)
         found = []
         with mp.workdps(digits + 10):
             for n, component in self.components.items():
@@ -108,24 +138,32 @@ class TorqueBalance:
         return tuple(found)
 
 
+def _check_own(layout: Layout, ratio: object) -> None:
+    if ratio is not None and checked_ratio(ratio) != layout.ratio:
+        rule = "cannot be set for cylinders that are not alike"
+        raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
+
+
 def checked_known(layout: Layout, ratio: object) -> Fraction:
     """Return a rod ratio: the one given, else the layout's, or refuse."""
-    known = shared_sizes(layout).ratio if ratio is None else ratio
+    known = checked_layout(layout).ratio if ratio is None else ratio
     if known is None:
         rule = "its torque's numbers need the rod ratio lambda = l/r"
         raise SymbalanceError(f"{layout.name} has no rod ratio", rule, "give ratio=4, or another")
     return checked_ratio(known)
 
 
-def shared_sizes(layout: Layout) -> CrankTrain:
-    """Return the sizes that all cylinders have, or refuse a layout of unlike ones."""
+def checked_layout(layout: object) -> Layout:
+    """Return a layout, or refuse what is none."""
     if not isinstance(layout, Layout):
         remedy = 'load one with load("v12-60"), or build one'
         raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", remedy)
-    if not layout.is_uniform:
-        rule = "has unlike cylinders, offset axes or link rods"
-        raise SymbalanceError(layout.name, rule, "torque is that of like, centred cylinders")
-    return layout.train_of(layout.cylinders[0])
+    return layout
+
+
+def first_sizes(layout: Layout) -> CrankTrain:
+    """Return the sizes of the first cylinder, which are all cylinders' where they are alike."""
+    return checked_layout(layout).train_of(layout.cylinders[0])
 
 
 def inertia_torque(
@@ -134,22 +172,27 @@ def inertia_torque(
     """Return the inertia torque of a layout to an order, each order exact.
 
     `ratio` overrides the layout's rod ratio lambda = l/r; `power` keeps that many powers of 1/lambda in
-    the series. Symbolic angles are kept as symbols.
+    the series. Symbolic angles are kept as symbols. Of cylinders that are not alike the components are
+    numbers, in m r^2 omega^2 of cylinder 1.
 
     >>> from symbalance.catalogue import load
     >>> [[o.order for o in inertia_torque(load(n)).orders] for n in ("inline-6", "v8-90", "v12-60")]
     [[3, 6, 9, 12], [4, 8, 12], [6, 12]]
     """
     order = checked_order(order)
-    shared_sizes(layout)
+    checked_layout(layout)
     if ratio is not None:
         layout = layout.with_ratio(ratio)
-    components = _components(layout, order)
+    if not layout.is_uniform:
+        _check_no_power(layout, power)
+        components = joined(torque_kinds(layout), inertia_harmonics, lambda kind: kind.size, order)
+        return TorqueBalance(layout, order, components, kinematics=None)
+    components = sine_components(layout, order)
     _check_power(power, list(components))
     return TorqueBalance(layout, order, components, power)
 
 
-def _components(layout: Layout, highest: int) -> dict[int, Component]:
+def sine_components(layout: Layout, highest: int) -> dict[int, Component]:
     """Return the components that do not vanish; orders a modulus apart share them, and the work."""
     modulus = highest + 1 if layout.has_symbols else layout.modulus
     seen: dict[int, Component] = {}
@@ -158,6 +201,12 @@ def _components(layout: Layout, highest: int) -> dict[int, Component]:
         seen[n % modulus] = Component(summed(angles).turned(QUARTER))
     found = {n: seen[n % modulus] for n in range(1, highest + 1)}
     return {n: c for n, c in found.items() if not c.is_zero()}
+
+
+def _check_no_power(layout: Layout, power: int | None) -> None:
+    if power is not None:
+        rule = f"is for cylinders that are alike, and those of {layout.name} are not"
+        raise SymbalanceError(f"power = {power}", rule, "leave it out: the numbers hold all powers")
 
 
 def _check_power(power: int | None, orders: Sequence[int]) -> None:

@@ -28,6 +28,17 @@ def measured(value: Any, name: str) -> Fraction:
     return value if isinstance(value, Fraction) else exact(value, name)
 
 
+def reading(value: Any, name: str) -> float:
+    """Return a measured number as a double, read as strictly as `measured` and many times faster.
+
+    >>> reading(" 1.25e1", "bar")
+    12.5
+    """
+    if isinstance(value, str) and _NUMBER.fullmatch(value):
+        return float(value)
+    return float(measured(value, name))
+
+
 def positive(value: object, name: str) -> float:
     """Return a number above 0 as a float, or refuse."""
     number = measured(value, name)

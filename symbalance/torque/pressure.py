@@ -10,7 +10,6 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 from math import isfinite, pi
@@ -18,14 +17,16 @@ from math import isfinite, pi
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import checked_strokes
 from symbalance.rational import listed
-from symbalance.torque.measured import measured
+from symbalance.torque.measured import reading
 
 MOST_BAR = 2000
 WIDEST = 10
 """Degrees that two neighbouring points of a measured trace may lie apart."""
-CLOSING = Fraction(1, 50)
+CLOSING = 0.02
 """How far the last point, a cycle after the first, may differ from it: of the trace's whole range."""
 NEAR_TOP = 90
+SAME = 1e-9
+"""Degrees that are the rounding of sums of doubles."""
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,7 @@ class PressureTrace:
         return self.closed[i] + share * (self.closed[i + 1] - self.closed[i])
 
 
-Row = tuple[str, Fraction, Fraction]
+Row = tuple[str, float, float]
 """Where a point was read, its angle and its pressure."""
 
 
@@ -100,9 +101,7 @@ def pressure_trace(
         what = f"{len(angles)} angles and {len(values)} pressures"
         raise SymbalanceError(what, "must be as many", "give one pressure an angle")
     points = zip(angles, values, strict=True)
-    rows = [
-        (f"point {i}", measured(a, "angle"), measured(p, "bar")) for i, (a, p) in enumerate(points, 1)
-    ]
+    rows = [(f"point {i}", reading(a, "angle"), reading(p, "bar")) for i, (a, p) in enumerate(points, 1)]
     return from_rows(rows, 180 * checked_strokes(strokes))
 
 
@@ -117,47 +116,46 @@ def from_rows(rows: list[Row], cycle: int, name: str = "the trace") -> PressureT
         _check_step(place, before, after)
     rows = _closed(rows, cycle)
     _check_top(rows, cycle)
-    points = sorted((angle % cycle, bar) for _, angle, bar in rows)
-    return PressureTrace(
-        tuple(float(angle) for angle, _ in points), tuple(float(bar) for _, bar in points), cycle // 180
-    )
+    turned = ((angle % cycle, bar) for _, angle, bar in rows)
+    points = sorted((angle if angle < cycle else 0.0, bar) for angle, bar in turned)
+    return PressureTrace(tuple(a for a, _ in points), tuple(bar for _, bar in points), cycle // 180)
 
 
-def _check_point(place: str, angle: Fraction, bar: Fraction, cycle: int) -> None:
+def _check_point(place: str, angle: float, bar: float, cycle: int) -> None:
     if not -cycle <= angle <= cycle:
-        what, rule = f"angle = {shown(float(angle))}", f"must lie in [{-cycle}, {cycle}] degrees"
+        what, rule = f"angle = {shown(angle)}", f"must lie in [{-cycle}, {cycle}] degrees"
         raise SymbalanceError(what, rule, "count from the firing top dead centre", place)
     if not 0 <= bar <= MOST_BAR:
-        what, rule = f"pressure = {shown(float(bar))}", f"must lie in [0, {MOST_BAR}] bar"
+        what, rule = f"pressure = {shown(bar)}", f"must lie in [0, {MOST_BAR}] bar"
         raise SymbalanceError(what, rule, "give absolute pressures, in bar", place)
 
 
-def _check_step(place: str, before: Fraction, after: Fraction) -> None:
+def _check_step(place: str, before: float, after: float) -> None:
     if after <= before:
-        what, rule = f"angle = {shown(float(after))}", f"must be above the one before, {float(before)}"
+        what, rule = f"angle = {shown(after)}", f"must be above the one before, {before}"
         raise SymbalanceError(what, rule, "sort the points, each angle once", place)
     if after - before > WIDEST:
-        what = f"angle = {shown(float(after))}"
-        rule = f"is more than {WIDEST} degrees past the one before, {float(before)}"
+        what = f"angle = {shown(after)}"
+        rule = f"is more than {WIDEST} degrees past the one before, {before}"
         raise SymbalanceError(what, rule, "give the points between", place)
 
 
 def _closed(rows: list[Row], cycle: int) -> list[Row]:
     """Return the rows of one cycle, without a last one that repeats the first."""
     (_, start, first), (place, end, last) = rows[0], rows[-1]
-    if end - start > cycle:
-        what, rule = f"angle = {float(end)}", f"is more than a cycle, {cycle} degrees, past the first"
+    if end - start > cycle + SAME:
+        what, rule = f"angle = {end}", f"is more than a cycle, {cycle} degrees, past the first"
         raise SymbalanceError(what, rule, "give one cycle, or the mean of several", place)
     widest = 2 * max(b - a for (_, a, _), (_, b, _) in pairwise(rows))
     if start + cycle - end > min(widest, WIDEST):
-        what, rule = f"angles from {float(start)} to {float(end)}", f"leave some of {cycle} degrees open"
+        what, rule = f"angles from {start} to {end}", f"leave some of {cycle} degrees open"
         raise SymbalanceError(what, rule, "give a whole cycle (or strokes=2, if it has 360)", place)
-    if end - start < cycle:
+    if end - start < cycle - SAME:
         return rows
     bars = [bar for *_, bar in rows]
     if abs(last - first) > CLOSING * (max(bars) - min(bars)):
-        what = f"pressure = {float(last)}"
-        rule = f"must be the first one, {float(first)}, a cycle later"
+        what = f"pressure = {last}"
+        rule = f"must be the first one, {first}, a cycle later"
         raise SymbalanceError(what, rule, "give a periodic trace, as the mean of many cycles is", place)
     return rows[:-1]
 
@@ -165,12 +163,12 @@ def _closed(rows: list[Row], cycle: int) -> list[Row]:
 def _check_top(rows: list[Row], cycle: int) -> None:
     """Refuse a four-stroke's trace that counts from the gas exchange."""
 
-    def off(angle: Fraction) -> Fraction:
+    def off(angle: float) -> float:
         return min(angle % cycle, -angle % cycle)
 
-    near = max((bar for _, angle, bar in rows if off(angle) <= NEAR_TOP), default=Fraction(0))
+    near = max((bar for _, angle, bar in rows if off(angle) <= NEAR_TOP), default=0.0)
     place, angle, bar = max(rows, key=lambda row: row[2])
     if bar > near:
-        what, rule = f"angle = {float(angle)}", f"has the highest pressure, {float(bar)} bar"
+        what, rule = f"angle = {angle}", f"has the highest pressure, {bar} bar"
         remedy = "0 must be the firing top dead centre: subtract what it is off"
         raise SymbalanceError(what, rule, remedy, place)

@@ -1,17 +1,22 @@
 """The torque of a running engine against the crank angle, and what its flywheel makes of it.
 
-T(theta) = sum over cylinders of A r (p - p_ambient) v^ - m r^2 omega^2 v^ dv^/dtheta, v^ = v/(r omega) at
-the cylinder's own angle: the inertia part is the closed form, all orders at once.
+With v^ = v/(r omega) and the rod's angle phi at each cylinder's own angle,
+
+    T(theta) = sum of A r (p - p_ambient) v^ - m r^2 omega^2 v^ dv^/dtheta - J_x omega^2 phi' phi'':
+
+the inertia part is the closed form, all orders at once. Every cylinder has its own mechanism, mass and
+radius, and all have one bore. The frame's moment is that of `roll`.
 The mean is the gas's alone: indicated, without friction. The inertia part is that of constant omega, its
 change with the speed's own swing left out: of the size of delta times that part.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from math import pi, sin
+from math import pi
 
 from mpmath import mp
 
@@ -24,72 +29,132 @@ from symbalance.torque.flywheel import (
     flywheel_inertia,
     speed_fluctuation,
 )
-from symbalance.torque.gas import gas_torque, tangential_pressure
-from symbalance.torque.inertia_balance import inertia_torque, shared_sizes
+from symbalance.torque.gas import GasKind, gas_kinds
+from symbalance.torque.ideal import IdealCycle
+from symbalance.torque.inertia_balance import inertia_torque
+from symbalance.torque.kinds import stroke_of
 from symbalance.torque.measured import measured, positive
 from symbalance.torque.pressure import PressureTrace
+from symbalance.torque.roll import MILLI, first_excess, rod_torque
+from symbalance.torque.shafts import shaft_terms
 from symbalance.torque.stars import firing_tops
-from symbalance.torque.tangential import AMBIENT, TangentialPressure, acceleration, velocity
+from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
 PASCAL = 100_000
 """A bar, in Pa."""
 
 
 @dataclass(frozen=True)
-class CrankTorque:
-    """A running engine's torque on its crank, SI: `area` m^2, `radius` m, `mass` kg, `omega` rad/s.
+class RunningCylinder:
+    """One cylinder, SI: `top` is its own firing top dead centre in radians, `excess` its rod's J_x."""
 
-    `tops` are the cylinders' firing top dead centres in radians.
-    """
-
-    layout: Layout
-    cylinder: TangentialPressure
-    area: float
+    tangential: TangentialPressure
+    top: float
     radius: float
     mass: float
+    excess: float = 0.0
+
+    def gas(self, theta: float) -> float:
+        """Return the gas torque over the piston's area, in N m/m^2."""
+        return self.radius * PASCAL * self.tangential.at(theta - self.top)
+
+    def inertia(self, theta: float) -> float:
+        """Return the inertia torque over omega^2, the rod's part included."""
+        piston, a = self.tangential.piston, theta - self.top
+        torque = -self.mass * self.radius**2 * piston.velocity(a) * piston.acceleration(a)
+        if self.excess:
+            rate, change = piston.swing(a)
+            torque -= self.excess * rate * change
+        return torque
+
+    def kinetic(self, theta: float) -> float:
+        """Return the kinetic energy over omega^2/2 that comes and goes."""
+        piston, a = self.tangential.piston, theta - self.top
+        moving = self.mass * (self.radius * piston.velocity(a)) ** 2
+        return moving + (self.excess * piston.swing(a)[0] ** 2 if self.excess else 0.0)
+
+    def beside(self, theta: float) -> float:
+        """Return over omega^2 what the frame gets besides the torque's opposite: offset, and the rod."""
+        piston, a = self.tangential.piston, theta - self.top
+        offset, moment = float(piston.mechanism.offset), 0.0
+        if offset:
+            moment = -offset * self.mass * self.radius**2 * piston.acceleration(a)
+        return moment + (self.excess * piston.swing(a)[1] if self.excess else 0.0)
+
+
+@dataclass(frozen=True)
+class CrankTorque:
+    """A running engine's torque on its crank, SI: `area` of one piston in m^2, `omega` in rad/s."""
+
+    layout: Layout
+    cylinders: tuple[RunningCylinder, ...]
+    area: float
     omega: float
-    tops: tuple[float, ...]
+
+    @property
+    def cylinder(self) -> TangentialPressure:
+        """The tangential pressure of the first cylinder."""
+        return self.cylinders[0].tangential
+
+    @property
+    def ratio(self) -> Fraction:
+        """The first cylinder's rod ratio lambda = l/r."""
+        return self.cylinder.ratio
+
+    @property
+    def radius(self) -> float:
+        """The first cylinder's crank radius, in m."""
+        return self.cylinders[0].radius
+
+    @property
+    def mass(self) -> float:
+        """The first cylinder's reciprocating mass, in kg."""
+        return self.cylinders[0].mass
+
+    @property
+    def tops(self) -> tuple[float, ...]:
+        """The cylinders' firing top dead centres, in radians."""
+        return tuple(c.top for c in self.cylinders)
 
     @property
     def cycle(self) -> float:
         """The crank angle of a cycle, in radians."""
         return self.cylinder.trace.cycle * pi / 180
 
-    @property
-    def _gas_unit(self) -> float:
-        return self.area * self.radius * PASCAL
-
-    @property
-    def _inertia_unit(self) -> float:
-        return self.mass * (self.radius * self.omega) ** 2
-
     def gas(self, theta: float) -> float:
         """Return the gas torque at a crank angle (radians), in N m."""
-        return self._gas_unit * sum(self.cylinder.at(theta - top) for top in self.tops)
+        return self.area * sum(c.gas(theta) for c in self.cylinders)
 
     def inertia(self, theta: float) -> float:
-        """Return the inertia torque at a crank angle (radians), in N m."""
-        crank = float(self.cylinder.ratio)
-        own = (theta - top for top in self.tops)
-        return -self._inertia_unit * sum(velocity(a, crank) * acceleration(a, crank) for a in own)
+        """Return the inertia torque at a crank angle (radians), in N m, the rods' own included."""
+        return self.omega**2 * sum(c.inertia(theta) for c in self.cylinders)
 
     def at(self, theta: float) -> float:
         """Return the whole torque at a crank angle (radians), in N m: + in the sense of rotation."""
         return self.gas(theta) + self.inertia(theta)
 
     def frame(self, theta: float) -> float:
-        """Return the torque on the frame at a crank angle: the opposite."""
-        return -self.at(theta)
+        """Return the moment on the frame at a crank angle: the opposite, and what `roll` adds to it."""
+        aside = sum(c.beside(theta) for c in self.cylinders) + self.mass * self.radius**2 * sum(
+            c * math.cos(n * theta) + s * math.sin(n * theta) for n, c, s in self.shafts
+        )
+        return self.omega**2 * aside - self.at(theta)
+
+    @cached_property
+    def shafts(self) -> tuple[tuple[int, float, float], ...]:
+        """The balance shafts' roll moment, (n, C, S) in m r^2 omega^2."""
+        fastest = max((abs(shaft.speed) for shaft in self.layout.balancers.shafts), default=0)
+        return tuple((n, float(c), float(s)) for n, c, s in shaft_terms(self.layout, fastest))
 
     @property
     def mean(self) -> float:
         """The mean torque: the gas's, indicated, in N m."""
-        return self._gas_unit * len(self.tops) * self.cylinder.mean
+        return self.work / self.cycle
 
     @property
     def work(self) -> float:
         """The work of all cylinders in one cycle, in J."""
-        return self._gas_unit * len(self.tops) * self.cylinder.cycle_work
+        return self.area * PASCAL * sum(c.radius * c.tangential.cycle_work for c in self.cylinders)
 
     @property
     def power(self) -> float:
@@ -98,10 +163,9 @@ class CrankTorque:
 
     def energy(self, theta: float) -> float:
         """Return the integral of T - mean up to a crank angle (radians), in J, to a constant."""
-        crank = float(self.cylinder.ratio)
-        worked = sum(self.cylinder.work(theta - top) for top in self.tops)
-        moving = sum(velocity(theta - top, crank) ** 2 for top in self.tops)
-        return self._gas_unit * worked - self._inertia_unit * moving / 2 - self.mean * theta
+        worked = sum(c.radius * c.tangential.work(theta - c.top) for c in self.cylinders)
+        moving = sum(c.kinetic(theta) for c in self.cylinders)
+        return self.area * PASCAL * worked - self.omega**2 * moving / 2 - self.mean * theta
 
     def curve(self, points: int = 720) -> list[tuple[float, float, float, float]]:
         """Return (degrees, gas, inertia, whole torque) at evenly spread angles of one cycle."""
@@ -131,21 +195,48 @@ class CrankTorque:
 
     def terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) of the whole torque in N m, halves included, without the mean."""
-        ratio = self.cylinder.ratio
-        gas = gas_torque(
-            self.layout, self.cylinder.trace, order, ratio=ratio, ambient=self.cylinder.ambient
+        total: dict[Fraction, Real] = {}
+        for part in (self.gas_terms(order), self.inertia_terms(order)):
+            for n, cos, sin in part:
+                total[n] = total.get(n, mp.mpc(0)) + mp.mpc(cos, sin)
+        return tuple((n, total[n].real, total[n].imag) for n in sorted(total))
+
+    def gas_terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
+        """Return (order, C, S) of the gas torque in N m, without the mean."""
+        unit, kinds = self.area * self.radius * PASCAL, self._kinds
+        found: dict[Fraction, complex] = {}
+        for kind in kinds:
+            for n, number in kind.numbers(self.layout.strokes, order).items():
+                found[n] = found.get(n, 0j) + number * unit
+        return tuple((n, mp.mpf(found[n].real), mp.mpf(found[n].imag)) for n in sorted(found))
+
+    @cached_property
+    def _kinds(self) -> tuple[GasKind, ...]:
+        """The cylinders by what their gas does, as `gas_torque` has them."""
+        nominal, found = firing_tops(self.layout), {}
+        for cylinder, own in zip(self.layout.cylinders, self.cylinders, strict=True):
+            key = (id(own.tangential), own.radius)
+            found.setdefault(key, (own, {}))[1][cylinder.number] = nominal[cylinder.number]
+        return tuple(
+            GasKind(own.tangential, tops, own.radius / self.radius) for own, tops in found.values()
         )
-        total = {s: mp.mpc(c, i) * self._gas_unit for s, c, i in gas.terms()}
-        lead = -self.tops[0] - 2 * pi * float(self.layout.cylinders[0].delay.turns)
-        assert abs(sin(lead / 2)) < 1e-9  # both parts count theta alike
-        for s, c, i in inertia_torque(self.layout, order).terms(ratio, 20):
-            total[s] = total.get(s, mp.mpc(0)) + mp.mpc(c, i) * self._inertia_unit
-        return tuple((s, total[s].real, total[s].imag) for s in sorted(total))
+
+    def inertia_terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
+        """Return (order, C, S) of the inertia torque in N m, the rods' own included."""
+        ratio = self.cylinder.ratio if self.layout.is_uniform else None
+        unit, rods = self.mass * (self.radius * self.omega) ** 2, float(first_excess(self.layout))
+        total: dict[Fraction, Real] = {}
+        parts = [(inertia_torque(self.layout, order), unit)]
+        parts += [(rod_torque(self.layout, order), rods / MILLI**2 * self.omega**2)] if rods else []
+        for balance, scale in parts:
+            for n, cos, sin in balance.terms(ratio, 20):
+                total[n] = total.get(n, mp.mpc(0)) + mp.mpc(cos, sin) * scale
+        return tuple((n, total[n].real, total[n].imag) for n in sorted(total))
 
 
 def crank_torque(
     layout: Layout,
-    trace: PressureTrace,
+    trace: PressureTrace | IdealCycle,
     *,
     bore: object,
     rpm: object,
@@ -156,7 +247,8 @@ def crank_torque(
 ) -> CrankTorque:
     """Return the torque of a running engine: bore and stroke in mm, mass in kg, rpm, ambient in bar.
 
-    Stroke, reciprocating mass (per cylinder) and rod ratio default to the layout's crank train.
+    Stroke, reciprocating mass (per cylinder) and rod ratio default to the layout's crank train; where
+    that gives them, they cannot be given anew for cylinders that are not alike.
 
     >>> from symbalance.catalogue import load
     >>> from symbalance.torque.ideal import ideal_cycle
@@ -165,14 +257,29 @@ def crank_torque(
     >>> round(four.mean, 1), round(four.work, 1), round(four.fluctuation.of_torque, 2)
     (141.6, 1780.0, 2.78)
     """
-    cylinder = tangential_pressure(layout, trace, ratio=ratio, ambient=ambient)
-    train, unit = shared_sizes(layout), Fraction(1, 1000)
-    length = _given(stroke, train.stroke, "stroke", "mm") * unit
-    mass = _given(reciprocating_mass, train.reciprocating_mass, "reciprocating_mass", "kg")
-    width = positive(bore, "bore") / 1000
-    tops = tuple(float(top) * pi / 180 for top in firing_tops(layout).values())
-    area = pi * width**2 / 4
-    return CrankTorque(layout, cylinder, area, float(length / 2), float(mass), _omega(rpm), tops)
+    kinds = gas_kinds(layout, trace, ratio=ratio, ambient=ambient)
+    if not layout.is_uniform:
+        _check_own(layout, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
+    width = positive(bore, "bore") / MILLI
+    tangential = {number: kind.tangential for kind in kinds for number in kind.tops}
+    tops, cylinders = firing_tops(layout), []
+    for cylinder in layout.cylinders:
+        own, rod = tangential[cylinder.number], layout.train_of(cylinder).rod_split
+        length = _given(stroke, stroke_of(layout, cylinder), "stroke", "mm")
+        known = layout.train_of(cylinder).reciprocating_mass
+        mass = float(_given(reciprocating_mass, known, "reciprocating_mass", "kg"))
+        top = float(tops[cylinder.number]) * pi / 180 + own.piston.top
+        excess = float(rod.excess) / MILLI**2 if rod else 0.0
+        cylinders.append(RunningCylinder(own, top, float(length) / (2 * MILLI), mass, excess))
+    return CrankTorque(layout, tuple(cylinders), pi * width**2 / 4, _omega(rpm))
+
+
+def _check_own(layout: Layout, **given: object) -> None:
+    trains = [layout.train_of(c) for c in layout.cylinders]
+    for name, value in given.items():
+        if value is not None and any(getattr(train, name) is not None for train in trains):
+            rule = f"cannot be set for all cylinders of {layout.name}, which are not alike"
+            raise SymbalanceError(f"{name} = {shown(value)}", rule, "give it in the engine file")
 
 
 def _given(value: object, known: Fraction | None, name: str, unit: str) -> Fraction:

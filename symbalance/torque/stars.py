@@ -8,7 +8,7 @@ is decided exactly.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
@@ -43,7 +43,8 @@ def firing_tops(layout: Layout) -> dict[int, Fraction]:
 
     Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
     at theta = 0, the one with fires = 0 does within the first turn. In a two-stroke every top dead
-    centre fires; in a four-stroke the cylinders' `fires` say which.
+    centre fires; in a four-stroke the cylinders' `fires` say which. Of a cylinder whose dead centre an
+    offset or a link rod moves it is the angle at which the pin passes its axis.
 
     >>> from symbalance.builders import inline
     >>> {n: str(top) for n, top in firing_tops(inline("1-3-4-2")).items()}
@@ -62,7 +63,9 @@ def firing_tops(layout: Layout) -> dict[int, Fraction]:
             remedy = "build it from a firing order, or give each cylinder fires"
             raise SymbalanceError(f"cylinder {cylinder.number} of {layout.name}", rule, remedy)
         else:
-            tops[_checked_delay(cylinder).number] = (start + cylinder.fires) % cycle
+            top = _top(cylinder)
+            turns = round((start + cylinder.fires - top) / 360)
+            tops[cylinder.number] = (top + 360 * turns) % cycle
     return tops
 
 
@@ -85,17 +88,22 @@ def firing_stars(layout: Layout, order: int = 6) -> tuple[Star, ...]:
     >>> [str(s.order) for s in firing_stars(inline("1-5-3-6-2-4"), 9) if not s.is_closed()]
     ['3', '6', '9']
     """
+    return stars_of(firing_tops(layout), layout.strokes, order)
+
+
+def stars_of(tops: Mapping[int, Fraction], strokes: int, order: int) -> tuple[Star, ...]:
+    """Return the stars of some cylinders' firing top dead centres, in degrees."""
     checked_order(order)
-    tops, cycle = firing_tops(layout), 180 * layout.strokes
+    cycle = 180 * strokes
     parts = {number: top / cycle for number, top in tops.items()}
     modulus = checked_modulus(lcm(*(part.denominator for part in parts.values())))
     seen: dict[int, Component] = {}
     stars = []
-    for k in range(1, order * layout.strokes // 2 + 1):
+    for k in range(1, order * strokes // 2 + 1):
         vectors = tuple((number, part * k % 1) for number, part in parts.items())
         if k % modulus not in seen:
             seen[k % modulus] = Component(summed([Angle(turns) for _, turns in vectors]))
-        stars.append(Star(Fraction(2 * k, layout.strokes), vectors, seen[k % modulus]))
+        stars.append(Star(Fraction(2 * k, strokes), vectors, seen[k % modulus]))
     return tuple(stars)
 
 

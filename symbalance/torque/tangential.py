@@ -1,10 +1,11 @@
 """The gas torque of one cylinder: its tangential pressure, work and harmonics.
 
 The gas turns the crank with T = (p - p_ambient) A r v/(r omega), A the piston's area: torque over A r is
-the tangential pressure, in bar. With the two-sided series of the pressure, p_s, s = n/2 in a four-stroke,
-and the velocity's sum of v_m sin m theta, v_m = A_m/m, its two-sided series is
+the tangential pressure, in bar. That is virtual work, and true of any mechanism, a link rod's included.
+With the two-sided series of the pressure, p_s, s = n/2 in a four-stroke, and of the speed, v_m (of a
+centred piston A_m/(2i m)), its two-sided series is
 
-    sum over m of v_m (p_{s-m} - p_{s+m})/(2i),
+    sum over m of v_m p_{s-m},
 
 p_s from the straight lines between the trace's points exactly: no quadrature. Only the v_m that are below
 a double's last digit are left out.
@@ -18,9 +19,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
-from math import cos, floor, log, pi, sin, sqrt
+from math import floor, pi, sqrt
 
-from symbalance.slider_crank import HIGHEST_ORDER, acceleration_floats
+from symbalance.mechanisms import Mechanism, SliderCrank
+from symbalance.torque.pistons import Piston
 from symbalance.torque.pressure import PressureTrace
 
 AMBIENT = Fraction(101325, 100_000)
@@ -29,22 +31,9 @@ _ROOT = sqrt(Fraction(3, 5))
 _GAUSS = ((-_ROOT, 5 / 9), (0.0, 8 / 9), (_ROOT, 5 / 9))
 
 
-def velocity(angle: float, crank: float) -> float:
-    """Return v/(r omega) at an angle after top dead centre, for lambda = `crank`."""
-    sine, cosine = sin(angle), cos(angle)
-    return sine * (1 + cosine / sqrt((crank - sine) * (crank + sine)))
-
-
-def acceleration(angle: float, crank: float) -> float:
-    """Return a/(r omega^2), the velocity's derivative, at an angle after top dead centre."""
-    sine, cosine = sin(angle), cos(angle)
-    square = (crank - sine) * (crank + sine)
-    return cosine + ((cosine - sine) * (cosine + sine) * square + (sine * cosine) ** 2) / square**1.5
-
-
 @dataclass(frozen=True)
 class TangentialPressure:
-    """One cylinder's tangential pressure, in bar, against radians after its firing top dead centre.
+    """One cylinder's tangential pressure, in bar, against radians after its own firing top dead centre.
 
     >>> trace = PressureTrace((0.0,), (3.0,))
     >>> tangential = TangentialPressure(trace, Fraction(4), 1.0)
@@ -55,10 +44,16 @@ class TangentialPressure:
     trace: PressureTrace
     ratio: Fraction
     ambient: float = float(AMBIENT)
+    mechanism: Mechanism | None = None
+
+    @cached_property
+    def piston(self) -> Piston:
+        """The piston that the gas moves: of `mechanism`, else of a centred slider-crank of `ratio`."""
+        return Piston(SliderCrank(self.ratio) if self.mechanism is None else self.mechanism)
 
     def at(self, angle: float) -> float:
         """Return (p - p_ambient) v/(r omega)."""
-        return (self.trace.at(angle * 180 / pi) - self.ambient) * velocity(angle, float(self.ratio))
+        return (self.trace.at(angle * 180 / pi) - self.ambient) * self.piston.velocity(angle)
 
     @property
     def cycle_work(self) -> float:
@@ -72,8 +67,8 @@ class TangentialPressure:
 
     @property
     def mean_effective_pressure(self) -> float:
-        """The work of a cycle over the swept volume 2 A r, in bar; the ambient pressure has no part."""
-        return self.cycle_work / 2
+        """The work of a cycle over the swept volume, in bar; the ambient pressure has no part."""
+        return self.cycle_work / self.piston.stroke
 
     def work(self, angle: float) -> float:
         """Return the integral from the trace's first point on, in bar: the work over A r."""
@@ -99,11 +94,11 @@ class TangentialPressure:
             return 0.0
         steps = 1 + floor((end - start) * 60)
         half = (end - start) / (2 * steps)
-        total, crank = 0.0, float(self.ratio)
+        total, velocity = 0.0, self.piston.velocity
         for k in range(steps):
             for place, weight in _GAUSS:
                 along = half * (2 * k + 1 + place)
-                total += weight * (bar + slope * along) * velocity(start + along, crank)
+                total += weight * (bar + slope * along) * velocity(start + along)
         return total * half
 
     @cached_property
@@ -119,24 +114,17 @@ class TangentialPressure:
         >>> {str(s): round(c.imag, 6) for s, c in constant.harmonics(2).items() if abs(c) > 1e-15}
         {'1': 2.0, '2': 0.254025}
         """
-        speeds = self._speeds
+        speeds = self.piston.speeds
         step = self.trace.strokes // 2  # orders come in steps of 1/step
         pressures = self._two_sided(step * (order + max(speeds)), step)
         found = {}
         for k in range(1, step * order + 1):
             total = sum(
-                v * (_place(pressures, k - step * m) - pressures[k + step * m]) for m, v in speeds.items()
+                v * _place(pressures, k - step * m) + v.conjugate() * pressures[k + step * m]
+                for m, v in speeds.items()
             )
-            found[Fraction(k, step)] = (total / 1j).conjugate()
+            found[Fraction(k, step)] = 2 * total.conjugate()
         return found
-
-    @cached_property
-    def _speeds(self) -> dict[int, float]:
-        """The v_m that show in a double: they fall like rho (q^(1/2))^m."""
-        crank = float(self.ratio)
-        fall = 2 * log(crank + sqrt((crank - 1) * (crank + 1)))
-        most = min(HIGHEST_ORDER, 2 * (2 + floor(40 / fall)))
-        return {m: a / m for m, a in acceleration_floats(most, self.ratio).items()}
 
     def _two_sided(self, most: int, step: int) -> list[complex]:
         """Return p_0, p_1/step, ... p_most/step of the pressure above ambient, exact for straight lines.

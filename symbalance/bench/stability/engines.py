@@ -57,12 +57,17 @@ def near(quick: bool) -> Part:
     """Return the cases of the catalogue's engines for |theta| <= 1e6."""
     points = Points(hard(300 if quick else 10_000))
     cases = []
-    for engine in QUICK if quick else [preset.name for preset in presets()]:
+    for engine in QUICK if quick else alike():
         progress(f"{engine}, near angles")
         for tolerance, words in ((None, "orders to 12"), (0.0, "all orders")):
             cases.append(engine_case(f"{engine}, {words}", load(engine), points, tolerance=tolerance))
     cases += [on_others(points, target, quick) for target in targets() if target != "numpy"]
     return Part("Forces, couples, accelerations, |θ| ≤ 1e6 rad", NEAR_SAYS, [*cases, on_grid()])
+
+
+def alike() -> list[str]:
+    """Return the catalogue's engines with one kind of cylinder, which is what `truth` knows of."""
+    return [preset.name for preset in presets() if load(preset.name).is_uniform]
 
 
 def engine_case(what: str, layout: Layout, points: Points, **orders: Any) -> Case:

@@ -32,8 +32,12 @@ EVEN, ODD = [0, 2, 4], [1, 3, 5]
 
 
 def fine(arm: Arm) -> float:
-    """Return the element size that solves a half throw within about 1.5 % (m)."""
-    return 0.45 * min(arm.web.thickness, arm.near.diameter / 2, arm.far.diameter / 2)
+    """Return the element size (m) that solves a half throw within about 1.5 %.
+
+    No less than a fifteenth of the width: a very thin web keeps one element through it, and ends.
+    """
+    thin = min(arm.web.thickness, arm.near.diameter / 2, arm.far.diameter / 2)
+    return max(0.45 * thin, arm.web.width / 15)
 
 
 def solved_web(arm: Arm, size: float = 0.0) -> Elastic:

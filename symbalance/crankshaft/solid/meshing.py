@@ -39,12 +39,12 @@ def meshed(draw: Callable[[Any], Any], size: float) -> Any:
     except ImportError as err:
         raise MissingPartError("webs = 'solid'", "scikit-fem is not installed", REMEDY) from err
     with session() as gmsh:
-        draw(gmsh.model.occ)
-        gmsh.model.occ.synchronize()
         gmsh.option.setNumber("Mesh.MeshSizeMax", size * 1e3)
         gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 12)
         gmsh.option.setNumber("Mesh.MeshSizeMin", size * 1e3 / 3)
         try:
+            draw(gmsh.model.occ)
+            gmsh.model.occ.synchronize()
             gmsh.model.mesh.generate(3)
             gmsh.model.mesh.setOrder(2)
         except Exception as err:  # gmsh raises bare Exceptions

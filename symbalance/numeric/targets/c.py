@@ -211,10 +211,10 @@ def _self_test(planned: Plan, name: str, grid: bool) -> str:
 
 
 def _grid_rows(planned: Plan) -> list[str]:
-    """Return the checks on a grid: its angles are rounded twice more than those taken as they are."""
+    """Return the checks on a grid of two turns; its angles are rounded twice more than plain ones."""
     allowed = [2.0**-52 * o.rounding * max(o.amplitude, 2.0**-900) for o in planned.outputs]
     with mp.workdps(50):
-        angles = [2 * mp.pi * j / GRID_POINTS for j in range(GRID_POINTS)]
+        angles = [2 * mp.pi * j / GRID_POINTS for j in range(2 * GRID_POINTS)]
         return [_row(float(t), [float(o.value(t)) for o in planned.outputs], allowed) for t in angles]
 
 

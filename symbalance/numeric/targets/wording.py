@@ -19,6 +19,11 @@ CONVENTIONS = (
     "crank speed, rad/s. pitch: distance between neighbouring cylinders of a bank, m. Each is 1 unless "
     "given: values then are in units of m r omega^2, couples in m r omega^2 a.",
 )
+TORQUE = (
+    "A torque is positive on the crank in the sense of rotation, torque.frame on the frame. "
+    "torque.inertia and torque.frame are in units of m r^2 omega^2 where each keyword is 1; torque.rod "
+    "takes omega alone, torque.gas radius alone, torque.total none."
+)
 REDUCTION = (
     f"Up to |theta| = {LIMIT:.0f} rad the angle is reduced exactly. Beyond it every value rests on the "
     "library's cos(theta) and sin(theta), raised to the order. A theta that is not finite gives NaN at "
@@ -35,7 +40,8 @@ def paragraphs(planned: Plan, engine: str, reduction: str = REDUCTION) -> Iterat
     yield ""
     for output in planned.outputs:
         yield from wrap(_described(output), WIDTH, subsequent_indent="    ")
-    for text in (*CONVENTIONS, reduction):
+    torque = [TORQUE] if any(o.wave.name.startswith("torque") for o in planned.outputs) else []
+    for text in (*CONVENTIONS, *torque, reduction):
         yield ""
         yield from wrap(text, WIDTH)
 
@@ -48,6 +54,7 @@ def _described(output: Output) -> str:
         return f"{wave.name}: {wave.meaning}. Zero: every order asked for cancels."
     what = "all orders, exact in lambda" if output.closed else f"orders {shown}"
     text = f"{wave.name} in {wave.unit.name}: {wave.meaning}. {what}; {output.form}."
+    text += f" Mean {float(wave.mean):.6g}." if wave.mean else ""
     text += f" Amplitude {output.amplitude:.6g}; rounding errs by at most {output.rounding:.3g} u of it"
     if output.closed or wave.left_out == 0.0:
         return text + "."

@@ -1,0 +1,62 @@
+"""What every LaTeX document of ours is made of: preamble, tables, numbers, text taken literally."""
+
+from __future__ import annotations
+
+ROWS_PER_TABLE = 36
+
+_PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{lmodern}
+\usepackage[margin=22mm]{geometry}
+\usepackage{amsmath}
+\usepackage{booktabs}
+\setlength{\parindent}{0pt}
+\setlength{\jot}{6pt}
+\allowdisplaybreaks
+\begin{document}
+"""
+
+
+def in_document(body: str) -> str:
+    """Return a complete document around a fragment."""
+    return f"{_PREAMBLE}{body.rstrip()}\n\\end{{document}}\n"
+
+
+def escaped(text: str) -> str:
+    """Return text with LaTeX's own characters taken literally, other scripts as question marks."""
+    table = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+    table |= {c: f"\\{c}" for c in "&%$#_{}"}
+    table |= {"°": r"\textdegree{}", "–": "--", "−": r"\(-\)", "λ": r"\(\lambda\)", "ₓ": r"\(_x\)"}
+    return "".join(table.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
+
+
+def number(decimal: str) -> str:
+    r"""Return a decimal with its power of ten typeset.
+
+    >>> print(number("7.4379e-5"))
+    7.4379\cdot 10^{-5}
+    """
+    mantissa, *exponent = decimal.split("e")
+    return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
+
+
+def tabulars(columns: str, head: str, lines: list[str], gap: int = 2) -> str:
+    """Return tables of at most `ROWS_PER_TABLE` rows, one below the other."""
+    chunks = [lines[i : i + ROWS_PER_TABLE] for i in range(0, len(lines), ROWS_PER_TABLE)]
+    return "\n".join(
+        "\n".join(
+            [
+                r"\begin{center}",
+                rf"\begin{{tabular}}{{@{{}}{columns}@{{}}}}",
+                r"\toprule",
+                head + r" \\",
+                r"\midrule",
+                *(rf"{line} \\[{gap}pt]" for line in chunk),
+                r"\bottomrule",
+                r"\end{tabular}",
+                r"\end{center}",
+            ]
+        )
+        for chunk in chunks
+    )
