@@ -48,7 +48,8 @@ def test_a_run_leaves_reports_curves_and_pictures(single, tmp_path, capsys, comp
     found = json.loads((out / "report.json").read_text(encoding="utf-8"))
     curve = np.genfromtxt(out / "curves-2000rpm.csv", delimiter=",", names=True)
     assert len(curve) == 120
-    name = (curve.dtype.names or ())[1]
+    assert curve.dtype.names is not None
+    name = curve.dtype.names[1]
     assert "pin_1_bending" in name
     extreme = next(c for c in found["channels"] if c["name"] == "pin 1 bending")
     assert extreme["largest"] >= curve[name].max() * (1 - 1e-6)
