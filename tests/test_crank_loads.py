@@ -203,3 +203,10 @@ def test_rods_side_by_side_turn_their_pin(tmp_path):
     forces = [loads.rods.at(n, theta)[0] for n in (1, 2)]
     moment = 0.011 * (forces[1] - forces[0])
     assert loads.at(theta)[0, 0, 3:5] == pytest.approx([-moment.imag, moment.real])
+
+
+def test_a_rod_given_to_the_crank_train_is_the_same_rod(tmp_path):
+    here = engine(tmp_path, sheet(big_end_mass=ROD)).operation
+    there = sheet(big_end_mass="").replace("rod = 192", "rod = 192\n" + ROD)
+    assert engine(tmp_path, there).operation == here
+    assert here.excess != 0

@@ -142,8 +142,8 @@ def _trace(section: Section, layout: Layout, folder: Path) -> PressureTrace:
 def _rod(section: Section, layout: Layout) -> RodSplit | None:
     keys = ("rod_mass", "rod_centre", "rod_inertia")
     given = [key for key in keys if key in section]
-    if not given:
-        return None
+    if not given:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
+        return layout.train_of(layout.cylinders[0]).rod_split
     for key in keys:
         if key not in section:
             raise section.missing(key, f"add {key} = ..., or drop {given[0]} and give big_end_mass")
@@ -166,7 +166,7 @@ def _rod(section: Section, layout: Layout) -> RodSplit | None:
 
 
 def _big_end_mass(section: Section, rod: RodSplit | None) -> float:
-    if rod is not None:
+    if rod is not None and "big_end_mass" not in section:
         return float(rod.rotating)
     if "big_end_mass" not in section:
         remedy = "kg a rod, its rotating share with the bearing shells; 0 leaves it out"
