@@ -289,6 +289,52 @@ def test_refusals(four):
     assert "rk45" in METHODS
 
 
+@pytest.mark.parametrize(
+    ("spring", "damper", "rule"),
+    [
+        (0.0, 0.0, "positive in every direction"),
+        (-1e8, 1e3, "positive in every direction"),
+        (np.nan, 1e3, "finite"),
+        (1e9, -1.0, "zero or more"),
+    ],
+)
+def test_housings_that_none_is_are_refused(four, spring, damper, rule):
+    each = [np.diag([x, x]) for x in (1e9, spring, 1e9, 1e9, 1e9)]
+    behind = Housing(np.array(each), np.array([np.diag([damper, damper])] * 5))
+    with pytest.raises(SymbalanceError, match=rule) as refusal:
+        steady_state(replace(four[0], housing=behind), steps=90)
+    assert "bearing 1" in str(refusal.value) or "bearing 2" in str(refusal.value)
+
+
+def test_numbers_that_none_is_are_refused(four):
+    system, _ = four
+    loaded = replace(system, force=lambda t: np.full((len(t), system.size), np.nan))
+    for asked, rule in (
+        (lambda: steady_state(loaded, steps=90), "must be finite"),
+        (lambda: steady_state(system, steps=100.5), "whole number"),
+        (lambda: steady_state(system, steps=10**9), "at most"),
+        (lambda: steady_state(system, steps=90, tolerance=float("nan")), "positive"),
+        (lambda: steady_state(replace(system, omega=np.inf), steps=90), "finite"),
+        (lambda: steady_state(replace(system, mass=np.nan * system.mass), steps=90), "finite"),
+        (lambda: integrate(system, cycles=0), "at least 1"),
+        (lambda: harmonic_state(system, 0), "1 to 2000"),
+        (lambda: integrate(system, method="radau", rtol=0.0), "between 0 and 1"),
+        (lambda: reduced(full_system(Case("test")), 2.5), "must lie in"),
+    ):
+        with pytest.raises(SymbalanceError, match=rule):
+            asked()
+
+
+def test_an_undamped_housing_of_1e13_and_films_without_damping_run(four):
+    system, _ = four
+    stiff = Housing(np.tile(1e13 * np.eye(2), (5, 1, 1)), np.zeros((5, 2, 2)))
+    for method in ("radau-iia", "radau-iia-9"):
+        found = steady_state(replace(system, housing=stiff), method=method, steps=360)
+        assert 0.2 < np.abs(found.multipliers).max() < 0.25
+    bare = Film(system.film.stiffness, lambda t: np.zeros((len(t), 5, 2, 2)))
+    assert np.abs(steady_state(replace(system, film=bare), steps=180).multipliers).max() > 1
+
+
 def test_a_fault_in_the_steps_shows(four, balanced):
     """A step's gain off by a thousandth is far outside what the comparisons above allow."""
     system, _ = four

@@ -1,7 +1,8 @@
 """`symbalance bench crankshaft`: integrators of the running crankshaft, error against run time.
 
 An in-line four on five bearings, in 39 unknowns (modes and attachment vectors) and in full, then stiff
-and extreme cases. Everything timed runs in one process on one thread; the reference is harmonic balance.
+and extreme cases. Everything timed runs in one process on one thread, in CPU seconds, which other work on
+the machine disturbs least; the reference is harmonic balance.
 """
 
 from __future__ import annotations
@@ -164,7 +165,7 @@ def _head(found: Measured) -> str:
     made = f"Python {platform.python_version()}, numpy {version('numpy')}, scipy {version('scipy')}"
     low, high, most = found.film
     return (
-        f"{made}; one thread, {os.cpu_count()} cores\n"
+        f"{made}; one thread, CPU seconds, {os.cpu_count()} cores\n"
         f"In-line four, {found.sizes[0]} unknowns reduced, {found.sizes[1]} in full, "
         f"five bearings with housings; films at 2200 rpm: direct terms {low:.1e} to {high:.1e} N/m, "
         f"cross terms to {most:.1e} N/m"

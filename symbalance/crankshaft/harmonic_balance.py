@@ -18,11 +18,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from symbalance.crankshaft.integrators.checked import checked_system
 from symbalance.crankshaft.integrators.coefficients import bearing_count, gathered
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.errors import SymbalanceError, shown
 
 Complex = NDArray[np.complexfloating[Any, Any]]
+MOST = 2000
 SUPPORT, DAMPER = 1e8, 1e5
 """Springs (N/m) and dampers (N s/m) added at the bearings where the rotor's answers are taken, and taken
 off in the balance: a rotor without any has no answer to a force that stands still."""
@@ -60,6 +63,10 @@ def harmonic_state(system: PeriodicSystem, harmonics: int = 120) -> HarmonicStat
 
     One equation of N = 2 harmonics + 1 angles times 2 b unknowns is solved, in N^3 operations.
     """
+    if not isinstance(harmonics, int | np.integer) or not 1 <= harmonics <= MOST:
+        rule = f"must be a whole number, 1 to {MOST}"
+        raise SymbalanceError(f"harmonics = {shown(harmonics)}", rule, "120 is usual")
+    checked_system(system)
     count, top = 2 * harmonics + 1, harmonics
     theta, orders = system.cycle / count * np.arange(count), np.fft.fftfreq(count, 1 / count)
     frequency = 2 * np.pi / system.cycle * system.omega * orders

@@ -33,7 +33,7 @@ def reduced(
     `attachments` the static answers to unit forces at the bearings and to the shapes that the loads have
     at `angles` equal angles. Its columns are orthonormal in M. `unreduced` takes a trajectory back.
     """
-    if not 1 <= modes <= system.size:
+    if not isinstance(modes, int | np.integer) or not 1 <= modes <= system.size:
         raise SymbalanceError(f"modes = {shown(modes)}", f"must lie in 1 to {system.size}", "20 is usual")
     stiffness = (system.stiffness + system.stiffness.T) / 2
     columns: list[Array] = [lowest_modes(stiffness, system.mass, modes)]

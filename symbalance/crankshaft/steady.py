@@ -43,6 +43,8 @@ def steady_state(
     that estimate, else NaN. `multipliers` are sorted by size, largest first (the largest dozen for
     systems beyond `DENSE` states). Refuses a system without a periodic state: a mean load unheld.
     """
+    if tolerance is not None and not tolerance > 0:
+        raise SymbalanceError(f"tolerance = {shown(tolerance)}", "must be positive", "1e-4 is usual")
     begun = perf_counter()
     found, previous = _at(system, method, steps, multipliers), None
     while tolerance is not None and not found.error <= tolerance:
@@ -77,6 +79,8 @@ def closed(
     """Return the state that comes back after a cycle, and the multipliers, largest first (or None)."""
     units = made.units
     pushed = made.marched(np.zeros(made.state_size))[-1] / units
+    if not np.isfinite(pushed).all():
+        raise SymbalanceError("a load", "must be finite", "look at pressures, masses and films")
     factors = None
     if made.state_size > DENSE:
         start = solved(lambda s: s - made.carried(units * s) / units, pushed)

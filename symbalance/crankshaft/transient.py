@@ -6,6 +6,7 @@ from time import perf_counter
 
 import numpy as np
 
+from symbalance.crankshaft.integrators.checked import checked_steps, checked_system
 from symbalance.crankshaft.integrators.coefficients import state_size
 from symbalance.crankshaft.integrators.first_order import film_forces
 from symbalance.crankshaft.integrators.from_scipy import SCIPY, scipy_states
@@ -35,6 +36,12 @@ def integrate(
         raise SymbalanceError(
             f"method = {shown(method)!r}", "is not known", f"one of {', '.join(METHODS)}"
         )
+    checked_steps(steps)
+    checked_system(system)
+    if not isinstance(cycles, int | np.integer) or cycles < 1:
+        raise SymbalanceError(f"cycles = {shown(cycles)}", "must be a whole number, at least 1")
+    if not 0 < rtol < 1:
+        raise SymbalanceError(f"rtol = {shown(rtol)}", "must lie between 0 and 1", "1e-6 is usual")
     size = state_size(system)
     state = np.zeros(size) if start is None else np.asarray(start, dtype=float)
     if state.shape != (size,) or not np.isfinite(state).all():

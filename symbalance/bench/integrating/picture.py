@@ -43,7 +43,7 @@ def _panel(axis: Any, runs: Sequence[Run]) -> None:
             )
             axis.loglog(*zip(*points, strict=True), label=method, **style)
     axis.axhline(1e-4, color="grey", linewidth=0.7, linestyle=":")
-    axis.set_xlabel("seconds for one cycle, preparation included")
+    axis.set_xlabel("CPU seconds for one cycle, preparation included")
     axis.set_ylabel("largest error, relative")
     axis.grid(True, which="major", linewidth=0.3)
     axis.legend(fontsize=8)
