@@ -87,6 +87,36 @@ _HOMES = {
     "dead_centres": "mechanisms",
     "force_harmonics": "mechanisms",
     "node_equations": "crankshaft.equations",
+    "Material": "crankshaft.crank",
+    "Disc": "crankshaft.crank",
+    "Journal": "crankshaft.crank",
+    "Pin": "crankshaft.crank",
+    "Web": "crankshaft.crank",
+    "Crank": "crankshaft.crank",
+    "assemble": "crankshaft.assembly",
+    "Tube": "crankshaft.shafts",
+    "shaft": "crankshaft.shafts",
+    "held_at": "crankshaft.shafts",
+    "natural_modes": "crankshaft.modes",
+    "campbell": "crankshaft.campbell",
+    "torsional_chain": "crankshaft.torsion",
+    "twists_of": "crankshaft.torsion",
+    "Support": "crankshaft.stationary",
+    "whirl": "crankshaft.whirling",
+    "critical_speeds": "crankshaft.whirling",
+    "unbalance_response": "crankshaft.unbalance",
+    "supported": "crankshaft.unbalance",
+    "Film": "crankshaft.system",
+    "Housing": "crankshaft.system",
+    "PeriodicSystem": "crankshaft.system",
+    "steady_state": "crankshaft.steady",
+    "integrate": "crankshaft.transient",
+    "reduced": "crankshaft.reduction",
+    "Bearing": "crankshaft.bearings.short_film",
+    "film_state": "crankshaft.bearings.short_film",
+    "equilibrium": "crankshaft.bearings.short_film",
+    "journal_orbit": "crankshaft.bearings.orbits",
+    "film_from_tables": "crankshaft.bearings.periodic",
     "symbolic_order": "variations",
     "sensitivities": "variations",
     "Tolerances": "variations",
@@ -144,7 +174,37 @@ if TYPE_CHECKING:
     from symbalance.checking import report_json as report_json
     from symbalance.checking import report_latex as report_latex
     from symbalance.checking import report_text as report_text
+    from symbalance.crankshaft.assembly import assemble as assemble
+    from symbalance.crankshaft.bearings.orbits import journal_orbit as journal_orbit
+    from symbalance.crankshaft.bearings.periodic import film_from_tables as film_from_tables
+    from symbalance.crankshaft.bearings.short_film import Bearing as Bearing
+    from symbalance.crankshaft.bearings.short_film import equilibrium as equilibrium
+    from symbalance.crankshaft.bearings.short_film import film_state as film_state
+    from symbalance.crankshaft.campbell import campbell as campbell
+    from symbalance.crankshaft.crank import Crank as Crank
+    from symbalance.crankshaft.crank import Disc as Disc
+    from symbalance.crankshaft.crank import Journal as Journal
+    from symbalance.crankshaft.crank import Material as Material
+    from symbalance.crankshaft.crank import Pin as Pin
+    from symbalance.crankshaft.crank import Web as Web
     from symbalance.crankshaft.equations import node_equations as node_equations
+    from symbalance.crankshaft.modes import natural_modes as natural_modes
+    from symbalance.crankshaft.reduction import reduced as reduced
+    from symbalance.crankshaft.shafts import Tube as Tube
+    from symbalance.crankshaft.shafts import held_at as held_at
+    from symbalance.crankshaft.shafts import shaft as shaft
+    from symbalance.crankshaft.stationary import Support as Support
+    from symbalance.crankshaft.steady import steady_state as steady_state
+    from symbalance.crankshaft.system import Film as Film
+    from symbalance.crankshaft.system import Housing as Housing
+    from symbalance.crankshaft.system import PeriodicSystem as PeriodicSystem
+    from symbalance.crankshaft.torsion import torsional_chain as torsional_chain
+    from symbalance.crankshaft.torsion import twists_of as twists_of
+    from symbalance.crankshaft.transient import integrate as integrate
+    from symbalance.crankshaft.unbalance import supported as supported
+    from symbalance.crankshaft.unbalance import unbalance_response as unbalance_response
+    from symbalance.crankshaft.whirling import critical_speeds as critical_speeds
+    from symbalance.crankshaft.whirling import whirl as whirl
     from symbalance.cylinders import Cylinder as Cylinder
     from symbalance.derivation import derive as derive
     from symbalance.engine_writing import engine_text as engine_text

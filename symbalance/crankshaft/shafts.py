@@ -32,10 +32,14 @@ def shaft(
     discs: Mapping[float, Disc] | None = None,
     bearings: Sequence[float] = (),
     material: Material | None = None,
+    *,
+    shear: bool = True,
 ) -> Rotor:
     """Return the rotor of tubes in a row along W from 0, discs and bearings at the places given (m).
 
-    A disc's `distance` is not used. Bearings are nodes of `Rotor.journals`; `held_at` makes springs.
+    A disc's `distance` is not used. Bearings are nodes of `Rotor.journals`; `held_at` makes springs, and
+    `whirl` takes a `Support` for each. Beams are Timoshenko's, or without `shear` Rayleigh's, who has
+    rotary inertia only: many published figures are his.
 
     >>> rotor = shaft([Tube(1.0, 0.05)], {0.5: Disc(10.0, 0.2, 0.1)}, bearings=(0.0, 1.0))
     >>> rotor.points[:, 2], rotor.journals
@@ -46,7 +50,7 @@ def shaft(
     steel, weights = material or Material(), dict(discs or {})
     places = _places(tubes, [*weights, *bearings])
     points = np.array([[0.0, 0.0, w] for w in places])
-    spans = [*_spans(tubes, places, steel)]
+    spans = [*_spans(tubes, places, steel, shear)]
     members = [Member(front, rear, beam.stiffness, "shaft", -1) for front, rear, beam in spans]
     bodies = [(_node(places, place), disc_body(disc)) for place, disc in weights.items()]
     rotor = gathered(points, members, spans, bodies)
@@ -89,7 +93,7 @@ def _node(places: Sequence[float], place: float) -> int:
 
 
 def _spans(
-    tubes: Sequence[Tube], places: Sequence[float], material: Material
+    tubes: Sequence[Tube], places: Sequence[float], material: Material, shear: bool
 ) -> list[tuple[int, int, Beam]]:
     ends = np.cumsum([tube.length for tube in tubes])
     spans = []
@@ -97,6 +101,8 @@ def _spans(
         middle = (places[front] + places[front + 1]) / 2
         tube = tubes[min(int(np.searchsorted(ends, middle)), len(tubes) - 1)]
         section = circular(tube.diameter, tube.bore, material.poisson)
+        if not shear:
+            section = replace(section, shear_y=np.inf, shear_z=np.inf)
         beam = Beam(section, material, places[front + 1] - places[front], ALONG_W)
         spans.append((front, front + 1, beam))
     return spans
