@@ -1,6 +1,6 @@
 """The running crankshaft: from its geometry to the stress in it against the crank angle.
 
-    crank        geometry: a chain of journals, webs and pins, with flywheel and pulley; `checks` of its sizes
+    crank        geometry: a chain of journals, webs and pins, flywheel, pulley; `checks` of it
     equations    the rotating-frame equations of a node, derived with SymPy, beside the published ones
     rotor        what the chain becomes: nodes, matrices in coordinates that turn with the crank
     beams, bodies, webs, solid, gathering, assembly   from one to the other: Timoshenko beams, webs as
