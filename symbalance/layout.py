@@ -56,6 +56,11 @@ class Layout:
         set_field(self, "ratio", None if known is None else checked_ratio(known))
         set_field(self, "crank_train", train)
 
+    @property
+    def first(self) -> Cylinder:
+        """The cylinder of the lowest number, 1 as a rule: its sizes are the unit of unlike cylinders."""
+        return min(self.cylinders, key=lambda c: c.number)
+
     @cached_property
     def modulus(self) -> int:
         """The m for which every numeric angle is a whole number of m-ths of a turn."""
