@@ -385,7 +385,7 @@ def test_half_a_rod_is_refused(old: str, new: str, words: str, tmp_path, capsys)
 
 @pytest.mark.parametrize("name", ["mixed four", "offset twin"])
 def test_the_unit_is_cylinder_one_wherever_it_is_listed(name: str) -> None:
-    """Forces, torque, the rods' scale, gas and functions are in cylinder 1's sizes, listed last as well."""
+    """Forces, torque, rods, gas and functions are in cylinder 1's sizes, listed last as well."""
     layout = fired({"mixed four": mixed_four, "offset twin": offset_twin}[name]())
     turned_round = sb.Layout(reversed(layout.cylinders), crank_train=layout.crank_train, name=name)
     for of in (inertia_torque, roll_moment):
@@ -397,6 +397,6 @@ def test_the_unit_is_cylinder_one_wherever_it_is_listed(name: str) -> None:
         sb.to_function(sb.balance(e, 4), outputs="force.vertical")(0.7) for e in (layout, turned_round)
     ]
     assert pushes[1] == pytest.approx(pushes[0], rel=1e-12)
-    runs = [crank_torque(e, CYCLE, bore=80, rpm=3000) for e in (layout, turned_round)]
+    runs = [crank_torque(e, CYCLE, bore=80, rpm=3000) for e in both]
     assert (runs[1].radius, runs[1].mass) == (runs[0].radius, runs[0].mass)
     assert runs[1].at(0.7) == pytest.approx(runs[0].at(0.7), rel=1e-12)
