@@ -393,9 +393,8 @@ def test_the_unit_is_cylinder_one_wherever_it_is_listed(name: str) -> None:
         assert [o.order for o in found.orders] == [o.order for o in expected.orders]
         for (_, *ours), (_, *theirs) in zip(found.terms(), expected.terms(), strict=True):
             assert [float(x) for x in ours] == pytest.approx([float(x) for x in theirs], rel=1e-12)
-    pushes = [
-        sb.to_function(sb.balance(e, 4), outputs="force.vertical")(0.7) for e in (layout, turned_round)
-    ]
+    both = (layout, turned_round)
+    pushes = [sb.to_function(sb.balance(e, 4), outputs="force.vertical")(0.7) for e in both]
     assert pushes[1] == pytest.approx(pushes[0], rel=1e-12)
     runs = [crank_torque(e, CYCLE, bore=80, rpm=3000) for e in both]
     assert (runs[1].radius, runs[1].mass) == (runs[0].radius, runs[0].mass)
