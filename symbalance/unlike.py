@@ -22,9 +22,9 @@ from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank, force_harmonics, force_tail
-from symbalance.phasor import Phasor
+from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real
-from symbalance.spectrum import Number, Spectrum
+from symbalance.spectrum import Number, Spectrum, SymbolicPhasor
 from symbalance.trains import CrankTrain
 
 Kind = tuple[Mechanism, Fraction]
@@ -115,7 +115,7 @@ def unlike_spectrum(
             cos, sin = forces[abs(n)]
             with mp.workdps(DIGITS):
                 factor = mp.mpc(cos, -sin if n > 0 else sin) * size.numerator / size.denominator
-                part = DecimalPhasor(_number(phasor) * factor)
+                part = DecimalPhasor(decimal(phasor) * factor)
             total[n] = total[n] + part if n in total else part
     numbers: dict[int, Number] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
     return Spectrum(numbers)
@@ -133,8 +133,16 @@ def spectrum_left_out(layout: Layout, order: int, weights: Sequence[Real]) -> Re
     return total
 
 
-def _number(phasor: Phasor) -> Real:
+def decimal(number: Number) -> Real:
+    """Return a number of an exact field, or of decimals, as a complex one of `DIGITS` digits."""
     from symbalance.radicals import evaluated
 
+    if isinstance(number, DecimalPhasor):
+        return number.value
+    if isinstance(number, SymbolicPhasor) and set(number.parts) <= {()}:
+        number = number.parts.get((), ZERO)  # the symbols have gone
+    if isinstance(number, SymbolicPhasor):
+        rule, remedy = "holds symbols, and has no decimal value", "give the angles in numbers"
+        raise SymbalanceError("an angle", rule, remedy)
     with mp.workdps(DIGITS + 5):
-        return mp.mpc(evaluated(phasor.real(), DIGITS), evaluated(phasor.imaginary(), DIGITS))
+        return mp.mpc(evaluated(number.real(), DIGITS), evaluated(number.imaginary(), DIGITS))

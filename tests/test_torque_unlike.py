@@ -15,7 +15,8 @@ from fractions import Fraction
 
 import pytest
 from mpmath import mp
-from placed import along, exact, place, turned
+from placed import along, exact, place
+from placed import turned as direction
 from test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 
 import symbalance as sb
@@ -81,8 +82,8 @@ def moving(layout: sb.Layout, cylinder: sb.Cylinder, theta: mp.mpf) -> list[tupl
     The rod's two end masses by the textbook are taken out of piston and pin, so that the whole is the
     engine that `reciprocating_mass` tells of, with a rod of points instead of a rod of two masses.
     """
-    train, axis = layout.train_of(cylinder), turned(cylinder.bank)
-    pin = exact(train.stroke / 2) * mp.expj(theta) * turned(cylinder.throw)
+    train, axis = layout.train_of(cylinder), direction(cylinder.bank)
+    pin = exact(train.stroke / 2) * mp.expj(theta) * direction(cylinder.throw)
     beside = exact(Fraction(train.offset or 0))
     piston = mp.mpc(along(pin, axis, train.rod, train.offset or 0), beside) * axis
     points = [(exact(Fraction(m)), pin + exact(Fraction(x)) * (piston - pin)) for m, x in POINTS]
