@@ -97,6 +97,7 @@ def test_a_preset_runs_with_stroke_and_mass_said(capsys):
     said = json.loads(printed(capsys, "r-1820", *options, "--mass", "4"))["running"]
     layout, gas = sb.load("r-1820"), sb.ideal_cycle("6.4", heat=18)
     made = sb.crank_torque(layout, gas, bore="155.6", rpm=2300, reciprocating_mass=4)
+    assert said["rpm"] == 2300
     assert said["highest"] == pytest.approx(made.fluctuation.largest, rel=1e-12)
     assert run(["torque", "inline-4", *options[:6], "--mass", "1"]) == 2
     assert "give --stroke" in capsys.readouterr().err
