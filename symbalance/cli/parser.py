@@ -152,11 +152,14 @@ def _add_running(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--heat",
         metavar="Q",
-        default="18",
         help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
     parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
     parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
+    parser.add_argument("--stroke", metavar="MM", help="stroke, where the engine gives none")
+    parser.add_argument(
+        "--mass", metavar="KG", help="reciprocating mass of a cylinder, where the engine gives none"
+    )
 
 
 def _add_torque(commands: argparse._SubParsersAction) -> None:
@@ -167,7 +170,7 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
     parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
     _add_running(parser)
-    parser.add_argument("--delta", metavar="δ", default="0.02", help="speed fluctuation; default: 0.02")
+    parser.add_argument("--delta", metavar="δ", help="speed fluctuation; default: 0.02")
     _add_output(parser, ("text", "latex", "json"))
 
 
