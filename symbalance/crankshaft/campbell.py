@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from symbalance.crankshaft.modes import assurance, natural_modes
 from symbalance.crankshaft.rotor import DOF, Array, Rotor
 from symbalance.crankshaft.spin import deflated
+from symbalance.errors import SymbalanceError, shown
 
 Shapes = NDArray[np.complex128]
 
@@ -72,6 +73,9 @@ def campbell(
     `support` (n, n) is a stiffness alike in all directions across the axis. Solved on the `kept` lowest
     modes at rest, the free rotor's rigid motions included.
     """
+    for speed in speeds:
+        if not np.isfinite(speed):
+            raise SymbalanceError(f"speed = {shown(speed)} rad/s", "must be finite")
     basis = _basis(rotor, support, kept)
     stiffness = rotor.stiffness + (0 if support is None else support)
     spin = rotor.rigid_motions()[:, 5]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from math import hypot, isfinite, pi
 
-from symbalance.crankshaft.crank import Counterweight, Crank, Disc, Journal, Pin, Web
+from symbalance.crankshaft.crank import Counterweight, Crank, Disc, Journal, Material, Pin, Web
 from symbalance.crankshaft.webs.arm import Arm, arms, axis_of
 from symbalance.errors import SymbalanceError, shown
 
@@ -20,7 +20,7 @@ def check_geometry(crank: Crank) -> None:
         ...
     symbalance.errors.SymbalanceError: part 3, pin: bore = 50 mm: must be less than the diameter, 50 mm
     """
-    _check_material(crank)
+    check_material(crank.material)
     for index, part in enumerate(crank.parts):
         place = f"part {index + 1}, {type(part).__name__.lower()}"
         _check_numbers(part, place)
@@ -47,15 +47,17 @@ def mm(length: float) -> str:
     return f"{length * 1e3:.6g}"
 
 
-def _check_material(crank: Crank) -> None:
-    m = crank.material
+def check_material(m: Material) -> None:
+    """Refuse a material that none is."""
     if not (isfinite(m.young) and m.young > 0):
         raise SymbalanceError(f"young = {shown(m.young)}", "must be positive", "Pa; GPa in files")
     if not 0 <= m.poisson < 0.5:
         raise SymbalanceError(f"poisson = {shown(m.poisson)}", "must lie in [0, 0.5)", "0.29 for steel")
     if not (isfinite(m.density) and m.density > 0):
         raise SymbalanceError(
-            f"density = {shown(m.density)}", "must be positive", "kg/m^3, 7850 for steel"
+            f"density = {shown(m.density)}",
+            "must be positive",
+            "kg/m^3, 7850 for steel; 1e-3 where a shaft's mass is not to count",
         )
 
 

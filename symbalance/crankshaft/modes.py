@@ -37,9 +37,9 @@ def natural_modes(rotor: Rotor, count: int = 20, support: Array | None = None) -
     among zeros.
     """
     available = rotor.size - (DOF if support is None else 0)
-    if not 0 < count <= available:
+    if not isinstance(count, int | np.integer) or not 0 < count <= available:
         raise SymbalanceError(f"modes = {shown(count)}", f"must lie in 1..{available}", "elastic modes")
-    stiffness = rotor.stiffness + (0 if support is None else support)
+    stiffness = rotor.stiffness + (0 if support is None else checked_support(rotor, support))
     skipped = 0
     if support is None:
         motions = rotor.mass @ rotor.rigid_motions()
@@ -51,6 +51,14 @@ def natural_modes(rotor: Rotor, count: int = 20, support: Array | None = None) -
     squares, shapes = _eigen(stiffness, rotor.mass)
     kept = slice(skipped, skipped + count)
     return Modes(np.sqrt(np.maximum(squares[kept], 0.0)) / (2 * np.pi), shapes[:, kept])
+
+
+def checked_support(rotor: Rotor, support: Array) -> Array:
+    """Return the support; refuses what is not (n, n) and finite."""
+    if np.shape(support) != rotor.stiffness.shape or not np.isfinite(support).all():
+        rule = f"must be finite, of shape {rotor.stiffness.shape}"
+        raise SymbalanceError(f"support of shape {np.shape(support)}", rule, "held_at makes one")
+    return support
 
 
 def _eigen(stiffness: Array, mass: Array) -> tuple[Array, Array]:

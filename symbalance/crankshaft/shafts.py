@@ -9,6 +9,7 @@ import numpy as np
 
 from symbalance.crankshaft.beams import ALONG_W, Beam, circular
 from symbalance.crankshaft.bodies import disc_body
+from symbalance.crankshaft.checks import check_material
 from symbalance.crankshaft.crank import Disc, Material
 from symbalance.crankshaft.gathering import gathered
 from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor
@@ -45,9 +46,8 @@ def shaft(
     >>> rotor.points[:, 2], rotor.journals
     (array([0.  , 0.25, 0.5 , 0.75, 1.  ]), (0, 4))
     """
-    if not tubes or not all(t.length > 0 and t.diameter > t.bore >= 0 and t.elements > 0 for t in tubes):
-        raise SymbalanceError(f"{len(tubes)} tubes", "must have length, and a bore within their diameter")
     steel, weights = material or Material(), dict(discs or {})
+    _check(tubes, steel, weights)
     places = _places(tubes, [*weights, *bearings])
     points = np.array([[0.0, 0.0, w] for w in places])
     spans = [*_spans(tubes, places, steel, shear)]
@@ -57,11 +57,36 @@ def shaft(
     return replace(rotor, journals=tuple(_node(places, place) for place in bearings))
 
 
+def _check(tubes: Sequence[Tube], steel: Material, discs: Mapping[float, Disc]) -> None:
+    if not tubes:
+        raise SymbalanceError("0 tubes", "must be one or more")
+    for number, tube in enumerate(tubes, 1):
+        sound = 0 < tube.length < np.inf and 0 <= tube.bore < tube.diameter < np.inf
+        if not sound or not isinstance(tube.elements, int | np.integer) or tube.elements < 1:
+            what = ", ".join(f"{name} = {shown(value)}" for name, value in vars(tube).items())
+            rule = "must have length, a bore within its diameter, and a whole number of elements"
+            raise SymbalanceError(what, rule, "m", f"tube {number}")
+    check_material(steel)
+    for place, disc in discs.items():
+        name = f"disc at {shown(place)} m"
+        for part in ("mass", "polar", "diametral"):
+            value = getattr(disc, part)
+            if not 0 <= value < np.inf:
+                rule = "must be finite, not negative"
+                raise SymbalanceError(f"{part} = {shown(value)}", rule, "kg, kg m^2", name)
+        if disc.polar > 2 * disc.diametral * (1 + 1e-9):
+            rule = f"must be at most twice the diametral, {shown(disc.diametral)}"
+            raise SymbalanceError(f"polar = {shown(disc.polar)}", rule, "as for any body", name)
+
+
 def held_at(rotor: Rotor, stiffness: float, across: float | None = None, axial: float = 0.0) -> Array:
     """Return (n, n): springs (N/m) at all bearings along u, `across` along v, `axial` at the first.
 
     Springs alike in u and v are the same in turning and in stationary axes.
     """
+    for value in (stiffness, across or 0.0, axial):
+        if not np.isfinite(value):
+            raise SymbalanceError(f"spring = {shown(value)} N/m", "must be finite")
     support = np.zeros((rotor.size, rotor.size))
     for node in rotor.journals:
         support[DOF * node, DOF * node] += stiffness

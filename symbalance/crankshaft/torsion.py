@@ -52,7 +52,11 @@ def torsional_chain(inertias: Sequence[float], stiffnesses: Sequence[float]) -> 
     >>> torsional_chain([2.0, 2.0], [1.0]).frequencies() * 2 * np.pi
     array([1.])
     """
-    discs, springs = (np.array(values, dtype=float) for values in (inertias, stiffnesses))
+    try:
+        discs, springs = (np.array([*map(float, values)]) for values in (inertias, stiffnesses))
+    except (TypeError, ValueError):
+        rule = "must be two lists of numbers"
+        raise SymbalanceError("inertias and stiffnesses", rule, "kg m^2, N m/rad") from None
     if len(discs) < 2 or len(springs) != len(discs) - 1:
         what = f"{len(discs)} discs, {len(springs)} springs"
         raise SymbalanceError(what, "must be two discs or more and a spring between neighbours")

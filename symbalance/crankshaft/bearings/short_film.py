@@ -130,6 +130,9 @@ def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
     """
     force = np.asarray(load, dtype=float)
     size, clear = float(np.linalg.norm(force)), bearing.clearance
+    if not np.isfinite(size) or not 0 < abs(omega) < np.inf:
+        what = f"load = {shown(size)} N at {shown(omega)} rad/s"
+        raise SymbalanceError(what, "must be finite, on a journal that turns", "N, rad/s")
     if size == 0:
         return np.zeros(2)
     low, high, still = 0.0, DENSEST * (1 - 1e-9), np.zeros(2)

@@ -19,15 +19,43 @@ def checked_steps(steps: int) -> None:
 
 
 def checked_system(system: PeriodicSystem) -> None:
-    """Refuse speeds that are none, matrices that are not finite, housings that push themselves away."""
+    """Refuse speeds that are none, shapes that do not fit, matrices that are not finite or no mass,
+    housings that push themselves away."""
     if not 0 < system.omega < np.inf:
         rule = "must be positive and finite"
         raise SymbalanceError(f"speed = {shown(system.omega)} rad/s", rule, "give rpm > 0")
+    if not 0 < system.cycle < np.inf:
+        rule = "must be positive and finite"
+        raise SymbalanceError(f"cycle = {shown(system.cycle)} rad", rule, "4 pi, or 2 pi for one turn")
+    _checked_shapes(system)
     for name in ("mass", "damping", "stiffness", "points"):
         if not np.isfinite(getattr(system, name)).all():
             raise SymbalanceError(f"the crank's {name}", "must be finite", "look at its sizes")
+    try:
+        np.linalg.cholesky(system.mass)
+    except np.linalg.LinAlgError:
+        rule, remedy = "must be positive definite", "give every unknown a mass, or leave it out"
+        raise SymbalanceError("the mass matrix", rule, remedy) from None
     if system.housing is not None:
         _checked_housing(system.housing)
+
+
+def _checked_shapes(system: PeriodicSystem) -> None:
+    """Refuse matrices, films and forces whose shapes are not those of n unknowns and b bearings."""
+    n, count, angles = len(system.mass), len(system.points), np.zeros(1)
+    film = (1, count, 2, 2)
+    for name, array, shape in (
+        ("mass", system.mass, (n, n)),
+        ("damping", system.damping, (n, n)),
+        ("stiffness", system.stiffness, (n, n)),
+        ("points", system.points, (count, 2, n)),
+        ("force at one angle", system.force(angles), (1, n)),
+        ("film stiffness at one angle", system.film.stiffness(angles), film),
+        ("film damping at one angle", system.film.damping(angles), film),
+    ):
+        if np.shape(array) != shape:
+            what = f"{name} of shape {np.shape(array)}"
+            raise SymbalanceError(what, f"must be {shape}", f"{n} unknowns, {count} bearings")
 
 
 def _checked_housing(housing: Housing) -> None:

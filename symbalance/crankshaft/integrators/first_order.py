@@ -106,7 +106,7 @@ def film_forces(system: PeriodicSystem, theta: Array, states: Array) -> Array:
     laws, _ = film_laws(system, theta)
     place = np.einsum("bcn,sn->sbc", system.points, states[:, :n])
     speed = np.einsum("bcn,sn->sbc", system.points, states[:, n : 2 * n])
-    rest = states[:, 2 * n :].reshape(len(theta), count, -1)
+    rest = states[:, 2 * n :].reshape(len(theta), count, 0 if system.housing is None else 2)
     turning = laws @ np.concatenate([place, speed, rest], axis=-1)[..., None]
     return -(coefficients(system, theta).turn[:, None] @ turning)[..., 0]
 
