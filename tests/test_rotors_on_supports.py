@@ -105,20 +105,26 @@ FOUR = [sb.Tube(0.3, 0.04, 0.0, 18), sb.Tube(0.5, 0.06, 0.02, 20), sb.Tube(0.2, 
 
 @pytest.mark.parametrize("omega", [0.0, 300.0, 1500.0])
 @pytest.mark.parametrize(
-    ("tubes", "discs", "supports"),
+    ("tubes", "discs", "supports", "within"),
     [
-        (FOUR, {0.3: (12, 0.2, 0.11), 0.8: (20, 0.3, 0.2)}, {0.0: (1e7,), 1.0: (5e6, 2e3)}),
-        (FOUR, {0.3: (12, 0.2, 0.11), 1.0: (20, 0.3, 0.2)}, {0.1: CROSS, 0.9: ((2e7, 1e7), 3e3)}),
-        ([sb.Tube(0.6, 0.1, 0.07, 24)], {0.3: (50, 1.0, 0.6)}, {0.0: ((1e9, 4e7), 1e5), 0.6: (2e8,)}),
+        (FOUR, {0.3: (12, 0.2, 0.11), 0.8: (20, 0.3, 0.2)}, {0.0: (1e7,), 1.0: (5e6, 2e3)}, 1e-5),
+        (FOUR, {0.3: (12, 0.2, 0.11), 1.0: (20, 0.3, 0.2)}, {0.1: CROSS, 0.9: ((2e7, 1e7), 3e3)}, 1e-5),
+        (
+            [sb.Tube(0.6, 0.1, 0.07, 24)],
+            {0.3: (50, 1.0, 0.6)},
+            {0.0: ((1e9, 4e7), 1e5), 0.6: (2e8,)},
+            5e-4,
+        ),
     ],
     ids=["even", "cross terms", "hollow"],
 )
-def test_roots_are_those_of_the_exact_shaft(tubes, discs, supports, omega):
+def test_roots_are_those_of_the_exact_shaft(tubes, discs, supports, within, omega):
+    """The thicker the shaft, the more shear: an element's is constant, so that errors fall with h^2."""
     weights = {place: sb.Disc(*map(float, disc)) for place, disc in discs.items()}
     below = {place: sb.Support(*given) for place, given in supports.items()}
     found = sb.whirl(sb.shaft(tubes, weights, [*below], STEEL), [*below.values()], omega)
     for root in found.roots[:6]:
-        assert abs(exact_root(root, omega, tubes, weights, below) / root - 1) < 1e-5
+        assert abs(exact_root(root, omega, tubes, weights, below) / root - 1) < within
 
 
 def test_published_roots():
@@ -199,7 +205,7 @@ def test_turning_damping_destabilises_beyond_its_onset():
     from dataclasses import replace
 
     light = sb.Material(density=1e-3)
-    rotor = sb.shaft(plain, {0.5: sb.Disc(20.0, 0.05, 0.05)}, (0.0, 1.0), light)
+    rotor = sb.shaft([sb.Tube(1.0, 0.05)], {0.5: sb.Disc(20.0, 0.05, 0.05)}, (0.0, 1.0), light)
     pinned = [sb.Support(1e12)] * 2
     own = sb.whirl(rotor, pinned, 0.0).natural[0]
     inner = replace(rotor, damping=1e-4 * rotor.stiffness)
@@ -275,7 +281,9 @@ def test_a_crank_is_not_round():
     with pytest.raises(sb.SymbalanceError, match="must look alike from all sides"):
         sb.whirl(crank, [sb.Support(1e8)] * 2, 100.0)
     made = sb.supported(crank, [sb.Support((1e8, 5e7), 1e4)] * 2, 100.0)
-    assert np.abs(sb.steady_state(made, steps=180).multipliers).max() < 1
+    found = sb.steady_state(made, steps=180).multipliers
+    assert found is not None
+    assert np.abs(found).max() < 1
 
 
 def oscillator(**changed):
