@@ -233,6 +233,40 @@ def test_unbalance_is_the_steady_state_and_the_multipliers_are_the_roots():
         assert np.abs(steady.multipliers - np.exp(root * 2 * np.pi / FAST)).min() < 1e-6
 
 
+def test_a_flattened_shaft_is_unstable_between_its_critical_speeds():
+    """Growth of the uneven Jeffcott rotor (see test_rotors), in turning axes and by the multipliers.
+
+    s^2 = -(w^2 + (a + b)/2) + sqrt(((a - b)/2)^2 + 2 (a + b) w^2), a and b the squared frequencies.
+    """
+    tube = sb.Tube(1.0, 0.05, bending=(0.9, 1.1))
+    weight = sb.Disc(20.0, 1e-6, 1e-6)
+    rotor = sb.shaft([tube], {0.5: weight}, (0.0, 1.0), sb.Material(density=1e-4), shear=False)
+    stiff = 48 * 206e9 * np.pi / 64 * 0.05**4 / 20
+    a, b = 0.9 * stiff, 1.1 * stiff
+    for share in (0.93, 0.97, 1.0, 1.03, 1.07):
+        w = share * np.sqrt(stiff)
+        square = -(w**2) - (a + b) / 2 + np.sqrt(((a - b) / 2) ** 2 + 2 * (a + b) * w**2)
+        growth = np.sqrt(max(square, 0.0))
+        lines = sb.campbell(rotor, [w], sb.held_at(rotor, 1e12, axial=1e12), count=4)
+        assert lines.growth.max() == pytest.approx(growth, rel=2e-4, abs=0.02)
+        made = sb.supported(rotor, [sb.Support(1e12, 1e-3)] * 2, w)
+        found = sb.steady_state(made, steps=180, method="radau-iia-9").multipliers
+        assert found is not None
+        assert np.log(np.abs(found).max()) * w / (2 * np.pi) == pytest.approx(growth, rel=1e-3, abs=0.05)
+
+
+@pytest.mark.parametrize("stiffness", [1e9, 1e12, 1e15])
+@pytest.mark.parametrize("density", [7850.0, 1e-3])
+def test_stiff_springs_hide_no_slow_mode_from_the_campbell_diagram(density, stiffness):
+    """In turning and in stationary axes alike: a heavy disc on a light shaft, roots far apart."""
+    weight = sb.Disc(20.0, 0.2, 0.1)
+    rotor = sb.shaft([sb.Tube(1.0, 0.05)], {0.5: weight}, (0.0, 1.0), sb.Material(density=density))
+    lines = sb.campbell(rotor, [0.0, 50.0, 100.0], sb.held_at(rotor, stiffness, axial=stiffness))
+    expected = sb.whirl(rotor, [sb.Support(stiffness)] * 2, 100.0).frequencies[:4]
+    found = lines.stationary[-1][lines.lateral[-1]][:4]
+    assert np.sort(found) == pytest.approx(np.sort(expected), rel=1e-6)
+
+
 def test_weight_is_carried_by_the_supports():
     rotor = two_discs()
     steady = sb.steady_state(sb.supported(rotor, [sb.Support(1e6, 3e3)] * 2, FAST, weight=True), steps=90)

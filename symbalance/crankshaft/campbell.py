@@ -22,6 +22,19 @@ from symbalance.crankshaft.spin import deflated
 from symbalance.errors import SymbalanceError, shown
 
 Shapes = NDArray[np.complex128]
+RESTING, REAL = 1e-4, 1e-7
+"""Below these a root counts as zero (per shift), or as real (per its size)."""
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """The matrices on a basis orthonormal in M; `shift` in rad/s, well below the slowest elastic mode."""
+
+    damping: Array
+    gyroscopic: Array
+    stiffness: Array
+    centrifugal: Array
+    shift: float
 
 
 @dataclass(frozen=True)
@@ -80,7 +93,12 @@ def campbell(
     stiffness = rotor.stiffness + (0 if support is None else support)
     spin = rotor.rigid_motions()[:, 5]
     centrifugal = deflated(rotor.centrifugal, rotor.mass, spin)
-    parts = [basis.T @ m @ basis for m in (rotor.damping, rotor.gyroscopic, stiffness, centrifugal)]
+    matrices = (rotor.damping, rotor.gyroscopic, stiffness, centrifugal)
+    damping, gyroscopic, stiffness, centrifugal = (basis.T @ m @ basis for m in matrices)
+    stiffness = _unheld(stiffness, rotor, basis, support)
+    squares = np.linalg.eigvalsh((stiffness + stiffness.T) / 2)
+    shift = 0.1 * float(np.sqrt(squares[squares > 3e-15 * squares[-1]][0]))
+    parts = _Parts(damping, gyroscopic, stiffness, centrifugal, shift)
     found: list[_Whirls] = []
     for speed in speeds:
         whirls = _whirls(parts, float(speed), rotor, basis)
@@ -99,8 +117,17 @@ def _basis(rotor: Rotor, support: Array | None, kept: int) -> Array:
     return np.hstack([rigid @ np.linalg.inv(factor).T, shapes])
 
 
-def _whirls(parts: Sequence[Array], speed: float, rotor: Rotor, basis: Array) -> _Whirls:
-    """Return all oscillating motions, both signs of frequency, slowest first.
+def _unheld(stiffness: Array, rotor: Rotor, basis: Array, support: Array | None) -> Array:
+    """Return the stiffness without what rounding left of it along rigid motions that nothing holds."""
+    motions = rotor.rigid_motions()
+    free = [j for j in range(DOF) if support is None or not (support @ motions[:, j]).any()]
+    unheld = np.linalg.qr(basis.T @ rotor.mass @ motions[:, free])[0]
+    rest = np.eye(len(stiffness)) - unheld @ unheld.T
+    return rest @ stiffness @ rest
+
+
+def _whirls(parts: _Parts, speed: float, rotor: Rotor, basis: Array) -> _Whirls:
+    """Return all oscillating motions, both signs of frequency, and divergent ones, slowest first.
 
     At rest a round shaft's modes are pairs, any mixture of which is a mode: their shapes are then those
     at a very slow speed, where each whirls its own way.
@@ -112,19 +139,31 @@ def _whirls(parts: Sequence[Array], speed: float, rotor: Rotor, basis: Array) ->
     return _Whirls(speed, roots, shapes, *_motions(rotor, basis @ shapes))
 
 
-def _eigen(parts: Sequence[Array], speed: float) -> tuple[Shapes, Shapes]:
-    damping, gyroscopic, stiffness, centrifugal = parts
-    size = len(damping)
-    turning = np.zeros((2 * size, 2 * size))
-    turning[:size, size:] = np.eye(size)
-    turning[size:, :size] = -(stiffness + speed**2 * centrifugal)
-    turning[size:, size:] = -(damping + speed * gyroscopic)
-    found = np.linalg.eig(turning)
-    roots: Shapes = np.array(found[0], dtype=np.complex128)
-    vectors: Shapes = np.array(found[1], dtype=np.complex128)
-    moving = np.abs(roots.imag) > 1e-7 * np.abs(roots).max()
-    order = [k for k in np.lexsort((roots.imag < 0, np.abs(roots.imag).round(6))) if moving[k]]
-    return roots[order], vectors[:size, order]
+def _eigen(parts: _Parts, speed: float) -> tuple[Shapes, Shapes]:
+    """Return roots s and shapes, from the values 1/(s - shift): stiff springs then hide no slow mode."""
+    size, shift = len(parts.damping), parts.shift
+    damping = parts.damping + speed * parts.gyroscopic + shift * np.eye(size)
+    stiffness = parts.stiffness + speed**2 * parts.centrifugal + shift * damping
+    inverse = np.asarray(np.linalg.inv(stiffness))
+    upper = -np.hstack([inverse @ damping, inverse])
+    lower = shift * upper + np.eye(size, 2 * size)
+    values, vectors = np.linalg.eig(np.vstack([upper, lower]))
+    roots: Shapes = np.asarray(shift + 1 / values, dtype=np.complex128)
+    moving = np.abs(roots) > RESTING * shift
+    kept = moving & (np.abs(roots.imag) > REAL * np.abs(roots))
+    kept[_divergent(roots, moving & ~kept)] = True
+    order = [k for k in np.lexsort((roots.imag < 0, np.abs(roots.imag).round(6))) if kept[k]]
+    return roots[order], np.asarray(vectors[:size, order], dtype=np.complex128)
+
+
+def _divergent(roots: Shapes, real: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Return the faster growing half of the real roots: a line that turns into -d + g and -d - g.
+
+    So does a whirl of a shaft that is not round, between the two speeds at which it stands still in
+    turning axes.
+    """
+    places = np.flatnonzero(real)
+    return places[np.argsort(-roots[places].real, kind="stable")][: len(places) // 2]
 
 
 def _motions(rotor: Rotor, shapes: Shapes) -> tuple[Array, Array, Array]:
@@ -144,7 +183,7 @@ def _motions(rotor: Rotor, shapes: Shapes) -> tuple[Array, Array, Array]:
 
 
 def _first(whirls: _Whirls, count: int) -> list[int]:
-    return [k for k in range(len(whirls.roots)) if whirls.roots[k].imag > 0][:count]
+    return [k for k in range(len(whirls.roots)) if whirls.roots[k].imag >= 0][:count]
 
 
 def _matched(before: _Whirls, now: _Whirls) -> list[int]:

@@ -20,12 +20,17 @@ CLOSE = 1e-9
 
 @dataclass(frozen=True)
 class Tube:
-    """A straight piece of shaft: length, diameter and bore in m, divided into `elements` at least."""
+    """A straight piece of shaft: length, diameter and bore in m, divided into `elements` at least.
+
+    `bending` are factors on its second moments of area for bending along U and along V: of a slotted or
+    flattened shaft, which is not round, they are unlike.
+    """
 
     length: float
     diameter: float
     bore: float = 0.0
     elements: int = 4
+    bending: tuple[float, float] = (1.0, 1.0)
 
 
 def shaft(
@@ -62,9 +67,10 @@ def _check(tubes: Sequence[Tube], steel: Material, discs: Mapping[float, Disc]) 
         raise SymbalanceError("0 tubes", "must be one or more")
     for number, tube in enumerate(tubes, 1):
         sound = 0 < tube.length < np.inf and 0 <= tube.bore < tube.diameter < np.inf
+        sound = sound and all(0 < factor < np.inf for factor in tube.bending)
         if not sound or not isinstance(tube.elements, int | np.integer) or tube.elements < 1:
             what = ", ".join(f"{name} = {shown(value)}" for name, value in vars(tube).items())
-            rule = "must have length, a bore within its diameter, and a whole number of elements"
+            rule = "must have length, a bore within its diameter, a whole number of elements, factors > 0"
             raise SymbalanceError(what, rule, "m", f"tube {number}")
     check_material(steel)
     for place, disc in discs.items():
@@ -126,6 +132,8 @@ def _spans(
         middle = (places[front] + places[front + 1]) / 2
         tube = tubes[min(int(np.searchsorted(ends, middle)), len(tubes) - 1)]
         section = circular(tube.diameter, tube.bore, material.poisson)
+        along_u, along_v = tube.bending
+        section = replace(section, bend_z=along_u * section.bend_z, bend_y=along_v * section.bend_y)
         if not shear:
             section = replace(section, shear_y=np.inf, shear_z=np.inf)
         beam = Beam(section, material, places[front + 1] - places[front], ALONG_W)
