@@ -166,6 +166,13 @@ def test_every_key_comes_back(tmp_path):
     assert sb.load(path).ratio == 4
 
 
+def test_the_rods_own_inertia_comes_back(tmp_path):
+    train = CrankTrain(**{**vars(SIZES), "rod_mass": "0.6", "rod_centre": 40, "rod_inertia": 2000})
+    path = tmp_path / "rods.toml"
+    path.write_text(sb.engine_text(sb.inline("1-3-4-2", crank_train=train)), encoding="utf-8")
+    assert sb.load(path).crank_train == train
+
+
 def test_symbols_are_refused_by_a_file():
     with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file"):
         sb.engine_text(sb.vee(sympy.Symbol("alpha"), pins=[0]))
