@@ -167,7 +167,8 @@ def test_every_key_comes_back(tmp_path):
 
 
 def test_the_rods_own_inertia_comes_back(tmp_path):
-    train = CrankTrain(**{**vars(SIZES), "rod_mass": "0.6", "rod_centre": 40, "rod_inertia": 2000})
+    rod = {"rod_mass": Fraction(3, 5), "rod_centre": Fraction(40), "rod_inertia": Fraction(2000)}
+    train = CrankTrain(**{**vars(SIZES), **rod})
     path = tmp_path / "rods.toml"
     path.write_text(sb.engine_text(sb.inline("1-3-4-2", crank_train=train)), encoding="utf-8")
     assert sb.load(path).crank_train == train

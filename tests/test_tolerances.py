@@ -74,7 +74,7 @@ def turning(layout, n: int, arms: bool) -> complex:
 
 @pytest.mark.parametrize("name", ["inline-1", "inline-3", "inline-4", "v6-60", "v2-45", "radial-5"])
 def test_what_turns_counts_and_stays_as_made(name):
-    """All vertices of the masses, with the counterweights and shafts of the nominal engine beside them."""
+    """All vertices of the masses, with the counterweights and shafts of the nominal engine too."""
     layout, part = smooth(name), 0.02
     assert layout.balancers
     signs = np.array(list(itertools.product((1 - part, 1 + part), repeat=len(layout.cylinders))))
@@ -92,7 +92,7 @@ def test_what_turns_counts_and_stays_as_made(name):
 
 
 def test_an_order_of_a_shaft_alone_is_there():
-    sizes = sb.CrankTrain(stroke=80, rod=160, reciprocating_mass=Fraction(1, 2))
+    sizes = sb.CrankTrain(stroke=Fraction(80), rod=Fraction(160), reciprocating_mass=Fraction(1, 2))
     layout = sb.inline("1", crank_train=sizes)
     third = layout.balanced_by(sb.BalanceShaft(3, [sb.Weight(unbalance=2)]))
     found = {(w.order, w.quantity): w for w in sb.worst_cases(third, sb.Tolerances(mass="1%"), 4)}

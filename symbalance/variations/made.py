@@ -1,4 +1,4 @@
-"""What turns in an engine within its tolerances: counterweights, shafts, rotating masses, as they are made.
+"""What turns in an engine within tolerances: counterweights, shafts, rotating masses, as they are made.
 
 They have no errors here: a counterweight that was made for a nominal mass stays as it is when a piston is
 heavier, and stands where it stands when a pin is out of place. In every order they add the same to c_n
