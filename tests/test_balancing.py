@@ -16,9 +16,12 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.angles import Angle
+from symbalance.balancing.bounded import bounded
+from symbalance.balancing.numbers import size_of, summed
 from symbalance.balancing.planes import in_planes
 from symbalance.catalogue import preset_names
 from symbalance.phasor import ZERO, Phasor
+from symbalance.rotors import added
 from symbalance.tables.torque_table import torque_text
 from symbalance.trains import CrankTrain, Link
 from symbalance.unlike import decimal
@@ -456,6 +459,15 @@ def test_one_plane_where_two_are_wanted_misses_least():
     assert not weight.is_zero()
 
 
+def test_a_shaft_goes_where_its_one_place_lets_it_help():
+    """A couple alone cannot be had from the middle: the shaft serves a smaller order with a force."""
+    odd = sb.Layout([sb.Cylinder(1, 0, 0, 9), sb.Cylinder(2, 180, 0, -9)], ratio=4)
+    design = sb.design_balance(odd, [1, 2], stations=[0], shafts=1)
+    assert [d.speed for d in design.devices] in ([2], [-2])
+    assert sb.design_balance(odd, [1], stations=[0]).devices == ()
+    assert [d.speed for d in sb.design_balance(odd, [1, 2], shafts=1).devices] == [1, -1]
+
+
 def test_no_weight_is_larger_than_it_may_be():
     layout = sb.inline("1-3-2", crank_train=SIZED)
     free = sb.design_balance(layout, [1])
@@ -468,8 +480,30 @@ def test_no_weight_is_larger_than_it_may_be():
     assert not tight.is_complete
     wide = sb.design_balance(layout, [1], most="7", stations=[1, "1/2", "-1/2", -1])
     assert max(wide.unbalance(d, w) for d in wide.devices for _, w in d.weights) <= 7
-    # shared out over four planes they do it nearly: what is left is the fineness of the fractions
-    assert rotating_model.largest(rotating_model.orders(wide.balanced, [1]).values()) < 1e-6
+    assert wide.is_complete  # shared out over four planes
+    assert rotating_model.largest(rotating_model.orders(wide.balanced, [1]).values()) < 1e-25
+
+
+def test_bounded_weights_that_must_lean_are_exact_too():
+    """A force off the middle, so that the weights of least squares pass the bound and others do not."""
+    places = [Fraction(z) for z in (2, 1, 0, -1)]
+    force, couple = Phasor.of(1, {0: 10}), Phasor.of(1, {0: Fraction("10.6")})
+    found = bounded(force, couple, places, Fraction("3.5"), Fraction(1))
+    assert max(size_of(w) for _, w in found) <= 3.5
+    assert added(force, -summed([w for _, w in found])).is_zero()
+    assert added(couple, -summed([w.scaled(z) for z, w in found])).is_zero()
+    even = in_planes(force, couple, places, spread="even", length=Fraction(1))
+    assert max(size_of(w) for _, w in even) > 3.5
+
+
+def test_bounded_weights_take_the_fewest_planes():
+    four = sb.inline("1-3-4-2", crank_train=SIZED)
+    for most, count in (("3.4", 1), ("1.7", 2), ("1.2", 4), ("0.9", 4)):
+        design = sb.design_balance(four, [2], stations=["3/2", "1/2", 0, "-1/2", "-3/2"], most=most)
+        shafts = [[design.unbalance(d, w) for _, w in d.weights] for d in design.shafts]
+        assert design.is_complete
+        assert all(max(sizes) <= float(most) for sizes in shafts)
+        assert {len(sizes) for sizes in shafts} == {count}
 
 
 # The roll moment -------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
@@ -11,14 +11,13 @@ from mpmath import mp
 
 from symbalance.balancers import BalanceShaft, Counterweight, Weight
 from symbalance.balancing.bounded import bounded
-from symbalance.balancing.choosing import Pair, chosen, parts_of
+from symbalance.balancing.choosing import Pair, chosen, parts_of, targets_of
 from symbalance.balancing.limits import Limits
-from symbalance.balancing.numbers import size_of, station_of
+from symbalance.balancing.numbers import size_of, station_of, summed
 from symbalance.balancing.planes import Placed, in_planes
 from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
-from symbalance.phasor import ZERO
 from symbalance.rational import real
 from symbalance.resultants import Balance
 from symbalance.rotors import added, rotating_shares, share_unit, unit_unbalance
@@ -48,10 +47,10 @@ def devices_for(before: Balance, orders: Sequence[int], limits: Limits) -> list[
     served = _served(before, parts, limits)
     found = []
     for speed in sorted(served, key=lambda n: (abs(n), n < 0)):
-        targets = _targets(parts, speed, -speed in served, limits.weighting.tilt)
+        targets = targets_of(parts, speed, -speed in served, limits.weighting.tilt)
         if not all(t.is_zero() for t in targets):
             found.append(_device(before, speed, targets, limits))
-    return found
+    return [device for device in found if device.parts]
 
 
 def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int]:
@@ -64,16 +63,25 @@ def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int
     crank, wanted = [n for n in able if n in free], [n for n in able if n not in free]
     if limits.shafts is None or len(wanted) <= limits.shafts:
         return able
-    return crank if limits.shafts == 0 else chosen(before, able, free, limits.shafts, limits.weighting)
+    if limits.shafts == 0:
+        return crank
+    return chosen(before, able, free, limits.shafts, limits.weighting, _misses(before, limits))
 
 
-def _targets(parts: dict[int, Pair], speed: int, other_served: bool, tilt: Fraction) -> Pair:
-    """Return the force and couple a device must have: to end its part, or the best beside the other."""
-    own, other = parts.get(speed, (ZERO, ZERO)), parts.get(-speed, (ZERO, ZERO))
-    if other_served or not tilt:
-        return -own[0], -own[1]
-    wanted = [part.conjugate().scaled(-tilt) for part in other]
-    return added(wanted[0], -own[0]), added(wanted[1], -own[1])
+def _misses(before: Balance, limits: Limits) -> Callable[[int, Pair], Pair] | None:
+    """Return what tells how far weights stay from a force and a couple, None where they have any."""
+    places = limits.stations and set(limits.stations)
+    if limits.most is None and (not places or len(places) > 1):
+        return None
+
+    def missed(speed: int, targets: Pair) -> Pair:
+        plane = before.layout.mean_station
+        placed = _weights(before.layout, speed, targets, limits)
+        force = summed([w for _, w in placed])
+        couple = summed([w.scaled(station - plane) for station, w in placed])
+        return added(targets[0], -force), added(targets[1], -couple)
+
+    return missed
 
 
 def _device(before: Balance, speed: int, targets: Pair, limits: Limits) -> Device:
@@ -84,8 +92,10 @@ def _device(before: Balance, speed: int, targets: Pair, limits: Limits) -> Devic
     weights = _weights(before.layout, speed, targets, limits)
     on_crank = speed == 1 and limits.counterweights
     shares = [(station, _share(before.layout, speed, vector)) for station, vector in weights]
-    if on_crank:
-        parts: Any = tuple(Counterweight(0, station, share=vector) for station, vector in shares)
+    if not shares:  # from the stations there are, nothing is better than something
+        parts: Any = ()
+    elif on_crank:
+        parts = tuple(Counterweight(0, station, share=vector) for station, vector in shares)
     else:
         parts = (BalanceShaft(speed, [Weight(station, share=vector) for station, vector in shares]),)
     return Device(speed, on_crank, force, couple, tuple(shares), parts)
@@ -100,7 +110,7 @@ def _weights(layout: Layout, speed: int, targets: Pair, limits: Limits) -> list[
         bound = _bound(layout, speed, limits.most)
         if any(size_of(vector) > real(bound) for _, vector in placed):
             placed = bounded(*targets, sorted(set(arms), reverse=True), bound, length)
-    return [(arm + plane, vector) for arm, vector in placed]
+    return [(arm + plane, vector) for arm, vector in placed if not vector.is_zero()]
 
 
 def _arms(layout: Layout, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
