@@ -174,6 +174,21 @@ def test_the_rods_own_inertia_comes_back(tmp_path):
     assert sb.load(path).crank_train == train
 
 
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--write", "a.toml", "-o", "a.toml"), "file a.toml: is named for two files"),
+        (("--picture", "a.png", "-o", "a.png"), "file a.png: is named for two files"),
+        (("--per-throw", "--no-counterweights"), "per_throw without counterweights"),
+    ],
+)
+def test_what_contradicts_itself_is_refused(options, said, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run(["design", "inline-3", *options]) == 2
+    assert said in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
 def test_symbols_are_refused_by_a_file():
     with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file"):
         sb.engine_text(sb.vee(sympy.Symbol("alpha"), pins=[0]))
