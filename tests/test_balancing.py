@@ -496,6 +496,18 @@ def test_bounded_weights_that_must_lean_are_exact_too():
     assert max(size_of(w) for _, w in even) > 3.5
 
 
+def test_bounded_weights_of_both_parts_help_each_other():
+    """Forward 1 and backward 1/2, weights up to 0.6: upright the backward one makes up for 0.1 of 0.4."""
+    twin = sb.vee(60, pins=[0], crank_train=SIZED)
+    for lateral, upright in ((0, 0.3), (1, 0.4)):
+        design = sb.design_balance(twin, [1], lateral=lateral, most="12.9", stations=[0])
+        cos, sin = rotating_model.orders(design.balanced, [1])[1, "force"]
+        assert float(mp.hypot(cos.real, sin.real)) == pytest.approx(upright, abs=1e-8)
+        for device, part in zip(design.devices, (1, -1), strict=True):
+            before, after = (b.force.terms.get(part, ZERO) for b in (design.before, design.remains))
+            assert added(added(before, device.force), -after).is_zero()
+
+
 def test_bounded_weights_take_the_fewest_planes():
     four = sb.inline("1-3-4-2", crank_train=SIZED)
     for most, count in (("3.4", 1), ("1.7", 2), ("1.2", 3), ("0.9", 4)):

@@ -100,28 +100,75 @@ def _near(
     force: Number, couple: Number, arms: Sequence[Fraction], most: Fraction, length: Fraction
 ) -> list[Placed]:
     """Return vectors no larger than `most`, in fractions, that miss force and couple least."""
-    scale = float(most)
-    targets = complex(decimal(force)) / scale, complex(decimal(couple)) / scale / float(length)
-    rows = [float(z / length) for z in arms]
-    found = _descended(targets, rows)
-    placed = [(arm, _fraction(w).scaled(most)) for arm, w in zip(arms, found, strict=True)]
-    return [(arm, w) for arm, w in placed if not w.is_zero()]
+    return jointly([(force, couple)], arms, most, length, Fraction(0))[0]
 
 
-def _descended(targets: tuple[complex, complex], arms: Sequence[float]) -> list[complex]:
-    """Return the weights, the largest allowed being 1, by the accelerated projected gradient."""
-    steepest = len(arms) + sum(z * z for z in arms)  # no smaller than the largest curvature
-    now = ahead = [0j] * len(arms)
+def jointly(
+    targets: Sequence[tuple[Number, Number]],
+    arms: Sequence[Fraction],
+    most: Fraction,
+    length: Fraction,
+    tilt: Fraction,
+) -> list[list[Placed]]:
+    """Return vectors no larger than `most`, in fractions, for one part of an order or for both together.
+
+    With a and b what is left of both parts, |a|^2 + |b|^2 + 2 tilt Re(a b) of force and couple is least.
+
+    >>> from symbalance.phasor import ONE, ZERO
+    >>> pair = [(-ONE.scaled(3), ZERO), (-ONE, ZERO)]  # lateral free: b makes up for what a cannot
+    >>> [w[0][1].rational() for w in jointly(pair, [Fraction(0)], Fraction(2), Fraction(1), Fraction(1))]
+    [Fraction(-2, 1), Fraction(-2, 1)]
+    """
+    scale, rows = float(most), [float(z / length) for z in arms]
+    wanted = [
+        (complex(decimal(f)) / scale, complex(decimal(c)) / scale / float(length)) for f, c in targets
+    ]
+    placed = [
+        [(arm, _fraction(w).scaled(most)) for arm, w in zip(arms, side, strict=True)]
+        for side in _descended(wanted, rows, float(tilt))
+    ]
+    return [[(arm, w) for arm, w in side if not w.is_zero()] for side in placed]
+
+
+def _descended(
+    targets: Sequence[Missing], arms: Sequence[float], tilt: float = 0.0
+) -> list[list[complex]]:
+    """Return the weights, the largest allowed being 1, by the accelerated projected gradient.
+
+    With two targets, of both parts of an order, what both miss counts with 2 tilt Re of their product.
+    """
+    steepest = (len(arms) + sum(z * z for z in arms)) * (1 + abs(tilt))  # no less than the curvature
+    now = ahead = [[0j] * len(arms) for _ in targets]
     momentum = 1.0
     for _ in range(ROUNDS):
-        force = targets[0] - sum(ahead)
-        couple = targets[1] - sum(z * w for z, w in zip(arms, ahead, strict=True))
-        moved = [_within(w + (force + z * couple) / steepest) for z, w in zip(arms, ahead, strict=True)]
+        missed = [_missed(target, arms, side) for target, side in zip(targets, ahead, strict=True)]
+        if len(missed) == 2 and tilt:
+            missed = [_tilted(one, other, tilt) for one, other in (missed, missed[::-1])]
+        moved = [
+            [_within(w + (force + z * couple) / steepest) for z, w in zip(arms, side, strict=True)]
+            for (force, couple), side in zip(missed, ahead, strict=True)
+        ]
         following = (1 + (1 + 4 * momentum * momentum) ** 0.5) / 2
         push = (momentum - 1) / following
-        ahead = [b + push * (b - a) for a, b in zip(now, moved, strict=True)]
+        ahead = [
+            [b + push * (b - a) for a, b in zip(old, new, strict=True)]
+            for old, new in zip(now, moved, strict=True)
+        ]
         now, momentum = moved, following
     return now
+
+
+Missing = tuple[complex, complex]
+"""A force and a couple, the couple over the length."""
+
+
+def _missed(target: Missing, arms: Sequence[float], weights: Sequence[complex]) -> Missing:
+    couple = sum(z * w for z, w in zip(arms, weights, strict=True))
+    return target[0] - sum(weights), target[1] - couple
+
+
+def _tilted(one: Missing, other: Missing, tilt: float) -> Missing:
+    return one[0] + tilt * other[0].conjugate(), one[1] + tilt * other[1].conjugate()
 
 
 def _within(weight: complex) -> complex:

@@ -28,8 +28,8 @@ from symbalance.unlike import decimal
 
 Pair = tuple[Number, Number]
 """The force and the couple of one signed order."""
-Missed = Callable[[int, Pair], Pair]
-"""What is missed, by speed, of a force and couple that weights should have."""
+Left = Callable[[dict[int, Pair], Sequence[int]], dict[int, Pair]]
+"""What the parts served of one order's leave, by speed, where weights cannot have what they should."""
 
 
 def parts_of(found: Balance, orders: Sequence[int]) -> dict[int, Pair]:
@@ -60,17 +60,17 @@ def chosen(
     free: Sequence[int],
     shafts: int,
     weighting: Weighting,
-    missed: Missed | None = None,
+    left: Left | None = None,
 ) -> list[int]:
     """Return the signed orders to serve, at most `shafts` beside those in `free`, that leave the least.
 
-    `able` are those that may be served, `free` those that are served anyway (+1, by the crank); `missed`
-    tells how far the weights there may be stay from what they should have (default: not at all).
+    `able` are those that may be served, `free` those that are served anyway (+1, by the crank); `left`
+    tells what the weights there may be leave, where that is not as little as wished for.
     """
     orders = sorted({abs(n) for n in able})
     best: dict[int, tuple[Real, list[int]]] = {0: (mp.mpf(0), [])}
     for n in orders:
-        options = _options(found, n, [s for s in (n, -n) if s in able], free, weighting, missed)
+        options = _options(found, n, [s for s in (n, -n) if s in able], free, weighting, left)
         reached: dict[int, tuple[Real, list[int]]] = {}
         for used, (cost, served) in best.items():
             for more, extra, which in options:
@@ -88,13 +88,13 @@ def _options(
     able: Sequence[int],
     free: Sequence[int],
     weighting: Weighting,
-    missed: Missed | None,
+    left: Left | None,
 ) -> list[tuple[int, Real, list[int]]]:
     """Return (shafts taken, what is left, signed orders served) for each way to treat an order."""
     always = [s for s in able if s in free]
     rest = [s for s in able if s not in free]
     ways = [always, *([*always, s] for s in rest), *([always + rest] if len(rest) > 1 else [])]
-    return [(len(way) - len(always), left_at(found, n, way, weighting, missed), way) for way in ways]
+    return [(len(way) - len(always), left_at(found, n, way, weighting, left), way) for way in ways]
 
 
 def left_at(
@@ -102,30 +102,19 @@ def left_at(
     n: int,
     served: Sequence[int],
     weighting: Weighting,
-    missed: Missed | None = None,
+    left: Left | None = None,
 ) -> Real:
     """Return what an order leaves with those of its parts served as well as can be, (m r omega^2)^2."""
     pairs = parts_of(found, [n])
     total = mp.mpf(0)
-    if missed is not None:
-        pairs = pairs | {s: _served(pairs, s, -s in served, weighting, missed) for s in served}
-        served = []
+    if left is not None and served:
+        pairs, served = pairs | left(pairs, served), []
     with mp.workdps(DIGITS):
         unit = share_unit(found.layout, n) if found.is_uniform else mp.mpf(1)
         for which, over in ((0, mp.mpf(1)), (1, real(weighting.length))):
             ahead, against = (decimal(pairs[s][which]) if s in pairs else mp.mpc(0) for s in (n, -n))
             total += _mean_square(ahead, against, n in served, -n in served, weighting) / over**2
         return total * unit**2
-
-
-def _served(
-    pairs: dict[int, Pair], speed: int, other_served: bool, weighting: Weighting, missed: Missed
-) -> Pair:
-    """Return what is left of a part that is served as well as the weights there may be can."""
-    wanted = targets_of(pairs, speed, other_served, weighting.tilt)
-    own, rest = pairs.get(speed, (ZERO, ZERO)), missed(speed, wanted)
-    had = [added(target, -more) for target, more in zip(wanted, rest, strict=True)]
-    return added(own[0], had[0]), added(own[1], had[1])
 
 
 def _mean_square(a: Real, b: Real, ahead: bool, against: bool, weighting: Weighting) -> Real:
