@@ -62,6 +62,11 @@ class Layout:
         if self.balancers.shafts and self.is_uniform:
             check_shares(self.balancers.shafts)
 
+    @property
+    def first(self) -> Cylinder:
+        """The cylinder of the lowest number, 1 as a rule: its sizes are the unit of unlike cylinders."""
+        return min(self.cylinders, key=lambda c: c.number)
+
     @cached_property
     def modulus(self) -> int:
         """The m for which every numeric angle is a whole number of m-ths of a turn."""

@@ -130,7 +130,7 @@ def rotating_shares(layout: Layout) -> list[Fraction]:
     if not any(masses):
         return masses
     strokes = [_stroke(layout, c) for c in layout.cylinders]
-    first = layout.train_of(layout.cylinders[0]).reciprocating_mass
+    first = layout.train_of(layout.first).reciprocating_mass
     if not first:
         rule = "counts beside counterweights, in units of the reciprocating mass"
         raise SymbalanceError("rotating_mass", rule, "give reciprocating_mass, kg, above 0")
@@ -156,8 +156,8 @@ def unit_unbalance(layout: Layout) -> Fraction | None:
     >>> unit_unbalance(load("vq30de"))
     Fraction(493309, 20000)
     """
-    mass = layout.train_of(layout.cylinders[0]).reciprocating_mass
-    stroke = _stroke(layout, layout.cylinders[0])
+    mass = layout.train_of(layout.first).reciprocating_mass
+    stroke = _stroke(layout, layout.first)
     return mass * stroke / 2 if mass and stroke else None
 
 

@@ -65,17 +65,17 @@ def _ratio(train: CrankTrain, cylinder: Cylinder) -> Fraction:
 
 
 def sizes(layout: Layout) -> list[Fraction]:
-    """Return every cylinder's m r over that of the first; 1 where no masses or strokes are given."""
+    """Return every cylinder's m r over that of cylinder 1; 1 where no masses or strokes are given."""
     trains = [layout.train_of(c) for c in layout.cylinders]
     masters = {c.number: layout.train_of(c) for c in layout.cylinders}
     strokes = [
         (masters[c.link.master] if c.link else t).stroke
         for c, t in zip(layout.cylinders, trains, strict=True)
     ]
-    masses = [t.reciprocating_mass for t in trains]
+    masses, one = [t.reciprocating_mass for t in trains], layout.cylinders.index(layout.first)
     found = [Fraction(1)] * len(trains)
     for name, values in (("reciprocating_mass", masses), ("stroke", strokes)):
-        first = values[0]
+        first = values[one]
         if any(v != first for v in values):
             if not first or any(v is None for v in values):
                 rule = "is given for some cylinders and not for others"

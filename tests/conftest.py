@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -9,6 +10,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+"""Small matrices: several threads, in several test processes, only wait for one another."""
 
 GOLDEN = Path(__file__).parent / "golden"
 _FAULT = re.compile(r"^!.*|^Overfull \\hbox \(([\d.]+)pt.*|^LaTeX Warning: Reference.*", re.MULTILINE)

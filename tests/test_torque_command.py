@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import symbalance as sb
 from symbalance.cli import run
 
 ENGINE = """
@@ -73,6 +74,12 @@ def test_a_pressure_trace_from_a_file(engine, capsys, tmp_path):
         (("--pressure", "none.csv", "--bore", "86", "--rpm", "9"), "cannot be read"),
         (("--compression", "0.5", "--bore", "86", "--rpm", "9"), "compression_ratio"),
         (("--delta", "0"), "must lie between 0 and 1"),
+        (("--delta", "0.01"), "is for a running engine"),
+        (("--heat", "5"), "is for a running engine"),
+        (("--pressure", "none.csv", "--heat", "5", "--bore", "86", "--rpm", "9"), "ideal cycle's"),
+        (("--compression", "10", "--bore", "86", "--rpm", "1e400"), "rpm = 1e400: must lie within"),
+        (("--compression", "10", "--bore", "86", "--rpm", "1e-200"), "rpm = 1e-200: must lie within"),
+        (("--compression", "10", "--bore", "1e300", "--rpm", "9"), "bore = 1e300: must lie within"),
         (("--order", "0"), "from 1 to 1000"),
     ],
 )
@@ -82,3 +89,15 @@ def test_refusals(engine, arguments, words, capsys):
     assert out == ""
     assert words in err
     assert err.count("\n") == 1
+
+
+def test_a_preset_runs_with_stroke_and_mass_said(capsys):
+    """A radial's catalogue entry has no mass: it is said, and does what an engine file's would do."""
+    options = ("--compression", "6.4", "--bore", "155.6", "--rpm", "2300", "--format", "json")
+    said = json.loads(printed(capsys, "r-1820", *options, "--mass", "4"))["running"]
+    layout, gas = sb.load("r-1820"), sb.ideal_cycle("6.4", heat=18)
+    made = sb.crank_torque(layout, gas, bore="155.6", rpm=2300, reciprocating_mass=4)
+    assert said["rpm"] == 2300
+    assert said["highest"] == pytest.approx(made.fluctuation.largest, rel=1e-12)
+    assert run(["torque", "inline-4", *options[:6], "--mass", "1"]) == 2
+    assert "give --stroke" in capsys.readouterr().err

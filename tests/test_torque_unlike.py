@@ -22,6 +22,7 @@ from test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.mechanisms import LinkRod, RodSplit, SliderCrank
+from symbalance.tables.torque_latex import torque_latex
 from symbalance.torque import (
     beside_moment,
     crank_torque,
@@ -32,6 +33,7 @@ from symbalance.torque import (
     rod_couple,
     rod_torque,
     roll_moment,
+    torque_report,
 )
 from symbalance.torque.pistons import Piston
 from symbalance.torque.rod import (
@@ -382,3 +384,30 @@ def test_half_a_rod_is_refused(old: str, new: str, words: str, tmp_path, capsys)
     assert words in err
     assert err.startswith(f"symbalance: {path}:")
     assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", ["mixed four", "offset twin"])
+def test_the_unit_is_cylinder_one_wherever_it_is_listed(name: str) -> None:
+    """Forces, torque, rods, gas and functions are in cylinder 1's sizes, listed last as well."""
+    layout = fired({"mixed four": mixed_four, "offset twin": offset_twin}[name]())
+    turned_round = sb.Layout(reversed(layout.cylinders), crank_train=layout.crank_train, name=name)
+    for of in (inertia_torque, roll_moment):
+        found, expected = of(turned_round, 4), of(layout, 4)
+        assert [o.order for o in found.orders] == [o.order for o in expected.orders]
+        for (_, *ours), (_, *theirs) in zip(found.terms(), expected.terms(), strict=True):
+            assert [float(x) for x in ours] == pytest.approx([float(x) for x in theirs], rel=1e-12)
+    both = (layout, turned_round)
+    pushes = [sb.to_function(sb.balance(e, 4), outputs="force.vertical")(0.7) for e in both]
+    assert pushes[1] == pytest.approx(pushes[0], rel=1e-12)
+    runs = [crank_torque(e, CYCLE, bore=80, rpm=3000) for e in both]
+    assert (runs[1].radius, runs[1].mass) == (runs[0].radius, runs[0].mass)
+    assert runs[1].at(0.7) == pytest.approx(runs[0].at(0.7), rel=1e-12)
+
+
+def test_latex_names_the_link_pins_angle_and_no_ratio_of_all() -> None:
+    """The heading of a radial's torque: psi as a letter, and no lambda where every kind has its own."""
+    latex = torque_latex(torque_report(hung_radial(), 2))
+    assert r"\(\psi\) = 72" in latex
+    assert "?" not in latex
+    assert r"here \(\lambda" not in latex
+    assert r"here \(\lambda = 4\)" in torque_latex(torque_report(sb.load("inline-6"), 3, ratio=4))

@@ -8,6 +8,9 @@ from typing import Any
 from symbalance.cli.output import whole_number, write
 from symbalance.errors import SymbalanceError
 
+FOR_RUNNING = ("is for a running engine", "add --pressure FILE or --compression ε")
+HEAT, DELTA = "18", 0.02
+
 
 def run(options: argparse.Namespace) -> int:
     """Load the engine, sum its inertia torque, and with a pressure run it."""
@@ -20,7 +23,9 @@ def run(options: argparse.Namespace) -> int:
 
     report = torque_report(load(options.engine), order, ratio=options.ratio)
     running = running_engine(options, report.layout)
-    delta = _number(options.delta, "delta")
+    delta = DELTA if options.delta is None else _number(options.delta, "delta")
+    if options.delta is not None and running is None:
+        raise SymbalanceError("--delta", *FOR_RUNNING)
     if options.format == "json":
         write(torque_json(report, running, delta, order) + "\n", options.output)
     elif options.format == "latex":
@@ -38,23 +43,45 @@ def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True)
     """
     from symbalance.torque import crank_torque, ideal_cycle, read_pressure
 
-    if options.pressure is None and options.compression is None:
-        for name in ("bore", "rpm"):
-            if getattr(options, name) is not None:
-                remedy = "add --pressure FILE or --compression ε"
-                raise SymbalanceError(f"--{name}", "is for a running engine", remedy)
+    if not _is_running(options, whole):
         return None
-    for name, what in (("bore", "the cylinder's bore in mm"), ("rpm", "the crank's speed")):
-        if getattr(options, name) is None and (whole or name == "bore"):
-            raise SymbalanceError(f"--{name}", "is missing", f"a pressure needs {what}")
     if options.pressure is not None:
         gas = read_pressure(options.pressure, strokes=layout.strokes)
     else:
-        gas = ideal_cycle(options.compression, heat=options.heat, strokes=layout.strokes)
-    first = layout.train_of(layout.cylinders[0])
-    sizes = {"stroke": 1, "reciprocating_mass": 0}
-    unknown = {} if whole else {k: v for k, v in sizes.items() if getattr(first, k) is None}
-    return crank_torque(layout, gas, bore=options.bore, rpm=options.rpm or "1", **unknown)
+        heat = HEAT if options.heat is None else options.heat
+        gas = ideal_cycle(options.compression, heat=heat, strokes=layout.strokes)
+    sizes = _sizes(options, layout.train_of(layout.first), whole)
+    return crank_torque(layout, gas, bore=options.bore, rpm=options.rpm or "1", **sizes)
+
+
+def _is_running(options: argparse.Namespace, whole: bool) -> bool:
+    """Tell whether a pressure is given, or refuse what makes no sense with it or without."""
+    if options.pressure is None and options.compression is None:
+        for name in ("bore", "rpm", "heat", "stroke", "mass"):
+            if getattr(options, name) is not None:
+                raise SymbalanceError(f"--{name}", *FOR_RUNNING)
+        return False
+    if options.pressure is not None and options.heat is not None:
+        raise SymbalanceError("--heat", "is the ideal cycle's", "leave it out, or give --compression")
+    for name, what in (("bore", "the cylinder's bore in mm"), ("rpm", "the crank's speed")):
+        if getattr(options, name) is None and (whole or name == "bore"):
+            raise SymbalanceError(f"--{name}", "is missing", f"a pressure needs {what}")
+    return True
+
+
+def _sizes(options: argparse.Namespace, first: Any, whole: bool) -> dict[str, object]:
+    """Return stroke and mass as far as they are said, or needed and known to do no harm."""
+    found: dict[str, object] = {}
+    for option, name, harmless in (("stroke", "stroke", 1), ("mass", "reciprocating_mass", 0)):
+        said, known = getattr(options, option), getattr(first, name)
+        if said is not None:
+            found[name] = said
+        elif known is None and not whole:
+            found[name] = harmless
+        elif known is None:
+            remedy = f"give --{option}, or {name} in an engine file"
+            raise SymbalanceError(name, "is needed, and the engine does not give it", remedy)
+    return found
 
 
 def _number(text: str, name: str) -> float:

@@ -28,6 +28,7 @@ def escaped(text: str) -> str:
     table = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
     table |= {c: f"\\{c}" for c in "&%$#_{}"}
     table |= {"°": r"\textdegree{}", "–": "--", "−": r"\(-\)", "λ": r"\(\lambda\)", "ₓ": r"\(_x\)"}
+    table |= {"ψ": r"\(\psi\)"}
     return "".join(table.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
 
 

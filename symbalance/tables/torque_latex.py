@@ -42,10 +42,11 @@ def torque_latex(
 def _heading(report: TorqueReport) -> str:
     layout, count = report.layout, len(report.layout.cylinders)
     noun = "cylinders" if count > 1 else "cylinder"
+    alike = report.inertia.kinematics is not None
     sizes = [r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius."]
-    if report.inertia.kinematics is None:
-        sizes = [escaped("; ".join(kind_lines(layout))).replace("ψ", r"\(\psi\)") + "."]
-    ratio = "" if layout.ratio is None else rf", here \(\lambda = {_ratio(report)}\)"
+    if not alike:
+        sizes = [escaped("; ".join(kind_lines(layout))) + "."]
+    ratio = "" if layout.ratio is None or not alike else rf", here \(\lambda = {_ratio(report)}\)"
     frame = "The frame gets the opposite."
     if not report.is_opposite:
         frame = "The frame gets the opposite; what it gets besides stands below."

@@ -186,7 +186,7 @@ def _order(balance: TorqueBalance, n: int) -> dict[str, Any]:
 def _running(torque: CrankTorque, delta: float, order: int) -> dict[str, Any]:
     swing = torque.fluctuation
     return {
-        "rpm": torque.omega * RPM,
+        "rpm": round(torque.omega * RPM, 9),
         "mean": torque.mean,
         "power": torque.power,
         "highest": swing.largest,

@@ -76,7 +76,7 @@ class GasTorque:
     @property
     def cylinder(self) -> TangentialPressure:
         """The tangential pressure of the first cylinder."""
-        return self.kinds[0].tangential
+        return _of_first(self.layout, self.kinds)
 
     @property
     def mean(self) -> float:
@@ -158,7 +158,11 @@ def tangential_pressure(
     ambient: object = AMBIENT,
 ) -> TangentialPressure:
     """Return the tangential pressure of a layout's first cylinder."""
-    return gas_kinds(layout, trace, ratio=ratio, ambient=ambient)[0].tangential
+    return _of_first(layout, gas_kinds(layout, trace, ratio=ratio, ambient=ambient))
+
+
+def _of_first(layout: Layout, kinds: tuple[GasKind, ...]) -> TangentialPressure:
+    return next(kind.tangential for kind in kinds if layout.first.number in kind.tops)
 
 
 def _tangential(

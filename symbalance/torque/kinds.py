@@ -70,7 +70,7 @@ def stroke_of(layout: Layout, cylinder: Cylinder) -> Fraction | None:
 
 
 def _radius(layout: Layout, cylinder: Cylinder) -> Fraction:
-    own, first = stroke_of(layout, cylinder), stroke_of(layout, layout.cylinders[0])
+    own, first = stroke_of(layout, cylinder), stroke_of(layout, layout.first)
     return Fraction(1) if own is None or first is None else own / first
 
 

@@ -10,6 +10,7 @@ from typing import Any
 from symbalance.errors import SymbalanceError, shown
 from symbalance.rational import exact
 
+SMALLEST, LARGEST = Fraction(1, 10**12), Fraction(10**12)
 _NUMBER = re.compile(r"\s*[+-]?(?:\d{1,30}(?:\.\d{0,30})?|\.\d{1,30})(?:[eE][+-]?\d{1,3})?\s*", re.ASCII)
 
 
@@ -40,8 +41,11 @@ def reading(value: Any, name: str) -> float:
 
 
 def positive(value: object, name: str) -> float:
-    """Return a number above 0 as a float, or refuse."""
+    """Return a number above 0 as a float, or refuse: also one whose square leaves the doubles."""
     number = measured(value, name)
     if number <= 0:
         raise SymbalanceError(f"{name} = {shown(value)}", "must be positive", "check the value")
+    if not SMALLEST <= number <= LARGEST:
+        rule = f"must lie within {float(SMALLEST):g} and {float(LARGEST):g}"
+        raise SymbalanceError(f"{name} = {shown(value)}", rule, "check the value, and its unit")
     return float(number)

@@ -92,9 +92,14 @@ class CrankTorque:
     omega: float
 
     @property
+    def first(self) -> RunningCylinder:
+        """Cylinder 1."""
+        return self.cylinders[self.layout.cylinders.index(self.layout.first)]
+
+    @property
     def cylinder(self) -> TangentialPressure:
         """The tangential pressure of the first cylinder."""
-        return self.cylinders[0].tangential
+        return self.first.tangential
 
     @property
     def ratio(self) -> Fraction:
@@ -104,12 +109,12 @@ class CrankTorque:
     @property
     def radius(self) -> float:
         """The first cylinder's crank radius, in m."""
-        return self.cylinders[0].radius
+        return self.first.radius
 
     @property
     def mass(self) -> float:
         """The first cylinder's reciprocating mass, in kg."""
-        return self.cylinders[0].mass
+        return self.first.mass
 
     @property
     def tops(self) -> tuple[float, ...]:

@@ -122,7 +122,7 @@ def _absent(share: Share, n: int) -> Share:
 
 
 def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
-    first = layout.train_of(layout.cylinders[0]).stroke
+    first = layout.train_of(layout.first).stroke
     for cylinder, share in zip(layout.cylinders, own, strict=True):
         stroke = layout.train_of(cylinder).stroke
         radius = stroke / first if stroke and first else Fraction(1)
