@@ -508,6 +508,20 @@ def test_bounded_weights_of_both_parts_help_each_other():
             assert added(added(before, device.force), -after).is_zero()
 
 
+def test_a_design_prints_like_a_balance():
+    design = sb.design_balance(sb.vee(ALPHA, pins=[0], ratio=4), [1])
+    assert "proved 0" in sb.to_text(design)
+    assert json.loads(sb.to_json(design))["complete"] is True
+    assert "Certificate" in sb.to_latex(design)
+    assert "documentclass" in sb.to_latex(design, standalone=True)
+
+
+@pytest.mark.parametrize("order", [0, 3, -1, "a", None])
+def test_an_ellipse_that_was_not_asked_for_is_not_nothing(order):
+    with pytest.raises(sb.SymbalanceError, match="order"):
+        sb.ellipse(sb.balance(sb.inline("1"), 2), order)
+
+
 def test_bounded_weights_take_the_fewest_planes():
     four = sb.inline("1-3-4-2", crank_train=SIZED)
     for most, count in (("3.4", 1), ("1.7", 2), ("1.2", 3), ("0.9", 4)):

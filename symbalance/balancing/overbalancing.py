@@ -46,6 +46,9 @@ def overbalanced(layout: Layout, share: object = Fraction(1, 2)) -> Layout:
     ()
     """
     part = exact(share, "overbalance")
+    if not isinstance(layout, Layout):
+        remedy = 'load one with load("v12-60"), or build one'
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", remedy)
     return layout.balanced_by(
         *(Counterweight(throw=c.number, overbalance=part) for c in layout.cylinders)
     )
