@@ -18,6 +18,7 @@ import symbalance as sb
 from symbalance.angles import Angle
 from symbalance.balancing.bounded import bounded
 from symbalance.balancing.numbers import size_of, summed
+from symbalance.balancing.overbalancing import amplitudes, first_order
 from symbalance.balancing.planes import in_planes
 from symbalance.catalogue import preset_names
 from symbalance.phasor import ZERO, Phasor
@@ -640,3 +641,20 @@ def test_textbook_single_three_and_vees():
     assert [d.on_crank for d in six_60.devices] == [True]
     eight = sb.design_balance(sb.load("v8-90"), [1, 2])
     assert [d.on_crank for d in eight.devices] == [True]
+
+
+def test_the_least_largest_of_an_engine_askew_is_found_at_once():
+    """Throws of whole degrees lie in a field of degree 96: no equation there is left to SymPy."""
+    rows = [sb.Cylinder(1, 137, -45, 1), sb.Cylinder(2, 25, 30, "-1/2"), sb.Cylinder(3, 211, -20, 0)]
+    layout = sb.Layout(rows, ratio=4)
+    parts = first_order(layout)
+    for vertical, lateral in ((3, 1), (1, 1), (1, 3), (1, 0), (0, 1)):
+        aim = {"vertical": vertical, "lateral": lateral, "aim": "largest"}
+        best = Fraction(float(sb.best_overbalance(layout, **aim)))
+
+        def left(k, v=vertical, side=lateral):
+            up, across = amplitudes(parts, k)
+            return max(v * up, side * across)
+
+        least = min(left(best + Fraction(step, 50)) for step in range(-100, 101) if step)
+        assert left(best) <= least + 1e-12
