@@ -656,5 +656,5 @@ def test_the_least_largest_of_an_engine_askew_is_found_at_once():
             up, across = amplitudes(parts, k)
             return max(v * up, side * across)
 
-        least = min(left(best + Fraction(step, 50)) for step in range(-100, 101) if step)
+        least = min(left(best + Fraction(step, 50)) for step in (-50, -5, -1, 1, 5, 50))
         assert left(best) <= least + 1e-12
