@@ -40,8 +40,7 @@ def mechanism_of(layout: Layout, cylinder: Cylinder) -> Mechanism:
     """
     train = layout.train_of(cylinder)
     if cylinder.link is None:
-        offset = train.offset_ratio
-        return SliderCrank(_ratio(train, cylinder), offset)
+        return SliderCrank(_ratio(train, cylinder), train.offset_ratio)
     master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
     over = layout.train_of(master)
     if over.stroke is None or cylinder.own.rod is None:
@@ -51,7 +50,7 @@ def mechanism_of(layout: Layout, cylinder: Cylinder) -> Mechanism:
         )
     radius = over.stroke / 2
     between = cylinder.bank.turns - master.bank.turns
-    offset = (cylinder.own.offset or Fraction(0)) / radius
+    offset = (train.offset or Fraction(0)) / radius
     first = SliderCrank(_ratio(over, master), over.offset_ratio)
     link = cylinder.link
     return LinkRod(first, link.angle, link.radius / radius, cylinder.own.rod / radius, between, offset)
@@ -67,15 +66,12 @@ def _ratio(train: CrankTrain, cylinder: Cylinder) -> Fraction:
 def sizes(layout: Layout) -> list[Fraction]:
     """Return every cylinder's m r over that of the first; 1 where no masses or strokes are given."""
     trains = [layout.train_of(c) for c in layout.cylinders]
-    masters = {c.number: layout.train_of(c) for c in layout.cylinders}
-    strokes = [
-        (masters[c.link.master] if c.link else t).stroke
-        for c, t in zip(layout.cylinders, trains, strict=True)
-    ]
+    strokes = [layout.stroke_of(c) for c in layout.cylinders]
+    one = layout.cylinders.index(layout.first)
     masses = [t.reciprocating_mass for t in trains]
     found = [Fraction(1)] * len(trains)
     for name, values in (("reciprocating_mass", masses), ("stroke", strokes)):
-        first = values[0]
+        first = values[one]
         if any(v != first for v in values):
             if not first or any(v is None for v in values):
                 rule = "is given for some cylinders and not for others"

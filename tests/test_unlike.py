@@ -253,3 +253,42 @@ def test_sizes_said_one_by_one_cost_nothing():
     own, plain = functions()
     assert np.array_equal(own(), plain())
     assert whole().force.terms == stripped().force.terms
+
+
+def listed_backwards() -> sb.Layout:
+    """Return a twin whose second cylinder, of another mass and stroke, is listed first."""
+    rows = [
+        sb.Cylinder(2, 150, 0, "-1/2", reciprocating_mass=Fraction(7, 10), stroke=80),
+        sb.Cylinder(1, 0, 0, "1/2"),
+    ]
+    train = CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1, 2))
+    return sb.Layout(rows, crank_train=train, name="listed backwards")
+
+
+def test_the_unit_is_cylinder_1_wherever_it_is_listed():
+    backwards = listed_backwards()
+    forwards = sb.Layout(backwards.cylinders[::-1], crank_train=backwards.crank_train)
+    mine, other = (sb.balance(engine, 4)[1].force.vertical for engine in (backwards, forwards))
+    assert mine.decimal(25) == other.decimal(25)
+    assert "of cylinder 1;" in sb.to_text(sb.balance(backwards, 2))
+    tolerances = sb.Tolerances(mass=0.01)
+    for one, two in zip(
+        sb.worst_cases(backwards, tolerances, 2), sb.worst_cases(forwards, tolerances, 2), strict=True
+    ):
+        assert one.attained == pytest.approx(two.attained, rel=1e-12)
+    torques = (sb.inertia_torque(engine, 3).terms(None, 20) for engine in (backwards, forwards))
+    for ours, theirs in zip(*torques, strict=True):
+        assert ours[0] == theirs[0]
+        assert mp.almosteq(mp.mpc(*ours[1:]), mp.mpc(*theirs[1:]), rel_eps=mp.mpf(10) ** -15)
+
+
+def test_an_engines_offset_is_a_link_rods_too():
+    """What [crank_train] gives holds for every cylinder that does not say otherwise."""
+    rows = [sb.Cylinder(1, 0, -30), sb.Cylinder(2, 0, 30, rod=134, link=Link(1, 60, 30))]
+    said = [
+        sb.Cylinder(c.number, 0, c.bank.in_degrees(), rod=c.own.rod, link=c.link, offset=6) for c in rows
+    ]
+    train = {"stroke": Fraction(90), "rod": Fraction(164)}
+    shared = sb.Layout(rows, crank_train=CrankTrain(**train, offset=Fraction(6)))
+    own = sb.Layout(said, crank_train=CrankTrain(**train))
+    assert sb.balance(shared, 4).force.terms == sb.balance(own, 4).force.terms

@@ -51,7 +51,7 @@ def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True)
         gas = read_pressure(options.pressure, strokes=layout.strokes)
     else:
         gas = ideal_cycle(options.compression, heat=options.heat, strokes=layout.strokes)
-    first = layout.train_of(layout.cylinders[0])
+    first = layout.train_of(layout.first)
     sizes = {"stroke": 1, "reciprocating_mass": 0}
     unknown = {} if whole else {k: v for k, v in sizes.items() if getattr(first, k) is None}
     return crank_torque(layout, gas, bore=options.bore, rpm=options.rpm or "1", **unknown)

@@ -98,7 +98,7 @@ def _first_ratio(result: _Rated, ratio: object) -> Fraction:
     if ratio is not None:
         rule = "cannot be set for cylinders that are not alike"
         raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
-    train = result.layout.train_of(result.layout.cylinders[0])
+    train = result.layout.train_of(result.layout.first)
     return train.ratio or Fraction(1)
 
 
@@ -140,7 +140,7 @@ class _Asked:
     def wave(self, **fields: Any) -> Wave:
         """Return a wave of this output."""
         meaning = MEANINGS.get(self.name) or MEANINGS[self.kind]
-        first = self.result.layout.cylinders[0].number
+        first = self.result.layout.first.number
         unit = UNITS.get(self.name) or UNITS[self.kind]
         return Wave(self.name, unit, meaning.format(self.part, first), **fields)
 
@@ -185,7 +185,7 @@ class _Asked:
             return self._unlike_terms(order)
         values = acceleration_values(order, self.ratio, DIGITS)
         if self.kind == "piston":
-            turns = self.result.layout.cylinders[0].delay.turns
+            turns = self.result.layout.first.delay.turns
             return tuple(_turned(n, a, turns) for n, a in values.items())
         spectrum = self._balanced(order)
         parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
@@ -231,7 +231,7 @@ class _Asked:
         cylinders = self.result.layout.cylinders
         if self.kind == "piston":
             kind = "secondary" if self.part == "acceleration" else self.part
-            turns = cylinders[0].delay.turns
+            turns = self.result.layout.first.delay.turns
             first = self.terms(1) if kind == "secondary" else ()
             return Closed(kind, self.ratio, ((mp.mpf(1), turns),), first)
         if self.part not in ("vertical", "lateral") or not self.result.is_uniform:

@@ -73,7 +73,7 @@ def kind_lines(layout: Layout) -> list[str]:
         said = [(c.text, c.cells[i]) for c in columns if c.cells[i]]
         parts = [f"{name} {cell}" if name == "rod on" else f"{name} = {cell}" for name, cell in said]
         lines.append(f"cylinders {numbers}: {', '.join(parts)}")
-    first = layout.cylinders[0].number
+    first = layout.first.number
     return [
         *lines,
         *kind_legend(layout),

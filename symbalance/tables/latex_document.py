@@ -107,7 +107,7 @@ def _heading(balance: Balance) -> str:
     noun = "cylinders" if count > 1 else "cylinder"
     sizes = [r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius,"]
     if not balance.is_uniform:
-        first = layout.cylinders[0].number
+        first = layout.first.number
         sizes = [
             rf"\(m\) and \(r\) are the reciprocating mass and the crank radius of cylinder {first};",
             *(rf"{_mathematical(line)};" for line in kind_legend(layout)),

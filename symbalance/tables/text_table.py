@@ -75,7 +75,7 @@ def _like(balance: Balance) -> list[str]:
 
 
 def _unlike(layout: Layout) -> list[str]:
-    first = layout.cylinders[0].number
+    first = layout.first.number
     return [
         f"m, r: reciprocating mass and crank radius of cylinder {first}; a: cylinder pitch",
         *kind_legend(layout),

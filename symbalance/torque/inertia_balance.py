@@ -163,7 +163,7 @@ def checked_layout(layout: object) -> Layout:
 
 def first_sizes(layout: Layout) -> CrankTrain:
     """Return the sizes of the first cylinder, which are all cylinders' where they are alike."""
-    return checked_layout(layout).train_of(layout.cylinders[0])
+    return checked_layout(layout).train_of(layout.first)
 
 
 def inertia_torque(

@@ -65,12 +65,11 @@ def torque_kinds(layout: Layout) -> list[Kind]:
 
 def stroke_of(layout: Layout, cylinder: Cylinder) -> Fraction | None:
     """Return twice the crank radius that moves a cylinder, in mm: a link rod's is its master's."""
-    number = cylinder.link.master if cylinder.link else cylinder.number
-    return layout.train_of(next(c for c in layout.cylinders if c.number == number)).stroke
+    return layout.stroke_of(cylinder)
 
 
 def _radius(layout: Layout, cylinder: Cylinder) -> Fraction:
-    own, first = stroke_of(layout, cylinder), stroke_of(layout, layout.cylinders[0])
+    own, first = stroke_of(layout, cylinder), stroke_of(layout, layout.first)
     return Fraction(1) if own is None or first is None else own / first
 
 

@@ -148,7 +148,7 @@ def torque_report(layout: Layout, order: int = 12, *, ratio: object = None) -> T
 
 def mass_scale(layout: Layout) -> Fraction | None:
     """Return m r^2 of cylinder 1 in kg mm^2, None where its mass or its stroke is not known."""
-    first = layout.cylinders[0]
+    first = layout.first
     mass, stroke = layout.train_of(first).reciprocating_mass, stroke_of(layout, first)
     return mass * stroke * stroke / 4 if mass and stroke else None
 

@@ -90,9 +90,13 @@ class CrankTorque:
     omega: float
 
     @property
+    def _first(self) -> RunningCylinder:
+        return self.cylinders[self.layout.cylinders.index(self.layout.first)]
+
+    @property
     def cylinder(self) -> TangentialPressure:
         """The tangential pressure of the first cylinder."""
-        return self.cylinders[0].tangential
+        return self._first.tangential
 
     @property
     def ratio(self) -> Fraction:
@@ -102,12 +106,12 @@ class CrankTorque:
     @property
     def radius(self) -> float:
         """The first cylinder's crank radius, in m."""
-        return self.cylinders[0].radius
+        return self._first.radius
 
     @property
     def mass(self) -> float:
         """The first cylinder's reciprocating mass, in kg."""
-        return self.cylinders[0].mass
+        return self._first.mass
 
     @property
     def tops(self) -> tuple[float, ...]:

@@ -160,7 +160,7 @@ def _mechanism(layout: Layout, cylinder: Cylinder, order: int) -> Mechanism:
 
 def _radius(layout: Layout, cylinder: Cylinder) -> Fraction:
     """Return r_j/r_1, 1 where strokes are not given."""
-    stroke, (_, first) = layout.train_of(cylinder).stroke, first_sizes(layout)
+    stroke, (_, first) = layout.stroke_of(cylinder), first_sizes(layout)
     return stroke / 2 / first if stroke and first else Fraction(1)
 
 

@@ -122,9 +122,9 @@ def _absent(share: Share, n: int) -> Share:
 
 
 def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
-    first = layout.train_of(layout.cylinders[0]).stroke
+    first = layout.stroke_of(layout.first)
     for cylinder, share in zip(layout.cylinders, own, strict=True):
-        stroke = layout.train_of(cylinder).stroke
+        stroke = layout.stroke_of(cylinder)
         radius = stroke / first if stroke and first else Fraction(1)
         pin = Phasor.root(cylinder.throw.turns)
         yield Sensitivity("rotating", share.number, 1, (pin, ZERO), mp.mpf(1) * float(radius), share.arm)
@@ -166,7 +166,7 @@ def _over_mass(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
 
 def _over_radius(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
     """Return m_j/m_1: the share's size with its radius taken for that of cylinder 1."""
-    stroke, (_, radius) = layout.train_of(cylinder).stroke, first_sizes(layout)
+    stroke, (_, radius) = layout.stroke_of(cylinder), first_sizes(layout)
     return size * 2 * radius / stroke if stroke and radius else size
 
 

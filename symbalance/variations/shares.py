@@ -95,5 +95,5 @@ def shares(layout: Layout, order: int, reference: object = None) -> dict[int, li
 
 def first_sizes(layout: Layout) -> tuple[Fraction | None, Fraction | None]:
     """Return the reciprocating mass in kg and the crank radius in mm of cylinder 1, None if not given."""
-    train = layout.train_of(layout.cylinders[0])
-    return train.reciprocating_mass, None if train.stroke is None else train.stroke / 2
+    mass, stroke = layout.train_of(layout.first).reciprocating_mass, layout.stroke_of(layout.first)
+    return mass, None if stroke is None else stroke / 2

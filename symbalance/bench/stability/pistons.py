@@ -67,7 +67,7 @@ def displaced(layout: Layout, points: Points, ratio: Fraction) -> dict[str, Call
     asked = Asked(layout, "piston.displacement", ratio, 1)
     truth, lam = asked.truth(points), float(ratio)
     ulp = np.spacing(truth.high)
-    own = points.theta + 2 * np.pi * float(layout.cylinders[0].delay.turns)
+    own = points.theta + 2 * np.pi * float(layout.first.delay.turns)
     naive = 1 - np.cos(own) + lam * (1 - np.sqrt(1 - (np.sin(own) / lam) ** 2))
     others = {"1 - cos ...": truth.off(naive) / ulp}
 

@@ -113,7 +113,7 @@ def weights(layout: Layout, name: str) -> list[tuple[Real, Fraction]]:
     """
     kind, _, part = name.partition(".")
     if kind == "piston":
-        return [(mp.mpf(1), layout.cylinders[0].delay.turns)]
+        return [(mp.mpf(1), layout.first.delay.turns)]
     onto = mp.cospi if part == "vertical" else mp.sinpi
     with mp.workdps(DIGITS):
         return [
@@ -221,7 +221,7 @@ def piston_at(points: Points, part: str, layout: Layout, ratio: Fraction) -> Tru
     """Return a piston's displacement or velocity; relative digits are kept near dead centres."""
     one: Callable[[Real, Real], Real] = {"displacement": _displacement, "velocity": _velocity}[part]
     with mp.workdps(DIGITS):
-        lead = 2 * mp.pi * _number(layout.cylinders[0].delay.turns)
+        lead = 2 * mp.pi * _number(layout.first.delay.turns)
         values = [one(mp.mpf(float(angle)) + lead, _number(ratio)) for angle in points.theta]
         high = np.array([float(v) for v in values])
         return Truth(high, np.array([float(v - h) for v, h in zip(values, high, strict=True)]))
