@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from mpmath import mp
-from placed import planar
+from placed import component, planar, planar_series
 
 import symbalance as sb
 from symbalance.cli import run
@@ -292,3 +292,6 @@ def test_an_engines_offset_is_a_link_rods_too():
     shared = sb.Layout(rows, crank_train=CrankTrain(**train, offset=Fraction(6)))
     own = sb.Layout(said, crank_train=CrankTrain(**train))
     assert sb.balance(shared, 4).force.terms == sb.balance(own, 4).force.terms
+    series, found = planar_series(shared, False), sb.balance(shared, 4).force
+    for n in (1, 2, 3, 4):
+        assert component(series, n, "lateral") == pytest.approx(found.component(n, "lateral").decimal(15))
