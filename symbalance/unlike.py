@@ -85,7 +85,7 @@ def kinds(layout: Layout) -> dict[Kind, list[int]]:
     if layout.has_symbols:
         rule, remedy = (
             "has angles with symbols, and cylinders that are not alike",
-            "give the angles in numbers",
+            "give the angles in numbers, or take symbolic_order",
         )
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
     found: dict[Kind, list[int]] = {}

@@ -211,6 +211,24 @@ def test_link_rods_have_the_sensitivities_that_are_theirs():
         assert total == pytest.approx(complex(whole.force.terms[n].value), abs=1e-12)
 
 
+def test_formulas_refuse_what_one_series_does_not_fit():
+    """Link rods have no series in r/l; unequal strokes or rods no A_n in common."""
+    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
+    for own in ({"stroke": 80}, {"rod": 150}, {"stroke": 80, "rod": 150}, {"offset": 3}):
+        layout = sb.Layout([sb.Cylinder(1), sb.Cylinder(2, 180, 0, -1, **own)], crank_train=train)
+        with pytest.raises(sb.SymbalanceError, match="not alike"):
+            sb.symbolic_order(layout, 2, masses="m")
+        assert not sb.symbolic_order(layout, 2, masses="m", rods="l").force.is_zero()
+    hung = sb.Layout(
+        [sb.Cylinder(1), sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)], crank_train=train
+    )
+    for lengths in ({}, {"rods": "l"}):
+        with pytest.raises(sb.SymbalanceError, match="cylinder 2 on a link rod"):
+            sb.symbolic_order(hung, 2, masses="m", **lengths)
+    heavy = sb.Layout([sb.Cylinder(1), sb.Cylinder(2, 180, reciprocating_mass=2)], crank_train=train)
+    assert str(sb.symbolic_order(heavy, 2, masses="m").force.vertical.cos) == "m_1 + m_2"
+
+
 STEPPED = {
     "throw": np.pi / 18000,
     "bank": np.pi / 18000,
