@@ -295,3 +295,42 @@ def test_an_engines_offset_is_a_link_rods_too():
     series, found = planar_series(shared, False), sb.balance(shared, 4).force
     for n in (1, 2, 3, 4):
         assert component(series, n, "lateral") == pytest.approx(found.component(n, "lateral").decimal(15))
+
+
+def test_a_rod_that_nearly_lies_across_is_one_among_others():
+    """Centred cylinders have their closed form, whatever lies beside them; here against quadrature."""
+    ratios = (Fraction(45_000_001, 45_000_000), Fraction(4))
+    rows = [sb.Cylinder(i, 30 * i, rod=45 * ratio) for i, ratio in enumerate(ratios, 1)]
+    result = sb.balance(sb.Layout(rows, crank_train=CrankTrain(stroke=Fraction(90))), 8)
+    with mp.workdps(30):
+        ends = [0, mp.mpf("1.5"), mp.mpf("1.57"), mp.mpf("1.5707"), mp.pi / 2]
+        for n in (2, 8):
+            total = mp.mpc(0)
+            for i, ratio in enumerate(ratios, 1):
+                lam = mp.mpf(ratio.numerator) / ratio.denominator
+                height = mp.quad(
+                    lambda p, a=lam, n=n: mp.sqrt(a * a - mp.sin(p) ** 2) * mp.cos(n * p), ends
+                )
+                total += 4 * n * n / mp.pi * height * mp.expjpi(mp.mpf(n * i) / 6)
+            cos, sin = result[n].force.vertical.decimal(25)
+            assert mp.almosteq(mp.mpc(cos, -sin), total, 1e-15), n
+
+
+@pytest.mark.parametrize(
+    ("own", "words"),
+    [
+        ("offset = 119", "offset = 119: must lie within -119 and 119 mm"),
+        ("reciprocating_mass = 0", "is 0 for cylinder 1"),
+    ],
+)
+def test_sizes_that_cannot_be_are_refused_in_the_files_units(own, words, tmp_path, capsys):
+    path = tmp_path / "twin.toml"
+    path.write_text(
+        f"[crank_train]\nstroke = 90\nrod = 164\nreciprocating_mass = 1\n"
+        f"[[cylinder]]\nnumber = 1\nthrow = 0\n{own}\n[[cylinder]]\nnumber = 2\nthrow = 180\n",
+        encoding="utf-8",
+    )
+    assert run(["balance", str(path)]) == 2
+    err = capsys.readouterr().err
+    assert words in err
+    assert err.count("\n") == 1

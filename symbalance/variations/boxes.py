@@ -23,9 +23,9 @@ from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank
 from symbalance.mechanisms.linkages import plain
-from symbalance.unlike import mechanism_of, sizes
+from symbalance.unlike import forces_of, mechanism_of, sizes
 from symbalance.variations.sectors import Sector
-from symbalance.variations.shares import arms, checked_layout, first_sizes, forces_of
+from symbalance.variations.shares import arms, checked_layout, first_sizes
 from symbalance.variations.tolerances import Relative
 
 FLAT = 1e-14

@@ -15,13 +15,11 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.decimal_phasor import DIGITS
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
-from symbalance.mechanisms import Mechanism, SliderCrank, force_harmonics
 from symbalance.rational import Real, exact
-from symbalance.slider_crank import acceleration_values, checked_order
-from symbalance.unlike import mechanism_of, sizes
+from symbalance.slider_crank import checked_order
+from symbalance.unlike import forces_of, mechanism_of, sizes
 
 
 @dataclass(frozen=True)
@@ -52,19 +50,6 @@ def arms(layout: Layout, reference: object = None) -> list[Fraction]:
     """Return the stations from the reference plane, in pitches."""
     plane = layout.mean_station if reference is None else exact(reference, "reference")
     return [c.station - plane for c in layout.cylinders]
-
-
-def forces_of(mechanism: Mechanism, order: int) -> dict[int, Real]:
-    """Return n -> f_n = A_n - i B_n, n = 1..order, to 40 digits; orders that symmetry removes are absent.
-
-    >>> [(n, mp.nstr(f.real, 6)) for n, f in forces_of(SliderCrank(4), 4).items()]
-    [(1, '1.0'), (2, '0.254025'), (4, '-0.00409811')]
-    """
-    if isinstance(mechanism, SliderCrank) and not mechanism.offset:
-        values = acceleration_values(order, mechanism.ratio, DIGITS)
-        return {n: mp.mpc(a) for n, a in values.items() if n <= order}
-    with mp.workdps(DIGITS):
-        return {n: mp.mpc(a, -b) for n, (a, b) in force_harmonics(mechanism, order, DIGITS).items()}
 
 
 def shares(layout: Layout, order: int, reference: object = None) -> dict[int, list[Share]]:
