@@ -29,6 +29,10 @@ _HOMES = {
     "w": "builders",
     "radial": "builders",
     "Link": "trains",
+    "Counterweight": "balancers",
+    "BalanceShaft": "balancers",
+    "Weight": "balancers",
+    "Balancers": "balancers",
     "load": "catalogue",
     "presets": "catalogue",
     "balance": "resultants",
@@ -52,9 +56,25 @@ _HOMES = {
     "natural_bank_angles": "stars",
     "pin_offsets": "stars",
     "crank_stars": "stars",
+    "engine_text": "engine_writing",
+    "Design": "balancing",
+    "Ellipse": "balancing",
+    "balanced_weights": "balancing",
+    "best_forward": "balancing",
+    "best_overbalance": "balancing",
+    "design_balance": "balancing",
+    "ellipse": "balancing",
+    "overbalanced": "balancing",
+    "rotating_unbalance": "balancing",
+    "rotating_weights": "balancing",
+    "throw_unbalance": "balancing",
+    "design_text": "tables.design_text",
+    "design_latex": "tables.design_latex",
+    "design_json": "tables.design_json",
     "inertia_torque": "torque",
     "torque_report": "torque",
     "roll_moment": "torque",
+    "shaft_moment": "torque",
     "crank_torque": "torque",
     "gas_torque": "torque",
     "firing_stars": "torque",
@@ -95,6 +115,21 @@ def __dir__() -> list[str]:
 if TYPE_CHECKING:
     from symbalance.angles import Angle as Angle
     from symbalance.angles import degrees as degrees
+    from symbalance.balancers import Balancers as Balancers
+    from symbalance.balancers import BalanceShaft as BalanceShaft
+    from symbalance.balancers import Counterweight as Counterweight
+    from symbalance.balancers import Weight as Weight
+    from symbalance.balancing import Design as Design
+    from symbalance.balancing import Ellipse as Ellipse
+    from symbalance.balancing import balanced_weights as balanced_weights
+    from symbalance.balancing import best_forward as best_forward
+    from symbalance.balancing import best_overbalance as best_overbalance
+    from symbalance.balancing import design_balance as design_balance
+    from symbalance.balancing import ellipse as ellipse
+    from symbalance.balancing import overbalanced as overbalanced
+    from symbalance.balancing import rotating_unbalance as rotating_unbalance
+    from symbalance.balancing import rotating_weights as rotating_weights
+    from symbalance.balancing import throw_unbalance as throw_unbalance
     from symbalance.builders import boxer as boxer
     from symbalance.builders import from_firing_order as from_firing_order
     from symbalance.builders import inline as inline
@@ -112,6 +147,7 @@ if TYPE_CHECKING:
     from symbalance.crankshaft.equations import node_equations as node_equations
     from symbalance.cylinders import Cylinder as Cylinder
     from symbalance.derivation import derive as derive
+    from symbalance.engine_writing import engine_text as engine_text
     from symbalance.errors import SymbalanceError as SymbalanceError
     from symbalance.layout import Layout as Layout
     from symbalance.mechanisms import LinkRod as LinkRod
@@ -142,6 +178,7 @@ if TYPE_CHECKING:
     from symbalance.torque import pressure_trace as pressure_trace
     from symbalance.torque import read_pressure as read_pressure
     from symbalance.torque import roll_moment as roll_moment
+    from symbalance.torque import shaft_moment as shaft_moment
     from symbalance.torque import torque_report as torque_report
     from symbalance.trains import CrankTrain as CrankTrain
     from symbalance.trains import Link as Link

@@ -14,6 +14,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, TypeVar
 
+from symbalance.balancer_tables import TABLES, with_balancers
 from symbalance.builders import from_firing_order
 from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
@@ -25,7 +26,7 @@ from symbalance.unlike import kinds
 T = TypeVar("T")
 LARGEST_FILE = 1_000_000
 
-_TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder")
+_TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder", *TABLES)
 _CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset", *ROD)
 _LAYOUT_LISTS = ("banks", "cylinders", "firing_order", "firing_intervals", "stagger", "offset")
 _LAYOUT = ("strokes", *_LAYOUT_LISTS, "firing_at", "pin_step")
@@ -111,7 +112,7 @@ class _Reader:
             own = any(getattr(cylinder.own, key) is not None for key in ROD)
             section = "cylinder" if own else "crank_train"
             self.guarded(section, "", i if own else 0, lambda c=cylinder: made.train_of(c).rod_split)
-        return made
+        return with_balancers(self, table, made)
 
     def crank_train(self, table: dict[str, Any]) -> CrankTrain:
         section = "crank_train"

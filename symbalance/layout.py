@@ -9,6 +9,7 @@ from functools import cached_property
 from math import lcm
 
 from symbalance.angles import SymbolPart
+from symbalance.balancers import Balancers, BalanceShaft, Counterweight, check_shares, checked_balancers
 from symbalance.cylinders import MOST_CYLINDERS, Cylinder
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.phasor import checked_modulus
@@ -35,6 +36,7 @@ class Layout:
     name: str
     ratio: Fraction | None
     crank_train: CrankTrain
+    balancers: Balancers
 
     def __init__(
         self,
@@ -44,6 +46,7 @@ class Layout:
         name: str = "engine",
         ratio: object = None,
         crank_train: CrankTrain | None = None,
+        balancers: Balancers | None = None,
     ) -> None:
         set_field = object.__setattr__
         train = _checked_train(crank_train)
@@ -55,12 +58,15 @@ class Layout:
         known = train.ratio if ratio is None else ratio
         set_field(self, "ratio", None if known is None else checked_ratio(known))
         set_field(self, "crank_train", train)
+        set_field(self, "balancers", checked_balancers(balancers, self.cylinders))
+        if self.balancers.shafts and self.is_uniform:
+            check_shares(self.balancers.shafts)
 
     @cached_property
     def modulus(self) -> int:
         """The m for which every numeric angle is a whole number of m-ths of a turn."""
         angles = (a.turns.denominator for c in self.cylinders for a in (c.bank, c.delay))
-        return checked_modulus(lcm(*angles))
+        return checked_modulus(lcm(*angles, *self.balancers.denominators()))
 
     @property
     def has_symbols(self) -> bool:
@@ -95,6 +101,15 @@ class Layout:
             and not any(c.link for c in self.cylinders)
         )
 
+    @cached_property
+    def is_geometric(self) -> bool:
+        """Whether forces are geometry in units of A_n m r omega^2: no order needs its A_n to be known.
+
+        So it is where cylinders are alike and every balance shaft above the crank's speed has shares.
+        """
+        fast = (s for s in self.balancers.shafts if abs(s.speed) > 1)
+        return self.is_uniform and not any(w.in_kg_mm for s in fast for w in s.weights)
+
     @property
     def mean_station(self) -> Fraction:
         """The mean of all stations: the default reference plane of couples."""
@@ -116,6 +131,26 @@ class Layout:
             name=self.name,
             ratio=ratio,
             crank_train=self.crank_train,
+            balancers=self.balancers,
+        )
+
+    def balanced_by(self, *added: Counterweight | BalanceShaft) -> Layout:
+        """Return the layout with counterweights and balance shafts added to those it has.
+
+        >>> single = Layout([Cylinder(1)]).balanced_by(Counterweight(throw=1, overbalance="1/2"))
+        >>> len(single.balancers.counterweights)
+        1
+        """
+        had = self.balancers
+        weights = tuple(a for a in added if not isinstance(a, BalanceShaft))
+        shafts = tuple(a for a in added if isinstance(a, BalanceShaft))
+        return Layout(
+            self.cylinders,
+            strokes=self.strokes,
+            name=self.name,
+            ratio=self.ratio,
+            crank_train=self.crank_train,
+            balancers=Balancers(had.counterweights + weights, had.shafts + shafts),
         )
 
 

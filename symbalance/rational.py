@@ -28,8 +28,10 @@ _PART = r"[+-]?(?:\d{1,30}(?:\.\d{0,30})?|\.\d{1,30})(?:[eE][+-]?\d{1,2})?"
 _NUMBER = re.compile(rf"\s*({_PART})\s*(?:/\s*({_PART})\s*)?", re.ASCII)
 
 
-def exact(value: object, name: str) -> Fraction:
+def exact(value: object, name: str, finest: int = LARGEST_DENOMINATOR) -> Fraction:
     """Return `value` as the fraction it says; `name` is what an error calls it.
+
+    `finest` is the largest denominator allowed.
 
     >>> exact("360/7", "throw"), exact(0.1, "station"), exact("147.15/36.65", "ratio")
     (Fraction(360, 7), Fraction(1, 10), Fraction(2943, 733))
@@ -44,10 +46,11 @@ def exact(value: object, name: str) -> Fraction:
             "must be a number or a fraction",
             'write it like 120, 13.5 or "360/7"',
         )
-    if abs(number) > LARGEST or number.denominator > LARGEST_DENOMINATOR:
+    if abs(number) > LARGEST or number.denominator > finest:
+        digits = len(str(finest)) - 1
         raise SymbalanceError(
             f"{name} = {shown(value)}",
-            f"must lie within {-LARGEST} and {LARGEST} with a denominator up to 10^12",
+            f"must lie within {-LARGEST} and {LARGEST} with a denominator up to 10^{digits}",
             "check the unit",
         )
     return number

@@ -25,6 +25,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
 from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real, exact
+from symbalance.rotors import with_rotors
 from symbalance.slider_crank import (
     Series,
     acceleration_series,
@@ -111,11 +112,11 @@ class Balance:
 
     @property
     def is_uniform(self) -> bool:
-        """Whether all cylinders are alike: components then are geometry, in units of A_n m r omega^2.
+        """Whether components are geometry, in units of A_n m r omega^2: cylinders and shafts allow it.
 
         Else they hold the kinematics too, in units of m r omega^2 of cylinder 1, to 40 digits.
         """
-        return self.layout.is_uniform
+        return self.layout.is_geometric
 
     @cached_property
     def orders(self) -> tuple[Order, ...]:
@@ -178,14 +179,15 @@ def balance(
         layout = layout.with_ratio(ratio)
     plane = layout.mean_station if reference is None else exact(reference, "reference")
     arms = [c.station - plane for c in layout.cylinders]
-    force, couple = (_summed_over(layout, order, w) for w in ([Fraction(1)] * len(arms), arms))
+    force = with_rotors(layout, _summed_over(layout, order, [Fraction(1)] * len(arms)), order, None)
+    couple = with_rotors(layout, _summed_over(layout, order, arms), order, plane)
     result = Balance(layout, order, force, couple, None if reference is None else plane, power)
     _check_power(power, sorted({*force.orders(), *couple.orders()}))
     return result
 
 
 def _summed_over(layout: Layout, order: int, weights: Sequence[Fraction]) -> Spectrum:
-    if layout.is_uniform:
+    if layout.is_geometric:
         return geometry(layout, [n for n in range(1, order + 1) if surviving(n)], weights)
 
     def like(cylinders: Sequence[Cylinder], orders: Sequence[int], own: Sequence[Fraction]) -> Any:

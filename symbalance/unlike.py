@@ -23,10 +23,10 @@ from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank, force_harmonics, force_tail
 from symbalance.mechanisms.linkages import plain
-from symbalance.phasor import Phasor
+from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real
 from symbalance.slider_crank import acceleration_values
-from symbalance.spectrum import Number, Spectrum
+from symbalance.spectrum import Number, Spectrum, SymbolicPhasor
 from symbalance.trains import CrankTrain
 
 Kind = tuple[Mechanism, Fraction]
@@ -102,10 +102,10 @@ def forces_of(mechanism: Mechanism, order: int) -> dict[int, Real]:
     >>> [(n, mp.nstr(f.real, 6)) for n, f in forces_of(SliderCrank(4), 4).items()]
     [(1, '1.0'), (2, '0.254025'), (4, '-0.00409811')]
     """
-    if isinstance(mechanism, SliderCrank) and not mechanism.offset:
-        values = acceleration_values(order, mechanism.ratio, DIGITS)
-        return {n: mp.mpc(a) for n, a in values.items() if n <= order}
-    with mp.workdps(DIGITS):
+    with mp.workdps(DIGITS):  # mpc rounds to the working precision, whatever the caller's is
+        if isinstance(mechanism, SliderCrank) and not mechanism.offset:
+            values = acceleration_values(order, mechanism.ratio, DIGITS)
+            return {n: mp.mpc(a) for n, a in values.items() if n <= order}
         return {n: mp.mpc(a, -b) for n, (a, b) in force_harmonics(mechanism, order, DIGITS).items()}
 
 
@@ -140,7 +140,7 @@ def unlike_spectrum(
             with mp.workdps(DIGITS):
                 own = forces[n] if n > 0 else mp.conj(forces[-n])
                 factor = own * size.numerator / size.denominator
-                part = DecimalPhasor(_number(phasor) * factor)
+                part = DecimalPhasor(decimal(phasor) * factor)
             total[n] = total[n] + part if n in total else part
     numbers: dict[int, Number] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
     return Spectrum(numbers)
@@ -158,8 +158,16 @@ def spectrum_left_out(layout: Layout, order: int, weights: Sequence[Real]) -> Re
     return total
 
 
-def _number(phasor: Phasor) -> Real:
+def decimal(number: Number) -> Real:
+    """Return a number of an exact field, or of decimals, as a complex one of `DIGITS` digits."""
     from symbalance.radicals import evaluated
 
+    if isinstance(number, DecimalPhasor):
+        return number.value
+    if isinstance(number, SymbolicPhasor) and set(number.parts) <= {()}:
+        number = number.parts.get((), ZERO)  # the symbols have gone
+    if isinstance(number, SymbolicPhasor):
+        rule, remedy = "holds symbols, and has no decimal value", "give the angles in numbers"
+        raise SymbalanceError("an angle", rule, remedy)
     with mp.workdps(DIGITS + 5):
-        return mp.mpc(evaluated(phasor.real(), DIGITS), evaluated(phasor.imaginary(), DIGITS))
+        return mp.mpc(evaluated(number.real(), DIGITS), evaluated(number.imaginary(), DIGITS))

@@ -1,7 +1,7 @@
 """Evidence: torque and roll of engines whose cylinders are not alike, by energy and moment of momentum.
 
 The positions of pistons and of rods that are three points of mass come from intersecting circles and
-lines (`test_unlike`), as functions of the crank angle; kinetic energy and moment of momentum are summed
+lines (`placed`), as functions of the crank angle; kinetic energy and moment of momentum are summed
 from them, differentiated numerically, and the frame's moment follows from the theorem of the moment of
 momentum: none of that knows of series, of two-mass rods or of J_x. The running engine is held against
 the area of its indicator diagram and against its harmonics.
@@ -15,17 +15,9 @@ from fractions import Fraction
 
 import pytest
 from mpmath import mp
-from test_unlike import (
-    SHARED,
-    along,
-    direction,
-    exact,
-    hung_radial,
-    mixed_four,
-    narrow_six,
-    place,
-    turned,
-)
+from placed import along, exact, place
+from placed import turned as direction
+from test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 
 import symbalance as sb
 from symbalance.cli import run
@@ -91,7 +83,7 @@ def moving(layout: sb.Layout, cylinder: sb.Cylinder, theta: mp.mpf) -> list[tupl
     engine that `reciprocating_mass` tells of, with a rod of points instead of a rod of two masses.
     """
     train, axis = layout.train_of(cylinder), direction(cylinder.bank)
-    pin = exact(train.stroke / 2) * mp.expj(theta + turned(cylinder.throw))
+    pin = exact(train.stroke / 2) * mp.expj(theta) * direction(cylinder.throw)
     beside = exact(Fraction(train.offset or 0))
     piston = mp.mpc(along(pin, axis, train.rod, train.offset or 0), beside) * axis
     points = [(exact(Fraction(m)), pin + exact(Fraction(x)) * (piston - pin)) for m, x in POINTS]

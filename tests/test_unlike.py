@@ -334,3 +334,17 @@ def test_sizes_that_cannot_be_are_refused_in_the_files_units(own, words, tmp_pat
     err = capsys.readouterr().err
     assert words in err
     assert err.count("\n") == 1
+
+
+def test_digits_do_not_depend_on_the_callers_precision():
+    """Forces and derivatives hold 40 digits, of centred cylinders too, at mpmath's default 15."""
+    layout = sb.Layout([sb.Cylinder(1), sb.Cylinder(2, 90, rod=150)], crank_train=SHARED)
+
+    def found():
+        numbers = [sb.balance(layout, 4).force.terms[n].value for n in (2, 4)]  # pyright: ignore
+        return numbers + [s.factor for s in sb.sensitivities(layout, 4, parameters=["mass"])]
+
+    plain = found()
+    with mp.workdps(60):
+        for coarse, fine in zip(plain, found(), strict=True):
+            assert abs(coarse - fine) <= mp.mpf(10) ** -38 * abs(fine)

@@ -36,6 +36,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_check(commands)
     _add_emit(commands)
     _add_torque(commands)
+    _add_design(commands)
     _add_sensitivities(commands)
     _add_tolerances(commands)
     _add_assign(commands)
@@ -237,6 +238,50 @@ def _add_assign(commands: argparse._SubParsersAction) -> None:
         "--whole", action="store_true", help="count whole masses, not what they differ from their mean by"
     )
     _add_output(parser, ("text", "latex", "json"))
+
+
+def _add_design(commands: argparse._SubParsersAction) -> None:
+    parser = _command(
+        commands, "design", "Counterweights and balance shafts that end given orders, with a certificate."
+    )
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to end; default: 1,2")
+    parser.add_argument(
+        "--shafts", metavar="N", help="at most so many shafts; default: as many as it takes"
+    )
+    parser.add_argument(
+        "--no-counter-rotation", action="store_true", help="no shaft may turn against the crank"
+    )
+    parser.add_argument(
+        "--no-counterweights", action="store_true", help="nothing may be put on the crank"
+    )
+    parser.add_argument(
+        "--stations",
+        metavar="A,…",
+        help="places for weights, in pitches, as --stations=1,-1; default: one if that does, or the ends",
+    )
+    parser.add_argument(
+        "--spread", choices=("ends", "even"), default="ends", help="even: a weight at every station"
+    )
+    parser.add_argument(
+        "--per-throw",
+        action="store_true",
+        help="counterweights on every throw, half the reciprocating mass",
+    )
+    parser.add_argument(
+        "--vertical", metavar="W", default="1", help="weight of the vertical in what is left; default: 1"
+    )
+    parser.add_argument(
+        "--lateral", metavar="W", default="1", help="weight of the lateral in what is left; default: 1"
+    )
+    parser.add_argument(
+        "--length", metavar="L", default="1", help="pitches over which couples count; default: 1"
+    )
+    parser.add_argument("--most", metavar="KGMM", help="no weight may have a larger unbalance, kg mm")
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    _add_output(parser, ("text", "latex", "json"))
+    parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
+    parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:

@@ -77,7 +77,8 @@ def checked_outputs(outputs: Sequence[str] | str, known: Sequence[str] = OUTPUTS
 
 def known_ratio(result: _Rated, ratio: object) -> Fraction:
     """Return the rod ratio to use, or refuse if neither the call nor the engine gives one."""
-    if not result.layout.is_uniform:
+    alike = result.is_uniform if isinstance(result, Balance) else result.layout.is_uniform
+    if not alike:
         return _first_ratio(result, ratio)
     number = result.ratio if ratio is None else checked_ratio(ratio)
     if number is None:
@@ -152,7 +153,7 @@ class _Asked:
     def within(self, tolerance: float) -> Wave:
         if self.part in ("displacement", "velocity"):
             return self.truncated()
-        order, bound = FIRST_TRY, mp.inf
+        order, bound = min(FIRST_TRY + self.fastest(), HIGHEST_ORDER), mp.inf
         while True:
             terms, beyond = self.terms(order), self.beyond(order)
             sizes = [t.size for t in terms]
@@ -208,6 +209,11 @@ class _Asked:
             result = balance(result.layout, order, reference=result.reference)
         return result.force if self.kind == "force" else result.couple
 
+    def fastest(self) -> int:
+        """Return the highest order of a balance shaft, which a cylinder's closed form does not hold."""
+        shafts = () if self.kind == "piston" else self.result.layout.balancers.shafts
+        return max((abs(s.speed) for s in shafts), default=0)
+
     def beyond(self, order: int) -> Real:
         """Return a proved bound on what all orders above `order` add to the output."""
         weights = self._weights()
@@ -234,7 +240,8 @@ class _Asked:
             turns = self.result.layout.first.delay.turns
             first = self.terms(1) if kind == "secondary" else ()
             return Closed(kind, self.ratio, ((mp.mpf(1), turns),), first)
-        if self.part not in ("vertical", "lateral") or not self.result.is_uniform:
+        alone = self.result.is_uniform and self.fastest() <= 1
+        if self.part not in ("vertical", "lateral") or not alone:
             return None
         merged: dict[Fraction, Real] = {}
         for weight, cylinder in zip(self._weights(), cylinders, strict=True):

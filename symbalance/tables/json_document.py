@@ -8,11 +8,13 @@ from typing import Any
 
 import sympy
 
+from symbalance.balancers import Balancers, Counterweight, Weight
 from symbalance.cylinders import Cylinder
 from symbalance.mechanisms import LinkRod
 from symbalance.rational import decimal_text
 from symbalance.resultants import Balance, Order, Resultant, checked_balance
 from symbalance.spectrum import COMPONENTS, Component, SymbolicPhasor
+from symbalance.tables.roll_facts import roll_rows
 from symbalance.unlike import mechanism_of
 
 DIGITS = 30
@@ -34,8 +36,57 @@ def document(balance: Balance) -> dict[str, Any]:
         "ratio": None if balance.ratio is None else str(balance.ratio),
         "reference_plane": plane,
         "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.layout.cylinders],
+        **({"balancers": _balancers(balance.layout.balancers)} if balance.layout.balancers else {}),
         "orders": [_order(order, balance) for order in balance.orders],
+        **({"roll": _roll(balance)} if roll_rows(balance) else {}),
     }
+
+
+def _roll(balance: Balance) -> list[dict[str, Any]]:
+    """Return the roll moment of the shafts on the frame, + in the sense of rotation, in F_n r."""
+    rows = roll_rows(balance)
+    return [{"order": str(row.order), **component_values(row.component)} for row in rows]
+
+
+def _balancers(found: Balancers) -> dict[str, Any]:
+    """Return counterweights and shafts; a weight is `cos` + i `sin`, straight up and to the right."""
+    return {
+        "counterweights": [_counterweight(c) for c in found.counterweights],
+        "shafts": [
+            {
+                "speed": shaft.speed,
+                "phase": shaft.phase.as_text(),
+                "x": str(shaft.x),
+                "y": str(shaft.y),
+                "weights": [_weight(w) for w in shaft.weights],
+            }
+            for shaft in found.shafts
+        ],
+    }
+
+
+def _counterweight(counterweight: Counterweight) -> dict[str, Any]:
+    weight = counterweight.weight
+    given = {"throw": counterweight.throw, "web": counterweight.web}
+    return {
+        **{key: value for key, value in given.items() if value is not None},
+        "angle": counterweight.angle.as_text(),
+        "station": None if counterweight.station is None else str(counterweight.station),
+        **(
+            {"overbalance": str(counterweight.overbalance)}
+            if weight is None
+            else {"unit": _unit(weight), "vector": dict(component_values(Component(weight.vector)))}
+        ),
+    }
+
+
+def _weight(weight: Weight) -> dict[str, Any]:
+    vector = dict(component_values(Component(weight.vector)))
+    return {"station": str(weight.station), "unit": _unit(weight), "vector": vector}
+
+
+def _unit(weight: Weight) -> str:
+    return "kg mm" if weight.in_kg_mm else "share"
 
 
 def _cylinder(cylinder: Cylinder) -> dict[str, Any]:
@@ -83,11 +134,11 @@ def _coefficient(order: Order, balance: Balance) -> dict[str, Any] | None:
 
 
 def _resultant(resultant: Resultant) -> dict[str, Any]:
-    return {name: dict(_component(resultant.component(name))) for name in COMPONENTS}
+    return {name: dict(component_values(resultant.component(name))) for name in COMPONENTS}
 
 
 @lru_cache(maxsize=4096)
-def _component(component: Component) -> dict[str, Any]:
+def component_values(component: Component) -> dict[str, Any]:
     """Return a component's values, none of which can be changed: documents share them."""
     symbolic = isinstance(component.number, SymbolicPhasor) and not component.is_zero()
     cos, sin, phase = str(component.cos), str(component.sin), component.phase

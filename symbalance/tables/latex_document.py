@@ -16,6 +16,7 @@ from symbalance.notation import series_latex
 from symbalance.resultants import Balance, Order
 from symbalance.slider_crank import Series
 from symbalance.spectrum import Component
+from symbalance.tables.balancer_facts import LATEX, balancer_lines
 from symbalance.tables.expressions import latex
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
@@ -35,6 +36,7 @@ from symbalance.tables.latex_parts import escaped as _escaped
 from symbalance.tables.latex_parts import in_document
 from symbalance.tables.latex_parts import number as _number
 from symbalance.tables.latex_parts import tabulars as _tabulars
+from symbalance.tables.roll_facts import roll_rows
 from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
 from symbalance.torque import TorqueReport
 
@@ -89,6 +91,12 @@ def _(result: TorqueReport, *, standalone: bool = False) -> str:
 
 @to_latex.register
 def _(result: Balance, *, standalone: bool = False) -> str:
+    body = f"{heading_latex(result)}\n\n\\medskip\n{resultants_latex(result)}"
+    return in_document(body) if standalone else body + "\n"
+
+
+def resultants_latex(result: Balance) -> str:
+    """Return the free force, the free couple and the coefficients, without the engine's heading."""
     units = (r"\(F_n = A_n\, m r \omega^2\)", r"\(F_n a\)")
     if not result.is_uniform:
         units = (r"\(m r \omega^2\)", r"\(m r \omega^2 a\)")
@@ -96,12 +104,19 @@ def _(result: Balance, *, standalone: bool = False) -> str:
     couple = _resultant(
         result, "couple", rf"\textbf{{Free couple}} about {plane(result)}, unit {units[1]}"
     )
-    blocks = [_heading(result), *_kinds(result), force, couple, _coefficients(result)]
-    body = "\n\n\\medskip\n".join(blocks)
-    return in_document(body) if standalone else body + "\n"
+    blocks = [*_kinds(result), force, couple, _roll(result), _coefficients(result)]
+    return "\n\n\\medskip\n".join(block for block in blocks if block)
 
 
-def _heading(balance: Balance) -> str:
+def _roll(result: Balance) -> str:
+    found = roll_rows(result)
+    unit = r"\(F_n r\)" if result.is_uniform else r"\(m r^2 \omega^2\)"
+    text = r"\textbf{Roll moment of the shafts} on the frame, positive in the sense of rotation"
+    return "\n".join([f"{text}, unit {unit}:", _components(found)]) if found else ""
+
+
+def heading_latex(balance: Balance) -> str:
+    """Return what is said of an engine before its numbers."""
     layout, ratio = balance.layout, ""
     count, fires = len(layout.cylinders), firing(layout)
     noun = "cylinders" if count > 1 else "cylinder"
@@ -124,6 +139,7 @@ def _heading(balance: Balance) -> str:
             *sizes,
             r"\(a\) the pitch of the cylinders; forces are positive upwards and to the right,",
             r"seen from the front; couples are positive with the front pushed up or right.",
+            *(f"{line[0].upper()}{line[1:]}." for line in balancer_lines(layout, LATEX)),
             r"Order \(n\) reads",
             r"\(C \cos n\theta + S \sin n\theta = \text{amplitude} \cdot \cos(n\theta - \text{phase})\).",
         ]
@@ -163,18 +179,15 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
     found = rows(balance, name)
     if not found:
         return rf"{title}: none, to order {balance.highest}."
+    return "\n".join([rf"{title}:", _components(found), _rotating(balance, name)])
+
+
+def _components(found: list[Row]) -> str:
     columns, head = "rlccccc", r"\(n\) & component & \(C\) & \(S\) & amplitude & \(\approx\) & phase"
-    if not balance.is_uniform:
+    if any(row.is_decimal for row in found):
         columns, head = "rlllll", r"\(n\) & component & \(C\) & \(S\) & amplitude & phase"
     table = _tabulars(columns, head, [_row(row) for row in found])
-    return "\n".join(
-        [
-            rf"{title}:",
-            table,
-            *exact_forms([row for row in found if not row.is_decimal]),
-            _rotating(balance, name),
-        ]
-    )
+    return "\n".join([table, *exact_forms([row for row in found if not row.is_decimal])])
 
 
 def _row(row: Row) -> str:

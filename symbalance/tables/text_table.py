@@ -9,6 +9,7 @@ from symbalance.angles import Angle
 from symbalance.layout import Layout
 from symbalance.notation import series_text
 from symbalance.resultants import Balance, checked_balance
+from symbalance.tables.balancer_facts import balancer_lines
 from symbalance.tables.expressions import text
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
@@ -24,6 +25,7 @@ from symbalance.tables.facts import (
     strokes,
 )
 from symbalance.tables.kinds import kind_columns, kind_legend
+from symbalance.tables.roll_facts import roll_rows
 
 WIDTH = 79
 SHORT = 14
@@ -41,18 +43,24 @@ _LEGEND = (
 def to_text(balance: Balance) -> str:
     """Return a balance as text: the engine, its free force, its free couple, the coefficients A_n."""
     checked_balance(balance)
+    return f"{heading_text(balance)}\n\n{resultants_text(balance)}"
+
+
+def resultants_text(balance: Balance) -> str:
+    """Return the free force, the free couple and the coefficients, without the engine's heading."""
     force, couple = ("Fₙ = Aₙ m r ω²", "Fₙ a") if balance.is_uniform else ("m r ω²", "m r ω² a")
     blocks = [
-        _heading(balance),
         _kinds(balance),
         _resultant(balance, "force", f"Free force, unit {force}"),
         _resultant(balance, "couple", f"Free couple about {plane(balance)}, unit {couple}"),
+        _roll(balance),
         _coefficients(balance),
     ]
     return "\n\n".join(block for block in blocks if block) + "\n"
 
 
-def _heading(balance: Balance) -> str:
+def heading_text(balance: Balance) -> str:
+    """Return what is said of an engine before its numbers."""
     layout = balance.layout
     count, fires = len(layout.cylinders), firing(layout)
     lines = [
@@ -61,6 +69,7 @@ def _heading(balance: Balance) -> str:
         *([f"fires {fires}"] if fires else []),
         f"θ (clockwise seen from the front) = 0: {origin(layout, _angle)}",
         *(_like(balance) if balance.is_uniform else _unlike(layout)),
+        *(line.replace("-", "−") for line in balancer_lines(layout)),
         *_LEGEND,
     ]
     return "\n".join(part for line in lines for part in _wrapped(line, "  "))
@@ -106,6 +115,13 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
     if not found:
         return f"{title}\n  none, to order {balance.highest}"
     return "\n".join([title, *_components(found), *_rotating(balance, name)])
+
+
+def _roll(balance: Balance) -> str:
+    found = roll_rows(balance)
+    unit = "Fₙ r" if balance.is_uniform else "m r² ω²"
+    title = f"Roll moment of the shafts on the frame, + in the sense of rotation, unit {unit}"
+    return "\n".join([title, *_components(found)]) if found else ""
 
 
 def _components(found: Sequence[Row]) -> list[str]:

@@ -47,7 +47,8 @@ def frame_parts(report: TorqueReport) -> list[tuple[str, TorqueBalance]]:
     if report.beside.components:
         found.append(("Inertia forces beside the crank's axis: moment on the frame", report.beside))
     if report.frame is not None:
-        found.append(("Roll moment on the frame about the crank's axis, all inertia", report.frame))
+        whole = "all inertia and balance shafts" if report.shafts else "all inertia"
+        found.append((f"Roll moment on the frame about the crank's axis, {whole}", report.frame))
     return found
 
 
@@ -55,7 +56,7 @@ def _frame_line(report: TorqueReport) -> str:
     if report.is_opposite:
         return "the frame gets the opposite"
     if report.frame is None:
-        return "the frame gets the opposite, and the couples below; their sum needs mass and stroke"
+        return "the frame gets the opposite, and moments of its own, whose sum needs more sizes"
     return "the frame gets the opposite, and the moments below; of gas torque the opposite alone"
 
 

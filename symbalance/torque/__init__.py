@@ -33,6 +33,7 @@ from symbalance.torque.roll import (
     torque_report,
 )
 from symbalance.torque.running import CrankTorque, crank_torque
+from symbalance.torque.shafts import has_shafts_aside, shaft_moment
 from symbalance.torque.stars import Star, firing_stars, firing_tops
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
@@ -56,6 +57,7 @@ __all__ = [
     "flywheel_inertia",
     "gas_torque",
     "has_rods",
+    "has_shafts_aside",
     "ideal_cycle",
     "inertia_torque",
     "parse_pressure",
@@ -64,6 +66,7 @@ __all__ = [
     "rod_couple",
     "rod_torque",
     "roll_moment",
+    "shaft_moment",
     "speed_fluctuation",
     "tangential_pressure",
     "torque_left_out",

@@ -9,7 +9,7 @@ The crank and what turns with it have a steady H; a mass that goes along an axis
 one that changes (the inertia force F acts at the arm e), and a rod's two end masses belong to those two.
 What is left of the rod is its couple. T holds, by virtual work, the masses' kinetic energy, the rods'
 (-J_x omega^2 phi' phi'') and the gas, which enters M by T alone: with centred cylinders and rods that are
-two masses M = -T.
+two masses M = -T. Balance shafts off the crank's axis add their moment (`shafts`).
 """
 
 from __future__ import annotations
@@ -40,6 +40,7 @@ from symbalance.torque.rod import (
     rod_torque_series,
     rod_torque_values,
 )
+from symbalance.torque.shafts import shaft_moment, shaft_terms
 
 UNIT = "J_x omega^2"
 MILLI = 1000
@@ -85,6 +86,8 @@ def beside_moment(layout: Layout, order: int = 12, *, ratio: object = None) -> T
 def roll_moment(layout: Layout, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return the whole inertia moment on the frame about the crank, in m r^2 omega^2 of cylinder 1.
 
+    It is that of pistons, rods and balance shafts together.
+
     It needs numbers: rod ratio, and with rods the reciprocating mass and the stroke in kg and mm.
 
     >>> from symbalance.catalogue import load
@@ -96,12 +99,13 @@ def roll_moment(layout: Layout, order: int = 12, *, ratio: object = None) -> Tor
     parts = [(inertia_torque(layout, order), Fraction(-1)), (beside_moment(layout, order), Fraction(1))]
     if excess:
         parts += [(rod_torque(layout, order), -excess), (rod_couple(layout, order), excess)]
+    terms = [(n, c, s, weight) for part, weight in parts for n, c, s in part.terms(digits=DIGITS)]
+    terms += [(n, c, s, Fraction(1)) for n, c, s in shaft_terms(layout, order)]
     total: dict[int, DecimalPhasor] = {}
-    for part, weight in parts:
-        for n, cos, sin in part.terms(digits=DIGITS):
-            with mp.workdps(DIGITS):
-                number = DecimalPhasor(mp.mpc(cos, sin) * real(weight))
-            total[int(n)] = total[int(n)] + number if int(n) in total else number
+    for n, cos, sin, weight in terms:
+        with mp.workdps(DIGITS):
+            number = DecimalPhasor(mp.mpc(cos, sin) * real(weight))
+        total[int(n)] = total[int(n)] + number if int(n) in total else number
     components = {n: Component(total[n]) for n in sorted(total) if not total[n].is_zero()}
     return TorqueBalance(layout, order, components, kinematics=None)
 
@@ -111,6 +115,7 @@ class TorqueReport:
     """All that is known of a layout's inertia torque: on the crank, and on the frame.
 
     `rod` and `rocking` are the rods' parts on crank and frame; `beside` is the frame's from offset axes;
+    `shafts` is the moment of balance shafts in F_n r, and
     `frame` the whole moment on it in numbers, None where it is the crank's torque reversed, or where
     sizes are missing that it needs.
     """
@@ -119,6 +124,7 @@ class TorqueReport:
     rod: TorqueBalance
     rocking: TorqueBalance
     beside: TorqueBalance
+    shafts: dict[int, Component]
     excess: Fraction
     frame: TorqueBalance | None
 
@@ -130,7 +136,7 @@ class TorqueReport:
     @property
     def is_opposite(self) -> bool:
         """Whether the frame gets the crank's torque reversed, and nothing else."""
-        return not self.excess and not self.beside.components
+        return not (self.excess or self.beside.components or self.shafts)
 
 
 def torque_report(layout: Layout, order: int = 12, *, ratio: object = None) -> TorqueReport:
@@ -141,9 +147,10 @@ def torque_report(layout: Layout, order: int = 12, *, ratio: object = None) -> T
     beside, excess = beside_moment(layout, order), first_excess(layout)
     known = layout.ratio is not None and not layout.has_symbols
     needs = known and (mass_scale(layout) is not None or not excess)
-    opposite = not excess and not beside.components
+    shafts = {n: c for n, c in shaft_moment(layout).items() if n <= order}
+    opposite = not (excess or beside.components or shafts)
     frame = roll_moment(layout, order) if needs and not opposite else None
-    return TorqueReport(inertia, rod, rocking, beside, excess, frame)
+    return TorqueReport(inertia, rod, rocking, beside, shafts, excess, frame)
 
 
 def mass_scale(layout: Layout) -> Fraction | None:

@@ -12,6 +12,7 @@ change with the speed's own swing left out: of the size of delta times that part
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -35,6 +36,7 @@ from symbalance.torque.kinds import stroke_of
 from symbalance.torque.measured import measured, positive
 from symbalance.torque.pressure import PressureTrace
 from symbalance.torque.roll import MILLI, first_excess, rod_torque
+from symbalance.torque.shafts import shaft_terms
 from symbalance.torque.stars import firing_tops
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
@@ -89,7 +91,7 @@ class CrankTorque:
     area: float
     omega: float
 
-    @property
+    @cached_property
     def _first(self) -> RunningCylinder:
         return self.cylinders[self.layout.cylinders.index(self.layout.first)]
 
@@ -137,7 +139,16 @@ class CrankTorque:
 
     def frame(self, theta: float) -> float:
         """Return the moment on the frame at a crank angle: the opposite, and what `roll` adds to it."""
-        return self.omega**2 * sum(c.beside(theta) for c in self.cylinders) - self.at(theta)
+        aside = sum(c.beside(theta) for c in self.cylinders) + self.mass * self.radius**2 * sum(
+            c * math.cos(n * theta) + s * math.sin(n * theta) for n, c, s in self.shafts
+        )
+        return self.omega**2 * aside - self.at(theta)
+
+    @cached_property
+    def shafts(self) -> tuple[tuple[int, float, float], ...]:
+        """The balance shafts' roll moment, (n, C, S) in m r^2 omega^2."""
+        fastest = max((abs(shaft.speed) for shaft in self.layout.balancers.shafts), default=0)
+        return tuple((n, float(c), float(s)) for n, c, s in shaft_terms(self.layout, fastest))
 
     @property
     def mean(self) -> float:

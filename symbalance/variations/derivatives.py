@@ -131,7 +131,9 @@ def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
         stroke = layout.stroke_of(cylinder)
         radius = stroke / first if stroke and first else Fraction(1)
         pin = Phasor.root(cylinder.throw.turns)
-        yield Sensitivity("rotating", share.number, 1, (pin, ZERO), mp.mpf(1) * float(radius), share.arm)
+        with mp.workdps(DIGITS):
+            factor = real(radius)
+        yield Sensitivity("rotating", share.number, 1, (pin, ZERO), factor, share.arm)
 
 
 def _one(

@@ -1,0 +1,155 @@
+"""What turns in a design: for each signed order served, weights with the force and couple wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from mpmath import mp
+
+from symbalance.balancers import BalanceShaft, Counterweight, Weight
+from symbalance.balancing.bounded import bounded
+from symbalance.balancing.choosing import Pair, chosen, parts_of
+from symbalance.balancing.limits import Limits
+from symbalance.balancing.numbers import size_of, station_of
+from symbalance.balancing.planes import Placed, in_planes
+from symbalance.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.errors import SymbalanceError
+from symbalance.layout import Layout
+from symbalance.phasor import ZERO
+from symbalance.rational import real
+from symbalance.resultants import Balance
+from symbalance.rotors import added, rotating_shares, share_unit, unit_unbalance
+from symbalance.spectrum import Number
+from symbalance.unlike import decimal
+
+
+@dataclass(frozen=True)
+class Device:
+    """What turns at `speed` times the crank's speed: counterweights (the crank itself) or a shaft.
+
+    `force` and `couple` (about the mean of the stations) are what its weights have, in the unit of the
+    order; `weights` its (station, share) pairs, empty for counterweights that stand on throws.
+    """
+
+    speed: int
+    on_crank: bool
+    force: Number
+    couple: Number
+    weights: tuple[Placed, ...]
+    parts: tuple[Counterweight | BalanceShaft, ...] = field(compare=False)
+
+
+def devices_for(before: Balance, orders: Sequence[int], limits: Limits) -> list[Device]:
+    """Return what serves the orders to remove, slowest first, the crank before shafts."""
+    parts = parts_of(before, orders)
+    served = _served(before, parts, limits)
+    found = []
+    for speed in sorted(served, key=lambda n: (abs(n), n < 0)):
+        targets = _targets(parts, speed, -speed in served, limits.weighting.tilt)
+        if not all(t.is_zero() for t in targets):
+            found.append(_device(before, speed, targets, limits))
+    return found
+
+
+def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int]:
+    """Return the signed orders that get a device."""
+    free = [1] if limits.counterweights else []
+    candidates = set(parts)
+    if limits.weighting.tilt:  # a part that is zero may then make up for the other
+        candidates |= {-n for n in parts}
+    able = sorted(n for n in candidates if n > 0 or limits.counter_rotation)
+    crank, wanted = [n for n in able if n in free], [n for n in able if n not in free]
+    if limits.shafts is None or len(wanted) <= limits.shafts:
+        return able
+    return crank if limits.shafts == 0 else chosen(before, able, free, limits.shafts, limits.weighting)
+
+
+def _targets(parts: dict[int, Pair], speed: int, other_served: bool, tilt: Fraction) -> Pair:
+    """Return the force and couple a device must have: to end its part, or the best beside the other."""
+    own, other = parts.get(speed, (ZERO, ZERO)), parts.get(-speed, (ZERO, ZERO))
+    if other_served or not tilt:
+        return -own[0], -own[1]
+    wanted = [part.conjugate().scaled(-tilt) for part in other]
+    return added(wanted[0], -own[0]), added(wanted[1], -own[1])
+
+
+def _device(before: Balance, speed: int, targets: Pair, limits: Limits) -> Device:
+    force, couple = targets
+    if speed == 1 and limits.counterweights and limits.per_throw:
+        half = tuple(Counterweight(throw=c.number, overbalance="1/2") for c in before.layout.cylinders)
+        return Device(1, True, force, couple, (), half)
+    weights = _weights(before.layout, speed, targets, limits)
+    on_crank = speed == 1 and limits.counterweights
+    shares = [(station, _share(before.layout, speed, vector)) for station, vector in weights]
+    if on_crank:
+        parts: Any = tuple(Counterweight(0, station, share=vector) for station, vector in shares)
+    else:
+        parts = (BalanceShaft(speed, [Weight(station, share=vector) for station, vector in shares]),)
+    return Device(speed, on_crank, force, couple, tuple(shares), parts)
+
+
+def _weights(layout: Layout, speed: int, targets: Pair, limits: Limits) -> list[Placed]:
+    """Return stations and vectors, in the unit of the order, with the force and couple wanted."""
+    plane, length = layout.mean_station, limits.weighting.length
+    arms = _arms(layout, targets, limits.stations)
+    placed = in_planes(*targets, arms, spread=limits.spread, length=length)
+    if limits.most is not None:
+        bound = _bound(layout, speed, limits.most)
+        if any(size_of(vector) > real(bound) for _, vector in placed):
+            placed = bounded(*targets, sorted(set(arms), reverse=True), bound, length)
+    return [(arm + plane, vector) for arm, vector in placed]
+
+
+def _arms(layout: Layout, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
+    """Return the arms weights may have: the ends of the engine, and the one place that does alone."""
+    plane = layout.mean_station
+    if stations is not None:
+        return [station - plane for station in stations]
+    places = [c.station - plane for c in layout.cylinders]
+    half = Fraction(1, 2)
+    front, rear = max(places), min(places)
+    alone = station_of(*targets)
+    near = alone is not None and rear - half <= alone <= front + half
+    ends = [front, rear] if front != rear else [half, -half]
+    return [*ends, alone] if near and alone is not None else ends
+
+
+def _share(layout: Layout, speed: int, vector: Number) -> Number:
+    """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
+    if layout.is_geometric or not layout.is_uniform or abs(speed) == 1:
+        return vector
+    with mp.workdps(DIGITS):
+        return DecimalPhasor(decimal(vector) / share_unit(layout, speed))
+
+
+def _bound(layout: Layout, speed: int, most: Fraction) -> Fraction:
+    """Return the largest vector a weight of so many kg mm may have, rounded to 12 digits."""
+    unit = unit_unbalance(layout)
+    if unit is None:
+        rule, remedy = "is in kg mm", "give stroke and reciprocating_mass in [crank_train]"
+        raise SymbalanceError(f"most = {most}", rule, remedy)
+    if abs(speed) == 1 or not layout.is_geometric:
+        return most * speed * speed / unit
+    per_share = share_unit(layout, speed)
+    share = most * speed * speed / unit
+    with mp.workdps(DIGITS):
+        return (
+            Fraction(int(mp.floor(abs(share.numerator * 10**12 / (share.denominator * per_share)))))
+            / 10**12
+        )
+
+
+def for_rotating(layout: Layout, devices: Sequence[Device]) -> list[Counterweight]:
+    """Return what balances rotating masses throw by throw: they count once there are counterweights."""
+    added_weights = any(d.on_crank for d in devices) and not layout.balancers.counterweights
+    if not added_weights or any(p.overbalance is not None for d in devices for p in _on_crank(d)):
+        return []
+    pairs = zip(layout.cylinders, rotating_shares(layout), strict=True)
+    return [Counterweight(throw=c.number, overbalance=0) for c, share in pairs if share]
+
+
+def _on_crank(device: Device) -> list[Counterweight]:
+    return [p for p in device.parts if isinstance(p, Counterweight)]

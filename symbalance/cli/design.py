@@ -1,0 +1,78 @@
+"""`symbalance design`: the counterweights and balance shafts that end given orders."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from symbalance.cli.output import whole_number, write, write_files
+from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.balancing import Design
+
+
+def run(options: argparse.Namespace) -> int:
+    """Design, print the design, and write the balanced engine and the picture where asked for."""
+    remove = [whole_number(part, "remove") for part in options.remove.split(",")]
+    shafts = None if options.shafts is None else whole_number(options.shafts, "shafts")
+    stations = None if options.stations is None else options.stations.split(",")
+
+    from symbalance.balancing import design_balance
+    from symbalance.catalogue import load
+
+    design = design_balance(
+        load(options.engine),
+        remove,
+        shafts=shafts,
+        counter_rotation=not options.no_counter_rotation,
+        counterweights=not options.no_counterweights,
+        stations=stations,
+        spread=options.spread,
+        vertical=options.vertical,
+        lateral=options.lateral,
+        length=options.length,
+        most=options.most,
+        per_throw=options.per_throw,
+        ratio=options.ratio,
+    )
+    printed = _printed(design, options.format)
+    files = _files(design, options)
+    if options.output not in (None, "-"):
+        files[options.output] = printed
+    if files:
+        write_files(files)
+    if options.output in (None, "-"):
+        write(printed, None)
+    return 0
+
+
+def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes]:
+    """Return the files asked for beside the design: the balanced engine, the picture."""
+    found: dict[str, str | bytes] = {}
+    if options.write is not None:
+        from symbalance.engine_writing import engine_text
+
+        if not options.write.endswith(".toml"):
+            what = f"--write {options.write}"
+            raise SymbalanceError(what, "must end in .toml", "other commands know engine files by it")
+        found[options.write] = engine_text(design.balanced)
+    if options.picture is not None:
+        from symbalance.tables.design_picture import design_picture
+
+        found[options.picture] = design_picture(design, options.picture)
+    return found
+
+
+def _printed(design: Design, form: str) -> str:
+    if form == "json":
+        from symbalance.tables.design_json import design_json
+
+        return design_json(design) + "\n"
+    if form == "latex":
+        from symbalance.tables.design_latex import design_latex
+
+        return design_latex(design, standalone=True)
+    from symbalance.tables.design_text import design_text
+
+    return design_text(design)

@@ -1,0 +1,217 @@
+"""From the crank's geometry to nodes and matrices: beams for journals and pins, elements for webs.
+
+Journals and pins are Timoshenko beams from web face to web face, each in two halves with a node at its
+middle; a web joins the nodes at its two faces, as an element whose stiffness is inverted from a
+flexibility (`webs`) and whose mass is shared between them (of a solved web, heel and counterweight hang
+on it as a body with a node of its own); pulley and flywheel are rigid. All that has mass turns: M, G, dK
+and F_M of every slice and body are those of `gyroscopics`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from symbalance.crankshaft.beams import ALONG_W, Beam, circular, element, flexibility
+from symbalance.crankshaft.bodies import Body, disc_body
+from symbalance.crankshaft.crank import Crank, Disc, Journal, Pin, Web
+from symbalance.crankshaft.gathering import damped, gathered
+from symbalance.crankshaft.rotor import Array, Hanging, Member, Rotor
+from symbalance.crankshaft.solid.store import Store, open_store, solid_web
+from symbalance.crankshaft.webs.arm import Arm, Elastic, arms, axis_of
+from symbalance.crankshaft.webs.fitted import fitted_flexibility
+from symbalance.crankshaft.webs.formula import formula_flexibility
+from symbalance.crankshaft.webs.nominal import nominal_flexibility
+from symbalance.crankshaft.webs.shares import far_bodies, near_bodies, near_fillet
+from symbalance.errors import SymbalanceError, shown
+
+Flexibility = Callable[[Arm], Array | Elastic]
+WEBS = ("solid", "fitted", "formula", "nominal")
+"""The ways to a web's flexibility, best first."""
+
+
+@dataclass(frozen=True)
+class Nodes:
+    """The crank's nodes: `points` (n, 3), and (front, middle, rear) nodes of each journal and pin.
+
+    `hanging` are the nodes of what hangs on the near ends of webs.
+    """
+
+    points: Array
+    ends: dict[int, tuple[int, int, int]]
+    pulley: int | None
+    flywheel: int | None
+    hanging: dict[int, int]
+
+
+def assemble(
+    crank: Crank,
+    *,
+    webs: str | Flexibility = "nominal",
+    store: Store | None = None,
+    pin_masses: Sequence[float] = (),
+    damping_ratio: float = 0.0,
+    damping_time: float = 0.0,
+) -> Rotor:
+    """Return the free crankshaft as nodes and matrices.
+
+    `webs`: "solid" (a whole-web element from the meshed half throw), "fitted" (the paper's six
+    flexibilities, fitted to it), "formula" (Ker Wilson's lengths), "nominal" (plain beams), or a function
+    from an `Arm` to its (6, 6) flexibility or `Elastic`. Solved webs come from `store`, by default the
+    package's own (what it lacks is meshed, with gmsh and scikit-fem).
+    `pin_masses` (kg, one per pin, front to rear) are big ends counted as part of the turning crank.
+    Damping is `damping_ratio` of critical in every elastic mode, plus `damping_time` (s) times K.
+
+    >>> from symbalance.crankshaft.crank import Crank, Journal, Pin, Web
+    >>> web = Web(0.02, 0.08, 0.04, 0.04)
+    >>> throw = (Journal(0.06, 0.03), web, Pin(0.05, 0.03, 0.04, 0.0, (1,)), web, Journal(0.06, 0.03))
+    >>> rotor = assemble(Crank(throw))
+    >>> rotor.size, rotor.journals, rotor.pins
+    (54, (1, 7), (4,))
+    """
+    elastic = _elastic(crank, _flexibility(webs, store))
+    nodes = place_nodes(crank, elastic)
+    members = [*_members(crank, nodes, elastic)]
+    spans = [(front, rear, beam) for front, rear, beam, _, _ in beams(crank, nodes)]
+    rotor = gathered(nodes.points, members, spans, [*_bodies(crank, nodes, pin_masses)])
+    bearings = [i for i, part in enumerate(crank.parts) if isinstance(part, Journal) and part.bearing]
+    placed = replace(
+        rotor,
+        journals=tuple(nodes.ends[i][1] for i in bearings),
+        pins=_middles(crank, nodes, Pin),
+        pulley=nodes.pulley,
+        flywheel=nodes.flywheel,
+    )
+    return damped(placed, damping_ratio, damping_time)
+
+
+def _flexibility(webs: str | Flexibility, store: Store | None) -> Flexibility:
+    if not isinstance(webs, str):
+        return webs
+    if webs not in WEBS:
+        raise SymbalanceError(f"webs = {shown(webs)}", f"must be one of {', '.join(WEBS)}")
+    if webs in ("nominal", "formula"):
+        return nominal_flexibility if webs == "nominal" else formula_flexibility
+    kept = open_store() if store is None else store
+    if webs == "solid":
+        return lambda arm: solid_web(arm, kept)
+    return lambda arm: fitted_flexibility(arm, solid_web(arm, kept).face)
+
+
+def _elastic(crank: Crank, flexibility: Flexibility) -> dict[int, Elastic]:
+    found = {index: flexibility(arm) for index, arm in arms(crank)}
+    return {index: web if isinstance(web, Elastic) else Elastic(web) for index, web in found.items()}
+
+
+def place_nodes(crank: Crank, elastic: dict[int, Elastic]) -> Nodes:
+    """Return the nodes: front, middle and rear of each journal and pin, then discs, then webs' bodies."""
+    points: list[Array] = []
+    ends: dict[int, tuple[int, int, int]] = {}
+    for index, (part, start, stop) in enumerate(crank.stations()):
+        if isinstance(part, Web):
+            continue
+        at = len(points)
+        points += [np.array([*axis_of(part), w]) for w in (start, (start + stop) / 2, stop)]
+        ends[index] = (at, at + 1, at + 2)
+    last = len(points) - 1
+    pulley = _disc_node(points, 0, crank.pulley, -1)
+    flywheel = _disc_node(points, last, crank.flywheel, 1)
+    hanging: dict[int, int] = {}
+    for index, arm in arms(crank):
+        if (body := elastic[index].body) is not None:
+            hanging[index] = len(points)
+            points.append(arm.place_of(body, points[_faces(ends, index, arm)[0]]))
+    return Nodes(np.array(points), ends, pulley, flywheel, hanging)
+
+
+def _faces(ends: dict[int, tuple[int, int, int]], index: int, arm: Arm) -> tuple[int, int]:
+    """Return the near and the far node of a web."""
+    front, rear = ends[index - 1][2], ends[index + 1][0]
+    return (rear, front) if arm.mirrored else (front, rear)
+
+
+def _disc_node(points: list[Array], end: int, disc: Disc | None, side: int) -> int | None:
+    if disc is None or disc.distance == 0:
+        return None if disc is None else end
+    points.append(points[end] + [0.0, 0.0, side * disc.distance])
+    return len(points) - 1
+
+
+def beams(crank: Crank, nodes: Nodes) -> Iterator[tuple[int, int, Beam, str, int]]:
+    """Yield front node, rear node, beam, kind and part: halves of journals and pins, shafts."""
+    material = crank.material
+    for index, part in enumerate(crank.parts):
+        if isinstance(part, Web):
+            continue
+        section = circular(part.diameter, part.bore, material.poisson)
+        half = Beam(section, material, part.length / 2, ALONG_W)
+        kind = "journal" if isinstance(part, Journal) else "pin"
+        front, middle, rear = nodes.ends[index]
+        yield front, middle, half, kind, index
+        yield middle, rear, half, kind, index
+    yield from _shafts(crank, nodes)
+
+
+def _shafts(crank: Crank, nodes: Nodes) -> Iterator[tuple[int, int, Beam, str, int]]:
+    first, last = 0, nodes.ends[len(crank.parts) - 1][2]
+    for disc, node, end in ((crank.pulley, nodes.pulley, first), (crank.flywheel, nodes.flywheel, last)):
+        if disc is None or node is None or node == end:
+            continue
+        carrier = crank.parts[0 if end == first else -1]
+        assert isinstance(carrier, Journal)
+        section = circular(disc.diameter or carrier.diameter, 0.0, crank.material.poisson)
+        front, rear = (node, end) if end == first else (end, node)
+        yield front, rear, Beam(section, crank.material, disc.distance, ALONG_W), "shaft", -1
+
+
+def _members(crank: Crank, nodes: Nodes, elastic: dict[int, Elastic]) -> Iterator[Member]:
+    for front, rear, beam, kind, index in beams(crank, nodes):
+        yield Member(front, rear, beam.stiffness, kind, index)
+    for index, arm in arms(crank):
+        front, rear = nodes.ends[index - 1][2], nodes.ends[index + 1][0]
+        web, hangs = elastic[index], None
+        if index in nodes.hanging:
+            hangs = Hanging(nodes.hanging[index], arm.placed(web), in_front=not arm.mirrored)
+        yield Member(front, rear, arm.placed(Elastic(web.face)), "web", index, hangs)
+    for index, (before, after) in enumerate(zip(crank.parts, crank.parts[1:], strict=False)):
+        if isinstance(before, Pin) and isinstance(after, Pin):
+            yield _joint(crank, nodes, index, before, after)
+
+
+def _joint(crank: Crank, nodes: Nodes, index: int, before: Pin, after: Pin) -> Member:
+    """Return the joint of two pins that meet without a web: a thousand times stiffer than they."""
+    front, rear = nodes.ends[index][2], nodes.ends[index + 1][0]
+    short = min(before.length, after.length) / 2000
+    section = circular(min(before.diameter, after.diameter), 0.0, crank.material.poisson)
+    lever = nodes.points[rear] - nodes.points[front]
+    flexible = flexibility(section, crank.material, short)
+    return Member(front, rear, element(flexible, lever), "pin", index)
+
+
+def _bodies(crank: Crank, nodes: Nodes, pin_masses: Sequence[float]) -> Iterator[tuple[int, Body]]:
+    for index, arm in arms(crank):
+        near, far = _faces(nodes.ends, index, arm)
+        holder = nodes.hanging.get(index, near)
+        away = nodes.points[near] - nodes.points[holder]
+        yield from ((holder, body.shifted(away)) for body in near_bodies(arm))
+        yield from ((near, body) for body in near_fillet(arm))
+        yield from ((far, body) for body in far_bodies(arm))
+    for disc, node in ((crank.pulley, nodes.pulley), (crank.flywheel, nodes.flywheel)):
+        if disc is not None and node is not None:
+            yield node, disc_body(disc)
+    yield from _big_ends(crank, nodes, pin_masses)
+
+
+def _big_ends(crank: Crank, nodes: Nodes, pin_masses: Sequence[float]) -> Iterator[tuple[int, Body]]:
+    places = _middles(crank, nodes, Pin)
+    if pin_masses and len(pin_masses) != len(places):
+        rule = f"must be one per pin, {len(places)}"
+        raise SymbalanceError(f"{len(pin_masses)} pin masses", rule, "kg each, front to rear")
+    for node, mass in zip(places, pin_masses, strict=False):
+        yield node, Body(float(mass), np.zeros(3), np.zeros((3, 3)))
+
+
+def _middles(crank: Crank, nodes: Nodes, kind: type) -> tuple[int, ...]:
+    return tuple(nodes.ends[i][1] for i, part in enumerate(crank.parts) if isinstance(part, kind))

@@ -1,0 +1,92 @@
+"""Natural frequencies and shapes of a crankshaft at rest, free or on springs.
+
+Source: K phi = (2 pi f)^2 M phi; the modal assurance criterion, R. J. Allemang and D. L. Brown, IMAC 1
+(1982), 110-116.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbalance.crankshaft.rotor import DOF, Array, Rotor
+from symbalance.errors import SymbalanceError, shown
+
+AnyShapes = Array | NDArray[np.complex128]
+KINDS = ("bending U", "bending V", "axial", "torsion")
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Elastic modes in rising order: `frequencies` (k,) in Hz, `shapes` (n, k) with phi' M phi = 1."""
+
+    frequencies: Array
+    shapes: Array
+
+    def __len__(self) -> int:
+        return len(self.frequencies)
+
+
+def natural_modes(rotor: Rotor, count: int = 20, support: Array | None = None) -> Modes:
+    """Return the lowest `count` elastic modes; a rotor without `support` hangs free.
+
+    `support` (n, n) is added to the stiffness. A free rotor's six rigid motions R are moved out of the
+    way, K - s M R (R' M R)^-1 R' M, to the eigenvalue -s, so that a slow elastic mode is never lost
+    among zeros.
+    """
+    available = rotor.size - (DOF if support is None else 0)
+    if not 0 < count <= available:
+        raise SymbalanceError(f"modes = {shown(count)}", f"must lie in 1..{available}", "elastic modes")
+    stiffness = rotor.stiffness + (0 if support is None else support)
+    skipped = 0
+    if support is None:
+        motions = rotor.mass @ rotor.rigid_motions()
+        scale = np.trace(stiffness) / np.trace(rotor.mass)
+        stiffness = stiffness - scale * motions @ np.linalg.solve(
+            rotor.rigid_motions().T @ motions, motions.T
+        )
+        skipped = DOF
+    squares, shapes = _eigen(stiffness, rotor.mass)
+    kept = slice(skipped, skipped + count)
+    return Modes(np.sqrt(np.maximum(squares[kept], 0.0)) / (2 * np.pi), shapes[:, kept])
+
+
+def _eigen(stiffness: Array, mass: Array) -> tuple[Array, Array]:
+    """Return eigenvalues and mass-normalised vectors of a symmetric pair, by M = L L'."""
+    inverse = np.linalg.inv(np.linalg.cholesky(mass))
+    squares, vectors = np.linalg.eigh(inverse @ stiffness @ inverse.T)
+    return np.asarray(squares, dtype=float), np.asarray(inverse.T @ vectors, dtype=float)
+
+
+def assurance(one: AnyShapes, other: AnyShapes) -> Array:
+    """Return the modal assurance criterion of each shape of `one` (n, a) against `other` (n, b): (a, b).
+
+    |p^H q|^2/(p^H p q^H q): 1 for the same shape, 0 for an orthogonal one.
+
+    >>> assurance(np.array([[1.0], [0.0]]), np.array([[1.0, 2.0], [1.0, 0.0]])).round(12)
+    array([[0.5, 1. ]])
+    """
+    cross = np.abs(one.conj().T @ other) ** 2
+    return cross / np.outer(np.sum(np.abs(one) ** 2, 0), np.sum(np.abs(other) ** 2, 0))
+
+
+def motion_shares(rotor: Rotor, modes: Modes) -> Array:
+    """Return how the main journals move in each mode (k, 4): shares of bending U, V, axial, torsion.
+
+    Each journal carries its part of the crank's mass and of its moment of inertia about W; the shares are
+    of the kinetic energy of u, v, w and theta_w with them. A cranked shaft's modes are mixtures.
+    """
+    motions = rotor.rigid_motions()
+    inertia = np.diag(motions.T @ rotor.mass @ motions)
+    weights = np.array([inertia[0], inertia[1], inertia[2], inertia[5]])
+    nodes = np.array(rotor.journals or range(len(rotor.points)))
+    places = DOF * nodes[:, None] + np.array([0, 1, 2, 5])
+    energy = np.sum(modes.shapes[places] ** 2, axis=0) * weights[:, None]
+    return (energy / np.maximum(energy.sum(axis=0), 1e-300)).T
+
+
+def kinds(rotor: Rotor, modes: Modes) -> list[str]:
+    """Return the name of the largest share of each mode."""
+    return [KINDS[int(k)] for k in np.argmax(motion_shares(rotor, modes), axis=1)]

@@ -1,0 +1,95 @@
+"""Cranks meshed whole: the frequencies every web model is measured against.
+
+    python -m symbalance.crankshaft.solid.reference derivations/crankshaft/solid_four.json [NAME ...]
+
+writes the first twenty elastic frequencies of each crank named (by default all), on two meshes each; some
+minutes. All ends are alike, so that a crank is its own mirror image twice and a quarter of it is solved.
+
+- bare, weighted: an in-line four, radius 60, journals 65, pins 55, pitch 110 mm, the remaining sizes
+  chosen: journals 30, pins 32, webs 24 long, webs 100 wide, 38 beyond the pin, 44 beyond the journal,
+  fillets 4 mm; without and with sectors out to 85 mm over 2 x 60 degrees.
+- short: two throws of radius 40 whose journals, 55, and pins, 47 mm, overlap.
+- slender: two throws of radius 60 with webs 14 mm thick and counterweights out to 85 mm.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from math import pi
+from pathlib import Path
+from time import perf_counter
+
+from symbalance.crankshaft.crank import Crank, Journal, Material, Part, Pin, Web
+from symbalance.crankshaft.webs.sector import sector_counterweight
+
+SIZES = {
+    "bare": (0.020, 0.016),
+    "weighted": (0.020, 0.016),
+    "short": (0.018, 0.014),
+    "slender": (0.018, 0.014),
+}
+"""The elements' sizes, in m, by crank."""
+
+
+def reference(name: str) -> Crank:
+    """Return one of the cranks that were meshed whole: bare, weighted, short, slender."""
+    if name in ("bare", "weighted"):
+        return reference_four(weighted=name == "weighted")
+    if name == "short":
+        journal, slab = Journal(0.055, 0.026, fillet=0.003), Web(0.018, 0.085, 0.030, 0.035)
+        pin = Pin(0.047, 0.026, 0.040, 0.0, (), fillet=0.003)
+        return _weighted((0.0, pi), journal, slab, pin, (0.070, 1.1))
+    journal, slab = Journal(0.050, 0.030, fillet=0.002), Web(0.014, 0.075, 0.030, 0.035)
+    pin = Pin(0.040, 0.030, 0.060, 0.0, (), fillet=0.002)
+    return _weighted((0.0, pi), journal, slab, pin, (0.085, 1.2))
+
+
+def reference_four(*, weighted: bool) -> Crank:
+    """Return the in-line four, with drawn counterweights or without.
+
+    >>> round(reference_four(weighted=True).length, 6)
+    0.47
+    """
+    journal, slab = Journal(0.065, 0.030, fillet=0.004), Web(0.024, 0.100, 0.038, 0.044)
+    pin = Pin(0.055, 0.032, 0.060, 0.0, (), fillet=0.004)
+    return _weighted((0.0, pi, pi, 0.0), journal, slab, pin, (0.085, pi / 3) if weighted else None)
+
+
+def _weighted(
+    angles: Sequence[float], journal: Journal, slab: Web, pin: Pin, sector: tuple[float, float] | None
+) -> Crank:
+    """Return equal throws at `angles`; `sector` is a counterweight's outer radius and half angle."""
+    parts: list[Part] = [journal]
+    for cylinder, angle in enumerate(angles, start=1):
+        web = slab
+        if sector is not None:
+            weight = sector_counterweight(slab, 0.0, pin.radius, *sector, Material())
+            web = replace(slab, counterweight=replace(weight, angle=angle + pi))
+        parts += [web, replace(pin, angle=angle, cylinders=(cylinder,)), web, journal]
+    return Crank(tuple(parts), Material())
+
+
+def measured(name: str, count: int = 20) -> dict[str, object]:
+    """Return a solid crank's frequencies (Hz) for each size of elements, and the seconds taken."""
+    from symbalance.crankshaft.solid.free_modes import solid_frequencies
+
+    found: dict[str, object] = {}
+    for size in SIZES[name]:
+        start = perf_counter()
+        frequencies = solid_frequencies(reference(name), size, count)
+        seconds = round(perf_counter() - start, 1)
+        row = [round(float(f), 3) for f in frequencies]
+        found[f"{name} {size * 1e3:g}"] = {"frequencies": row, "seconds": seconds}
+        print(f"{name}, {size * 1e3:g} mm: {seconds} s", file=sys.stderr, flush=True)
+    return found
+
+
+if __name__ == "__main__":
+    place = Path(sys.argv[1])
+    kept = json.loads(place.read_text(encoding="utf-8")) if place.exists() else {}
+    for name in sys.argv[2:] or SIZES:
+        kept |= measured(name)
+        place.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")

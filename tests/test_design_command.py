@@ -1,0 +1,285 @@
+"""`symbalance design`, the tables of an engine file it writes, and what they refuse."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import pytest
+import sympy
+import test_unlike
+
+import symbalance as sb
+from symbalance.catalogue import preset_names
+from symbalance.cli import run
+from symbalance.trains import CrankTrain
+
+SIZES = CrankTrain(
+    stroke=Fraction(86),
+    rod=Fraction(143),
+    reciprocating_mass=Fraction(1, 2),
+    rotating_mass=Fraction(3, 5),
+)
+FOUR = """
+[crank_train]
+stroke = 86.0
+rod = 143.0
+reciprocating_mass = 0.5
+
+[layout]
+firing_order = [1, 3, 4, 2]
+"""
+
+
+def output(capsys, *arguments: str) -> str:
+    assert run(list(arguments)) == 0
+    return capsys.readouterr().out
+
+
+def refused(capsys, *arguments: str) -> str:
+    assert run(list(arguments)) == 2
+    said = capsys.readouterr()
+    assert not said.out
+    assert said.err.count("\n") == 1
+    return said.err
+
+
+# What it prints -------------------------------------------------------------------------------------
+
+
+def test_text_names_the_weights_the_certificate_and_what_remains(capsys):
+    text = output(capsys, "design", "v8-90")
+    assert "Orders 1, 2 end exactly, with counterweights on the crank; no shaft is needed." in text
+    assert "√10/3" in text
+    assert "≈ −116.57°" in text
+    assert "1  couple  proved 0" in text
+    assert "4√2" in text.partition("What remains")[2]
+    assert max(map(len, text.splitlines())) < 80
+
+
+def test_nothing_to_do_is_said(capsys):
+    assert "Orders 1, 2: nothing to remove." in output(capsys, "design", "v12-60")
+
+
+def test_limits_are_kept_and_the_rest_is_told(capsys):
+    text = output(capsys, "design", "inline-1", "--remove", "1", "--no-counter-rotation")
+    said = "Order 1: reduced with counterweights on the crank; it takes 1 shaft to end all exactly."
+    assert said in " ".join(text.split())
+    assert "circle, against the crank" in text
+    text = output(capsys, "design", "inline-4", "--shafts", "1", "--vertical", "3")
+    assert "changed" in text
+    text = output(capsys, "design", "v2-45", "--remove", "1", "--per-throw", "--shafts", "0")
+    assert "every throw" in text
+
+
+def test_json_is_exact_and_agrees_with_python(capsys):
+    found = json.loads(output(capsys, "design", "inline-5", "--format", "json"))
+    design = sb.design_balance(sb.load("inline-5"))
+    assert found["complete"] is True
+    assert found["least_shafts"] == len([d for d in found["devices"] if d["kind"] == "shaft"]) == 3
+    verdicts = {(c["order"], c["kind"]): c["verdict"] for c in found["certificate"]}
+    assert verdicts["+1", "couple"] == verdicts["-2", "couple"] == "removed"
+    assert verdicts["+1", "force"] == "absent"
+    share = found["devices"][0]["weights"][0]["share"]
+    exact = design.devices[0].weights[0][1]
+    assert sympy.simplify(sympy.sympify(share["cos"]) - sb.spectrum.Component(exact).cos) == 0
+    assert [o["order"] for o in found["remains"]["orders"]] == ["4", "6", "8", "10", "12"]
+
+
+def test_latex_holds_together(capsys):
+    page = output(capsys, "design", "inline-3", "--format", "latex")
+    for part in ("Layout.", "Free in the layout as it is", "Proposal.", "Certificate", "What remains"):
+        assert part in page
+    for name in ("center", "tabular", "document"):
+        assert page.count(rf"\begin{{{name}}}") == page.count(rf"\end{{{name}}}")
+    assert page.count("{") == page.count("}")
+    assert page.isascii()
+    symbolic = sb.design_balance(sb.vee(sympy.Symbol("alpha"), pins=[0]), [1], shafts=0)
+    assert r"\cos" in sb.design_latex(symbolic)
+
+
+def test_a_picture_is_drawn(capsys, tmp_path):
+    pytest.importorskip("matplotlib")
+    path = tmp_path / "left.png"
+    output(capsys, "design", "v2-45", "--remove", "1", "--shafts", "0", "--picture", str(path))
+    assert path.read_bytes()[:4] == b"\x89PNG"
+    assert "must end in .png" in refused(capsys, "design", "v2-45", "--picture", "a.gif")
+
+
+# The balanced engine as a file ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", preset_names())
+def test_the_balanced_engine_goes_through_every_command(name, capsys, tmp_path):
+    path = tmp_path / "smooth.toml"
+    output(capsys, "design", name, "--write", str(path))
+    found = json.loads(output(capsys, "balance", str(path), "--format", "json"))
+    assert not {"1", "2"} & {order["order"] for order in found["orders"]}
+    design = sb.design_balance(sb.load(name))
+    again = sb.balance(sb.load(path))
+    if design.layout.is_uniform:
+        for kind in ("force", "couple"):
+            was, now = getattr(design.remains, kind).terms, getattr(again, kind).terms
+            assert was.keys() == now.keys()
+            assert all((was[n] - now[n]).is_zero() for n in was)
+
+
+def test_the_balanced_engine_in_latex_torque_and_code(capsys, tmp_path):
+    path = tmp_path / "smooth.toml"
+    output(capsys, "design", "inline-3", "--write", str(path))
+    assert "Shaft at" in output(capsys, "balance", str(path), "--format", "latex")
+    plain, smooth = (output(capsys, "torque", engine) for engine in ("inline-3", str(path)))
+    assert plain.partition("\n")[2] == smooth.partition("\n")[2]
+    assert "def " in output(capsys, "emit", str(path), "--target", "numpy")
+
+
+@pytest.mark.parametrize("name", test_unlike.ENGINES)
+def test_unlike_engines_come_back_from_a_file(name, tmp_path):
+    design = sb.design_balance(test_unlike.ENGINES[name](), [1, 2, 3])
+    path = tmp_path / "smooth.toml"
+    path.write_text(sb.engine_text(design.balanced), encoding="utf-8")
+    again = sb.load(path)
+    assert again.cylinders == design.balanced.cylinders
+    left = sb.balance(again, 6)
+    assert not {1, 2, 3} & {o.order for o in left.orders}
+
+
+def test_every_key_comes_back(tmp_path):
+    layout = sb.inline("1-3-4-2", crank_train=SIZES, name='quoted "four"').balanced_by(
+        sb.Counterweight(throw=2, overbalance="2/3", angle="7.5"),
+        sb.Counterweight(35, "3/2", unbalance="12.25"),
+        sb.Counterweight(web=3, share="1/7"),
+        sb.BalanceShaft(
+            -2, [sb.Weight(1, 20, share=2), sb.Weight(-1, 5, unbalance=3)], phase=9, x=-4, y=60
+        ),
+    )
+    path = tmp_path / "again.toml"
+    path.write_text(sb.engine_text(layout), encoding="utf-8")
+    again = sb.load(path)
+    assert again.balancers == layout.balancers
+    assert (again.name, again.crank_train, again.cylinders) == (
+        layout.name,
+        layout.crank_train,
+        layout.cylinders,
+    )
+    path.write_text(sb.engine_text(layout.with_ratio(4)), encoding="utf-8")
+    assert sb.load(path).ratio == 4
+
+
+def test_symbols_are_refused_by_a_file():
+    with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file"):
+        sb.engine_text(sb.vee(sympy.Symbol("alpha"), pins=[0]))
+
+
+def test_rotating_masses_are_said_to_be_balanced_or_count(capsys, tmp_path):
+    path = tmp_path / "four.toml"
+    path.write_text(FOUR.replace("= 0.5", "= 0.5\nrotating_mass = 0.6"), encoding="utf-8")
+    assert "rotating masses are taken as balanced, throw by throw" in output(capsys, "balance", str(path))
+    path.write_text(path.read_text(encoding="utf-8") + "[[counterweight]]\nthrow = 1\noverbalance = 0\n")
+    text = output(capsys, "balance", str(path), "--order", "1")
+    assert "taken as balanced" not in text
+    assert "6/5" in text  # the rotating mass of the other three: two against one
+
+
+# What is refused --------------------------------------------------------------------------------------
+
+
+BAD = [
+    ("[[counterweight]]\nthrow = 9\nshare = 1", "throw = 9: names no cylinder", 2),
+    ("[[counterweight]]\nthrow = 1\nwebb = 2\nshare = 1", "counterweight.webb: is an unknown key", 3),
+    ("[[counterweight]]\nthrow = 1\nweb = 2\nshare = 1", "web = 2: stands on a throw's web", 3),
+    ("[[counterweight]]\nweb = 9\nshare = 1", "web = 9: is beyond the last", 2),
+    ("[[counterweight]]\nweb = 0\nshare = 1", "web = 0: must be a whole number", 2),
+    ("[[counterweight]]\nangle = 3", "takes one of unbalance, share and overbalance", 1),
+    ("[[counterweight]]\nshare = 1\nunbalance = 2", "takes one of unbalance, share and overbalance", 1),
+    ("[[counterweight]]\noverbalance = 0.5", "overbalance = 0.5: is of the masses of one cylinder", 2),
+    ("[[counterweight]]\nangle = 'x'\nshare = 1", "angle = x: must be a number", 2),
+    ("[[counterweight]]\nangle = 17.3333333\nshare = 1", "an angle's denominator must be at most", 2),
+    ("[counterweight]\nshare = 1", "must be [[counterweight]] tables", 1),
+    ("[[balance_shaft]]\nshare = 1", "speed: is missing", 1),
+    ("[[balance_shaft]]\nspeed = 0\nshare = 1", "speed = 0: must not be 0", 2),
+    ("[[balance_shaft]]\nspeed = 1.5\nshare = 1", "speed = 1.5: must be a whole number", 2),
+    ("[[balance_shaft]]\nspeed = 2000\nshare = 1", "speed = 2000: must be a whole number", 2),
+    ("[[balance_shaft]]\nspeed = 3\nshare = 1", "share: is a multiple of A_3, which is 0", 3),
+    ("[[balance_shaft]]\nspeed = 2", "takes either weights, or station and unbalance or share", 1),
+    ("[[balance_shaft]]\nspeed = 2\nshare = 1\nunbalance = 2", "takes either unbalance or share", 1),
+    ("[[balance_shaft]]\nspeed = 2\nweights = 3", "weights = 3: must be a list of tables", 3),
+    ("[[balance_shaft]]\nspeed = 2\nweights = []", "a shaft has at least one", 3),
+    ("[[balance_shaft]]\nspeed = 2\nweights = [{sahre = 1}]", "sahre: is an unknown key", 1),
+    ("[[balance_shaft]]\nspeed = 2\nweights = [{share = 'a'}]", "share = a: must be a number", 3),
+    ("[[balance_shaft]]\nspeed = 2\nshare = 1\nx = 'wide'", "x = wide: must be a number", 4),
+]
+
+
+@pytest.mark.parametrize(("added", "said", "line"), BAD, ids=[said for _, said, _ in BAD])
+def test_a_bad_table_is_refused_where_it_stands(added, said, line, tmp_path, capsys):
+    path = tmp_path / "bad.toml"
+    path.write_text(FOUR + added + "\n", encoding="utf-8")
+    error = refused(capsys, "balance", str(path))
+    assert said in error
+    assert f"bad.toml:{FOUR.count(chr(10)) + line}:" in error
+
+
+@pytest.mark.parametrize(
+    ("without", "said"),
+    [("stroke = 86.0\n", "unbalance: counts in units of m r"), ("reciprocating_mass = 0.5\n", "m r")],
+)
+def test_kg_mm_need_the_sizes(without, said, tmp_path, capsys):
+    text = FOUR.replace(without, "")
+    text = text if "stroke" in text else text.replace("rod = 143.0", "ratio = 4")
+    path = tmp_path / "bare.toml"
+    path.write_text(text + "[[balance_shaft]]\nspeed = 2\nunbalance = 3\n", encoding="utf-8")
+    assert said in refused(capsys, "balance", str(path))
+
+
+OPTIONS = [
+    (["--remove", "x"], "--remove = x"),
+    (["--remove", "0"], "remove = 0"),
+    (["--remove", "1001"], "remove = 1001"),
+    (["--remove", ","], "--remove ="),
+    (["--shafts", "-1"], "shafts = -1"),
+    (["--stations", "a,b"], "stations = a"),
+    (["--vertical", "0", "--lateral", "0"], "must be weights"),
+    (["--vertical", "-1"], "must be weights"),
+    (["--length", "0"], "length = 0"),
+    (["--most", "-3"], "most = -3"),
+    (["--most", "3"], "most = 3: is in kg mm"),
+    (["--ratio", "0.5"], "ratio"),
+    (["--write", "smooth"], "must end in .toml"),
+]
+
+
+@pytest.mark.parametrize(("options", "said"), OPTIONS, ids=[" ".join(o) for o, _ in OPTIONS])
+def test_a_bad_option_is_refused_in_one_line(options, said, capsys):
+    assert said in refused(capsys, "design", "inline-1", *options)
+
+
+def test_bad_python_is_refused():
+    four = sb.load("inline-4")
+    for make, said in (
+        (lambda: sb.design_balance("inline-4"), "must be a Layout"),
+        (lambda: sb.design_balance(four, []), "names no order"),
+        (lambda: sb.design_balance(four, [1.5]), "must be a whole number"),
+        (lambda: sb.design_balance(four, spread="wide"), "must be one of"),
+        (lambda: sb.design_balance(four, stations=[]), "leave no place"),
+        (lambda: sb.Balancers((3,)) and four.balanced_by(3), "must be at most"),
+        (lambda: sb.Layout(four.cylinders, balancers=3), "must be Balancers"),
+        (lambda: sb.BalanceShaft(2, [3]), "must be Weight values"),
+        (lambda: sb.best_overbalance(four), "leaves the force as it is"),
+        (lambda: sb.best_overbalance(four, aim="all"), "must be one of"),
+        (lambda: sb.best_overbalance(four, kind="torque"), "must be force or couple"),
+        (lambda: sb.ellipse(sb.balance(four), 1, "torque"), "must be force or couple"),
+        (lambda: sb.throw_unbalance([(-1, 3)]), "must not be negative"),
+        (lambda: sb.throw_unbalance([3]), "must be a list"),
+        (lambda: sb.rotating_unbalance([sb.Weight(share=1), sb.Weight(unbalance=1)]), "in one unit"),
+    ):
+        with pytest.raises(sb.SymbalanceError, match=said):
+            make()
+
+
+def test_zero_masses():
+    train = CrankTrain(stroke=Fraction(80), rod=Fraction(140), reciprocating_mass=Fraction(0))
+    layout = sb.inline("1", crank_train=train)
+    assert sb.design_balance(layout).is_complete
+    with pytest.raises(sb.SymbalanceError, match="counts in units of m r"):
+        sb.balance(layout.balanced_by(sb.Counterweight(0, unbalance=1)))
