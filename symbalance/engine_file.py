@@ -27,6 +27,8 @@ T = TypeVar("T")
 LARGEST_FILE = 1_000_000
 
 _TOP = ("name", "description", "source", "strokes", "crank_train", "layout", "cylinder", *TABLES)
+_ROOMS = ("crankshaft", "bearings", "running")
+"""Tables that rooms of their own read: `symbalance.crankshaft.files`."""
 _CRANK_TRAIN = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "ratio", "offset", *ROD)
 _LAYOUT_LISTS = ("banks", "cylinders", "firing_order", "firing_intervals", "stagger", "offset")
 _LAYOUT = ("strokes", *_LAYOUT_LISTS, "firing_at", "pin_step")
@@ -87,7 +89,7 @@ class _Reader:
         self.lines, self.place = text.split("\n"), place
 
     def engine(self, table: dict[str, Any], default_name: str) -> Layout:
-        self.check_keys(table, _TOP, "", 0)
+        self.check_keys(table, (*_TOP, *_ROOMS), "", 0)
         for key in ("name", "description", "source"):
             if not isinstance(table.get(key, ""), str):
                 raise self.refusal(key, table[key], "must be text", "write it in quotes")

@@ -10,11 +10,11 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-import time
 from fractions import Fraction
 from functools import cache
 
 import pytest
+from effort import effort
 from mpmath import mp
 
 from symbalance.derivation import Derivation, Prose, derivation_latex, derivation_text, derive
@@ -266,10 +266,11 @@ def test_text_stays_within_80_columns(quantity: str, convention: str, order: int
 
 
 def test_order_1000_takes_no_time() -> None:
-    start = time.perf_counter()
-    derivation_text(derive("force", 1000))
-    derivation_latex(derive("rod-angle", 1000, "l/s"))
-    assert time.perf_counter() - start < 4
+    def printed() -> None:
+        derivation_text(derive("force", 1000))
+        derivation_latex(derive("rod-angle", 1000, "l/s"))
+
+    assert effort(printed) < 10_000_000
 
 
 CASES = {
@@ -336,23 +337,13 @@ def test_deriving_does_without_sympy() -> None:
     assert run.stdout.strip() == "False"
 
 
-def test_a_series_is_printed_much_faster_than_sympy_prints_it() -> None:
+def test_a_series_is_printed_with_much_less_work_than_sympy_takes() -> None:
     import sympy
 
     series = acceleration_series(2, 199)
     expression = series.in_lam()
-    start = time.perf_counter()
-    sympy.latex(expression)
-    theirs = time.perf_counter() - start
-    ours = min(timed(series) for _ in range(5))
     assert len(series.terms) == 100
-    assert theirs > 50 * ours
-
-
-def timed(series) -> float:
-    start = time.perf_counter()
-    series_latex(series)
-    return time.perf_counter() - start
+    assert effort(lambda: sympy.latex(expression)) > 50 * effort(lambda: series_latex(series))
 
 
 def test_series_with_and_without_dots() -> None:

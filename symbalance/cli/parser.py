@@ -36,6 +36,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_check(commands)
     _add_emit(commands)
     _add_torque(commands)
+    _add_crankshaft(commands)
     _add_design(commands)
     _add_sensitivities(commands)
     _add_tolerances(commands)
@@ -284,6 +285,49 @@ def _add_design(commands: argparse._SubParsersAction) -> None:
     parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
 
 
+def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
+    parser = _command(commands, "crankshaft", "The running crankshaft: stress against the crank angle.")
+    parser.add_argument(
+        "engine",
+        metavar="ENGINE",
+        help="a .toml file with [crankshaft], [bearings] and [running]",
+    )
+    parser.add_argument("--rpm", metavar="N", help="speeds: 2200, 1000,2200 or from:to:step")
+    parser.add_argument(
+        "--modes", metavar="N", default="0", help="modes kept beside the static shapes; default: 0, all"
+    )
+    parser.add_argument("--steps", metavar="N", default="720", help="steps of a cycle; default: 720")
+    parser.add_argument(
+        "--webs",
+        choices=("solid", "fitted", "formula", "nominal"),
+        default="formula",
+        help="where the webs' stiffness comes from; solid and fitted need the mesher; default: formula",
+    )
+    parser.add_argument(
+        "--connection",
+        choices=("exact", "equivalent"),
+        default="exact",
+        help="film and housing in series: exactly, or as one equivalent stiffness; default: exact",
+    )
+    parser.add_argument(
+        "--about",
+        choices=("orbit", "centre"),
+        default="orbit",
+        help="what the films are linear about: the journals' orbits, or the centre as the paper has it",
+    )
+    parser.add_argument(
+        "--passes", metavar="N", default="9", help="orbit: how often films are made at most; default: 9"
+    )
+    parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
+    parser.add_argument(
+        "--format",
+        choices=("text", "json", "latex"),
+        default="text",
+        help="on the terminal; default: text",
+    )
+    parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
+
+
 def _add_engines(commands: argparse._SubParsersAction) -> None:
     parser = _command(commands, "engines", "The preset engines, with their sources.")
     parser.add_argument(
@@ -294,7 +338,9 @@ def _add_engines(commands: argparse._SubParsersAction) -> None:
 def _add_bench(commands: argparse._SubParsersAction) -> None:
     parser = _command(commands, "bench", "Measurements on this machine, against named alternatives.")
     parser.add_argument(
-        "topic", choices=("derive", "check", "accuracy", "stability"), help="what to measure"
+        "topic",
+        choices=("derive", "check", "accuracy", "stability", "crankshaft"),
+        help="what to measure",
     )
     parser.add_argument(
         "--quick", action="store_true", help="fewer repeats, and no alternative over 10 s"
@@ -303,6 +349,6 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
         "-o",
         "--output",
         metavar="NAME",
-        help="accuracy: also write all points to NAME.csv and pictures to NAME.png and NAME.pdf; "
+        help="accuracy, crankshaft: also write points to NAME.csv, pictures to NAME.png and NAME.pdf; "
         "other topics: write the table to the file NAME",
     )

@@ -10,11 +10,12 @@ The matrices are dense: a crank has some hundred unknowns.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating[Any]]
 DOF = 6
 
 

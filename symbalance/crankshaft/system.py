@@ -11,8 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symbalance.crankshaft.rotor import Array
 
@@ -73,6 +75,6 @@ class Trajectory:
     position: Array
     velocity: Array
     bearing: Array
-    multipliers: Array | None = None
+    multipliers: NDArray[np.complexfloating[Any, Any]] | None = None
     error: float = float("nan")
     seconds: float = float("nan")

@@ -1,0 +1,1 @@
+"""The parts of `symbalance bench crankshaft`: the crank it runs, its cases, the runs, their picture."""

@@ -1,0 +1,125 @@
+"""`symbalance crankshaft`: an engine's crankshaft as it runs, from its file to a folder of results."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from symbalance.cli.output import whole_number, write, write_files
+from symbalance.errors import SymbalanceError
+
+MOST_SPEEDS = 1000
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run the engine at every speed; each finished one is kept; 1 if a result is not valid.
+
+    Not valid: an orbit beyond its clearance, an unstable speed, a safety factor below 1.
+    """
+    modes = whole_number(options.modes, "modes")
+    steps = whole_number(options.steps, "steps")
+    passes = whole_number(options.passes, "passes")
+    folder = _checked_folder(options.output)
+
+    from symbalance.crankshaft.files import read_running_engine
+    from symbalance.crankshaft.reports import summary
+    from symbalance.crankshaft.reports.pictures import check_drawing, pictures
+    from symbalance.crankshaft.running import setting, swept
+    from symbalance.crankshaft.running.measured import check_overlay
+
+    _check_libraries()
+    if not options.no_plots:
+        check_drawing()
+    engine = read_running_engine(options.engine)
+    if options.rpm is not None:
+        engine = engine.at_speeds(_speeds(options.rpm))
+    made = setting(
+        engine,
+        webs=options.webs,
+        modes=modes,
+        connection=options.connection,
+        steps=steps,
+        about=options.about,
+        passes=passes,
+        store=None if folder is None else folder / "webs.json",
+    )
+    if engine.operation.overlay is not None:  # before the long run, not after it
+        names = [channel.name for channel in made.channels]
+        check_overlay(engine.operation.overlay, names, engine.layout.strokes * 180)
+    kept = None if folder is None else folder / "speeds"
+    outcomes = swept(made, kept, lambda line: print(line, file=sys.stderr, flush=True))
+    found = summary(made, outcomes)
+    drawn = {} if options.no_plots or folder is None else pictures(found)
+    if folder is not None:
+        _write_all(folder, found, drawn)
+    write(_printed(found, options.format), None)
+    return 0 if found.valid else 1
+
+
+def _printed(found, form: str) -> str:
+    from symbalance.crankshaft.reports import summary_json, summary_page, summary_text
+
+    return {"text": summary_text, "json": summary_json, "latex": summary_page}[form](found)
+
+
+def _write_all(folder: Path, found, drawn: dict[str, bytes]) -> None:
+    """Write every report, curve and picture: all whole before the first is put in place."""
+    from symbalance.crankshaft.reports import curves_csv, summary_json, summary_page, summary_text
+
+    contents: dict[str, str | bytes] = {
+        "report.txt": summary_text(found),
+        "report.tex": summary_page(found, list(drawn)),
+        "report.json": summary_json(found),
+        **{f"curves-{o.rpm:g}rpm.csv": curves_csv(o) for o in found.outcomes},
+        **drawn,
+    }
+    write_files({str(folder / name): content for name, content in contents.items()})
+
+
+def _checked_folder(output: str | None) -> Path | None:
+    """Return the folder, made if it is not there; refused before the long run, not after it."""
+    if output is None:
+        return None
+    folder = Path(output)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as problem:
+        rule = f"cannot be made ({problem.strerror})"
+        raise SymbalanceError(f"--output {output}", rule, "name a folder you may write to") from None
+    if not os.access(folder, os.W_OK):
+        raise SymbalanceError(f"--output {output}", "is write-protected", "name another folder")
+    return folder
+
+
+def _check_libraries() -> None:
+    from importlib.util import find_spec
+
+    from symbalance.errors import MissingPartError
+
+    for name in ("scipy", "rainflow"):
+        if sys.modules.get(name, name) is None or find_spec(name) is None:
+            raise MissingPartError(
+                "crankshaft", f"{name} is not installed", "pip install 'symbalance[crankshaft]'"
+            )
+
+
+def _speeds(text: str) -> list[float]:
+    """Return the speeds of --rpm: 2200, or 1000:4000:500, or 1000,2200."""
+    from symbalance.crankshaft.running.sweep import speeds_between
+
+    what, remedy = f"--rpm {text}", "write 2200, 1000,2200 or from:to:step, as in 1000:4000:500"
+    try:
+        parts = [float(part) for part in text.replace(":", ",").split(",")]
+    except ValueError:
+        raise SymbalanceError(what, "must be speeds in rpm", remedy) from None
+    if not all(0 < part < 1e6 for part in parts):
+        raise SymbalanceError(what, "must be positive speeds in rpm", remedy)
+    if ":" not in text:
+        return parts
+    if len(parts) != 3 or "," in text or parts[0] > parts[1]:
+        raise SymbalanceError(what, "must be from:to:step", remedy)
+    if (parts[1] - parts[0]) / parts[2] >= MOST_SPEEDS:
+        raise SymbalanceError(what, f"asks for more than {MOST_SPEEDS} speeds", "take a larger step")
+    return list(speeds_between(*parts))

@@ -1,0 +1,77 @@
+"""An engine file with all that a running crankshaft needs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from symbalance.catalogue import preset_names
+from symbalance.crankshaft.crank import Crank
+from symbalance.crankshaft.files import geometry, operation, supports
+from symbalance.crankshaft.files.operation import Operation
+from symbalance.crankshaft.files.sections import Section, Source
+from symbalance.crankshaft.files.supports import Supports
+from symbalance.engine_file import parse_engine, read_text, toml_table
+from symbalance.errors import SymbalanceError
+from symbalance.layout import Layout
+
+
+@dataclass(frozen=True)
+class RunningEngine:
+    """A layout, its crank, its bearings and how it runs."""
+
+    layout: Layout
+    crank: Crank
+    supports: Supports
+    operation: Operation
+
+    @property
+    def mass(self) -> float:
+        """The reciprocating mass of the first cylinder in kg."""
+        return float(self.layout.train_of(self.layout.cylinders[0]).reciprocating_mass or 0)
+
+    def at_speeds(self, rpm: Sequence[float]) -> RunningEngine:
+        """Return the same engine with other speeds to run at."""
+        speeds = operation.checked_speeds(list(rpm))
+        return replace(self, operation=replace(self.operation, rpm=speeds))
+
+
+def read_running_engine(path: str | Path) -> RunningEngine:
+    """Return the engine of a file with [crankshaft], [bearings] and [running]; refusals name the line."""
+    refuse_preset(path)
+    text, place = read_text(path), str(path)
+    layout = parse_engine(text, place, default_name=Path(path).stem)
+    table, source = toml_table(text, place), Source(tuple(text.split("\n")), place)
+    folder = Path(path).parent
+    for cylinder in layout.cylinders:
+        if layout.train_of(cylinder).reciprocating_mass is None:
+            what = f"{place}: cylinder {cylinder.number}"
+            raise SymbalanceError(what, "has no reciprocating_mass", "give it in [crank_train], in kg")
+    crank = geometry.read_crank(_section(table, source, "crankshaft", geometry.KEYS), layout)
+    held = supports.read_supports(_section(table, source, "bearings", supports.KEYS), crank, folder)
+    run = operation.read_operation(_section(table, source, "running", operation.KEYS), layout, folder)
+    return RunningEngine(layout, crank, held, run)
+
+
+def refuse_preset(path: str | Path) -> None:
+    """Refuse a preset's name: what it has, and what it lacks to run."""
+    name = str(path)
+    if name in preset_names() and not Path(name).exists():
+        rule = "is a preset: angles and firing order, no sizes, and a crankshaft runs from an engine file"
+        remedy = (
+            f"symbalance engines --show {name} > engine.toml; add stroke, rod and reciprocating_mass to "
+            "[crank_train], then [crankshaft], [bearings] and [running] as the README shows"
+        )
+        raise SymbalanceError(name, rule, remedy)
+
+
+def _section(table: dict[str, Any], source: Source, name: str, known: tuple[str, ...]) -> Section:
+    value = table.get(name)
+    if value is None:
+        remedy = f"a running crankshaft needs [crankshaft], [bearings] and [running]: add [{name}]"
+        raise SymbalanceError(source.place, f"has no [{name}] table", remedy)
+    if not isinstance(value, dict):
+        raise SymbalanceError(f"{source.place}: {name}", "must be a table", f"write [{name}] on a line")
+    return Section(value, source, name, known)

@@ -1,0 +1,251 @@
+"""From [crankshaft] and a layout to a crank: pins in the order of the cylinders' stations.
+
+A bay is what lies between two journals. The cylinders of one station share a bay: one pin where they
+share a throw, several pins with a flying web between where they do not (split pins). `web_only_after`
+joins the bay of a pin to the next by a flying web, without a journal between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import groupby, pairwise
+from math import pi
+
+from symbalance.crankshaft.checks import check_geometry
+from symbalance.crankshaft.crank import Counterweight, Crank, Disc, Journal, Material, Part, Pin, Web
+from symbalance.crankshaft.files.sections import MILLI, Section
+from symbalance.cylinders import Cylinder
+from symbalance.errors import SymbalanceError
+from symbalance.layout import Layout
+
+DEGREE = pi / 180
+KEYS = (
+    "young",
+    "poisson",
+    "density",
+    "journal",
+    "pin",
+    "web",
+    "flying_web",
+    "web_only_after",
+    "no_bearing",
+    "counterweight",
+    "pulley",
+    "flywheel",
+)
+ROUND = ("diameter", "length", "bore", "fillet")
+WEB = ("thickness", "width", "tip", "heel")
+WEIGHT = ("webs", "mass", "radius", "angle", "inertia", "outer", "half_angle")
+DISC = ("mass", "polar", "diametral", "distance", "diameter")
+PITCH_TOLERANCE = 1e-3
+"""How far the sum of a throw's lengths may differ from the pitch, of the pitch."""
+
+Group = tuple[Cylinder, ...]
+
+
+def read_crank(section: Section, layout: Layout) -> Crank:
+    """Return the crank of [crankshaft] for a layout; lengths in mm, moduli in GPa, kg, kg mm^2."""
+    bays = _joined(_bays(layout), section)
+    pins = _read_pins(section, bays, layout)
+    webs = _read_webs(section, bays, pins)
+    journals = _read_journals(section, len(bays) + 1)
+    crank = Crank(
+        _chain(journals, webs, pins, bays),
+        _material(section),
+        _disc(section, "pulley"),
+        _disc(section, "flywheel"),
+    )
+    section.guarded("", lambda: check_geometry(crank))
+    _check_pitch(section, crank, layout, [pin for bay in bays for pin in bay])
+    return crank
+
+
+def _bays(layout: Layout) -> list[list[Group]]:
+    """Return the bays front to rear, each its pins, each the cylinders that share it."""
+    if layout.has_symbols:
+        raise SymbalanceError(layout.name, "has angles with symbols", "a crankshaft needs numbers")
+    ordered = sorted(layout.cylinders, key=lambda c: -c.station)
+    bays = []
+    for _, here in groupby(ordered, lambda c: c.station):
+        pins: dict[Fraction, list[Cylinder]] = {}
+        for cylinder in here:
+            pins.setdefault(cylinder.throw.turns % 1, []).append(cylinder)
+        bays.append([tuple(pin) for pin in pins.values()])
+    return _sharing(bays)
+
+
+def _sharing(bays: list[list[Group]]) -> list[list[Group]]:
+    """Return the bays with neighbouring pins of one throw and different banks, less than half a pitch
+    apart, made one: the rods of a vee side by side.
+    """
+    found = bays[:1]
+    for bay in bays[1:]:
+        before, after = found[-1][-1], bay[0]
+        near = before[-1].station - after[0].station < Fraction(1, 2)
+        if near and len(bay) == len(found[-1]) == 1 and _one_pin(before, after):
+            found[-1] = [before + after]
+        elif near:
+            found[-1] = found[-1] + bay
+        else:
+            found.append(bay)
+    return found
+
+
+def _one_pin(before: Group, after: Group) -> bool:
+    alike = (before[0].throw.turns - after[0].throw.turns) % 1 == 0
+    return alike and not {c.bank for c in before} & {c.bank for c in after}
+
+
+def _joined(bays: list[list[Group]], section: Section) -> list[list[Group]]:
+    """Return the bays with those that `web_only_after` names joined to the next."""
+    count = sum(map(len, bays))
+    joined = set(section.places("web_only_after", max(count - 1, 1)))
+    found: list[list[Group]] = []
+    place = 0
+    for bay in bays:
+        if found and place in joined:
+            found[-1] = found[-1] + bay
+        else:
+            found.append(list(bay))
+        place += len(bay)
+    return found
+
+
+def _read_pins(section: Section, bays: list[list[Group]], layout: Layout) -> list[Pin]:
+    table = section.subsection("pin", ROUND)
+    groups = [pin for bay in bays for pin in bay]
+    sizes = [table.numbers(key, len(groups), None, MILLI) for key in ROUND[:2]]
+    sizes += [table.numbers(key, len(groups), 0.0, MILLI, zero=True) for key in ROUND[2:]]
+    pins = []
+    for group, diameter, length, bore, fillet in zip(groups, *sizes, strict=True):
+        radius = _crank_radius(section, layout, group)
+        angle = 2 * pi * float(group[0].throw.turns % 1)
+        numbers = tuple(c.number for c in group)
+        pins.append(Pin(diameter, length, radius, angle, numbers, bore, fillet))
+    return pins
+
+
+def _crank_radius(section: Section, layout: Layout, group: Group) -> float:
+    """Return the crank radius in m that a pin's cylinders agree on; a link rod's is its master's."""
+    by_number = {c.number: c for c in layout.cylinders}
+    owners = [by_number[c.link.master] if c.link else c for c in group]
+    strokes = {layout.train_of(c).stroke for c in owners}
+    stroke = strokes.pop()
+    if stroke is None:
+        what = f"cylinder {group[0].number}"
+        raise SymbalanceError(
+            what, "has no stroke", "give stroke in mm, in [crank_train]", section.place()
+        )
+    if strokes:
+        numbers = ", ".join(str(c.number) for c in group)
+        what = f"cylinders {numbers}"
+        raise SymbalanceError(
+            what, "share a pin and not a stroke", "give them one stroke", section.place()
+        )
+    return float(stroke) / 2 * MILLI
+
+
+def _read_journals(section: Section, count: int) -> list[Journal]:
+    table = section.subsection("journal", ROUND)
+    sizes = [table.numbers(key, count, None, MILLI) for key in ROUND[:2]]
+    sizes += [table.numbers(key, count, 0.0, MILLI, zero=True) for key in ROUND[2:]]
+    bare = section.places("no_bearing", count)
+    rows = enumerate(zip(*sizes, strict=True), 1)
+    return [Journal(d, long, b, f, bearing=i not in bare) for i, (d, long, b, f) in rows]
+
+
+def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> list[Web]:
+    """Return the webs front to rear: each bay has one more than pins, its inner ones flying."""
+    table = section.subsection("web", WEB)
+    flying = [0 < i < len(bay) for bay in bays for i in range(len(bay) + 1)]
+    sizes = [table.numbers(key, len(flying), None, MILLI) for key in WEB]
+    if any(flying) and not isinstance(table.table["thickness"], list):
+        thin = section.number("flying_web", None, MILLI)
+        sizes[0] = [thin if f else t for f, t in zip(flying, sizes[0], strict=True)]
+    weights = _read_counterweights(section, bays, pins, len(flying))
+    rows = zip(*sizes, strict=True)
+    return [Web(*row[:4], counterweight=weights.get(i)) for i, row in enumerate(rows, 1)]
+
+
+def _read_counterweights(
+    section: Section, bays: list[list[Group]], pins: list[Pin], count: int
+) -> dict[int, Counterweight]:
+    """Return each web's counterweight; its angle counts from opposite the web's pin."""
+    counted = iter(pins)
+    beside = []  # the pin behind each web, of a bay's last web the pin before it
+    for bay in bays:
+        own = [next(counted) for _ in bay]
+        beside += [*own, own[-1]]
+    found: dict[int, Counterweight] = {}
+    for row in section.subsections("counterweight", WEIGHT):
+        if not row.table.get("webs"):
+            raise row.missing("webs", "add webs = [1, 2], counted from 1 at the front")
+        for web in row.places("webs", count):
+            if web in found:
+                raise row.refusal("webs", f"gives web {web} a second counterweight", "name each web once")
+            found[web] = _counterweight(row, beside[web - 1].angle)
+    return found
+
+
+def _counterweight(row: Section, pin: float) -> Counterweight:
+    return Counterweight(
+        row.number("mass", None),
+        row.number("radius", None, MILLI),
+        pin + pi + row.number("angle", 0.0, DEGREE, any_sign=True),
+        row.number("inertia", 0.0, MILLI**2, zero=True),
+        row.number("outer", 0.0, MILLI, zero=True),
+        row.number("half_angle", 0.0, DEGREE, zero=True),
+    )
+
+
+def _material(section: Section) -> Material:
+    poisson = section.number("poisson", 0.29, zero=True)
+    if poisson >= 0.5:
+        raise section.refusal("poisson", "must lie in [0, 0.5)", "steel has 0.29")
+    return Material(section.number("young", 206.0, 1e9), poisson, section.number("density", 7850.0))
+
+
+def _disc(section: Section, key: str) -> Disc | None:
+    if key not in section:
+        return None
+    table = section.subsection(key, DISC)
+    polar = table.number("polar", None, MILLI**2)
+    return Disc(
+        table.number("mass", None),
+        polar,
+        table.number("diametral", polar / MILLI**2 / 2, MILLI**2),
+        table.number("distance", 0.0, MILLI, zero=True),
+        table.number("diameter", 0.0, MILLI, zero=True),
+    )
+
+
+def _chain(
+    journals: Sequence[Journal], webs: Sequence[Web], pins: Sequence[Pin], bays: Sequence[Sequence[Group]]
+) -> tuple[Part, ...]:
+    next_web, next_pin = iter(webs), iter(pins)
+    parts: list[Part] = [journals[0]]
+    for bay, journal in zip(bays, journals[1:], strict=True):
+        parts.append(next(next_web))
+        for _ in bay:
+            parts += [next(next_pin), next(next_web)]
+        parts.append(journal)
+    return tuple(parts)
+
+
+def _check_pitch(section: Section, crank: Crank, layout: Layout, groups: Sequence[Group]) -> None:
+    """Refuse a chain whose pins do not stand where the cylinders do."""
+    pitch = layout.crank_train.pitch
+    if pitch is None:
+        return
+    middles = [
+        (start + end) / 2 / MILLI for part, start, end in crank.stations() if isinstance(part, Pin)
+    ]
+    places = [-float(sum(c.station for c in g) / len(g) * pitch) for g in groups]
+    for i, ((m0, m1), (p0, p1)) in enumerate(zip(pairwise(middles), pairwise(places), strict=True), 1):
+        shared = abs(p1 - p0) < float(pitch) / 2  # pins of one bay: rods side by side
+        if not shared and abs((m1 - m0) - (p1 - p0)) > PITCH_TOLERANCE * float(pitch):
+            what = f"pins {i} and {i + 1} lie {m1 - m0:.6g} mm apart"
+            rule = f"must lie {p1 - p0:.6g} mm apart, as their cylinders do"
+            remedy = "journal + 2 webs + pin is the pitch: correct a length, or [crank_train] pitch"
+            raise SymbalanceError(what, rule, remedy, section.place())

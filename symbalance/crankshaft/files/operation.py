@@ -1,0 +1,207 @@
+"""From [running]: bore, speeds, pressure, rods, damping, the material's strength, a measured curve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+from math import pi
+from pathlib import Path
+
+from symbalance.crankshaft.files.sections import MILLI, Section
+from symbalance.errors import SymbalanceError
+from symbalance.layout import Layout
+from symbalance.mechanisms import RodSplit
+from symbalance.torque import PressureTrace, ideal_cycle, read_pressure
+from symbalance.torque.tangential import AMBIENT
+
+KEYS = (
+    "bore",
+    "rpm",
+    "pressure",
+    "compression",
+    "heat",
+    "peak_pressure",
+    "intake",
+    "ambient",
+    "big_end_mass",
+    "rod_mass",
+    "rod_centre",
+    "rod_inertia",
+    "damping",
+    "strength",
+    "overlay",
+)
+STRENGTH = ("tensile", "endurance", "slope", "cycles")
+OVERLAY = ("file", "channel", "rpm")
+MOST_RPM = 100_000
+IDEAL = ("compression", "heat", "peak_pressure", "intake")
+
+
+@dataclass(frozen=True)
+class Strength:
+    """What the material bears, Pa: tensile strength, endurance limit at zero mean, and the S-N line.
+
+    Amplitudes above the endurance limit last `cycles` (endurance/amplitude)^slope. The defaults are
+    estimates for a forged and hardened steel crank; a real assessment needs measured ones.
+    """
+
+    tensile: float = 900e6
+    endurance: float = 400e6
+    slope: float = 8.0
+    cycles: float = 2e6
+
+
+@dataclass(frozen=True)
+class Overlay:
+    """A measured curve: its file, the channel it was measured at, the speed in rpm (None: every one)."""
+
+    path: Path
+    channel: str
+    rpm: float | None
+
+
+@dataclass(frozen=True)
+class Operation:
+    """How the engine runs, SI but for `rpm`; `excess` is the rods' J_x in kg m^2, `damping` modal."""
+
+    bore: float
+    rpm: tuple[float, ...]
+    trace: PressureTrace
+    ambient: float
+    big_end_mass: float
+    excess: float
+    damping: float
+    strength: Strength
+    overlay: Overlay | None
+
+    @property
+    def area(self) -> float:
+        """The piston's area in m^2."""
+        return pi * self.bore**2 / 4
+
+
+def read_operation(section: Section, layout: Layout, folder: Path) -> Operation:
+    """Return what [running] says: bore in mm, speeds in rpm, pressures in bar absolute, kg, kg mm^2."""
+    rod = _rod(section, layout)
+    return Operation(
+        bore=section.number("bore", None, MILLI),
+        rpm=_speeds(section),
+        trace=_trace(section, layout, folder),
+        ambient=section.number("ambient", float(AMBIENT), zero=True),
+        big_end_mass=_big_end_mass(section, rod),
+        excess=0.0 if rod is None else float(rod.excess) * MILLI**2,
+        damping=_damping(section),
+        strength=_strength(section),
+        overlay=_overlay(section, folder),
+    )
+
+
+def _speeds(section: Section) -> tuple[float, ...]:
+    if "rpm" not in section:
+        raise section.missing("rpm", "add rpm = 2200, or a list of speeds")
+    speeds = section.several("rpm", ())
+    return section.guarded("rpm", lambda: checked_speeds(speeds))
+
+
+def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
+    """Return speeds in rising order; refuse none at all, one not positive, and repeated ones."""
+    if not speeds:
+        raise SymbalanceError("rpm = []", "names no speed", "write rpm = 2200, or a list")
+    for speed in speeds:
+        if not 0 < speed <= MOST_RPM:
+            rule = f"must lie in (0, {MOST_RPM}] rpm"
+            raise SymbalanceError(f"rpm = {speed:.6g}", rule, "a crank at rest has no running stress")
+    ordered = tuple(sorted(speeds))
+    for before, after in pairwise(ordered):
+        if before == after:
+            raise SymbalanceError(f"rpm = {after:.6g}", "is named twice", "name each speed once")
+    return ordered
+
+
+def _trace(section: Section, layout: Layout, folder: Path) -> PressureTrace:
+    name = section.text("pressure")
+    ideal = [key for key in IDEAL if key in section]
+    if name is not None:
+        if ideal:
+            raise section.refusal(ideal[0], "is for an ideal cycle", "drop it, or drop pressure")
+        return section.guarded("pressure", lambda: read_pressure(folder / name, strokes=layout.strokes))
+    if "compression" not in section:
+        remedy = 'add pressure = "trace.csv" (degrees, bar), or compression and heat of an ideal cycle'
+        raise section.missing("pressure", remedy)
+    given = {key: section.table[key] for key in IDEAL[1:] if key in section}
+    if not {"heat", "peak_pressure"} & set(given):
+        raise section.missing("heat", "add heat = 18 (p V at bottom dead centre), or peak_pressure")
+
+    def made() -> PressureTrace:
+        cycle = ideal_cycle(section.table["compression"], strokes=layout.strokes, **given)
+        return cycle.trace(layout.train_of(layout.cylinders[0]).ratio)
+
+    return section.guarded("compression", made)
+
+
+def _rod(section: Section, layout: Layout) -> RodSplit | None:
+    keys = ("rod_mass", "rod_centre", "rod_inertia")
+    given = [key for key in keys if key in section]
+    if not given:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
+        return layout.train_of(layout.cylinders[0]).rod_split
+    for key in keys:
+        if key not in section:
+            raise section.missing(key, f"add {key} = ..., or drop {given[0]} and give big_end_mass")
+    if "big_end_mass" in section:
+        raise section.refusal("big_end_mass", "is rod_mass's big end already", "give one or the other")
+    length = layout.train_of(layout.cylinders[0]).rod
+    if length is None:
+        raise section.refusal(
+            given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]"
+        )
+    mass, centre, inertia = (section.table[key] for key in keys)
+    rod = section.guarded("rod_centre", lambda: RodSplit(mass, length, centre, inertia))
+    share = layout.crank_train.reciprocating_mass
+    if share is not None and rod.reciprocating > share:
+        rule = f"puts {float(rod.reciprocating):.6g} kg at the piston, above reciprocating_mass"
+        raise section.refusal(
+            "rod_mass", rule, "reciprocating_mass holds piston, pin and the rod's share"
+        )
+    return rod
+
+
+def _big_end_mass(section: Section, rod: RodSplit | None) -> float:
+    if rod is not None and "big_end_mass" not in section:
+        return float(rod.rotating)
+    if "big_end_mass" not in section:
+        remedy = "kg a rod, its rotating share with the bearing shells; 0 leaves it out"
+        raise section.missing("big_end_mass", remedy)
+    return section.number("big_end_mass", None, zero=True)
+
+
+def _damping(section: Section) -> float:
+    ratio = section.number("damping", 0.01, zero=True)
+    if ratio >= 1:
+        raise section.refusal("damping", "must lie in [0, 1)", "of critical; 0.01 to 0.03 is usual")
+    return ratio
+
+
+def _strength(section: Section) -> Strength:
+    table, usual = section.subsection("strength", STRENGTH), Strength()
+    made = Strength(
+        table.number("tensile", usual.tensile / 1e6, 1e6),
+        table.number("endurance", usual.endurance / 1e6, 1e6),
+        table.number("slope", usual.slope),
+        table.number("cycles", usual.cycles),
+    )
+    if made.endurance >= made.tensile:
+        rule = f"must lie below the tensile strength, {made.tensile / 1e6:.6g} MPa"
+        raise table.refusal("endurance", rule, "both in MPa")
+    return made
+
+
+def _overlay(section: Section, folder: Path) -> Overlay | None:
+    if "overlay" not in section:
+        return None
+    table = section.subsection("overlay", OVERLAY)
+    name, channel = table.text("file"), table.text("channel")
+    if name is None or channel is None:
+        key = "file" if name is None else "channel"
+        raise table.missing(key, 'as in file = "measured.csv", channel = "pin 2 bending"')
+    speed = table.number("rpm", None) if "rpm" in table else None
+    return Overlay(folder / name, channel, speed)

@@ -1,0 +1,27 @@
+"""The fixed-step methods by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from symbalance.crankshaft.integrators.checked import checked_steps, checked_system
+from symbalance.crankshaft.integrators.marching import LinearSteps
+from symbalance.crankshaft.integrators.newmark import newmark_steps
+from symbalance.crankshaft.integrators.radau import radau_steps
+from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.errors import SymbalanceError, shown
+
+FIXED: dict[str, Callable[[PeriodicSystem, int], LinearSteps]] = {
+    "radau-iia": radau_steps,
+    "radau-iia-9": lambda system, steps: radau_steps(system, steps, stages=5),
+    "newmark": newmark_steps,
+}
+
+
+def linear_steps(system: PeriodicSystem, method: str, steps: int) -> LinearSteps:
+    """Return one cycle of a fixed-step method."""
+    if method not in FIXED:
+        raise SymbalanceError(f"method = {shown(method)!r}", "is not known", f"one of {', '.join(FIXED)}")
+    checked_steps(steps)
+    checked_system(system)
+    return FIXED[method](system, steps)

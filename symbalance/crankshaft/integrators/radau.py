@@ -1,0 +1,163 @@
+"""Radau IIA with a fixed step for linear periodic systems: order 2 s - 1, L-stable, no step rejected.
+
+With A = T diag(poles) T^-1 the stages' accelerations come apart into one n x n system a pole,
+
+    (M + h p D + h^2 p^2 S) a_p = (T^-1 r)_p,    r_i = f_i - B^T b_i - D v - S (x + h c_i v),
+
+real or complex, factored once for the whole run. What the bearings add has rank 2 b a stage: their forces
+at the s stages are the only unknowns that a step solves for, and the systems of all steps are solved
+together beforehand. Housing states go along exactly; massless, they need a stiffly accurate method.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from symbalance.crankshaft.integrators.coefficients import coefficients, gathered, units
+from symbalance.crankshaft.integrators.films import stage_films
+from symbalance.crankshaft.integrators.marching import LinearSteps
+from symbalance.crankshaft.integrators.tableau import Complex, Tableau, radau_iia
+from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.system import PeriodicSystem
+
+
+def radau_steps(system: PeriodicSystem, steps: int, stages: int = 3) -> LinearSteps:
+    """Return one cycle of `steps` equal steps of Radau IIA with `stages` stages."""
+    tableau = radau_iia(stages)
+    h = system.cycle / system.omega / steps
+    theta = (system.cycle / steps) * (np.arange(steps)[:, None] + tableau.nodes)
+    rotor = _Rotor.of(system, tableau, h, system.force(theta.ravel()).reshape(steps, stages, -1))
+    films = stage_films(system, coefficients(system, theta.ravel()), tableau.matrix, h)
+    count = len(rotor.compliance)
+    small = films.velocity.reshape(steps * count, count) @ rotor.compliance
+    small = small.reshape(steps, count, count) + np.eye(count)
+    loads = films.velocity @ rotor.velocity_forced[..., None]
+    known = np.concatenate([films.velocity, films.displacement, films.housing, loads], axis=2)
+    gain = np.linalg.solve(small, known)
+    points = gathered(system)
+    free = np.vstack([rotor.free, rotor.velocity_seen, np.hstack([points, np.zeros_like(points)])])
+    return LinearSteps(
+        free,
+        rotor.load,
+        gain[..., :-1],
+        gain[..., -1],
+        rotor.forced,
+        films.kept,
+        films.moved,
+        units(system),
+    )
+
+
+@dataclass(frozen=True)
+class _Rotor:
+    """One step of the rotor between its bearings: state to state, bearing forces to state, and loads.
+
+    `velocity_seen` gives the journals' velocities at the stages (s 2b, 2n), `compliance` what the
+    stages' bearing forces take from them (s 2b, s 2b), `velocity_forced` what the loads add (N, s 2b).
+    """
+
+    free: Array
+    load: Array
+    forced: Array
+    velocity_seen: Array
+    compliance: Array
+    velocity_forced: Array
+
+    @classmethod
+    def of(cls, system: PeriodicSystem, tableau: Tableau, h: float, force: Array) -> _Rotor:
+        n, points, s = system.size, gathered(system), tableau.stages
+        shares, shapes = factored(force.reshape(-1, n))
+        made = [_pole(system, tableau, h, k, shapes) for k in tableau.kept]
+        sums = _Sums(made, tableau, shares.reshape(len(force), s, -1))
+        modes = (
+            h * tableau.transform[:, tableau.kept] * tableau.counted * tableau.poles[list(tableau.kept)]
+        )
+        place, speed = h * modes[-1] * tableau.poles[list(tableau.kept)], modes[-1]
+        shift = np.hstack([np.eye(n), h * np.eye(n)])
+        keep = np.hstack([np.zeros((n, n)), np.eye(n)])
+        return cls(
+            np.vstack([shift + sums.state(place), keep + sums.state(speed)]),
+            -np.vstack([sums.bearing(place), sums.bearing(speed)]),
+            np.hstack([sums.forced(place), sums.forced(speed)]),
+            np.concatenate([points @ keep + sums.state(row, points) for row in modes]),
+            -np.concatenate([sums.bearing(row, points) for row in modes]),
+            np.hstack([sums.forced(row, points) for row in modes]),
+        )
+
+
+@dataclass(frozen=True)
+class _Pole:
+    """One pole's accelerations per state (n, 2n), stages' bearing forces (n, s 2b), load shape (n, r)."""
+
+    state: Complex
+    bearing: Complex
+    shapes: Complex
+    inverse: Complex
+
+
+def _pole(system: PeriodicSystem, tableau: Tableau, h: float, k: int, shapes: Array) -> _Pole:
+    n, points = system.size, gathered(system)
+    pole, inverse = tableau.poles[k], tableau.inverse[k]
+    if pole.imag == 0:
+        pole, inverse = pole.real, inverse.real
+    matrix = system.mass + h * pole * system.damping + (h * pole) ** 2 * system.stiffness
+    solved = np.linalg.inv(matrix)
+    sides = np.hstack([system.stiffness, system.damping, points.T, shapes.T])
+    solved = solved.real @ sides + (1j * (solved.imag @ sides) if np.iscomplexobj(solved) else 0.0)
+    stiff, damped = solved[:, :n], solved[:, n : 2 * n]
+    ones, nodes = inverse.sum(), inverse @ tableau.nodes
+    state = -np.hstack([ones * stiff, ones * damped + h * nodes * stiff])
+    split = 2 * n + len(points)
+    return _Pole(state, -np.kron(inverse, solved[:, 2 * n : split]), solved[:, split:], inverse)
+
+
+@dataclass(frozen=True)
+class _Sums:
+    """Real sums over the poles, one weight each; `points` picks the journals' rows before the sum."""
+
+    poles: list[_Pole]
+    tableau: Tableau
+    shares: Array
+
+    def state(self, weights: Complex, points: Array | None = None) -> Array:
+        return self._sum(weights, [p.state for p in self.poles], points)
+
+    def bearing(self, weights: Complex, points: Array | None = None) -> Array:
+        return self._sum(weights, [p.bearing for p in self.poles], points)
+
+    def forced(self, weights: Complex, points: Array | None = None) -> Array:
+        each = [p.shapes if points is None else points @ p.shapes for p in self.poles]
+        spread = [np.kron(p.inverse, shape) for p, shape in zip(self.poles, each, strict=True)]
+        return self.shares.reshape(len(self.shares), -1) @ self._sum(weights, spread, None).T
+
+    @staticmethod
+    def _sum(weights: Complex, parts: list[Complex], points: Array | None) -> Array:
+        if points is not None:
+            parts = [points @ part for part in parts]
+        total = np.zeros(parts[0].shape)
+        for weight, part in zip(weights, parts, strict=True):
+            total += weight.real * part.real - weight.imag * part.imag
+        return total
+
+
+def factored(loads: Array, most: int = 48) -> tuple[Array, Array]:
+    """Return loads (s, n) as shares (s, r) times shapes (r, n), exact to rounding: r is small on a crank.
+
+    A random projection finds the space that the loads span: pins, gravity, centrifugal forces. Where
+    `most` shapes do not carry them the loads are returned as they are, with unit shapes.
+
+    >>> shares, shapes = factored(np.outer(np.arange(9.0), np.ones(60)), most=3)
+    >>> shapes.shape[0] <= 3 and bool(np.allclose(shares @ shapes, np.outer(np.arange(9.0), np.ones(60))))
+    True
+    """
+    width = loads.shape[1]
+    if width > most:
+        mixed = np.random.default_rng(0).standard_normal((most, len(loads))) @ loads
+        sizes, shapes = np.linalg.svd(mixed, full_matrices=False)[1:]
+        shapes = shapes[sizes > 1e-15 * sizes[0]]
+        shares = loads @ shapes.T
+        if np.abs(shares @ shapes - loads).max(initial=0.0) <= 1e-13 * np.abs(loads).max(initial=0.0):
+            return shares, shapes
+    return loads, np.eye(width)

@@ -1,0 +1,75 @@
+"""Radau IIA collocation: nodes, weights, and the transform that takes its stages apart."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbalance.crankshaft.rotor import Array
+from symbalance.errors import SymbalanceError, shown
+
+Complex = NDArray[np.complexfloating[Any, Any]]
+MOST_STAGES = 9
+
+
+@dataclass(frozen=True)
+class Tableau:
+    """Nodes c (s,) and matrix A (s, s) of a stiffly accurate method: its weights are A's last row.
+
+    A = T diag(poles) T^-1; one pole of each conjugate pair is kept in `kept`, with the factor (1 or 2)
+    that its real part counts in `counted`.
+    """
+
+    nodes: Array
+    matrix: Array
+    transform: Complex
+    inverse: Complex
+    poles: Complex
+    kept: tuple[int, ...]
+    counted: Array
+
+    @property
+    def stages(self) -> int:
+        """The number of stages."""
+        return len(self.nodes)
+
+    @property
+    def order(self) -> int:
+        """The order of convergence, 2 s - 1."""
+        return 2 * self.stages - 1
+
+
+@cache
+def radau_iia(stages: int = 3) -> Tableau:
+    """Return Radau IIA with s stages, of order 2 s - 1: L-stable, exact at the right end.
+
+    The nodes are the roots of P_{s-1} - P_s on [0, 1], Legendre polynomials; A integrates the Lagrange
+    polynomials through them. Source: Hairer and Wanner, Solving Ordinary Differential Equations II
+    (1996), IV.5 (from memory); three stages there: c = (4 -+ sqrt 6)/10, 1.
+
+    >>> [round(float(c), 6) for c in radau_iia(3).nodes], round((4 - 6**0.5) / 10, 6)
+    ([0.155051, 0.644949, 1.0], 0.155051)
+    """
+    if not 1 <= stages <= MOST_STAGES:
+        what = f"{shown(stages)} stages"
+        raise SymbalanceError(what, f"must lie in 1 to {MOST_STAGES}", "3 has order 5, 5 has order 9")
+    legendre = np.polynomial.legendre.Legendre
+    difference = legendre.basis(stages) - (legendre.basis(stages - 1) if stages else 0)
+    roots = np.sort(np.real(difference.roots()))
+    roots[-1] = 1.0
+    nodes = (roots + 1) / 2
+    powers = np.arange(stages)
+    lagrange = np.linalg.inv(nodes[:, None] ** powers)
+    matrix = (nodes[:, None] ** (powers + 1) / (powers + 1)) @ lagrange
+    poles, transform = np.linalg.eig(matrix)
+    return _taken_apart(nodes, matrix, poles.astype(complex), transform.astype(complex))
+
+
+def _taken_apart(nodes: Array, matrix: Array, poles: Any, transform: Any) -> Tableau:
+    kept = tuple(int(i) for i in np.flatnonzero(poles.imag >= 0))
+    counted = np.array([1.0 if poles[i].imag == 0 else 2.0 for i in kept])
+    return Tableau(nodes, matrix, transform, np.linalg.inv(transform), poles, kept, counted)

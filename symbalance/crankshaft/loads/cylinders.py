@@ -1,0 +1,129 @@
+"""The force of every rod on its crank pin, in its cylinder's frame and in turning coordinates."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import pi
+
+import numpy as np
+
+from symbalance.crankshaft.files import RunningEngine
+from symbalance.crankshaft.loads.motion import Complex, Motion, link_arm, motion
+from symbalance.crankshaft.loads.pressures import pressures
+from symbalance.crankshaft.rotor import Array
+from symbalance.cylinders import Cylinder
+from symbalance.mechanisms import LinkRod, Mechanism
+from symbalance.torque import firing_tops
+from symbalance.torque.running import PASCAL
+from symbalance.unlike import mechanism_of
+
+MILLI = 1e-3
+
+
+@dataclass(frozen=True)
+class RodForces:
+    """The rods' forces of an engine at a speed `omega` (rad/s), as functions of the crank angle.
+
+    Arrays of crank angles theta (s,) in radians give complex arrays (s,): N, in turning coordinates
+    along U + i V. `parts` switches gas and inertia on: both by default.
+    """
+
+    engine: RunningEngine
+    omega: float
+    parts: tuple[str, ...] = ("gas", "inertia")
+
+    def at(self, number: int, theta: Array) -> Complex:
+        """Return the force of a cylinder's rod on the crank pin, a link rod's through its master."""
+        return self.own(number, theta) * np.exp(1j * (self._bank(number) - theta))
+
+    def own(self, number: int, theta: Array) -> Complex:
+        """Return that force in the cylinder's own frame: height + i lateral, N.
+
+        A master's holds the lateral force that balances its link rods' moments about the crank pin; the
+        link rods' own forces are theirs.
+        """
+        cylinder, moved = self._cylinders[number], self._motion(number, theta)
+        axial = self.axial(number, theta)
+        excess = self.engine.operation.excess * self.omega**2 * moved.swinging
+        moment = excess + sum(self._link_moment(link, theta) for link in self._links(cylinder))
+        across = moment / (self._length(number) * np.cos(moved.angle))
+        return axial - 1j * (axial * np.tan(moved.angle) + across)
+
+    def axial(self, number: int, theta: Array) -> Array:
+        """Return F, the piston's load along its axis, away from the crank: gas and inertia, N."""
+        total = np.zeros_like(np.asarray(theta, dtype=float))
+        if "gas" in self.parts:
+            after = theta - self._tops[number]
+            run = self.engine.operation
+            total = total - (pressures(run.trace, after) - run.ambient) * PASCAL * run.area
+        if "inertia" in self.parts:
+            unit = self._mass(number) * self._radius(number) * self.omega**2
+            total = total - unit * self._motion(number, theta).acceleration
+        return total
+
+    def side_thrust(self, number: int, theta: Array) -> Array:
+        """Return the force on the cylinder's wall, + lateral, N: minus the lateral part of `own`."""
+        return -self.own(number, theta).imag
+
+    def torque(self, theta: Array) -> Array:
+        """Return the torque of all rods on the crank, + in the sense of rotation, N m."""
+        arms = {pin: p for p in self.engine.crank.pins for pin in p.cylinders}
+        return sum(
+            (
+                arms[n].radius * (np.exp(-1j * arms[n].angle) * self.at(n, theta)).imag
+                for n in self._cylinders
+            ),
+            np.zeros_like(theta),
+        )
+
+    @cached_property
+    def _cylinders(self) -> dict[int, Cylinder]:
+        return {c.number: c for c in self.engine.layout.cylinders}
+
+    @cached_property
+    def _mechanisms(self) -> dict[int, Mechanism]:
+        layout = self.engine.layout
+        return {n: mechanism_of(layout, c) for n, c in self._cylinders.items()}
+
+    @cached_property
+    def _tops(self) -> dict[int, float]:
+        return {n: float(top) * pi / 180 for n, top in firing_tops(self.engine.layout).items()}
+
+    def _motion(self, number: int, theta: Array) -> Motion:
+        delay = 2 * pi * float(self._cylinders[number].delay.turns)
+        return motion(self._mechanisms[number], theta + delay)
+
+    def _bank(self, number: int) -> float:
+        return 2 * pi * float(self._cylinders[number].bank.turns)
+
+    def _mass(self, number: int) -> float:
+        return float(self.engine.layout.train_of(self._cylinders[number]).reciprocating_mass or 0)
+
+    def _radius(self, number: int) -> float:
+        """Return the crank radius in m; a link rod's is its master's."""
+        cylinder = self._cylinders[number]
+        owner = cylinder if cylinder.link is None else self._cylinders[cylinder.link.master]
+        return float(self.engine.layout.train_of(owner).stroke or 0) / 2 * MILLI
+
+    def _length(self, number: int) -> float:
+        """Return a rod's length in m."""
+        return float(self._mechanisms[number].length) * self._radius(number)
+
+    def _links(self, master: Cylinder) -> list[Cylinder]:
+        found = self._cylinders.values()
+        return [c for c in found if c.link is not None and c.link.master == master.number]
+
+    def _link_moment(self, cylinder: Cylinder, theta: Array) -> Array:
+        """Return a link rod's moment about the crank pin, + in the sense of rotation, N m."""
+        link = self._mechanisms[cylinder.number]
+        assert isinstance(link, LinkRod)
+        master = cylinder.link.master if cylinder.link else 0
+        angle = self._motion(master, theta).angle
+        arm = link_arm(link) * np.exp(-1j * angle) * self._radius(cylinder.number)
+        return (np.conj(arm) * self.own(cylinder.number, theta)).imag
+
+
+def rod_forces(engine: RunningEngine, omega: float) -> RodForces:
+    """Return the rods' forces of an engine at a speed in rad/s."""
+    return RodForces(engine, omega)

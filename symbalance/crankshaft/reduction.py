@@ -1,0 +1,89 @@
+"""Fewer unknowns: the lowest modes of the free crank, and what each load and bearing does to it at rest.
+
+Plain modes converge slowly where forces enter at points: the stress at a pin is a sum over all of them.
+The static answer to each force (an attachment vector) puts the sum's tail in at once, so that the modes
+need only carry what resonates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from symbalance.crankshaft.integrators.coefficients import gathered
+from symbalance.crankshaft.integrators.radau import factored
+from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.errors import SymbalanceError, shown
+
+SUPPORT = 1e8
+"""Springs (N/m) at the bearings on which the static answers are taken: the free crank has none."""
+DEPENDENT = 1e-10
+"""Directions of the basis below this share of the largest, in the metric of M, are left out."""
+
+
+def reduced(
+    system: PeriodicSystem, modes: int = 20, *, attachments: bool = True, angles: int = 360
+) -> tuple[PeriodicSystem, Array]:
+    """Return the system in fewer unknowns a, and the basis (n, m): x = basis a.
+
+    The basis is the first `modes` modes of M and the symmetric part of the stiffness, and with
+    `attachments` the static answers to unit forces at the bearings and to the shapes that the loads have
+    at `angles` equal angles. Its columns are orthonormal in M. `unreduced` takes a trajectory back.
+    """
+    if not isinstance(modes, int | np.integer) or not 1 <= modes <= system.size:
+        raise SymbalanceError(f"modes = {shown(modes)}", f"must lie in 1 to {system.size}", "20 is usual")
+    stiffness = (system.stiffness + system.stiffness.T) / 2
+    columns: list[Array] = [lowest_modes(stiffness, system.mass, modes)]
+    if attachments:
+        points = gathered(system)
+        theta = system.cycle / angles * np.arange(angles)
+        shapes = factored(system.force(theta))[1]
+        supported = stiffness + SUPPORT * points.T @ points
+        columns.append(np.linalg.solve(supported, np.hstack([points.T, shapes.T])))
+    return projected(system, columns)
+
+
+def projected(system: PeriodicSystem, columns: Sequence[Array]) -> tuple[PeriodicSystem, Array]:
+    """Return the system on the span of columns (n, k), and an M-orthonormal basis of that span."""
+    basis = _orthonormal(columns, system.mass)
+    points = system.points @ basis
+    force = system.force
+    made = replace(
+        system,
+        mass=basis.T @ system.mass @ basis,
+        damping=basis.T @ system.damping @ basis,
+        stiffness=basis.T @ system.stiffness @ basis,
+        points=points,
+        force=lambda theta: force(theta) @ basis,
+    )
+    return made, basis
+
+
+def lowest_modes(stiffness: Array, mass: Array, count: int) -> Array:
+    """Return the modes (n, count) of the lowest frequencies, M-orthonormal.
+
+    >>> lowest_modes(np.diag([8.0, 1.0]), np.diag([2.0, 1.0]), 1).ravel().round(6) + 0.0
+    array([0., 1.])
+    """
+    lower = np.linalg.inv(np.linalg.cholesky(mass))
+    vectors = np.linalg.eigh(lower @ stiffness @ lower.T)[1][:, :count]
+    found = lower.T @ vectors
+    return found * np.where(found[np.abs(found).argmax(axis=0), np.arange(count)] < 0, -1.0, 1.0)
+
+
+def _orthonormal(columns: Sequence[Array], mass: Array) -> Array:
+    """Return an M-orthonormal basis, each group of columns cleared of those before it."""
+    basis = np.zeros((len(mass), 0))
+    for group in columns:
+        sized = group / np.sqrt(np.einsum("nk,nm,mk->k", group, mass, group))
+        for _ in range(2):
+            sized = sized - basis @ (basis.T @ mass @ sized)
+        values, vectors = np.linalg.eigh(sized.T @ mass @ sized)
+        kept = values > DEPENDENT**2 * 1e4
+        fresh = sized @ (vectors[:, kept] / np.sqrt(values[kept]))
+        fresh = fresh - basis @ (basis.T @ mass @ fresh)
+        basis = np.hstack([basis, fresh])
+    return basis

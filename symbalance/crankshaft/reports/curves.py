@@ -1,0 +1,61 @@
+"""A run's numbers for other programs: curves as CSV, the summary as JSON."""
+
+from __future__ import annotations
+
+import json
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from symbalance.crankshaft.reports.summary import MEGA, Summary
+from symbalance.crankshaft.running.outcome import Outcome
+
+
+def curves_csv(outcome: Outcome) -> str:
+    """Return a speed's channels, bearing loads (N) and orbits (mm) against the crank angle (degrees)."""
+    scale = np.array([1 / MEGA if unit == "Pa" else 1.0 for unit in outcome.units])
+    names = [
+        f"{n} [{'MPa' if u == 'Pa' else u}]" for n, u in zip(outcome.names, outcome.units, strict=True)
+    ]
+    columns = [outcome.degrees, *(outcome.values * scale).T]
+    for j in range(len(outcome.clearance)):
+        for axis, way in enumerate(("vertical", "lateral")):
+            names += [f"bearing {j + 1} {way} [N]", f"journal {j + 1} {way} [mm]"]
+            columns += [outcome.bearings[:, j, axis], outcome.orbits[:, j, axis] * 1000]
+    lines = [",".join(["crank angle [degrees]", *names])]
+    lines += [",".join(f"{x:.7g}" for x in row) for row in zip(*columns, strict=True)]
+    return "\n".join(lines) + "\n"
+
+
+def summary_json(found: Summary) -> str:
+    """Return the figures of a run as JSON; numbers in MPa, Hz, rpm, N, hours, null where infinite."""
+    document = {
+        "engine": found.setting.engine.layout.name,
+        "webs": found.setting.webs,
+        "modes": found.setting.modes,
+        "connection": found.setting.connection,
+        "natural_frequencies": [{"hertz": f, "mostly": kind} for f, kind in found.frequencies],
+        "speeds": [_finite(vars(s)) for s in found.speeds],
+        "channels": [_finite(vars(e)) for e in found.extremes],
+        "places": [
+            {
+                "name": p.name,
+                "rpm": p.rpm,
+                "amplitude": p.found.amplitude / MEGA,
+                "mean": p.found.mean / MEGA,
+                **_finite({"safety": p.found.safety, "damage": p.found.damage, "hours": p.hours}),
+            }
+            for p in found.places
+        ],
+        "measured": [
+            {"rpm": c.rpm, "channel": c.channel, "rms": c.rms, "peak": c.peak, "span": c.span}
+            for c in found.comparisons
+        ],
+        "notes": list(found.notes),
+    }
+    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
+
+
+def _finite(values: dict[str, Any]) -> dict[str, Any]:
+    return {k: None if isinstance(v, float) and not isfinite(v) else v for k, v in values.items()}

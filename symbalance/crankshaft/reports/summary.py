@@ -1,0 +1,178 @@
+"""The numbers every report of a running crankshaft prints."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+import numpy as np
+
+from symbalance.crankshaft.modes import kinds
+from symbalance.crankshaft.running.measured import Comparison, compared
+from symbalance.crankshaft.running.outcome import Outcome
+from symbalance.crankshaft.running.setting import Setting
+from symbalance.crankshaft.stress import Durability, durability
+
+MEGA = 1e6
+SHOWN_ORDERS = 4
+UNSTABLE = 1 + 1e-9
+"""A Floquet multiplier above this grows."""
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """A channel's least and largest value over all speeds, MPa or degrees; where it is largest."""
+
+    name: str
+    unit: str
+    least: float
+    largest: float
+    rpm: float
+    orders: tuple[tuple[float, float], ...]
+    """The largest orders at that speed, mean left out: (order, amplitude)."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place where a normal and a shear stress act together, and its durability at its worst speed."""
+
+    name: str
+    rpm: float
+    found: Durability
+    hours: float
+
+
+@dataclass(frozen=True)
+class Speed:
+    """A speed's figures: largest |x|/clearance, departure from the films' orbits, bearing load (N).
+
+    Then the largest Floquet multiplier, the integrator's error and seconds.
+    """
+
+    rpm: float
+    eccentricity: float
+    departure: float
+    bearing: float
+    largest: float
+    error: float
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Summary:
+    """All figures of a run."""
+
+    setting: Setting
+    outcomes: tuple[Outcome, ...]
+    frequencies: tuple[tuple[float, str], ...]
+    """The free crank's natural frequencies in Hz, and what mostly moves."""
+    speeds: tuple[Speed, ...]
+    extremes: tuple[Extreme, ...]
+    places: tuple[Place, ...]
+    comparisons: tuple[Comparison, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def worst(self) -> Place:
+        """The place of the least safety factor."""
+        return min(self.places, key=lambda place: place.found.safety)
+
+    @property
+    def valid(self) -> bool:
+        """Whether every orbit stays in its clearance, every speed is stable and every place safe."""
+        calm = all(o.within_clearance and not o.largest > UNSTABLE for o in self.outcomes)
+        return calm and self.worst.found.safety >= 1
+
+
+def summary(made: Setting, outcomes: Sequence[Outcome]) -> Summary:
+    """Return the figures of a run."""
+    named = kinds(made.rotor, made.modes_at_rest)
+    overlay = made.engine.operation.overlay
+    comparisons = [c for o in outcomes if overlay and (c := compared(overlay, o))]
+    return Summary(
+        made,
+        tuple(outcomes),
+        tuple(zip(map(float, made.modes_at_rest.frequencies), named, strict=True)),
+        tuple(_speed(outcome) for outcome in outcomes),
+        tuple(_extreme(name, outcomes) for name in outcomes[0].names),
+        tuple(_places(made, outcomes)),
+        tuple(comparisons),
+        tuple(_notes(made, outcomes)),
+    )
+
+
+def _speed(outcome: Outcome) -> Speed:
+    loads = np.hypot(outcome.bearings[..., 0], outcome.bearings[..., 1])
+    return Speed(
+        outcome.rpm,
+        float(outcome.eccentricity.max()),
+        outcome.departure,
+        float(loads.max()),
+        outcome.largest,
+        outcome.error,
+        outcome.seconds,
+    )
+
+
+def _extreme(name: str, outcomes: Sequence[Outcome]) -> Extreme:
+    unit = outcomes[0].units[outcomes[0].names.index(name)]
+    scale = 1 / MEGA if unit == "Pa" else 1.0
+    curves = [outcome.channel(name) * scale for outcome in outcomes]
+    worst = max(range(len(curves)), key=lambda i: np.abs(curves[i]).max())
+    orders, sizes = outcomes[worst].orders(name)
+    ranked = sorted(range(1, len(orders)), key=lambda k: -sizes[k])[:SHOWN_ORDERS]
+    return Extreme(
+        name,
+        "MPa" if unit == "Pa" else unit,
+        float(min(c.min() for c in curves)),
+        float(max(c.max() for c in curves)),
+        outcomes[worst].rpm,
+        tuple((float(orders[k]), float(sizes[k] * scale)) for k in ranked),
+    )
+
+
+def _places(made: Setting, outcomes: Sequence[Outcome]) -> list[Place]:
+    """Return the durability of every place that has a bending and a torsion channel."""
+    stresses = [c.name for c in made.channels if c.unit == "Pa" and not c.name.endswith("sideways")]
+    found = []
+    for name, pair in groupby(stresses, lambda n: n.rsplit(" ", 1)[0]):
+        bending, torsion = pair
+        strength = made.engine.operation.strength
+        rows = [(o, durability(o.channel(bending), o.channel(torsion), strength)) for o in outcomes]
+        outcome, worst = min(rows, key=lambda row: row[1].safety)
+        found.append(Place(name, outcome.rpm, worst, worst.hours(outcome.cycle_time)))
+    return found
+
+
+def _notes(made: Setting, outcomes: Sequence[Outcome]) -> list[str]:
+    """Return what a reader must know before believing the figures."""
+    notes = []
+    about = made.about == "orbit" and made.table is None
+    for outcome in outcomes:
+        if not outcome.within_clearance:
+            most = outcome.eccentricity.max()
+            notes.append(
+                f"{outcome.rpm:g} rpm: an orbit reaches {most:.2f} of its clearance: the films, linear "
+                f"about {'their orbits' if about else 'the centre'}, are taken beyond their validity"
+            )
+        if outcome.largest > UNSTABLE:
+            notes.append(
+                f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}"
+            )
+    for number, outside in _outside(made):
+        notes.append(f"{number}: outside the fillet formulas' range: {', '.join(outside)}")
+    if made.engine.operation.strength == type(made.engine.operation.strength)():
+        notes.append("strength: default values, estimates for a forged and hardened steel crank")
+    return notes
+
+
+def _outside(made: Setting) -> list[tuple[str, tuple[str, ...]]]:
+    found: dict[tuple[str, ...], list[str]] = {}
+    for channel in made.channels:
+        if channel.outside:
+            web = " ".join(channel.name.split()[:2])
+            names = found.setdefault(channel.outside, [])
+            if web not in names:
+                names.append(web)
+    return [(", ".join(webs), outside) for outside, webs in found.items()]

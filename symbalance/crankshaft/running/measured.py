@@ -1,0 +1,100 @@
+"""A measured curve beside the computed one: CSV of crank angle and value, and the error in numbers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+
+import numpy as np
+
+from symbalance.crankshaft.files.operation import Overlay
+from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.running.outcome import Outcome
+from symbalance.engine_file import read_text
+from symbalance.errors import SymbalanceError, shown
+from symbalance.torque.measured import measured
+
+FEWEST = 8
+MEGA = 1e6
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """A measured curve (degrees, MPa) beside the channel it was measured at, at one speed.
+
+    `rms` and `peak` are the errors computed - measured, MPa: root mean square, and largest value minus
+    largest value; `span` is the measured curve's whole range.
+    """
+
+    rpm: float
+    channel: str
+    degrees: Array
+    values: Array
+    rms: float
+    peak: float
+    span: float
+
+
+def compared(overlay: Overlay, outcome: Outcome) -> Comparison | None:
+    """Return the comparison at an outcome's speed, None where the curve belongs to another one."""
+    if overlay.rpm is not None and abs(overlay.rpm - outcome.rpm) > 1e-9 * outcome.rpm:
+        return None
+    cycle = round(np.degrees(outcome.cycle))
+    check_overlay(overlay, outcome.names, cycle)
+    degrees, values = read_curve(overlay.path, cycle)
+    theta = np.append(outcome.degrees, cycle)
+    computed = outcome.channel(overlay.channel) / MEGA
+    there = np.interp(degrees % cycle, theta, np.append(computed, computed[0]))
+    off = there - values
+    rms, peak = float(np.sqrt(np.mean(off**2))), float(computed.max() - values.max())
+    return Comparison(outcome.rpm, overlay.channel, degrees, values, rms, peak, float(np.ptp(values)))
+
+
+def check_overlay(overlay: Overlay, names: Sequence[str], cycle: int) -> None:
+    """Refuse a curve that cannot be compared: an unknown channel, a file that does not read."""
+    if overlay.channel not in names:
+        near = get_close_matches(overlay.channel, names, 3, 0.4) or names[:3]
+        what = f"channel = {shown(overlay.channel)}"
+        raise SymbalanceError(what, "names no channel of this crank", f"one of {', '.join(near)}, ...")
+    read_curve(overlay.path, cycle)
+
+
+def read_curve(path: str | Path, cycle: int = 720) -> tuple[Array, Array]:
+    """Return the crank angles in degrees at theta's zero and the values in MPa of a CSV file.
+
+    One point a line, parted by a comma, a semicolon or a tab, decimals with a point; a header, empty
+    lines and lines that begin with # are passed over.
+    """
+    place, points = str(path), []
+    for number, line in enumerate(read_text(path).splitlines(), 1):
+        cells = re.split(r"[,;\t]", line.strip())
+        if (
+            not line.strip()
+            or line.lstrip().startswith("#")
+            or (not points and not re.search(r"\d", cells[0]))
+        ):
+            continue
+        where = f"{place}:{number}"
+        if len(cells) != 2:
+            what, rule = f"line {shown(line.strip())!r}", f"has {len(cells)} columns, not 2"
+            raise SymbalanceError(what, rule, "write crank angle, MPa", where)
+        points.append(_point(cells, cycle, where))
+    if len(points) < FEWEST:
+        rule = f"holds {len(points)} points, and a curve needs {FEWEST}"
+        raise SymbalanceError(place, rule, "give crank angle in degrees and MPa, a point a line")
+    rows = np.array(points)
+    return rows[:, 0], rows[:, 1]
+
+
+def _point(cells: list[str], cycle: int, where: str) -> tuple[float, float]:
+    try:
+        angle, value = measured(cells[0].strip(), "angle"), measured(cells[1].strip(), "value")
+    except SymbalanceError as problem:
+        raise problem.within(where) from None
+    if abs(angle) > cycle:
+        what, rule = f"angle = {shown(float(angle))}", f"must lie in [{-cycle}, {cycle}] degrees"
+        raise SymbalanceError(what, rule, "count from theta = 0", where)
+    return float(angle), float(value)

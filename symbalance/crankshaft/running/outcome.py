@@ -1,0 +1,82 @@
+"""What a speed gives: stresses against the crank angle, orbits, bearing loads, and their orders."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from symbalance.crankshaft.rotor import Array
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One speed's periodic state at even crank angles `theta` (s,) of a cycle, SI but for `rpm`.
+
+    `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
+    journals' displacements in their shells and `bearings` (s, b, 2) the shaft's forces on them, vertical
+    and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error`
+    the integrator's own estimate, `seconds` its run time. `departure` is how far, over the clearance,
+    the orbits lie from those the films are linear about.
+    """
+
+    rpm: float
+    theta: Array
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    values: Array
+    orbits: Array
+    bearings: Array
+    clearance: Array
+    largest: float
+    error: float
+    seconds: float
+    departure: float = float("nan")
+
+    def channel(self, name: str) -> Array:
+        """Return a channel's values (s,)."""
+        return self.values[:, self.names.index(name)]
+
+    @property
+    def degrees(self) -> Array:
+        """The crank angles in degrees."""
+        return np.degrees(self.theta)
+
+    @property
+    def cycle(self) -> float:
+        """The crank angle of a cycle, in radians."""
+        return float(self.theta[1] * len(self.theta))
+
+    @property
+    def cycle_time(self) -> float:
+        """The time of a cycle, in s."""
+        return self.cycle / (self.rpm * np.pi / 30)
+
+    def orders(self, name: str) -> tuple[Array, Array]:
+        """Return (order, amplitude) of a channel: the real Fourier coefficients' sizes, mean first."""
+        return harmonic_content(self.channel(name), self.cycle)
+
+    @property
+    def eccentricity(self) -> Array:
+        """The largest |x|/clearance of each journal, (b,): above 1 the linear films no longer hold."""
+        return np.abs(self.orbits[..., 0] + 1j * self.orbits[..., 1]).max(axis=0) / self.clearance
+
+    @property
+    def within_clearance(self) -> bool:
+        """Whether every orbit stays in its clearance circle: the validity of the linear films."""
+        return bool((self.eccentricity < 1).all())
+
+
+def harmonic_content(values: Array, cycle: float) -> tuple[Array, Array]:
+    """Return the orders and the amplitudes of values at even angles of a cycle, mean first.
+
+    >>> theta = 4 * np.pi * np.arange(64) / 64
+    >>> orders, sizes = harmonic_content(3 + 2 * np.cos(1.5 * theta), 4 * np.pi)
+    >>> orders[:4].tolist(), sizes[:4].round(12).tolist()
+    ([0.0, 0.5, 1.0, 1.5], [3.0, 0.0, 0.0, 2.0])
+    """
+    spectrum = np.abs(np.fft.rfft(values)) / len(values)
+    spectrum[1:] *= 2
+    if len(values) % 2 == 0:
+        spectrum[-1] /= 2
+    return np.array(range(len(spectrum)), dtype=float) * (2 * np.pi / cycle), spectrum

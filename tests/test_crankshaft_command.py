@@ -1,0 +1,276 @@
+"""`symbalance crankshaft` as a user meets it: results, restarts, refusals."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cranks import SINGLE, engine, sheet, written
+
+from symbalance.cli import run
+from symbalance.crankshaft.running import sweep
+
+QUICK = ("--webs", "nominal", "--steps", "120", "--about", "centre")
+
+
+@pytest.fixture
+def single(tmp_path: Path) -> str:
+    return str(written(tmp_path, sheet()))
+
+
+def test_a_run_leaves_reports_curves_and_pictures(single, tmp_path, capsys, compile_latex):
+    out = tmp_path / "out"
+    assert run(["crankshaft", single, "--rpm", "1000:2000:500", *QUICK, "-o", str(out)]) in (0, 1)
+    text, progress = capsys.readouterr()
+    assert [line.split(":")[0] for line in progress.splitlines()] == [
+        f"{rpm} rpm ({i} of 3)" for i, rpm in enumerate((1000, 1500, 2000), 1)
+    ]
+    names = {p.name for p in out.iterdir()}
+    assert {
+        "report.txt",
+        "report.tex",
+        "report.json",
+        "speeds",
+        "waterfall.png",
+        "order-cuts.png",
+    } < names
+    assert {f"curves-{rpm}rpm.csv" for rpm in (1000, 1500, 2000)} < names
+    assert (out / "report.txt").read_text(encoding="utf-8") == text
+    for picture in out.glob("*.png"):
+        assert picture.read_bytes().startswith(b"\x89PNG")
+    source = (out / "report.tex").read_text(encoding="utf-8")
+    assert compile_latex(re.sub(r"(includegraphics\[[^]]*\]\{)", rf"\1{out}/", source)).exists()
+    found = json.loads((out / "report.json").read_text(encoding="utf-8"))
+    curve = np.genfromtxt(out / "curves-2000rpm.csv", delimiter=",", names=True)
+    assert len(curve) == 120
+    assert curve.dtype.names is not None
+    name = curve.dtype.names[1]
+    assert "pin_1_bending" in name
+    extreme = next(c for c in found["channels"] if c["name"] == "pin 1 bending")
+    assert extreme["largest"] >= curve[name].max() * (1 - 1e-6)
+    assert [s["rpm"] for s in found["speeds"]] == [1000, 1500, 2000]
+
+
+def test_a_second_run_takes_up_what_is_finished(single, tmp_path, capsys):
+    options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(tmp_path / "out")]
+    run([*options, "--rpm", "1500"])
+    first = capsys.readouterr()
+    run([*options, "--rpm", "1000,1500"])
+    second = capsys.readouterr()
+    assert "1500 rpm (1 of 1): solved" in first.err
+    assert "1000 rpm (1 of 2): solved" in second.err
+    assert "1500 rpm (2 of 2): found" in second.err
+    changed = Path(single).read_text(encoding="utf-8").replace("clearance = 0.035", "clearance = 0.04")
+    Path(single).write_text(changed, encoding="utf-8")
+    run([*options, "--rpm", "1500"])
+    assert "1500 rpm (1 of 1): solved" in capsys.readouterr().err
+
+
+def test_an_interrupt_loses_nothing_finished(single, tmp_path, capsys, monkeypatch):
+    out, real = tmp_path / "out", sweep.run
+
+    def interrupted(made, rpm):
+        if rpm > 1000:
+            raise KeyboardInterrupt
+        return real(made, rpm)
+
+    options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out), "--rpm", "1000,1500"]
+    monkeypatch.setattr(sweep, "run", interrupted)
+    assert run(options) == 130
+    assert [p.name for p in out.rglob("*") if p.is_file()] == ["1000rpm.npz"]
+    monkeypatch.setattr(sweep, "run", real)
+    assert run(options) in (0, 1)
+    progress = capsys.readouterr().err
+    assert "1000 rpm (1 of 2): found" in progress
+    assert "1500 rpm (2 of 2): solved" in progress
+    (out / "speeds" / "1000rpm.npz").write_bytes(b"half a file")
+    assert run(options) in (0, 1)
+    assert "1000 rpm (1 of 2): solved" in capsys.readouterr().err
+
+
+def test_a_measured_curve_is_compared(tmp_path, capsys):
+    rows = "".join(f"{a},{10 * np.cos(np.radians(a)):.4f}\n" for a in range(0, 720, 10))
+    (tmp_path / "gauge.csv").write_text("angle,MPa\n" + rows, encoding="utf-8")
+    more = '[running.overlay]\nfile = "gauge.csv"\nchannel = "pin 1 bending"'
+    path = written(tmp_path, sheet(SINGLE, more))
+    run(["crankshaft", str(path), *QUICK, "--format", "json"])
+    (shown,) = json.loads(capsys.readouterr().out)["measured"]
+    assert shown["span"] == pytest.approx(20)
+    assert shown["rms"] > 0
+
+
+def test_formats_and_exit_codes(tmp_path, capsys):
+    """0 where all is valid, 1 where a place is not safe."""
+    calm = str(written(tmp_path, sheet()))
+    assert run(["crankshaft", calm, *QUICK[:2], "--steps", "240", "--format", "latex"]) == 0
+    assert capsys.readouterr().out.startswith("\\documentclass")
+    weak = "[running.strength]\ntensile = 60\nendurance = 20"
+    assert run(["crankshaft", str(written(tmp_path, sheet(SINGLE, weak))), *QUICK]) == 1
+
+
+REFUSED = [
+    ({"diameter": "diameter = 0"}, "diameter = 0: must be positive"),
+    ({"young": "yuong = 206"}, "crankshaft.yuong: is an unknown key; did you mean young?"),
+    ({"young": 'young = "x"'}, "young = x: must be a number"),
+    ({"thickness": "thickness = [24]"}, "must be one number or 2"),
+    ({"rpm": "rpm = 0"}, "rpm = 0: must be positive"),
+    ({"rpm": "rpm = []"}, "names no speed"),
+    ({"rpm": "rpm = [900, 900]"}, "rpm = 900: is named twice"),
+    ({"pressure": ""}, "[running]: needs pressure"),
+    ({"pressure": 'pressure = "none.csv"'}, "none.csv: cannot be read"),
+    ({"pressure": "compression = 16"}, "[running]: needs heat"),
+    ({"big_end_mass": ""}, "[running]: needs big_end_mass"),
+    ({"big_end_mass": "rod_mass = 1.5"}, "[running]: needs rod_centre"),
+    ({"bore": "bore = -92"}, "bore = -92: must be positive"),
+    ({"clearance": "clearance = 0"}, "clearance = 0: must be positive"),
+    ({"clearance": "clearance = 35"}, "clearance = 35: exceeds 0.65 mm, a hundredth of the journal"),
+    ({"bore": "bore = 92\nambient = -1"}, "ambient = -1: must not be negative"),
+    ({"pressure": "compression = 16\nheat = -10"}, "heat = -10: must lie in"),
+    ({"length": "length = -5"}, "length = -5: must be positive"),
+    ({"diameter": "diameter = 300"}, "width = 100 mm: must cover the journal with its fillets"),
+    ({"fillet": "fillet = 60"}, "fillet = 60 mm: must be less than half the length"),
+    ({"viscosity": ""}, "[bearings]: needs viscosity"),
+    ({"viscosity": "viscosity = 0.01\nlength = 40"}, "length = 40: exceeds the journal's 30 mm"),
+    ({"viscosity": "viscosity = 0.01\nhousing_vertical = 1e9"}, "needs housing_lateral"),
+    ({"young": "young = 206\npoisson = 0.5"}, "poisson = 0.5: must lie in [0, 0.5)"),
+    ({"young": "young = 206\nno_bearing = [1, 2]"}, "leaves the crank no bearing"),
+    ({"young": "young = 206\nno_bearing = [3]"}, "no_bearing = 3: must be a whole number from 1 to 2"),
+    ({"bore": "bore = 92\ndamping = 1.5"}, "damping = 1.5: must lie in [0, 1)"),
+    ({"reciprocating_mass": ""}, "cylinder 1: has no reciprocating_mass"),
+]
+
+
+@pytest.mark.parametrize(("changed", "said"), REFUSED, ids=[said for _, said in REFUSED])
+def test_bad_input_is_one_line_that_names_the_place(changed, said, tmp_path, capsys):
+    path = written(tmp_path, sheet(**changed))
+    assert run(["crankshaft", str(path), *QUICK]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert len(err.splitlines()) == 1
+    assert said in err
+    assert ".toml:" in err or ".csv" in err
+
+
+def test_a_chain_that_does_not_fit_the_pitch_is_refused(tmp_path, capsys):
+    text = sheet("[layout]\nfiring_order = [1, 3, 4, 2]\n").replace("rod = 192", "rod = 192\npitch = 111")
+    assert run(["crankshaft", str(written(tmp_path, text)), *QUICK]) == 2
+    assert "pins 1 and 2 lie 110 mm apart: must lie 111 mm apart" in capsys.readouterr().err
+
+
+def test_missing_tables_and_counterweights_on_one_web_are_refused(tmp_path, capsys):
+    bare = written(tmp_path, sheet()).with_name("bare.toml")
+    bare.write_text(
+        "[layout]\nfiring_order = [1]\n[crank_train]\nreciprocating_mass = 1\n", encoding="utf-8"
+    )
+    assert run(["crankshaft", str(bare), *QUICK]) == 2
+    assert "has no [crankshaft] table" in capsys.readouterr().err
+    weight = "[[crankshaft.counterweight]]\nwebs = [1]\nmass = 1\nradius = 50"
+    text = sheet(SINGLE, weight, weight)
+    assert run(["crankshaft", str(written(tmp_path, text)), *QUICK]) == 2
+    err = capsys.readouterr().err
+    line = text.splitlines().index(
+        "[[crankshaft.counterweight]]", text.splitlines().index(weight[:28]) + 1
+    )
+    assert f":{line + 2}: webs = [1]: gives web 1 a second counterweight" in err
+
+
+def test_a_counterweight_names_its_webs(tmp_path, capsys):
+    text = sheet(SINGLE, "[[crankshaft.counterweight]]\nmass = 1\nradius = 50")
+    assert run(["crankshaft", str(written(tmp_path, text)), *QUICK]) == 2
+    assert "[crankshaft.counterweight]: needs webs" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "channel", "said"),
+    [
+        ("none.csv", "pin 1 bending", "none.csv: cannot be read"),
+        ("wide.csv", "pin 1 bending", "wide.csv:2: line '0,1,2': has 3 columns, not 2"),
+        ("short.csv", "pin 1 bending", "holds 1 points, and a curve needs 8"),
+        ("short.csv", "pin 9 bending", "names no channel of this crank; one of pin 1 bending"),
+    ],
+)
+def test_a_measured_curve_is_checked_before_the_run(name, channel, said, tmp_path, capsys):
+    (tmp_path / "wide.csv").write_text("degrees,MPa,x\n0,1,2\n", encoding="utf-8")
+    (tmp_path / "short.csv").write_text("degrees,MPa\n0,1\n", encoding="utf-8")
+    text = sheet(SINGLE, f'[running.overlay]\nfile = "{name}"\nchannel = "{channel}"')
+    assert run(["crankshaft", str(written(tmp_path, text)), *QUICK]) == 2
+    out, err = capsys.readouterr()
+    assert (out, len(err.splitlines())) == ("", 1)
+    assert said in err
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "said"),
+    [
+        ([-1e8, 0, 0, -1e8, -1e5, 0, 0, -1e5], "film.csv"),
+        ([1e8, 0, 0, 1e8, "nan", 0, 0, 1e5], "film.csv:1: 'nan': must be a number"),
+        ([1e8, 0, 0], "film.csv:1: 7 columns: must have 17 columns"),
+    ],
+)
+def test_a_film_table_that_no_film_has_is_refused(coefficients, said, tmp_path, capsys):
+    row = ",".join(map(str, coefficients))
+    rows = "".join(f"{angle},{row},{row}\n" for angle in range(0, 720, 10))
+    (tmp_path / "film.csv").write_text(rows, encoding="utf-8")
+    path = written(tmp_path, sheet(viscosity='table = "film.csv"'))
+    assert run(["crankshaft", str(path), *QUICK]) == 2
+    out, err = capsys.readouterr()
+    assert (out, len(err.splitlines())) == ("", 1)
+    assert said in err
+
+
+@pytest.mark.parametrize(
+    ("option", "said"),
+    [
+        (("--rpm", "fast"), "--rpm fast: must be speeds in rpm"),
+        (("--rpm", "0"), "--rpm 0: must be positive"),
+        (("--rpm", "1000:2000"), "--rpm 1000:2000: must be from:to:step"),
+        (("--rpm", "1:90000:0.1"), "asks for more than 1000 speeds"),
+        (("--modes", "-1"), "modes = -1: must be a whole number"),
+        (("--steps", "10"), "steps = 10: must be a whole number"),
+        (("--webs", "solid?"), "invalid choice"),
+    ],
+)
+def test_bad_options_are_refused(single, option, said, capsys):
+    assert run(["crankshaft", single, *QUICK, *option]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_other_commands_read_past_the_tables(single, capsys):
+    assert run(["balance", single]) == 0
+    assert "1 cylinder" in capsys.readouterr().out
+
+
+def test_a_missing_library_is_one_line_with_the_command(single, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "rainflow", None)
+    assert run(["crankshaft", single, *QUICK, "--no-plots"]) == 2
+    assert "rainflow is not installed; pip install 'symbalance[crankshaft]'" in capsys.readouterr().err
+    monkeypatch.undo()
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    assert run(["crankshaft", single, *QUICK]) == 2
+    assert "or --no-plots" in capsys.readouterr().err
+
+
+def test_the_package_and_other_commands_need_none_of_it():
+    code = (
+        "import sys, symbalance, symbalance.cli as c; c.run(['engines']); print('scipy' in sys.modules)"
+    )
+    printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert printed.stdout.splitlines()[-1] == "False"
+
+
+def test_the_readmes_tables_are_read(tmp_path):
+    """The engine file of the README, first block, with the three tables of its block for cranks."""
+    readme = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```toml\n(.*?)```", readme, re.DOTALL)
+    tables = next(block for block in blocks if "[crankshaft.journal]" in block)
+    text = blocks[0].replace("[layout]", "reciprocating_mass = 0.6\n\n[layout]") + tables
+    made = engine(tmp_path, text)
+    assert len(made.crank.pins) == 4
+    assert made.operation.rpm == (1000, 2200)
+    weighted = [i for i, p in enumerate(made.crank.parts) if getattr(p, "counterweight", None)]
+    assert weighted == [1, 3, 13, 15]
