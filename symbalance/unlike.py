@@ -43,7 +43,8 @@ def mechanism_of(layout: Layout, cylinder: Cylinder) -> Mechanism:
     train = layout.train_of(cylinder)
     if cylinder.link is None:
         _check_reach(train)
-        return SliderCrank(_ratio(train, cylinder), train.offset_ratio)
+        offset = train.offset_ratio
+        return SliderCrank(_ratio(train, cylinder), offset)
     master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
     over = layout.train_of(master)
     if over.stroke is None or cylinder.own.rod is None:
