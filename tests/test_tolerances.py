@@ -232,6 +232,8 @@ def test_unlike_engines_and_link_rods_have_worst_cases():
         assert worst.attained >= worst.nominal * 1.0099
     with pytest.raises(sb.SymbalanceError, match="hang on link rods"):
         sb.worst_cases(layout, sb.Tolerances(rod=1), 2)
+    with pytest.raises(sb.SymbalanceError, match=r"tolerances of bank\b.* hang on link rods"):
+        sb.worst_cases(layout, sb.Tolerances(bank="0.1"), 2)
     narrow = [
         sb.Cylinder(i + 1, 120 * i, 7 if i % 2 else -7, i, offset=-12 if i % 2 else 12) for i in range(3)
     ]

@@ -153,8 +153,7 @@ def _statistical(
     for one in errors:
         if one.parameter == "rotating":
             continue
-        weight = one.weight(quantity) * steps[one.parameter]
-        squares += (seen(*one.values, mode) * weight) ** 2
+        squares += (seen(*one.pair(quantity), mode) * steps[one.parameter]) ** 2
     return squares**0.5
 
 

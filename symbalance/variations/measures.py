@@ -66,9 +66,9 @@ def units_of(layout: Layout, rpm: object, lever: object, own: Sequence[Share]) -
 def generators(layout: Layout, orders: Sequence[Sequence[Share]], units: Units) -> Generators:
     """Return, for each cylinder, what 1 kg of reciprocating and of rotating mass adds: real vectors."""
     found = []
-    own_radius = [layout.train_of(c).stroke for c in layout.cylinders]
+    own_radius, first = [layout.stroke_of(c) for c in layout.cylinders], layout.stroke_of(layout.first)
     for place, cylinder in enumerate(layout.cylinders):
-        stroke, first = own_radius[place], own_radius[0]
+        stroke = own_radius[place]
         radius = units.force * (float(stroke / first) if stroke and first else 1.0)
         sliding: list[float] = []
         turning: list[float] = []
