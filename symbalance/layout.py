@@ -62,11 +62,6 @@ class Layout:
         if self.balancers.shafts and self.is_uniform:
             check_shares(self.balancers.shafts)
 
-    @property
-    def first(self) -> Cylinder:
-        """The cylinder of the lowest number, 1 as a rule: its sizes are the unit of unlike cylinders."""
-        return min(self.cylinders, key=lambda c: c.number)
-
     @cached_property
     def modulus(self) -> int:
         """The m for which every numeric angle is a whole number of m-ths of a turn."""
@@ -77,6 +72,16 @@ class Layout:
     def has_symbols(self) -> bool:
         """Whether some angle holds a symbol."""
         return any(c.bank.symbols or c.throw.symbols for c in self.cylinders)
+
+    @cached_property
+    def first(self) -> Cylinder:
+        """The cylinder of the lowest number: the one whose sizes are the units, wherever it is listed."""
+        return min(self.cylinders, key=lambda c: c.number)
+
+    def stroke_of(self, cylinder: Cylinder) -> Fraction | None:
+        """Return twice the crank radius that moves a cylinder, in mm: a link rod's is its master's."""
+        number = cylinder.link.master if cylinder.link else cylinder.number
+        return self.train_of(next(c for c in self.cylinders if c.number == number)).stroke
 
     def train_of(self, cylinder: Cylinder) -> CrankTrain:
         """Return a cylinder's sizes: the engine's, with its own put in, and the engine's ratio."""

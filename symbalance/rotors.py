@@ -15,7 +15,6 @@ from fractions import Fraction
 from mpmath import mp
 
 from symbalance.balancers import Counterweight, Weight, directed
-from symbalance.cylinders import Cylinder
 from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
@@ -129,7 +128,7 @@ def rotating_shares(layout: Layout) -> list[Fraction]:
     masses = [layout.train_of(c).rotating_mass or Fraction(0) for c in layout.cylinders]
     if not any(masses):
         return masses
-    strokes = [_stroke(layout, c) for c in layout.cylinders]
+    strokes, one = [layout.stroke_of(c) for c in layout.cylinders], layout.stroke_of(layout.first)
     first = layout.train_of(layout.first).reciprocating_mass
     if not first:
         rule = "counts beside counterweights, in units of the reciprocating mass"
@@ -139,14 +138,7 @@ def rotating_shares(layout: Layout) -> list[Fraction]:
     if any(s is None for s in strokes):
         rule = "is given for some cylinders and not for others"
         raise SymbalanceError("stroke", rule, "give it for all, or in [crank_train]")
-    return [
-        m * s / (first * strokes[0]) for m, s in zip(masses, strokes, strict=True) if s and strokes[0]
-    ]
-
-
-def _stroke(layout: Layout, cylinder: Cylinder) -> Fraction | None:
-    on = cylinder.number if cylinder.link is None else cylinder.link.master
-    return layout.train_of(next(c for c in layout.cylinders if c.number == on)).stroke
+    return [m * s / (first * one) for m, s in zip(masses, strokes, strict=True) if s and one]
 
 
 def unit_unbalance(layout: Layout) -> Fraction | None:
@@ -157,7 +149,7 @@ def unit_unbalance(layout: Layout) -> Fraction | None:
     Fraction(493309, 20000)
     """
     mass = layout.train_of(layout.first).reciprocating_mass
-    stroke = _stroke(layout, layout.first)
+    stroke = layout.stroke_of(layout.first)
     return mass * stroke / 2 if mass and stroke else None
 
 

@@ -22,8 +22,10 @@ from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank, force_harmonics, force_tail
+from symbalance.mechanisms.linkages import plain
 from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real
+from symbalance.slider_crank import acceleration_values
 from symbalance.spectrum import Number, Spectrum, SymbolicPhasor
 from symbalance.trains import CrankTrain
 
@@ -40,6 +42,7 @@ def mechanism_of(layout: Layout, cylinder: Cylinder) -> Mechanism:
     """
     train = layout.train_of(cylinder)
     if cylinder.link is None:
+        _check_reach(train)
         offset = train.offset_ratio
         return SliderCrank(_ratio(train, cylinder), offset)
     master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
@@ -51,10 +54,20 @@ def mechanism_of(layout: Layout, cylinder: Cylinder) -> Mechanism:
         )
     radius = over.stroke / 2
     between = cylinder.bank.turns - master.bank.turns
-    offset = (cylinder.own.offset or Fraction(0)) / radius
+    offset = (train.offset or Fraction(0)) / radius
     first = SliderCrank(_ratio(over, master), over.offset_ratio)
     link = cylinder.link
     return LinkRod(first, link.angle, link.radius / radius, cylinder.own.rod / radius, between, offset)
+
+
+def _check_reach(train: CrankTrain) -> None:
+    """Refuse an offset at which the crank cannot turn, in the units of the file."""
+    if train.offset and train.rod is not None and train.stroke is not None:
+        most = train.rod - train.stroke / 2
+        if most > 0 and abs(train.offset) >= most:
+            rule = f"must lie within {float(-most):.12g} and {float(most):.12g} mm (rod - stroke/2)"
+            remedy = "nearer the crank's axis, or a longer rod: the crank could not turn"
+            raise SymbalanceError(f"offset = {float(train.offset):.12g}", rule, remedy)
 
 
 def _ratio(train: CrankTrain, cylinder: Cylinder) -> Fraction:
@@ -67,16 +80,16 @@ def _ratio(train: CrankTrain, cylinder: Cylinder) -> Fraction:
 def sizes(layout: Layout) -> list[Fraction]:
     """Return every cylinder's m r over that of cylinder 1; 1 where no masses or strokes are given."""
     trains = [layout.train_of(c) for c in layout.cylinders]
-    masters = {c.number: layout.train_of(c) for c in layout.cylinders}
-    strokes = [
-        (masters[c.link.master] if c.link else t).stroke
-        for c, t in zip(layout.cylinders, trains, strict=True)
-    ]
-    masses, one = [t.reciprocating_mass for t in trains], layout.cylinders.index(layout.first)
+    strokes = [layout.stroke_of(c) for c in layout.cylinders]
+    one = layout.cylinders.index(layout.first)
+    masses = [t.reciprocating_mass for t in trains]
     found = [Fraction(1)] * len(trains)
     for name, values in (("reciprocating_mass", masses), ("stroke", strokes)):
         first = values[one]
         if any(v != first for v in values):
+            if first == 0 and name == "reciprocating_mass":
+                rule = f"is 0 for cylinder {layout.first.number}, whose m r is the unit of the others'"
+                raise SymbalanceError(name, rule, "give it a mass, or number another cylinder first")
             if not first or any(v is None for v in values):
                 rule = "is given for some cylinders and not for others"
                 raise SymbalanceError(name, rule, "give it for all, or in [crank_train]")
@@ -84,12 +97,25 @@ def sizes(layout: Layout) -> list[Fraction]:
     return found
 
 
+def forces_of(mechanism: Mechanism, order: int) -> dict[int, Real]:
+    """Return n -> f_n = A_n - i B_n, n = 1..order, to 40 digits; orders that symmetry removes are absent.
+
+    >>> [(n, mp.nstr(f.real, 6)) for n, f in forces_of(SliderCrank(4), 4).items()]
+    [(1, '1.0'), (2, '0.254025'), (4, '-0.00409811')]
+    """
+    with mp.workdps(DIGITS):  # mpc rounds to the working precision, whatever the caller's is
+        if isinstance(mechanism, SliderCrank) and not mechanism.offset:
+            values = acceleration_values(order, mechanism.ratio, DIGITS)
+            return {n: mp.mpc(a) for n, a in values.items() if n <= order}
+        return {n: mp.mpc(a, -b) for n, (a, b) in force_harmonics(mechanism, order, DIGITS).items()}
+
+
 def kinds(layout: Layout) -> dict[Kind, list[int]]:
     """Return the places of the cylinders by kind: mechanism, and m r over that of the first."""
     if layout.has_symbols:
         rule, remedy = (
             "has angles with symbols, and cylinders that are not alike",
-            "give the angles in numbers",
+            "give the angles in numbers, or take symbolic_order",
         )
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
     found: dict[Kind, list[int]] = {}
@@ -108,13 +134,13 @@ def unlike_spectrum(
     total: dict[int, DecimalPhasor] = {}
     for (mechanism, size), places in kinds(layout).items():
         exact = geometry([layout.cylinders[i] for i in places], orders, [weights[i] for i in places])
-        forces = force_harmonics(mechanism, max(orders, default=1), DIGITS)
+        forces = forces_of(plain(mechanism), max(orders, default=1))
         for n, phasor in exact.items():
             if abs(n) not in forces or phasor.is_zero():
                 continue
-            cos, sin = forces[abs(n)]
             with mp.workdps(DIGITS):
-                factor = mp.mpc(cos, -sin if n > 0 else sin) * size.numerator / size.denominator
+                own = forces[n] if n > 0 else mp.conj(forces[-n])
+                factor = own * size.numerator / size.denominator
                 part = DecimalPhasor(decimal(phasor) * factor)
             total[n] = total[n] + part if n in total else part
     numbers: dict[int, Number] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}

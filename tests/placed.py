@@ -43,12 +43,12 @@ def heights(layout: sb.Layout, cylinder: sb.Cylinder, theta: Any = THETA) -> Any
     pin = float(over.stroke) / 2 * np.exp(1j * theta) * direction(master.throw)
     top = (met(pin, up, over.rod, over.offset) + 1j * float(over.offset or 0)) * up
     arm = (top - pin) / abs(top - pin) * np.exp(2j * np.pi * float(cylinder.link.angle))
-    return met(pin + float(cylinder.link.radius) * arm, axis, cylinder.own.rod, cylinder.own.offset)
+    return met(pin + float(cylinder.link.radius) * arm, axis, cylinder.own.rod, train.offset)
 
 
 def planar_series(layout: sb.Layout, arms: bool) -> Any:
     """Return force (couple) / m r omega^2, up + i right, two-sided: [n] belongs to e^(in theta)."""
-    first = layout.train_of(layout.cylinders[0])
+    first = layout.train_of(min(layout.cylinders, key=lambda c: c.number))
     mean = float(sum(c.station for c in layout.cylinders)) / len(layout.cylinders)
     orders = np.fft.fftfreq(POINTS, 1 / POINTS)
     total = np.zeros(POINTS, complex)
@@ -88,7 +88,7 @@ def stroke_and_top(layout: sb.Layout, cylinder: sb.Cylinder) -> tuple[float, flo
 
 def planar(layout: sb.Layout, theta: Any, arms: bool) -> Any:
     """Return vertical + i lateral over m r omega^2 of cylinder 1 at one crank angle, in mpmath."""
-    first = layout.train_of(layout.cylinders[0])
+    first = layout.train_of(min(layout.cylinders, key=lambda c: c.number))
     total = mp.mpc(0)
     for cylinder in layout.cylinders:
         train = layout.train_of(cylinder)
@@ -111,7 +111,7 @@ def place(layout: sb.Layout, cylinder: sb.Cylinder, theta: Any) -> Any:
     top = mp.mpc(along(pin, up, over.rod, over.offset), exact(over.offset or 0)) * up
     arm = (top - pin) / abs(top - pin) * mp.expjpi(2 * exact(cylinder.link.angle))
     pin += exact(cylinder.link.radius) * arm
-    return along(pin, turned(cylinder.bank), cylinder.own.rod, cylinder.own.offset)
+    return along(pin, turned(cylinder.bank), cylinder.own.rod, train.offset)
 
 
 def along(pin: Any, axis: Any, length: Fraction, offset: Fraction | None) -> Any:

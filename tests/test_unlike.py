@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from mpmath import mp
-from placed import planar
+from placed import component, planar, planar_series
 
 import symbalance as sb
 from symbalance.cli import run
@@ -253,3 +253,98 @@ def test_sizes_said_one_by_one_cost_nothing():
     own, plain = functions()
     assert np.array_equal(own(), plain())
     assert whole().force.terms == stripped().force.terms
+
+
+def listed_backwards() -> sb.Layout:
+    """Return a twin whose second cylinder, of another mass and stroke, is listed first."""
+    rows = [
+        sb.Cylinder(2, 150, 0, "-1/2", reciprocating_mass=Fraction(7, 10), stroke=80),
+        sb.Cylinder(1, 0, 0, "1/2"),
+    ]
+    train = CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1, 2))
+    return sb.Layout(rows, crank_train=train, name="listed backwards")
+
+
+def test_the_unit_is_cylinder_1_wherever_it_is_listed():
+    backwards = listed_backwards()
+    forwards = sb.Layout(backwards.cylinders[::-1], crank_train=backwards.crank_train)
+    mine, other = (sb.balance(engine, 4)[1].force.vertical for engine in (backwards, forwards))
+    assert mine.decimal(25) == other.decimal(25)
+    assert "of cylinder 1;" in sb.to_text(sb.balance(backwards, 2))
+    tolerances = sb.Tolerances(mass=0.01)
+    for one, two in zip(
+        sb.worst_cases(backwards, tolerances, 2), sb.worst_cases(forwards, tolerances, 2), strict=True
+    ):
+        assert one.attained == pytest.approx(two.attained, rel=1e-12)
+    torques = (sb.inertia_torque(engine, 3).terms(None, 20) for engine in (backwards, forwards))
+    for ours, theirs in zip(*torques, strict=True):
+        assert ours[0] == theirs[0]
+        assert mp.almosteq(mp.mpc(*ours[1:]), mp.mpc(*theirs[1:]), rel_eps=mp.mpf(10) ** -15)
+
+
+def test_an_engines_offset_is_a_link_rods_too():
+    """What [crank_train] gives holds for every cylinder that does not say otherwise."""
+    rows = [sb.Cylinder(1, 0, -30), sb.Cylinder(2, 0, 30, rod=134, link=Link(1, 60, 30))]
+    said = [
+        sb.Cylinder(c.number, 0, c.bank.in_degrees(), rod=c.own.rod, link=c.link, offset=6) for c in rows
+    ]
+    train = {"stroke": Fraction(90), "rod": Fraction(164)}
+    shared = sb.Layout(rows, crank_train=CrankTrain(**train, offset=Fraction(6)))
+    own = sb.Layout(said, crank_train=CrankTrain(**train))
+    assert sb.balance(shared, 4).force.terms == sb.balance(own, 4).force.terms
+    series, found = planar_series(shared, False), sb.balance(shared, 4).force
+    for n in (1, 2, 3, 4):
+        assert component(series, n, "lateral") == pytest.approx(found.component(n, "lateral").decimal(15))
+
+
+def test_a_rod_that_nearly_lies_across_is_one_among_others():
+    """Centred cylinders have their closed form, whatever lies beside them; here against quadrature."""
+    ratios = (Fraction(45_000_001, 45_000_000), Fraction(4))
+    rows = [sb.Cylinder(i, 30 * i, rod=45 * ratio) for i, ratio in enumerate(ratios, 1)]
+    result = sb.balance(sb.Layout(rows, crank_train=CrankTrain(stroke=Fraction(90))), 8)
+    with mp.workdps(30):
+        ends = [0, mp.mpf("1.5"), mp.mpf("1.57"), mp.mpf("1.5707"), mp.pi / 2]
+        for n in (2, 8):
+            total = mp.mpc(0)
+            for i, ratio in enumerate(ratios, 1):
+                lam = mp.mpf(ratio.numerator) / ratio.denominator
+                height = mp.quad(
+                    lambda p, a=lam, n=n: mp.sqrt(a * a - mp.sin(p) ** 2) * mp.cos(n * p), ends
+                )
+                total += 4 * n * n / mp.pi * height * mp.expjpi(mp.mpf(n * i) / 6)
+            cos, sin = result[n].force.vertical.decimal(25)
+            assert mp.almosteq(mp.mpc(cos, -sin), total, 1e-15), n
+
+
+@pytest.mark.parametrize(
+    ("own", "words"),
+    [
+        ("offset = 119", "offset = 119: must lie within -119 and 119 mm"),
+        ("reciprocating_mass = 0", "is 0 for cylinder 1"),
+    ],
+)
+def test_sizes_that_cannot_be_are_refused_in_the_files_units(own, words, tmp_path, capsys):
+    path = tmp_path / "twin.toml"
+    path.write_text(
+        f"[crank_train]\nstroke = 90\nrod = 164\nreciprocating_mass = 1\n"
+        f"[[cylinder]]\nnumber = 1\nthrow = 0\n{own}\n[[cylinder]]\nnumber = 2\nthrow = 180\n",
+        encoding="utf-8",
+    )
+    assert run(["balance", str(path)]) == 2
+    err = capsys.readouterr().err
+    assert words in err
+    assert err.count("\n") == 1
+
+
+def test_digits_do_not_depend_on_the_callers_precision():
+    """Forces and derivatives hold 40 digits, of centred cylinders too, at mpmath's default 15."""
+    layout = sb.Layout([sb.Cylinder(1), sb.Cylinder(2, 90, rod=150)], crank_train=SHARED)
+
+    def found():
+        numbers = [sb.balance(layout, 4).force.terms[n].value for n in (2, 4)]  # pyright: ignore
+        return numbers + [s.factor for s in sb.sensitivities(layout, 4, parameters=["mass"])]
+
+    plain = found()
+    with mp.workdps(60):
+        for coarse, fine in zip(plain, found(), strict=True):
+            assert abs(coarse - fine) <= mp.mpf(10) ** -38 * abs(fine)

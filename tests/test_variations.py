@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import pytest
@@ -201,13 +202,85 @@ def test_link_rods_have_the_sensitivities_that_are_theirs():
     train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
     layout = sb.Layout([sb.Cylinder(1, 0, 0), hung], crank_train=train)
     found = sb.sensitivities(layout, 2)
-    assert {s.parameter for s in found if s.cylinder == 2} == {"mass", "throw", "station"}
+    assert {s.parameter for s in found if s.cylinder == 2} == {"mass", "station", "bank", "rod", "offset"}
     whole = sb.balance(layout, 2)
     for n in (1, -1, 2, -2):
         total = sum(
             s.values[0 if n > 0 else 1] for s in found if s.parameter == "mass" and s.order == abs(n)
         )
         assert total == pytest.approx(complex(whole.force.terms[n].value), abs=1e-12)
+
+
+def test_formulas_refuse_what_one_series_does_not_fit():
+    """Link rods have no series in r/l; unequal strokes or rods no A_n in common."""
+    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
+    for own in ({"stroke": 80}, {"rod": 150}, {"stroke": 80, "rod": 150}, {"offset": 3}):
+        layout = sb.Layout([sb.Cylinder(1), sb.Cylinder(2, 180, 0, -1, **own)], crank_train=train)
+        with pytest.raises(sb.SymbalanceError, match="not alike"):
+            sb.symbolic_order(layout, 2, masses="m")
+        assert not sb.symbolic_order(layout, 2, masses="m", rods="l").force.is_zero()
+    hung = sb.Layout(
+        [sb.Cylinder(1), sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)], crank_train=train
+    )
+    for lengths in ({}, {"rods": "l"}):
+        with pytest.raises(sb.SymbalanceError, match="cylinder 2 on a link rod"):
+            sb.symbolic_order(hung, 2, masses="m", **lengths)
+    heavy = sb.Layout([sb.Cylinder(1), sb.Cylinder(2, 180, reciprocating_mass=2)], crank_train=train)
+    assert str(sb.symbolic_order(heavy, 2, masses="m").force.vertical.cos) == "m_1 + m_2"
+
+
+STEPPED = {
+    "throw": np.pi / 18000,
+    "bank": np.pi / 18000,
+    "stroke": 0.01 / 45,
+    "rod": 0.01 / 45,
+    "offset": 0.01 / 45,
+}
+"""One step of `hung_engine`: radians, or crank radii of cylinder 1."""
+
+
+def hung_engine(number=0, name="", steps=0):
+    """Return a cylinder beside a master with an articulated and a forked rod; one size is changed.
+
+    A step is a hundredth of a degree, or 0.01 mm (of the stroke: of its half).
+    """
+    sizes: dict[int, dict[str, Any]] = {
+        1: {"throw": 40, "bank": 0, "stroke": 90, "rod": 164, "offset": 0},
+        2: {"throw": 100, "bank": -20, "stroke": 96, "rod": 170, "offset": 4},
+        3: {"throw": 100, "bank": 25, "rod": 131, "offset": -3},
+        4: {"throw": 100, "bank": 70, "rod": 165, "offset": 0},
+    }
+    moved = [2, 3, 4] if (number, name) == (2, "throw") else [number]
+    for one in moved:
+        if steps:
+            sizes[one][name] += Fraction(steps * (2 if name == "stroke" else 1), 100)
+    links = {3: sb.Link(2, 41, 36), 4: sb.Link(2, 0, 0)}
+    rows = []
+    for place, (key, own) in enumerate(sizes.items()):
+        station = Fraction((1, 0, "-1/4", "-3/4")[place])
+        rows.append(sb.Cylinder(key, station=station, link=links.get(key), **own))
+    return sb.Layout(rows)
+
+
+def test_sensitivities_of_masters_and_link_rods_are_finite_differences_of_pistons():
+    """A master's sizes move what hangs on it, each at its own station; all orders to 5, both vectors."""
+    from placed import planar_series
+
+    found = {(s.parameter, s.cylinder, s.order): s for s in sb.sensitivities(hung_engine(), 5)}
+    for number, names in {1: STEPPED, 2: STEPPED, 3: ("bank", "rod", "offset"), 4: ("bank",)}.items():
+        for name in names:
+            if name == "stroke" and number == 1:  # the unit itself
+                continue
+            for quantity in ("force", "couple"):
+                far, up, down, near = (
+                    planar_series(hung_engine(number, name, h), quantity == "couple")
+                    for h in (2, 1, -1, -2)
+                )
+                slope = (8 * (up - down) - (far - near)) / (12 * STEPPED[name])
+                for n in range(1, 6):
+                    one = found.get((name, number, n))
+                    pair = (0j, 0j) if one is None else one.pair(quantity)
+                    assert pair == pytest.approx((slope[n], slope[-n]), abs=3e-8), (name, number, n)
 
 
 @pytest.mark.parametrize("ratio", ["1.001", "1.05", 4, 1000])

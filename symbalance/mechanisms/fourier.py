@@ -102,8 +102,8 @@ def _harmonics(
     points, bits = _points(mechanism, order, nepers), ceil(nepers / log(2)) + GUARD_BITS
     orders = [n for n in range(order + 1) if _survives(mechanism, n, quantity)]
     with mp.workprec(bits + int(mechanism.length).bit_length()):
-        means = _means(_samples(mechanism, quantity, points, bits), bits)
-        found = {n: _pure(mechanism, n, means[n]) for n in orders}
+        found_means = means(_samples(mechanism, quantity, points, bits), bits)
+        found = {n: _pure(mechanism, n, found_means[n]) for n in orders}
         if quantity == "height":
             found[1] = found.get(1, mp.mpc(0)) + 0.5
     return tuple(sorted(found.items()))
@@ -144,7 +144,7 @@ def _samples(mechanism: Mechanism, quantity: str, points: int, bits: int) -> lis
     return found
 
 
-def _means(samples: list[int], bits: int) -> list[Real]:
+def means(samples: list[int], bits: int) -> list[Real]:
     """Return the means of sample times e^(-inp), n = 0, 1, ..., by an integer fast Fourier transform."""
     points = len(samples)
     roots = [mp.expjpi(mp.mpf(2 * i) / points) for i in range(points // 2)]

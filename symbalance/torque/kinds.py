@@ -63,14 +63,8 @@ def torque_kinds(layout: Layout) -> list[Kind]:
     return [Kind(*key, tuple(cylinders)) for key, cylinders in found.items()]
 
 
-def stroke_of(layout: Layout, cylinder: Cylinder) -> Fraction | None:
-    """Return twice the crank radius that moves a cylinder, in mm: a link rod's is its master's."""
-    number = cylinder.link.master if cylinder.link else cylinder.number
-    return layout.train_of(next(c for c in layout.cylinders if c.number == number)).stroke
-
-
 def _radius(layout: Layout, cylinder: Cylinder) -> Fraction:
-    own, first = stroke_of(layout, cylinder), stroke_of(layout, layout.first)
+    own, first = layout.stroke_of(cylinder), layout.stroke_of(layout.first)
     return Fraction(1) if own is None or first is None else own / first
 
 

@@ -32,7 +32,7 @@ from symbalance.torque.inertia_balance import (
     inertia_torque,
     sine_components,
 )
-from symbalance.torque.kinds import Kind, joined, stroke_of, torque_kinds
+from symbalance.torque.kinds import Kind, joined, torque_kinds
 from symbalance.torque.kinetic import beside_harmonics, rocking_harmonics, rod_harmonics
 from symbalance.torque.rod import (
     rocking_couple_series,
@@ -156,7 +156,7 @@ def torque_report(layout: Layout, order: int = 12, *, ratio: object = None) -> T
 def mass_scale(layout: Layout) -> Fraction | None:
     """Return m r^2 of cylinder 1 in kg mm^2, None where its mass or its stroke is not known."""
     first = layout.first
-    mass, stroke = layout.train_of(first).reciprocating_mass, stroke_of(layout, first)
+    mass, stroke = layout.train_of(first).reciprocating_mass, layout.stroke_of(first)
     return mass * stroke * stroke / 4 if mass and stroke else None
 
 

@@ -32,7 +32,6 @@ from symbalance.torque.flywheel import (
 from symbalance.torque.gas import GasKind, gas_kinds
 from symbalance.torque.ideal import IdealCycle
 from symbalance.torque.inertia_balance import inertia_torque
-from symbalance.torque.kinds import stroke_of
 from symbalance.torque.measured import measured, positive
 from symbalance.torque.pressure import PressureTrace
 from symbalance.torque.roll import MILLI, first_excess, rod_torque
@@ -270,7 +269,7 @@ def crank_torque(
     tops, cylinders = firing_tops(layout), []
     for cylinder in layout.cylinders:
         own, rod = tangential[cylinder.number], layout.train_of(cylinder).rod_split
-        length = _given(stroke, stroke_of(layout, cylinder), "stroke", "mm")
+        length = _given(stroke, layout.stroke_of(cylinder), "stroke", "mm")
         known = layout.train_of(cylinder).reciprocating_mass
         mass = float(_given(reciprocating_mass, known, "reciprocating_mass", "kg"))
         top = float(tops[cylinder.number]) * pi / 180 + own.piston.top

@@ -43,7 +43,7 @@ def shaft_moment(layout: Layout) -> dict[int, Component]:
     for rotor in rotors(layout) if has_shafts_aside(layout) else []:
         if not (rotor.x or rotor.y):
             continue
-        stroke = layout.train_of(layout.first).stroke
+        stroke = layout.stroke_of(layout.first)
         if stroke is None:
             rule, remedy = "needs the stroke to be a moment", "give stroke = ... in [crank_train], mm"
             raise SymbalanceError("x, y of a shaft", rule, remedy)

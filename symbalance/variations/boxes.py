@@ -22,9 +22,10 @@ from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank
-from symbalance.unlike import mechanism_of, sizes
+from symbalance.mechanisms.linkages import plain
+from symbalance.unlike import forces_of, mechanism_of, sizes
 from symbalance.variations.sectors import Sector
-from symbalance.variations.shares import arms, checked_layout, first_sizes, forces_of
+from symbalance.variations.shares import arms, checked_layout, first_sizes
 from symbalance.variations.tolerances import Relative
 
 FLAT = 1e-14
@@ -155,12 +156,12 @@ def _mechanism(layout: Layout, cylinder: Cylinder, order: int) -> Mechanism:
             return SliderCrank(Fraction(4))  # order 1 of a centred cylinder knows no rod
         remedy = "give stroke and rod in mm, or --ratio"
         raise SymbalanceError(f"engine {layout.name!r}", "has no rod ratio", remedy)
-    return mechanism_of(layout, cylinder)
+    return plain(mechanism_of(layout, cylinder))
 
 
 def _radius(layout: Layout, cylinder: Cylinder) -> Fraction:
     """Return r_j/r_1, 1 where strokes are not given."""
-    stroke, (_, first) = layout.train_of(cylinder).stroke, first_sizes(layout)
+    stroke, (_, first) = layout.stroke_of(cylinder), first_sizes(layout)
     return stroke / 2 / first if stroke and first else Fraction(1)
 
 
@@ -178,14 +179,19 @@ def _corners(mechanism: Mechanism, radius: Fraction, own: Relative, order: int) 
     """Yield the nominal harmonics r f_n/r, and then those at the corners of the lengths' box."""
     yield {n: complex(f) for n, f in forces_of(mechanism, order).items()}
     lengths = (own.stroke / radius, own.rod / radius, own.offset / radius)
+    if isinstance(mechanism, LinkRod) and (own.bank or any(lengths)):
+        rule = "are not bounded where cylinders hang on link rods"
+        remedy = "leave them out, or take the derivatives of sensitivities"
+        named = [name for name in ("bank", "stroke", "rod", "offset") if own.steps[name]]
+        raise SymbalanceError(f"tolerances of {', '.join(named)}", rule, remedy)
     if not any(lengths):
         return
-    if isinstance(mechanism, LinkRod):
-        rule = "are not bounded where cylinders hang on link rods"
-        raise SymbalanceError("tolerances of stroke, rod and offset", rule, "leave them out")
-    for signs in product(*((1, -1) if x else (0,) for x in lengths)):
-        r = 1 + signs[0] * lengths[0]
-        length, e = mechanism.ratio + signs[1] * lengths[1], mechanism.offset + signs[2] * lengths[2]
+    assert isinstance(mechanism, SliderCrank)
+    middles = (Fraction(1), mechanism.ratio, mechanism.offset)
+    ends = [{m - x, m + x} for m, x in zip(middles, lengths, strict=True)]
+    if abs(mechanism.offset) < lengths[2]:
+        ends[2].add(Fraction(0))  # where the even orders are least
+    for r, length, e in product(*map(sorted, ends)):
         at = SliderCrank(length / r, e / r)
         yield {n: complex(mp.mpc(f)) * float(r) for n, f in forces_of(at, order).items()}
 

@@ -31,10 +31,11 @@ from symbalance.cylinders import Cylinder
 from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
-from symbalance.mechanisms import LinkRod, SliderCrank
+from symbalance.mechanisms import SliderCrank
 from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import Real, listed, real
 from symbalance.unlike import mechanism_of
+from symbalance.variations.hung import MOVING, clusters, hung_changes
 from symbalance.variations.sensitivity import Sensitivity, evaluated_number
 from symbalance.variations.shares import Share, first_sizes, shares
 from symbalance.variations.slopes import Slopes, slopes
@@ -51,7 +52,8 @@ def sensitivities(
 
     `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
     "rotating" (default: all but the last). Orders that cancel in the engine as drawn are among them.
-    Link rods and their masters have no derivatives by lengths and banks here.
+    A master's angles and lengths move the cylinders hung on it too: its derivatives are of all of them. A
+    link rod has neither throw nor stroke of its own, they are its master's.
 
     >>> from symbalance.builders import inline
     >>> found = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
@@ -61,7 +63,8 @@ def sensitivities(
     asked = _checked_parameters(parameters)
     by_order = shares(layout, order, reference)
     lengths = _slopes(layout, order) if set(asked) & set(LENGTHS) else {}
-    found = [
+    found = [*hung_changes(layout, by_order, order, asked)]
+    found += [
         one
         for n in range(1, order + 1)
         for name in asked
@@ -85,8 +88,7 @@ def _checked_parameters(parameters: object) -> tuple[str, ...]:
 
 def _slopes(layout: Layout, order: int) -> dict[int, dict[int, Slopes]]:
     """Return, by cylinder, the slopes of those that hang on no other and bear no other."""
-    masters = {c.link.master for c in layout.cylinders if c.link}
-    found = {}
+    masters, found = clusters(layout), {}
     for cylinder in layout.cylinders:
         mechanism = mechanism_of(layout, cylinder)
         if isinstance(mechanism, SliderCrank) and cylinder.number not in masters:
@@ -109,10 +111,12 @@ def _of_order(
     if own is None and name not in LENGTHS:
         return
     # An order that no cylinder has may still have slopes: an offset brings the odd ones.
-    rows = own or [_absent(s, n) for s in shares(layout, 1, reference)[1]]
+    rows, hung = own or [_absent(s, n) for s in shares(layout, 1, reference)[1]], clusters(layout)
     for cylinder, share in zip(layout.cylinders, rows, strict=True):
+        if name in MOVING and (cylinder.link or cylinder.number in hung):
+            continue
         one = _one(layout, cylinder, share, name, lengths)
-        if one is not None and one.factor:
+        if one.factor:
             yield one
 
 
@@ -122,23 +126,21 @@ def _absent(share: Share, n: int) -> Share:
 
 
 def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
-    first = layout.train_of(layout.first).stroke
+    first = layout.stroke_of(layout.first)
     for cylinder, share in zip(layout.cylinders, own, strict=True):
-        stroke = layout.train_of(cylinder).stroke
+        stroke = layout.stroke_of(cylinder)
         radius = stroke / first if stroke and first else Fraction(1)
         pin = Phasor.root(cylinder.throw.turns)
-        yield Sensitivity("rotating", share.number, 1, (pin, ZERO), mp.mpf(1) * float(radius), share.arm)
+        with mp.workdps(DIGITS):
+            factor = real(radius)
+        yield Sensitivity("rotating", share.number, 1, (pin, ZERO), factor, share.arm)
 
 
 def _one(
     layout: Layout, cylinder: Cylinder, share: Share, name: str, lengths: dict[int, dict[int, Slopes]]
-) -> Sensitivity | None:
+) -> Sensitivity:
     n, value, size = share.order, share.value, share.size
-    if name == "bank" and isinstance(mechanism_of(layout, cylinder), LinkRod):
-        return None
     if name in LENGTHS:
-        if share.number not in lengths:
-            return None
         value, size = getattr(lengths[share.number][n], name), _over_radius(layout, cylinder, size)
     if name == "mass":
         size = _over_mass(layout, cylinder, size)
@@ -166,7 +168,7 @@ def _over_mass(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
 
 def _over_radius(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
     """Return m_j/m_1: the share's size with its radius taken for that of cylinder 1."""
-    stroke, (_, radius) = layout.train_of(cylinder).stroke, first_sizes(layout)
+    stroke, (_, radius) = layout.stroke_of(cylinder), first_sizes(layout)
     return size * 2 * radius / stroke if stroke and radius else size
 
 

@@ -161,6 +161,7 @@ def symbolic_order(
         for v, k in ((masses, "masses"), (radii, "radii"))
     )
     weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
+    _check_hung(layout)
     own, kept = None, None
     if any(x is not None for x in (radii, rods, offsets)):
         kept = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
@@ -178,10 +179,22 @@ def symbolic_order(
     return SymbolicOrder(n, alike, kept, force, couple, given)
 
 
+def _check_hung(layout: Layout) -> None:
+    """Refuse link rods: the series of a rod on the pin are not theirs. A forked rod's are."""
+    hung = next((c.number for c in layout.cylinders if c.link and c.link.radius), None)
+    if hung is not None:
+        rule = f"hangs cylinder {hung} on a link rod, which has no such series"
+        remedy = "take balance, or sensitivities, with numbers"
+        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
+
+
 def _check_alike(layout: Layout) -> None:
-    if not layout.is_uniform and any(c.link or layout.train_of(c).offset for c in layout.cylinders):
+    """Refuse cylinders that one A_n and one radius do not fit, where no lengths are given."""
+    trains = [(layout.train_of(c), layout.stroke_of(c)) for c in layout.cylinders]
+    unlike = len({(train.given_ratio, train.rod, stroke) for train, stroke in trains}) > 1
+    if unlike or any(train.offset for train, _ in trains):
         rule = "has cylinders whose kinematics are not alike"
-        remedy = "give radii, rods and offsets, as numbers or as letters (link rods have no such series)"
+        remedy = "give radii, rods and offsets, as numbers or as letters"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
 
 

@@ -34,7 +34,7 @@ class Sensitivity:
 
     `geometry` is exact (but for link rods), `factor` the kinematics that it is multiplied by: real, in m
     r omega^2 of cylinder 1 (times a for the couple) a unit of change, as in `sensitivities`.
-    The couple is `arm` times the force, for a station the force's own direction.
+    The couple is `arm` times the force, for a station the force's own direction, or `couples`.
     """
 
     parameter: str
@@ -43,6 +43,8 @@ class Sensitivity:
     geometry: tuple[Number, Number]
     factor: Real
     arm: Fraction
+    couples: tuple[Number, Number] | None = None
+    """The couple's own geometry, of sizes that move several cylinders, each at its station."""
 
     @cached_property
     def force(self) -> Resultant:
@@ -52,16 +54,20 @@ class Sensitivity:
     @cached_property
     def couple(self) -> Resultant:
         """The change of the couple, its geometry alone."""
+        if self.couples is not None:
+            return self._resultant(Fraction(1), self.couples)
         return self._resultant(Fraction(1) if self.parameter == "station" else self.arm)
 
-    def _resultant(self, weight: Fraction) -> Resultant:
-        ahead, against = (part.scaled(weight) for part in self.geometry)
+    def _resultant(self, weight: Fraction, pair: tuple[Number, Number] | None = None) -> Resultant:
+        ahead, against = (part.scaled(weight) for part in pair or self.geometry)
         return Resultant(Spectrum.of({self.order: ahead, -self.order: against}), self.order)
 
     @cached_property
     def largest(self) -> tuple[float, float]:
         """The largest moduli of the force's and the couple's change over a turn, for one unit."""
         size = sum(map(_modulus, self.geometry)) * abs(float(self.factor))
+        if self.couples is not None:
+            return size, sum(map(_modulus, self.couples)) * abs(float(self.factor))
         if self.parameter == "station":
             return 0.0, size
         return size, size * abs(float(self.arm))
@@ -69,11 +75,21 @@ class Sensitivity:
     @cached_property
     def values(self) -> tuple[complex, complex]:
         """The change of c_n and c_-n for one unit, kinematics in it; of the couple where a station's."""
-        ahead, against = (complex(evaluated_number(part)) * float(self.factor) for part in self.geometry)
+        return self._valued(self.geometry)
+
+    def pair(self, quantity: str) -> tuple[complex, complex]:
+        """Return the change of c_n and c_-n of the "force" or the "couple" for one unit."""
+        if self.couples is not None and quantity == "couple":
+            return self._valued(self.couples)
+        weight = self.weight(quantity)
+        return self.values[0] * weight, self.values[1] * weight
+
+    def _valued(self, pair: tuple[Number, Number]) -> tuple[complex, complex]:
+        ahead, against = (complex(evaluated_number(part)) * float(self.factor) for part in pair)
         return ahead, against
 
     def weight(self, quantity: str) -> float:
-        """Return what `values` count in the "force" or the "couple"."""
+        """Return what `values` count in the "force" or, but for `couples`, in the "couple"."""
         if self.parameter == "station":
             return float(quantity == "couple")
         return float(self.arm) if quantity == "couple" else 1.0

@@ -15,13 +15,11 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.decimal_phasor import DIGITS
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
-from symbalance.mechanisms import Mechanism, SliderCrank, force_harmonics
 from symbalance.rational import Real, exact
-from symbalance.slider_crank import acceleration_values, checked_order
-from symbalance.unlike import mechanism_of, sizes
+from symbalance.slider_crank import checked_order
+from symbalance.unlike import forces_of, mechanism_of, sizes
 
 
 @dataclass(frozen=True)
@@ -54,19 +52,6 @@ def arms(layout: Layout, reference: object = None) -> list[Fraction]:
     return [c.station - plane for c in layout.cylinders]
 
 
-def forces_of(mechanism: Mechanism, order: int) -> dict[int, Real]:
-    """Return n -> f_n = A_n - i B_n, n = 1..order, to 40 digits; orders that symmetry removes are absent.
-
-    >>> [(n, mp.nstr(f.real, 6)) for n, f in forces_of(SliderCrank(4), 4).items()]
-    [(1, '1.0'), (2, '0.254025'), (4, '-0.00409811')]
-    """
-    if isinstance(mechanism, SliderCrank) and not mechanism.offset:
-        values = acceleration_values(order, mechanism.ratio, DIGITS)
-        return {n: mp.mpc(a) for n, a in values.items() if n <= order}
-    with mp.workdps(DIGITS):
-        return {n: mp.mpc(a, -b) for n, (a, b) in force_harmonics(mechanism, order, DIGITS).items()}
-
-
 def shares(layout: Layout, order: int, reference: object = None) -> dict[int, list[Share]]:
     """Return n -> every cylinder's share, for all orders to `order` that some cylinder has.
 
@@ -95,5 +80,5 @@ def shares(layout: Layout, order: int, reference: object = None) -> dict[int, li
 
 def first_sizes(layout: Layout) -> tuple[Fraction | None, Fraction | None]:
     """Return the reciprocating mass in kg and the crank radius in mm of cylinder 1, None if not given."""
-    train = layout.train_of(layout.first)
-    return train.reciprocating_mass, None if train.stroke is None else train.stroke / 2
+    mass, stroke = layout.train_of(layout.first).reciprocating_mass, layout.stroke_of(layout.first)
+    return mass, None if stroke is None else stroke / 2

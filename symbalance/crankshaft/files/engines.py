@@ -30,7 +30,7 @@ class RunningEngine:
     @property
     def mass(self) -> float:
         """The reciprocating mass of the first cylinder in kg."""
-        return float(self.layout.train_of(self.layout.cylinders[0]).reciprocating_mass or 0)
+        return float(self.layout.train_of(self.layout.first).reciprocating_mass or 0)
 
     def at_speeds(self, rpm: Sequence[float]) -> RunningEngine:
         """Return the same engine with other speeds to run at."""

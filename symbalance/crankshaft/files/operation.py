@@ -134,7 +134,7 @@ def _trace(section: Section, layout: Layout, folder: Path) -> PressureTrace:
 
     def made() -> PressureTrace:
         cycle = ideal_cycle(section.table["compression"], strokes=layout.strokes, **given)
-        return cycle.trace(layout.train_of(layout.cylinders[0]).ratio)
+        return cycle.trace(layout.train_of(layout.first).ratio)
 
     return section.guarded("compression", made)
 
@@ -143,13 +143,13 @@ def _rod(section: Section, layout: Layout) -> RodSplit | None:
     keys = ("rod_mass", "rod_centre", "rod_inertia")
     given = [key for key in keys if key in section]
     if not given:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
-        return layout.train_of(layout.cylinders[0]).rod_split
+        return layout.train_of(layout.first).rod_split
     for key in keys:
         if key not in section:
             raise section.missing(key, f"add {key} = ..., or drop {given[0]} and give big_end_mass")
     if "big_end_mass" in section:
         raise section.refusal("big_end_mass", "is rod_mass's big end already", "give one or the other")
-    length = layout.train_of(layout.cylinders[0]).rod
+    length = layout.train_of(layout.first).rod
     if length is None:
         raise section.refusal(
             given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]"
