@@ -38,8 +38,10 @@ from symbalance.tables.latex_parts import in_document
 from symbalance.tables.latex_parts import number as _number
 from symbalance.tables.latex_parts import tabulars as _tabulars
 from symbalance.tables.roll_facts import roll_rows
+from symbalance.tables.symbolic_latex import symbolic_latex
 from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
 from symbalance.torque import TorqueReport
+from symbalance.variations import SymbolicOrder
 
 LONGEST_SERIES = 160
 LONGEST_NUMERATOR = 30
@@ -64,6 +66,11 @@ def _(result: Design, *, standalone: bool = False) -> str:
     from symbalance.tables.design_latex import design_latex  # it prints what remains as a balance
 
     return design_latex(result, standalone=standalone)
+
+
+@to_latex.register
+def _(result: SymbolicOrder, *, standalone: bool = False) -> str:
+    return symbolic_latex(result, standalone=standalone)
 
 
 @to_latex.register
