@@ -14,6 +14,7 @@ from cranks import SINGLE, engine, sheet, written
 
 from symbalance.cli import run
 from symbalance.crankshaft.running import sweep
+from symbalance.errors import SymbalanceError
 
 QUICK = ("--webs", "nominal", "--steps", "120", "--about", "centre")
 
@@ -274,3 +275,38 @@ def test_the_readmes_tables_are_read(tmp_path):
     assert made.operation.rpm == (1000, 2200)
     weighted = [i for i, p in enumerate(made.crank.parts) if getattr(p, "counterweight", None)]
     assert weighted == [1, 3, 13, 15]
+
+
+def test_the_other_commands_counterweights_are_said_to_take_no_part(single, capsys):
+    table = '\n[[counterweight]]\nthrow = 1\noverbalance = "1/2"\n'
+    text = Path(single).read_text(encoding="utf-8")
+    Path(single).write_text(text + table, encoding="utf-8")
+    run(["crankshaft", single, "--rpm", "1500", *QUICK])
+    assert "[[counterweight]] and [[balance_shaft]] take no part" in capsys.readouterr().out
+    Path(single).write_text(text, encoding="utf-8")
+    run(["crankshaft", single, "--rpm", "1500", *QUICK])
+    assert "take no part" not in capsys.readouterr().out
+
+
+def test_a_pass_that_runs_away_leaves_the_one_before(single, capsys, monkeypatch):
+    real, seen = sweep._about, []
+
+    def second_fails(made, rpm, orbits):
+        seen.append(rpm)
+        if len(seen) > 1:
+            raise SymbalanceError("the motion", "grows", "more steps")
+        return real(made, rpm, orbits)
+
+    monkeypatch.setattr(sweep, "_about", second_fails)
+    monkeypatch.setattr(sweep, "SETTLED", 0.0)
+    options = ["crankshaft", single, "--rpm", "1500", "--webs", "nominal", "--steps", "120"]
+    assert run(options) in (0, 1)
+    assert len(seen) == 2
+    assert "Speeds" in capsys.readouterr().out
+
+
+def test_finished_speeds_are_as_readable_as_their_folder(single, tmp_path):
+    out = tmp_path / "out"
+    run(["crankshaft", single, "--rpm", "1500", *QUICK, "--no-plots", "-o", str(out)])
+    folder, kept = out / "speeds", out / "speeds" / "1500rpm.npz"
+    assert kept.stat().st_mode & 0o666 == folder.stat().st_mode & 0o666
