@@ -81,7 +81,7 @@ def closed(
     with np.errstate(over="ignore", invalid="ignore"):
         pushed = made.marched(np.zeros(made.state_size))[-1] / units
     if not np.isfinite(pushed).all():
-        rule = "is not finite after a cycle: a load is not, or it grows past all bounds"
+        rule = "must be finite after a cycle; a load is not, or it grows past all bounds"
         remedy = "take more steps a cycle, or look at pressures, masses and films"
         raise SymbalanceError("the motion", rule, remedy)
     factors = None
