@@ -4,7 +4,7 @@ Amplitudes and means of a normal stress sigma and a shear stress tau at one plac
 sqrt(sigma^2 + 3 tau^2) (von Mises). Goodman's line: sigma_a/sigma_e + sigma_m/sigma_u = 1/n, a mean below
 zero counted as zero. Cycles are those of the equivalent stress that wears most, of
 
-    sign(sigma) sqrt(sigma^2 + 3 tau^2)  and  sigma cos phi + sqrt(3) tau sin phi,  -90 < phi <= 90 degrees:
+    sign(sigma) sqrt(sigma^2 + 3 tau^2)   and   sigma cos phi + sqrt(3) tau sin phi,  |phi| <= 90 degrees:
 
 the first folds a torsion that swings about zero into half its swing, the others miss what bending and
 torsion do at different angles. Damage (Palmgren, Miner): every rainflow cycle of amplitude a and
