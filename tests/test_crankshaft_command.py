@@ -52,6 +52,12 @@ def test_a_run_leaves_reports_curves_and_pictures(single, tmp_path, capsys, comp
     assert curve.dtype.names is not None
     name = curve.dtype.names[1]
     assert "pin_1_bending" in name
+    loads = np.genfromtxt(out / "loads-2000rpm.csv", delimiter=",", names=True)
+    assert loads.dtype.names == ("crank_angle_degrees", "pin_1_U_N", "pin_1_V_N")
+    pressed = 3 + 60 - 1.01325  # bar, at the firing top dead centre, where the piston's inertia pulls up
+    gas = pressed * 1e5 * np.pi / 4 * 0.092**2
+    pulled = 1.5 * 0.06 * (2000 * np.pi / 30) ** 2 * (1 + 60 / 192)
+    assert loads["pin_1_U_N"][0] == pytest.approx(pulled - gas, rel=1e-6)
     extreme = next(c for c in found["channels"] if c["name"] == "pin 1 bending")
     assert extreme["largest"] >= curve[name].max() * (1 - 1e-6)
     assert [s["rpm"] for s in found["speeds"]] == [1000, 1500, 2000]
@@ -310,3 +316,12 @@ def test_finished_speeds_are_as_readable_as_their_folder(single, tmp_path):
     run(["crankshaft", single, "--rpm", "1500", *QUICK, "--no-plots", "-o", str(out)])
     folder, kept = out / "speeds", out / "speeds" / "1500rpm.npz"
     assert kept.stat().st_mode & 0o666 == folder.stat().st_mode & 0o666
+
+
+def test_a_curve_of_a_speed_that_did_not_run_is_said_to_wait(tmp_path, capsys):
+    curve = "".join(f"{a},{a / 10}\n" for a in range(0, 720, 60))
+    (tmp_path / "gauge.csv").write_text(curve, encoding="utf-8")
+    table = '[running.overlay]\nfile = "gauge.csv"\nchannel = "pin 1 bending"\nrpm = 1800'
+    path = str(written(tmp_path, sheet(SINGLE, table)))
+    run(["crankshaft", path, "--rpm", "1500", *QUICK])
+    assert "belongs to 1800 rpm, which is no speed of this run" in capsys.readouterr().out

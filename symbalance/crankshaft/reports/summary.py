@@ -160,6 +160,9 @@ def _notes(made: Setting, outcomes: Sequence[Outcome]) -> list[str]:
             notes.append(
                 f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}"
             )
+    overlay = made.engine.operation.overlay
+    if overlay and not any(compared(overlay, outcome) for outcome in outcomes):
+        notes.append(f"the measured curve belongs to {overlay.rpm:g} rpm, which is no speed of this run")
     balancers = made.engine.layout.balancers
     if balancers:
         notes.append(
