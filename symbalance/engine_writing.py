@@ -82,7 +82,7 @@ def _train(layout: Layout) -> Row:
         if train.stroke is not None and layout.ratio is not None:
             changed = {"given_ratio": None, "rod": layout.ratio * train.stroke / 2}
         train = CrankTrain(**{**vars(train), **changed})
-    keys = ("stroke", "rod", "pitch", "reciprocating_mass", "rotating_mass", "offset")
+    keys = ("stroke", "rod", "pitch", *OWN[2:])
     return _given([*((k, getattr(train, k)) for k in keys), ("ratio", train.given_ratio)])
 
 

@@ -19,6 +19,7 @@ from symbalance.variations.bounds import lower_bound, norm, total
 from symbalance.variations.matching import least_matching
 from symbalance.variations.placements import arranged
 from tests.pistons import harmonics, pistons
+from tests.rotating_model import turning as rotating
 
 GRAMS = [453, 447, 451, 450, 455, 448, 449, 446]
 
@@ -254,3 +255,33 @@ def test_separators_and_comments():
         text = "# weighed\n\n" + "\n".join(separator.join(r) for r in rows)
         (found,) = parse_parts(text, "p")
         assert [p.name for p in found.parts] == ["left", "right"]
+
+
+@pytest.mark.parametrize("name", ["inline-3", "v6-60", "v8-90"])
+def test_whole_masses_count_beside_what_turns(name):
+    """Counterweights and shafts stay as the nominal engine has them; every piston is its own weight."""
+    sizes = sb.CrankTrain(
+        stroke=Fraction(80), rod=Fraction(160), reciprocating_mass=Fraction(45, 100),
+        rotating_mass=Fraction(3, 10),
+    )  # fmt: skip
+    layout = sb.Layout(sb.load(name).cylinders, crank_train=sizes)
+    smooth = sb.design_balance(layout, [1, 2]).balanced
+    masses = [Fraction(g, 1000) for g in GRAMS[: len(layout.cylinders)]]
+    found = sb.assign_parts(smooth, masses, orders=[1, 2], whole=True)
+    best = {
+        c.number: masses[int(found.places[c.number]["piston"].split()[1]) - 1] for c in layout.cylinders
+    }
+    engine = [
+        p.changed(mass=float(best[c.number]) - 1)
+        for p, c in zip(pistons(layout), layout.cylinders, strict=True)
+    ]
+    for shaking in found.left:
+        for arms, told in ((False, shaking.force), (True, shaking.couple)):
+            parts = harmonics(engine, arms)
+            total = 0.0
+            for n in (shaking.order, -shaking.order):
+                rows = [(p, float(z - layout.mean_station)) for s, p, z in rotating(smooth) if s == n]
+                made = sum((complex(p) * (z if arms else 1.0) * 0.45 for p, z in rows), 0j)
+                total += abs(parts[n] + made)
+            assert told == pytest.approx(total, rel=1e-9, abs=1e-12)
+    assert found.criterion < sb.assign_parts(layout, masses, orders=[1, 2], whole=True).criterion

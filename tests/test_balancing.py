@@ -16,9 +16,13 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.angles import Angle
+from symbalance.balancing.bounded import bounded
+from symbalance.balancing.numbers import size_of, summed
+from symbalance.balancing.overbalancing import amplitudes, first_order
 from symbalance.balancing.planes import in_planes
 from symbalance.catalogue import preset_names
 from symbalance.phasor import ZERO, Phasor
+from symbalance.rotors import added
 from symbalance.tables.torque_table import torque_text
 from symbalance.trains import CrankTrain, Link
 from symbalance.unlike import decimal
@@ -456,6 +460,15 @@ def test_one_plane_where_two_are_wanted_misses_least():
     assert not weight.is_zero()
 
 
+def test_a_shaft_goes_where_its_one_place_lets_it_help():
+    """A couple alone cannot be had from the middle: the shaft serves a smaller order with a force."""
+    odd = sb.Layout([sb.Cylinder(1, 0, 0, 9), sb.Cylinder(2, 180, 0, -9)], ratio=4)
+    design = sb.design_balance(odd, [1, 2], stations=[0], shafts=1)
+    assert [d.speed for d in design.devices] in ([2], [-2])
+    assert sb.design_balance(odd, [1], stations=[0]).devices == ()
+    assert [d.speed for d in sb.design_balance(odd, [1, 2], shafts=1).devices] == [1, -1]
+
+
 def test_no_weight_is_larger_than_it_may_be():
     layout = sb.inline("1-3-2", crank_train=SIZED)
     free = sb.design_balance(layout, [1])
@@ -468,8 +481,56 @@ def test_no_weight_is_larger_than_it_may_be():
     assert not tight.is_complete
     wide = sb.design_balance(layout, [1], most="7", stations=[1, "1/2", "-1/2", -1])
     assert max(wide.unbalance(d, w) for d in wide.devices for _, w in d.weights) <= 7
-    # shared out over four planes they do it nearly: what is left is the fineness of the fractions
-    assert rotating_model.largest(rotating_model.orders(wide.balanced, [1]).values()) < 1e-6
+    assert wide.is_complete  # shared out over four planes
+    assert rotating_model.largest(rotating_model.orders(wide.balanced, [1]).values()) < 1e-25
+
+
+def test_bounded_weights_that_must_lean_are_exact_too():
+    """A force off the middle, so that the weights of least squares pass the bound and others do not."""
+    places = [Fraction(z) for z in (2, 1, 0, -1)]
+    force, couple = Phasor.of(1, {0: 10}), Phasor.of(1, {0: Fraction("10.6")})
+    found = bounded(force, couple, places, Fraction("3.5"), Fraction(1))
+    assert max(size_of(w) for _, w in found) <= 3.5
+    assert added(force, -summed([w for _, w in found])).is_zero()
+    assert added(couple, -summed([w.scaled(z) for z, w in found])).is_zero()
+    even = in_planes(force, couple, places, spread="even", length=Fraction(1))
+    assert max(size_of(w) for _, w in even) > 3.5
+
+
+def test_bounded_weights_of_both_parts_help_each_other():
+    """Forward 1 and backward 1/2, weights up to 0.6: upright the backward one makes up for 0.1 of 0.4."""
+    twin = sb.vee(60, pins=[0], crank_train=SIZED)
+    for lateral, upright in ((0, 0.3), (1, 0.4)):
+        design = sb.design_balance(twin, [1], lateral=lateral, most="12.9", stations=[0])
+        cos, sin = rotating_model.orders(design.balanced, [1])[1, "force"]
+        assert float(mp.hypot(cos.real, sin.real)) == pytest.approx(upright, abs=1e-8)
+        for device, part in zip(design.devices, (1, -1), strict=True):
+            before, after = (b.force.terms.get(part, ZERO) for b in (design.before, design.remains))
+            assert added(added(before, device.force), -after).is_zero()
+
+
+def test_a_design_prints_like_a_balance():
+    design = sb.design_balance(sb.vee(ALPHA, pins=[0], ratio=4), [1])
+    assert "proved 0" in sb.to_text(design)
+    assert json.loads(sb.to_json(design))["complete"] is True
+    assert "Certificate" in sb.to_latex(design)
+    assert "documentclass" in sb.to_latex(design, standalone=True)
+
+
+@pytest.mark.parametrize("order", [0, 3, -1, "a", None])
+def test_an_ellipse_that_was_not_asked_for_is_not_nothing(order):
+    with pytest.raises(sb.SymbalanceError, match="order"):
+        sb.ellipse(sb.balance(sb.inline("1"), 2), order)
+
+
+def test_bounded_weights_take_the_fewest_planes():
+    four = sb.inline("1-3-4-2", crank_train=SIZED)
+    for most, count in (("3.4", 1), ("1.7", 2), ("1.2", 3), ("0.9", 4)):
+        design = sb.design_balance(four, [2], stations=["3/2", "1/2", 0, "-1/2", "-3/2"], most=most)
+        shafts = [[design.unbalance(d, w) for _, w in d.weights] for d in design.shafts]
+        assert design.is_complete
+        assert all(max(sizes) <= float(most) for sizes in shafts)
+        assert {len(sizes) for sizes in shafts} == {count}
 
 
 # The roll moment -------------------------------------------------------------------------------------
@@ -580,3 +641,20 @@ def test_textbook_single_three_and_vees():
     assert [d.on_crank for d in six_60.devices] == [True]
     eight = sb.design_balance(sb.load("v8-90"), [1, 2])
     assert [d.on_crank for d in eight.devices] == [True]
+
+
+def test_the_least_largest_of_an_engine_askew_is_found_at_once():
+    """Throws of whole degrees lie in a field of degree 96: no equation there is left to SymPy."""
+    rows = [sb.Cylinder(1, 137, -45, 1), sb.Cylinder(2, 25, 30, "-1/2"), sb.Cylinder(3, 211, -20, 0)]
+    layout = sb.Layout(rows, ratio=4)
+    parts = first_order(layout)
+    for vertical, lateral in ((3, 1), (1, 1), (1, 3), (1, 0), (0, 1)):
+        aim = {"vertical": vertical, "lateral": lateral, "aim": "largest"}
+        best = Fraction(float(sb.best_overbalance(layout, **aim)))
+
+        def left(k, v=vertical, side=lateral):
+            up, across = amplitudes(parts, k)
+            return max(v * up, side * across)
+
+        least = min(left(best + Fraction(step, 50)) for step in (-50, -5, -1, 1, 5, 50))
+        assert left(best) <= least + 1e-12

@@ -166,6 +166,29 @@ def test_every_key_comes_back(tmp_path):
     assert sb.load(path).ratio == 4
 
 
+def test_the_rods_own_inertia_comes_back(tmp_path):
+    rod = {"rod_mass": Fraction(3, 5), "rod_centre": Fraction(40), "rod_inertia": Fraction(2000)}
+    train = CrankTrain(**{**vars(SIZES), **rod})
+    path = tmp_path / "rods.toml"
+    path.write_text(sb.engine_text(sb.inline("1-3-4-2", crank_train=train)), encoding="utf-8")
+    assert sb.load(path).crank_train == train
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--write", "a.toml", "-o", "a.toml"), "file a.toml: is named for two files"),
+        (("--picture", "a.png", "-o", "a.png"), "file a.png: is named for two files"),
+        (("--per-throw", "--no-counterweights"), "per_throw without counterweights"),
+    ],
+)
+def test_what_contradicts_itself_is_refused(options, said, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert run(["design", "inline-3", *options]) == 2
+    assert said in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
 def test_symbols_are_refused_by_a_file():
     with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file"):
         sb.engine_text(sb.vee(sympy.Symbol("alpha"), pins=[0]))

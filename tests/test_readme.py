@@ -3,6 +3,8 @@
 import re
 from pathlib import Path
 
+import pytest
+
 from symbalance.cli import run
 
 ROOT = Path(__file__).parent.parent
@@ -56,3 +58,20 @@ def test_the_checked_lines_are_what_the_command_prints(capsys):
     where = command[1].split()
     assert run(["check", str(ROOT / where[1])]) == 1
     assert block("text", 1) in capsys.readouterr().out
+
+
+KEYS = re.findall(r"```toml\n(.*?)```", (ROOT / "ENGINE_FILES.md").read_text(encoding="utf-8"), re.DOTALL)
+WHOLE = [text for text in KEYS if "[layout]" in text or "[[cylinder]]" in text]
+PARTS = [text for text in KEYS if "[[counterweight]]" in text and "[crankshaft]" not in text]
+
+
+@pytest.mark.parametrize("text", [*WHOLE, *(WHOLE[0] + part for part in PARTS)])
+def test_every_engine_file_shown_is_one(text, tmp_path, capsys):
+    path = tmp_path / "shown.toml"
+    path.write_text(text, encoding="utf-8")
+    assert run(["balance", str(path)]) == 0, capsys.readouterr().err
+
+
+def test_every_block_of_keys_is_read_by_some_test():
+    cranks = [text for text in KEYS if "[crankshaft]" in text]
+    assert len(WHOLE) + len(PARTS) + len(cranks) == len(KEYS) > 5

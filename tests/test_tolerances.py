@@ -16,6 +16,7 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.variations.sectors import Sector, largest_sum, support
 from tests.pistons import harmonics, largest, pistons
+from tests.rotating_model import turning as rotating
 
 ENGINES = [
     "inline-2",
@@ -56,6 +57,47 @@ def test_mass_tolerances_are_the_worst_of_all_vertices(name):
         assert worst.attained == pytest.approx(brute, rel=1e-9, abs=1e-14)
         assert worst.bound == pytest.approx(brute, rel=1e-4, abs=1e-14)
         assert worst.bound >= brute * (1 - 1e-12) - 1e-15
+
+
+def smooth(name: str) -> sb.Layout:
+    layout = sb.load(name).with_ratio(4)
+    if name == "v2-45":
+        return sb.overbalanced(layout, "3/5").balanced_by(sb.BalanceShaft(2, [sb.Weight(1, 30, share=1)]))
+    return sb.design_balance(layout, [1, 2]).balanced
+
+
+def turning(layout, n: int, arms: bool) -> complex:
+    """Return c_n of what turns, from the model that shares no sums with symbalance."""
+    rows = [(complex(pull), float(z - layout.mean_station)) for s, pull, z in rotating(layout) if s == n]
+    return sum((pull * (arm if arms else 1.0) for pull, arm in rows), 0j)
+
+
+@pytest.mark.parametrize("name", ["inline-1", "inline-3", "inline-4", "v6-60", "v2-45", "radial-5"])
+def test_what_turns_counts_and_stays_as_made(name):
+    """All vertices of the masses, with the counterweights and shafts of the nominal engine too."""
+    layout, part = smooth(name), 0.02
+    assert layout.balancers
+    signs = np.array(list(itertools.product((1 - part, 1 + part), repeat=len(layout.cylinders))))
+    single = [[harmonics([p], arms) for p in pistons(layout)] for arms in (False, True)]
+    modes = ("largest", "vertical", "lateral", "forward", "backward")
+    for worst in sb.worst_cases(layout, sb.Tolerances(mass="2%"), 4, of=modes):
+        arms = worst.quantity == "couple"
+        n = worst.order
+        ahead = signs @ np.array([r[n] for r in single[arms]]) + turning(layout, n, arms)
+        against = signs @ np.array([r[-n] for r in single[arms]]) + turning(layout, -n, arms)
+        brute = max(seen(pair, worst.of) for pair in zip(ahead, against, strict=True))
+        assert worst.attained == pytest.approx(brute, rel=1e-9, abs=1e-13)
+        assert brute * (1 - 1e-12) - 1e-15 <= worst.bound <= brute * (1 + 1e-4) + 1e-13
+        assert not worst.nominal or n > 2 or name == "v2-45"
+
+
+def test_an_order_of_a_shaft_alone_is_there():
+    sizes = sb.CrankTrain(stroke=Fraction(80), rod=Fraction(160), reciprocating_mass=Fraction(1, 2))
+    layout = sb.inline("1", crank_train=sizes)
+    third = layout.balanced_by(sb.BalanceShaft(3, [sb.Weight(unbalance=2)]))
+    found = {(w.order, w.quantity): w for w in sb.worst_cases(third, sb.Tolerances(mass="1%"), 4)}
+    assert found[3, "force"].bound == pytest.approx(2 * 9 / 20)
+    assert found[3, "force"].attained == found[3, "force"].nominal == pytest.approx(0.9)
 
 
 FULL = {

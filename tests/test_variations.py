@@ -384,3 +384,15 @@ def test_the_command(capsys, tmp_path):
     assert r"\toprule" in (tmp_path / "s.tex").read_text(encoding="utf-8")
     assert run(["sensitivities", "inline-4", "--parameters", "colour"]) == 2
     assert "is no parameter" in capsys.readouterr().err
+
+
+def test_an_order_with_symbols_is_typeset(compile_latex):
+    alpha = sympy.Symbol("alpha")
+    twin = sb.to_latex(sb.symbolic_order(sb.vee(alpha, pins=[0]), 1, masses="m"), standalone=True)
+    assert r"&\text{vertical}\ C = \frac{m_{1} \cos{\left(\alpha \right)}}{2}" in twin
+    assert "Free couple}: none." in twin
+    letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
+    three = sb.to_latex(sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters), standalone=True)
+    assert r"total power 3" in three
+    for page in (twin, three):
+        compile_latex(page)

@@ -9,21 +9,21 @@ from typing import Any
 
 from mpmath import mp
 
-from symbalance.balancers import BalanceShaft, Counterweight, Weight
-from symbalance.balancing.bounded import bounded
-from symbalance.balancing.choosing import Pair, chosen, parts_of
+from symbalance.balancers import BalanceShaft, Counterweight, Weight, directed
+from symbalance.balancing.bounded import bounded, jointly
+from symbalance.balancing.choosing import Left, Pair, chosen, parts_of, targets_of
 from symbalance.balancing.limits import Limits
-from symbalance.balancing.numbers import size_of, station_of
+from symbalance.balancing.numbers import size_of, station_of, summed
 from symbalance.balancing.planes import Placed, in_planes
 from symbalance.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
-from symbalance.phasor import ZERO
+from symbalance.phasor import ZERO, Phasor
 from symbalance.rational import real
 from symbalance.resultants import Balance
 from symbalance.rotors import added, rotating_shares, share_unit, unit_unbalance
 from symbalance.spectrum import Number
-from symbalance.unlike import decimal
+from symbalance.unlike import decimal, sizes
 
 
 @dataclass(frozen=True)
@@ -47,11 +47,10 @@ def devices_for(before: Balance, orders: Sequence[int], limits: Limits) -> list[
     parts = parts_of(before, orders)
     served = _served(before, parts, limits)
     found = []
-    for speed in sorted(served, key=lambda n: (abs(n), n < 0)):
-        targets = _targets(parts, speed, -speed in served, limits.weighting.tilt)
-        if not all(t.is_zero() for t in targets):
-            found.append(_device(before, speed, targets, limits))
-    return found
+    for n in sorted({abs(s) for s in served}):
+        placed = _placed(before, parts, [s for s in (n, -n) if s in served], limits)
+        found += [_device(before, speed, weights, limits) for speed, weights in placed.items()]
+    return [device for device in found if device.parts]
 
 
 def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int]:
@@ -64,31 +63,77 @@ def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int
     crank, wanted = [n for n in able if n in free], [n for n in able if n not in free]
     if limits.shafts is None or len(wanted) <= limits.shafts:
         return able
-    return crank if limits.shafts == 0 else chosen(before, able, free, limits.shafts, limits.weighting)
+    if limits.shafts == 0:
+        return crank
+    return chosen(before, able, free, limits.shafts, limits.weighting, _leaves(before, limits))
 
 
-def _targets(parts: dict[int, Pair], speed: int, other_served: bool, tilt: Fraction) -> Pair:
-    """Return the force and couple a device must have: to end its part, or the best beside the other."""
-    own, other = parts.get(speed, (ZERO, ZERO)), parts.get(-speed, (ZERO, ZERO))
-    if other_served or not tilt:
-        return -own[0], -own[1]
-    wanted = [part.conjugate().scaled(-tilt) for part in other]
-    return added(wanted[0], -own[0]), added(wanted[1], -own[1])
+def _leaves(before: Balance, limits: Limits) -> Left | None:
+    """Return what tells what is left where weights cannot have any force and couple, else None."""
+    places = limits.stations and set(limits.stations)
+    if limits.most is None and (not places or len(places) > 1):
+        return None
+
+    def left(parts: dict[int, Pair], served: Sequence[int]) -> dict[int, Pair]:
+        placed = _placed(before, parts, served, limits)
+        return {s: _sum(parts.get(s, (ZERO, ZERO)), _had(before.layout, w)) for s, w in placed.items()}
+
+    return left
 
 
-def _device(before: Balance, speed: int, targets: Pair, limits: Limits) -> Device:
-    force, couple = targets
-    if speed == 1 and limits.counterweights and limits.per_throw:
-        half = tuple(Counterweight(throw=c.number, overbalance="1/2") for c in before.layout.cylinders)
-        return Device(1, True, force, couple, (), half)
-    weights = _weights(before.layout, speed, targets, limits)
+def _had(layout: Layout, weights: Sequence[Placed]) -> Pair:
+    """Return the force and the couple about the mean of the stations that weights have."""
+    plane = layout.mean_station
+    return summed([w for _, w in weights]), summed([w.scaled(z - plane) for z, w in weights])
+
+
+def _sum(one: Pair, other: Pair) -> Pair:
+    return added(one[0], other[0]), added(one[1], other[1])
+
+
+def _placed(
+    before: Balance, parts: dict[int, Pair], served: Sequence[int], limits: Limits
+) -> dict[int, list[Placed]]:
+    """Return, by speed, the weights that serve one order: stations and vectors in its unit."""
+    layout, tilt = before.layout, limits.weighting.tilt
+    targets = {s: targets_of(parts, s, -s in served, tilt) for s in served}
+    found = {s: _weights(layout, s, wanted, limits) for s, wanted in targets.items()}
+    if limits.most is None or not tilt or len(served) < 2:
+        return found
+    if all(_had_all(layout, found[s], targets[s]) for s in served):
+        return found
+    plane = layout.mean_station
+    arms = sorted({z for wanted in targets.values() for z in _arms(layout, wanted, limits.stations)})
+    bound = _bound(layout, served[0], limits.most)
+    both = jointly([targets[s] for s in served], arms[::-1], bound, limits.weighting.length, tilt)
+    return {s: [(z + plane, w) for z, w in side] for s, side in zip(served, both, strict=True)}
+
+
+def _had_all(layout: Layout, weights: Sequence[Placed], wanted: Pair) -> bool:
+    had = _had(layout, weights)
+    return all(added(w, -h).is_zero() for w, h in zip(wanted, had, strict=True))
+
+
+def _device(before: Balance, speed: int, weights: Sequence[Placed], limits: Limits) -> Device:
     on_crank = speed == 1 and limits.counterweights
+    if on_crank and limits.per_throw:
+        return _on_throws(before.layout)
     shares = [(station, _share(before.layout, speed, vector)) for station, vector in weights]
-    if on_crank:
-        parts: Any = tuple(Counterweight(0, station, share=vector) for station, vector in shares)
+    if not shares:  # from the stations there are, nothing is better than something
+        parts: Any = ()
+    elif on_crank:
+        parts = tuple(Counterweight(0, station, share=vector) for station, vector in shares)
     else:
         parts = (BalanceShaft(speed, [Weight(station, share=vector) for station, vector in shares]),)
-    return Device(speed, on_crank, force, couple, tuple(shares), parts)
+    return Device(speed, on_crank, *_had(before.layout, weights), tuple(shares), parts)
+
+
+def _on_throws(layout: Layout) -> Device:
+    """Return counterweights for half of the reciprocating mass on every throw."""
+    half = tuple(Counterweight(throw=c.number, overbalance="1/2") for c in layout.cylinders)
+    rows = zip(layout.cylinders, sizes(layout), strict=True)
+    pulls = [(c.station, directed(Phasor.of(1, {0: -size / 2}), c.throw)) for c, size in rows]
+    return Device(1, True, *_had(layout, pulls), (), half)
 
 
 def _weights(layout: Layout, speed: int, targets: Pair, limits: Limits) -> list[Placed]:
@@ -100,7 +145,7 @@ def _weights(layout: Layout, speed: int, targets: Pair, limits: Limits) -> list[
         bound = _bound(layout, speed, limits.most)
         if any(size_of(vector) > real(bound) for _, vector in placed):
             placed = bounded(*targets, sorted(set(arms), reverse=True), bound, length)
-    return [(arm + plane, vector) for arm, vector in placed]
+    return [(arm + plane, vector) for arm, vector in placed if not vector.is_zero()]
 
 
 def _arms(layout: Layout, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:

@@ -16,9 +16,9 @@ import sympy
 from mpmath import mp
 
 from symbalance.balancing.numbers import product, size_of
-from symbalance.errors import SymbalanceError
+from symbalance.errors import SymbalanceError, shown
 from symbalance.phasor import ZERO
-from symbalance.rational import Real
+from symbalance.rational import Real, checked_whole
 from symbalance.resultants import Balance, checked_balance
 from symbalance.spectrum import Component, Number
 
@@ -108,6 +108,8 @@ def ellipse(result: Balance, order: int = 1, kind: str = "force") -> Ellipse:
     """
     checked_balance(result)
     if kind not in ("force", "couple"):
-        raise SymbalanceError(f"kind = {kind}", "must be force or couple", "ask for one of them")
+        raise SymbalanceError(f"kind = {shown(kind)}", "must be force or couple", "ask for one of them")
+    rule = f"of a balance to order {result.highest}"
+    checked_whole(order, "order", 1, result.highest, f"{rule}; ask balance for more")
     terms = (result.force if kind == "force" else result.couple).terms
     return Ellipse(order, terms.get(order, ZERO), terms.get(-order, ZERO))

@@ -59,6 +59,9 @@ def checked_limits(
     if spread not in SPREADS:
         rule = f"must be one of {', '.join(SPREADS)}"
         raise SymbalanceError(f"spread = {shown(spread)}", rule, "ends takes the fewest weights")
+    if per_throw and not counterweights:
+        rule, remedy = "puts counterweights on every throw", "leave out one of the two"
+        raise SymbalanceError("per_throw without counterweights", rule, remedy)
     return Limits(
         None if shafts is None else checked_whole(shafts, "shafts", 0, MOST_SHAFTS, "0 is none"),
         bool(counter_rotation),

@@ -18,6 +18,7 @@ f conj g are real, as in all engines symmetric about the vertical plane: on that
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -29,10 +30,10 @@ from symbalance.balancing.numbers import imaginary_part, norm, product, quotient
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
 from symbalance.phasor import ZERO, Phasor
-from symbalance.rational import exact
+from symbalance.rational import Real, exact
 from symbalance.resultants import balance
 from symbalance.rotors import added
-from symbalance.spectrum import Number
+from symbalance.spectrum import Component, Number
 from symbalance.unlike import decimal, sizes
 
 AIMS = ("squares", "largest")
@@ -46,6 +47,9 @@ def overbalanced(layout: Layout, share: object = Fraction(1, 2)) -> Layout:
     ()
     """
     part = exact(share, "overbalance")
+    if not isinstance(layout, Layout):
+        remedy = 'load one with load("v12-60"), or build one'
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", remedy)
     return layout.balanced_by(
         *(Counterweight(throw=c.number, overbalance=part) for c in layout.cylinders)
     )
@@ -146,24 +150,38 @@ def _least_largest(parts: FirstOrder, vertical: Fraction, lateral: Fraction) -> 
     Each squared amplitude is a parabola in k; the least of the larger is at the bottom of one or where
     both meet. Every candidate is a SymPy number; decimals choose.
     """
-    k = sympy.Symbol("k")
-    weighed = [(vertical, 1), (lateral, -1)]
-    curves = [_parabola(parts, sign, k) * sympy.Rational(str(w)) ** 2 for w, sign in weighed]
-    candidates = [sympy.solve(sympy.diff(c, k), k) for c in curves if c != 0]
-    candidates.append(sympy.solve(sympy.expand(curves[0] - curves[1]), k))
-    real = [x for found in candidates for x in found if x.is_real]
-    return min(real, key=lambda x: max(sympy.N(c.subs(k, x), 30) for c in curves))
+    curves = [_parabola(parts, sign, w * w) for w, sign in ((vertical, 1), (lateral, -1))]
+    with mp.workdps(30):
+        near = [[decimal(x).real for x in curve] for curve in curves]
+        found = [i for i, w in enumerate((vertical, lateral)) if w]
+        places = [(near[i][1] / near[i][0], i) for i in found]
+        gap = [one - other for one, other in zip(*near, strict=True)]
+        places += [(k, sign) for k, sign in _crossings(gap, vertical == lateral)]
+        worth = [max(a * k * k - 2 * b * k + c for a, b, c in near) for k, _ in places]
+    best = min(range(len(places)), key=worth.__getitem__)
+    exactly = [[Component(x).cos for x in curve] for curve in curves]
+    if best < len(found):
+        a, b, _ = exactly[found[best]]
+        return b / a
+    a, b, c = (one - other for one, other in zip(*exactly, strict=True))
+    return c / (2 * b) if vertical == lateral else (b + places[best][1] * sympy.sqrt(b * b - a * c)) / a
 
 
-def _parabola(parts: FirstOrder, sign: int, k: sympy.Symbol) -> sympy.Expr:
-    """Return |conj(f - k g) + sign b|^2 as a polynomial in k."""
-    from symbalance.spectrum import Component
+def _crossings(gap: Sequence[Real], level: bool) -> list[tuple[Real, int]]:
+    """Return where a k^2 - 2 b k + c is 0, with the sign of the root; `level`: where a is 0."""
+    a, b, c = gap
+    if level:
+        return [(c / (2 * b), 0)] if b else []
+    square = b * b - a * c
+    return [((b + sign * mp.sqrt(square)) / a, sign) for sign in (1, -1)] if square >= 0 else []
 
+
+def _parabola(parts: FirstOrder, sign: int, weight: Fraction) -> list[Number]:
+    """Return a, b and c of weight |conj(f - k g) + sign b|^2 = a k^2 - 2 b k + c."""
     still = added(parts.forward.conjugate(), parts.backward.scaled(sign))
     moved = parts.per_share.conjugate()
     cross = real_part(product(still, moved.conjugate()))
-    a, b, c = (Component(n).cos for n in (norm(moved), cross, norm(still)))
-    return sympy.expand(a * k**2 - 2 * b * k + c)
+    return [number.scaled(weight) for number in (norm(moved), cross, norm(still))]
 
 
 def amplitudes(parts: FirstOrder, share: Fraction) -> tuple[object, object]:

@@ -68,7 +68,8 @@ def _proposed(design: Design) -> str:
         head = r"speed & on the & station & share & \(\approx\) & direction"
         head += r" & \(U\), kg\,mm" if sizes else ""
         columns = "rlrccc" + ("r" if sizes else "")
-        lines.append(tabulars(columns, head, [" & ".join(row if sizes else row[:-1]) for row in rows]))
+        cells = [" & ".join(row if sizes else row[:-1]) for row in rows]
+        lines.append(tabulars(columns, head, cells, gap=6 if any(r"\frac" in c for c in cells) else 2))
     return "\n".join(lines)
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import sympy
 
 from symbalance.balancers import Balancers, Counterweight, Weight
+from symbalance.balancing import Design
 from symbalance.cylinders import Cylinder
 from symbalance.mechanisms import LinkRod
 from symbalance.rational import decimal_text
@@ -21,8 +22,12 @@ DIGITS = 30
 VALUE_DIGITS = 20
 
 
-def to_json(balance: Balance) -> str:
-    """Return a balance as a JSON document; `json.loads` of it is made of strings, lists and dicts."""
+def to_json(balance: Balance | Design) -> str:
+    """Return a balance or a design as a JSON document, made of strings, lists and dicts."""
+    if isinstance(balance, Design):
+        from symbalance.tables.design_json import design_json  # it holds what remains as a balance
+
+        return design_json(balance)
     return json.dumps(document(balance), indent=1, ensure_ascii=False)
 
 

@@ -10,6 +10,7 @@ import sympy
 from mpmath import mp
 
 from symbalance.angles import Angle
+from symbalance.balancing import Design
 from symbalance.derivation import Derivation, derivation_latex
 from symbalance.errors import SymbalanceError
 from symbalance.notation import series_latex
@@ -37,8 +38,10 @@ from symbalance.tables.latex_parts import in_document
 from symbalance.tables.latex_parts import number as _number
 from symbalance.tables.latex_parts import tabulars as _tabulars
 from symbalance.tables.roll_facts import roll_rows
+from symbalance.tables.symbolic_latex import symbolic_latex
 from symbalance.tables.wide_formulas import LONGEST_CELL, broken, exact_forms
 from symbalance.torque import TorqueReport
+from symbalance.variations import SymbolicOrder
 
 LONGEST_SERIES = 160
 LONGEST_NUMERATOR = 30
@@ -46,7 +49,7 @@ LONGEST_NUMERATOR = 30
 
 @singledispatch
 def to_latex(result: Any, *, standalone: bool = False) -> str:
-    r"""Return LaTeX of a balance, a torque report, a derivation, a component, a series or an expression.
+    r"""Return LaTeX of a balance, design, torque report, derivation, component, series or expression.
 
     `standalone` wraps a balance, a torque report or a derivation in a complete document; a fragment needs
     amsmath and booktabs. Components, series and expressions give a formula for math mode.
@@ -56,6 +59,18 @@ def to_latex(result: Any, *, standalone: bool = False) -> str:
     \frac{9}{128 \lambda^{5}} + \frac{45}{512 \lambda^{7}} + \cdots
     """
     raise SymbalanceError(type(result).__name__, "has no LaTeX form", "give a balance or a derivation")
+
+
+@to_latex.register
+def _(result: Design, *, standalone: bool = False) -> str:
+    from symbalance.tables.design_latex import design_latex  # it prints what remains as a balance
+
+    return design_latex(result, standalone=standalone)
+
+
+@to_latex.register
+def _(result: SymbolicOrder, *, standalone: bool = False) -> str:
+    return symbolic_latex(result, standalone=standalone)
 
 
 @to_latex.register

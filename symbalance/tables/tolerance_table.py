@@ -40,12 +40,14 @@ def _about(layout: Layout, tolerances: Tolerances, scale: Scale, rpm: object) ->
     given = [f"{name} ±{_size(name, getattr(tolerances, name))}" for name in UNITS]
     listed = ", ".join(text for name, text in zip(UNITS, given, strict=True) if getattr(tolerances, name))
     speed = "" if rpm is None else f", at {rpm} rpm"
+    made = "counterweights, shafts and rotating masses count as they are made, without errors"
     return [
         f"{layout.name}: the worst within tolerances{speed}",
         f"every cylinder: {listed or 'none'}",
         f"force in {scale[2]}, couple in {scale[3]}; each row has a worst engine of its own",
         "worst: reached by an engine within the tolerances; at most: proved for all of them",
         "RSS: root of the sum of squares of the single effects to first order, an estimate",
+        *([made] if layout.balancers else []),
     ]
 
 

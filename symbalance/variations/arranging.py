@@ -24,7 +24,7 @@ from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.rational import checked_whole, listed
 from symbalance.variations.bounds import norm, total
-from symbalance.variations.measures import Shaking, Units, generators, shaking_of, units_of
+from symbalance.variations.measures import Shaking, Units, generators, made_vector, shaking_of, units_of
 from symbalance.variations.placements import Placement
 from symbalance.variations.problems import Problem, expected
 from symbalance.variations.shares import checked_layout, shares
@@ -72,7 +72,8 @@ def assign_parts(
 
     `parts` are the pistons' masses in kg, or sets from `read_parts`; `orders` those that count; `lever`,
     in mm, is what a couple is divided by; with `rpm` and the engine's stroke (and pitch) results are in N
-    and N m. `whole` counts the whole masses, not only what they differ by.
+    and N m. `whole` counts the whole masses, not only what they differ by, and the counterweights, shafts
+    and rotating masses of the engine, the parts' own rotating masses then by what they differ by.
 
     >>> from symbalance.builders import inline
     >>> best = assign_parts(inline("1-3-4-2", ratio=4), [0.452, 0.448, 0.451, 0.449])
@@ -90,7 +91,8 @@ def assign_parts(
     units = units_of(layout, rpm, lever, rows[1])
     there = [n for n in asked if n in rows]
     vectors = generators(layout, [rows[n] for n in there], units)
-    problem = Problem.of(sets, vectors, whole)
+    made = made_vector(layout, there, units) if whole else None
+    problem = Problem.of(sets, vectors, whole, made)
     return _told(layout, sets, problem, problem.solved(), there, units, not whole)
 
 

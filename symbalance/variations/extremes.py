@@ -12,6 +12,7 @@ direction cosine and the phase n (t_j - k_j) for independent. Then every cylinde
 - the amplitude of one component is `largest_sum` of them,
 - the largest modulus of the planar vector over a turn is `farthest` over all directions u.
 
+Counterweights, shafts and rotating masses add what they were made to (`symbalance.variations.made`).
 Both give a bound that is proved (but for the rounding of floats, for which it is raised by `ROUNDING`).
 The attained value is that of an engine that exists: errors within their tolerances, improved in turns,
 put into the formula above. For tolerances of mass, station, stroke and rod on centred cylinders the two
@@ -34,6 +35,7 @@ from symbalance.slider_crank import acceleration_value
 from symbalance.variations.aims import MODES, Aim, Errors, aim_at, answer, seen, sums_of, told, unit
 from symbalance.variations.boxes import Box, boxes
 from symbalance.variations.derivatives import sensitivities
+from symbalance.variations.made import NOTHING, Made, made_parts
 from symbalance.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
 from symbalance.variations.sensitivity import Sensitivity, evaluated_number
 from symbalance.variations.tolerances import Relative, Tolerances
@@ -95,16 +97,18 @@ def worst_cases(
     names = own.parameters
     errors = sensitivities(layout, order, parameters=names, reference=reference) if names else []
     ideal = balance(layout, order, reference=reference)
-    found = []
-    for n, rows in boxes(layout, own, order, reference).items():
+    found, by_order = [], boxes(layout, own, order, reference)
+    made = made_parts(layout, order, reference)
+    for n in sorted({*by_order, *made}):
+        rows = by_order.get(n, [])
         for quantity in QUANTITIES:
-            pair = _ideal(ideal, n, quantity)
+            pair, fixed = _ideal(ideal, n, quantity), made.get(n, NOTHING)[quantity]
             for mode in modes:
                 if not names:
                     found.append(_unchanged(n, quantity, mode, seen(*pair, mode)))
                     continue
                 single = _statistical([s for s in errors if s.order == n], own.steps, quantity, mode)
-                found.append(_worst(n, quantity, mode, rows, seen(*pair, mode), single))
+                found.append(_worst(n, quantity, mode, rows, fixed, seen(*pair, mode), single))
     return found + (_rotating(layout, own, reference) if own.rotating else [])
 
 
@@ -159,15 +163,23 @@ def _unchanged(n: int, quantity: str, mode: str, nominal: float) -> WorstCase:
 
 
 def _worst(
-    n: int, quantity: str, mode: str, rows: Sequence[Box], nominal: float, statistical: float
+    n: int,
+    quantity: str,
+    mode: str,
+    rows: Sequence[Box],
+    made: Made,
+    nominal: float,
+    statistical: float,
 ) -> WorstCase:
-    bound, aim = _bounded(rows, quantity, mode)
+    bound, aim = _bounded(rows, made, quantity, mode)
     chosen = [Errors(box.nominal, box.level, 0.0, 0.0) for box in rows]
     best = nominal
     least = TIED * sum(abs(box.nominal) * max(1.0, abs(box.level)) for box in rows)
+    least += TIED * (abs(made.ahead) + abs(made.against))
     for _ in range(IMPROVEMENTS):
         tried = [answer(box, quantity, aim) for box in rows]
-        sums = sums_of(rows, quantity, tried)
+        ahead, against = sums_of(rows, quantity, tried)
+        sums = ahead + made.ahead, against + made.against
         value = seen(*sums, mode)
         if value <= max(best, least):
             break
@@ -177,28 +189,29 @@ def _worst(
     return WorstCase(n, quantity, mode, nominal, best, most, statistical, errors)
 
 
-def _bounded(rows: Sequence[Box], quantity: str, mode: str) -> tuple[float, Aim]:
+def _bounded(rows: Sequence[Box], made: Made, quantity: str, mode: str) -> tuple[float, Aim]:
     """Return the proved bound, and the aim to reach it with."""
-    if mode in ("forward", "backward"):
-        sign = 1 if mode == "forward" else -1
-        value, angle = largest_sum([s for box in rows for s in box.turning(quantity, sign)])
-        aim = cmath.rect(1, -angle)
-        return value, ((aim, 0j) if sign > 0 else (0j, aim))
+
+    def turning(sign: int) -> Largest:
+        sectors = [s for box in rows for s in box.turning(quantity, sign)]
+        return largest_sum(sectors + made.turning(sign))
 
     def across(direction: float) -> Largest:
-        return largest_sum([s for box in rows for s in box.seen_from(quantity, direction)])
+        sectors = [s for box in rows for s in box.seen_from(quantity, direction)]
+        return largest_sum(sectors + made.seen_from(direction))
 
+    if mode in ("forward", "backward"):
+        value, angle = turning(1 if mode == "forward" else -1)
+        aim = cmath.rect(1, -angle)
+        return value, ((aim, 0j) if mode == "forward" else (0j, aim))
     direction, bound = {"vertical": 0.0, "lateral": pi / 2}.get(mode), None
     if direction is None:
-        direction, bound = rows[0].axis, None
-        if any(box.bank or abs(remainder(box.axis - direction, pi)) > 1e-12 for box in rows):
+        direction = rows[0].axis if rows else 0.0
+        if made or any(box.bank or abs(remainder(box.axis - direction, pi)) > 1e-12 for box in rows):
             found = farthest(lambda u: across(u).value)
             # A circle has no farthest direction to halve towards: there both turning parts bound it.
-            turning = sum(
-                largest_sum([s for box in rows for s in box.turning(quantity, sign)]).value
-                for sign in (1, -1)
-            )
-            direction, bound = found.angle, min(found.bound, turning)
+            direction = found.angle
+            bound = min(found.bound, turning(1).value + turning(-1).value)
     value, angle = across(direction)
     aim = cmath.rect(1, -direction - angle), cmath.rect(1, angle - direction)
     return (value if bound is None else bound), aim

@@ -11,6 +11,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
 from symbalance.rational import exact
 from symbalance.variations.bounds import Vector
+from symbalance.variations.made import NOTHING, made_parts
 from symbalance.variations.shares import Share, first_sizes
 from symbalance.variations.symmetry import Generators
 
@@ -81,6 +82,28 @@ def generators(layout: Layout, orders: Sequence[Sequence[Share]], units: Units) 
             turning += _real((pin, 0j), float(share.arm), units.lever)
         found.append((tuple(sliding), tuple(turning)))
     return found
+
+
+def made_vector(layout: Layout, orders: Sequence[int], units: Units) -> Vector | None:
+    """Return what counterweights, shafts and rotating masses add, in the form of `generators`.
+
+    None where the engine has no counterweights or shafts.
+    """
+    if not layout.balancers:
+        return None
+    mass, _ = first_sizes(layout)
+    if not mass:
+        rule = "are to be counted beside counterweights or shafts, which are in units of m r"
+        remedy = "give reciprocating_mass, kg, in [crank_train]"
+        raise SymbalanceError("whole masses", rule, remedy)
+    by_order, scale = made_parts(layout, max(orders)), units.force * float(mass)
+    found: list[float] = []
+    for n in orders:
+        kinds = by_order.get(n, NOTHING)
+        for kind, over in (("force", 1.0), ("couple", units.lever)):
+            pair = kinds[kind].ahead * scale / over, kinds[kind].against * scale / over
+            found += [part for z in pair for part in (z.real, z.imag)]
+    return tuple(found)
 
 
 def _turn(angle: float) -> complex:

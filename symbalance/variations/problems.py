@@ -23,9 +23,14 @@ class Problem:
     generators: Generators
 
     @staticmethod
-    def of(sets: Sequence[PartSet], generators: Generators, whole: bool) -> Problem:
-        """Return the problem of these parts: what they differ by, or about their means if `whole`."""
-        start = tuple(0.0 for _ in generators[0][0])
+    def of(
+        sets: Sequence[PartSet], generators: Generators, whole: bool, made: Vector | None = None
+    ) -> Problem:
+        """Return the problem of these parts: what they differ by, or about their means if `whole`.
+
+        `made` is what turns beside them; the means of their rotating masses are then part of it.
+        """
+        start = tuple(0.0 for _ in generators[0][0]) if made is None else made
         tables = []
         for one in sets:
             count = len(one.parts)
@@ -34,9 +39,10 @@ class Problem:
                 sum((p.rotating for p in one.parts), Fraction(0)) / count,
             ]
             if whole:
+                level = float(means[0]), 0.0 if made is not None else float(means[1])
                 for sliding, turning in generators:
                     mean = zip(sliding, turning, start, strict=True)
-                    start = tuple(x * float(means[0]) + y * float(means[1]) + z for x, y, z in mean)
+                    start = tuple(x * level[0] + y * level[1] + z for x, y, z in mean)
             tables.append(
                 [
                     [
