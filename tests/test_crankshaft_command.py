@@ -326,3 +326,24 @@ def test_a_curve_of_a_speed_that_did_not_run_is_said_to_wait(tmp_path, capsys):
     path = str(written(tmp_path, sheet(SINGLE, table)))
     run(["crankshaft", path, "--rpm", "1500", *QUICK])
     assert "belongs to 1800 rpm, which is no speed of this run" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("layout", "changed", "said"),
+    [
+        (
+            SINGLE,
+            "young = 206\nno_bearing = [1, 2]",
+            "crankshaft.no_bearing: leaves the crank no bearing",
+        ),
+        (
+            "[layout]\nbanks = [-30, 30]\ncylinders = [[1], [2]]\nfiring_order = [1, 2]\n",
+            "young = 206",
+            "cylinders 1 and 2 lie between the same journals on throws of -30 and 30 degrees",
+        ),
+    ],
+)
+def test_what_a_crank_lacks_is_said_where_it_lacks_it(layout, changed, said, tmp_path, capsys):
+    path = str(written(tmp_path, sheet(layout, young=changed)))
+    assert run(["crankshaft", path, *QUICK]) == 2
+    assert said in capsys.readouterr().err
