@@ -140,6 +140,16 @@ def test_derive_prints_text_and_latex(capsys):
     assert r"\begin{document}" in printed(capsys, "derive", "--format", "latex", "--order", "4")
 
 
+def test_derive_prints_the_equations_of_a_crankshaft_node(capsys):
+    lines = printed(capsys, "derive", "--quantity", "crank-node").splitlines()
+    assert "  dK[4,4] = -I_vv + I_ww + V*e_v*m + e_v**2*m - e_w**2*m" in lines
+    latex = printed(
+        capsys, "derive", "--quantity", "crank-node", "--rotation", "uvw", "--format", "latex"
+    )
+    assert r"\begin{document}" in latex
+    assert "R_u R_v R_w" in latex
+
+
 @pytest.mark.parametrize(
     ("met", "code", "word"), [(True, 0, "met"), (False, 1, "MISSED"), (None, 0, "1.00 s")]
 )

@@ -15,7 +15,9 @@ import symbalance as sb
 from symbalance.catalogue import preset_text
 from symbalance.cli import run
 from symbalance.crankshaft.loads import pin_loads
+from symbalance.crankshaft.reduction import reduced
 from symbalance.crankshaft.running import setting
+from symbalance.crankshaft.running.shifted import shifted
 from symbalance.crankshaft.steady import steady_state
 
 QUICK = ("--webs", "nominal", "--steps", "120", "--about", "centre", "--modes", "20", "--format", "json")
@@ -160,3 +162,22 @@ def _rotation(theta):
     from symbalance.crankshaft.frames import rotation
 
     return rotation(theta)
+
+
+def test_a_long_cranks_modes_are_a_reduction(tmp_path):
+    """Loads about the orbits of six bearings have more shapes than a short crank's."""
+    made = setting(engine(tmp_path, sheet("[layout]\nfiring_order = [1, 2, 4, 5, 3]\n")), webs="nominal")
+    orbits = made.orbits(2200)
+    full = made.system(2200, orbits.film)
+    small, basis = reduced(shifted(full, made.rotor, orbits).system, 15)
+    assert basis.shape[1] < 0.5 * basis.shape[0]
+    assert np.allclose(small.mass, np.eye(len(small.mass)), atol=1e-9)
+    theta = np.linspace(0, full.cycle, 7)
+    asked = np.linalg.solve(full.stiffness + 1e8 * _springs(full), full.force(theta).T)
+    there = basis @ (basis.T @ full.mass @ asked)
+    assert np.abs(there - asked).max() < 0.02 * np.abs(asked).max()
+
+
+def _springs(full):
+    flat = full.points.reshape(-1, full.size)
+    return flat.T @ flat

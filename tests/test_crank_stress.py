@@ -139,6 +139,20 @@ def test_goodman_and_rainflow_by_hand():
     assert damage(np.array([0.0, 2000e6]), strength) == np.inf
 
 
+def test_torsion_counts_with_its_whole_swing():
+    strength = Strength(900e6, 400e6, 8.0, 2e6)
+    wave = np.cos(np.arange(720) * np.pi / 360)
+    pure = (np.sqrt(3) * 100 / 400) ** 8 / 2e6
+    for bending in (0.0, 1e3, -1e3):  # a bending of no account must not fold the torsion
+        assert durability(bending + 0 * wave, 100e6 * wave, strength).damage == pytest.approx(
+            pure, rel=1e-3
+        )
+    both = durability(90e6 * wave, 70e6 * wave, strength)  # proportional: von Mises
+    by_hand = (np.sqrt(90**2 + 3 * 70**2) / 400) ** 8 / 2e6
+    assert both.damage == pytest.approx(by_hand, rel=0.02)
+    assert both.damage <= by_hand * (1 + 1e-12)
+
+
 def test_a_pair_of_torsion_and_bending_is_von_mises():
     theta = np.arange(360) * np.pi / 180
     found = durability(100e6 * np.cos(theta), 50e6 * np.cos(theta), Strength())

@@ -14,6 +14,7 @@ from cranks import SINGLE, engine, sheet, written
 
 from symbalance.cli import run
 from symbalance.crankshaft.running import sweep
+from symbalance.errors import SymbalanceError
 
 QUICK = ("--webs", "nominal", "--steps", "120", "--about", "centre")
 
@@ -51,6 +52,12 @@ def test_a_run_leaves_reports_curves_and_pictures(single, tmp_path, capsys, comp
     assert curve.dtype.names is not None
     name = curve.dtype.names[1]
     assert "pin_1_bending" in name
+    loads = np.genfromtxt(out / "loads-2000rpm.csv", delimiter=",", names=True)
+    assert loads.dtype.names == ("crank_angle_degrees", "pin_1_U_N", "pin_1_V_N")
+    pressed = 3 + 60 - 1.01325  # bar, at the firing top dead centre, where the piston's inertia pulls up
+    gas = pressed * 1e5 * np.pi / 4 * 0.092**2
+    pulled = 1.5 * 0.06 * (2000 * np.pi / 30) ** 2 * (1 + 60 / 192)
+    assert loads["pin_1_U_N"][0] == pytest.approx(pulled - gas, rel=1e-6)
     extreme = next(c for c in found["channels"] if c["name"] == "pin 1 bending")
     assert extreme["largest"] >= curve[name].max() * (1 - 1e-6)
     assert [s["rpm"] for s in found["speeds"]] == [1000, 1500, 2000]
@@ -275,3 +282,68 @@ def test_the_readmes_tables_are_read(tmp_path):
     assert made.operation.rpm == (1000, 2200)
     weighted = [i for i, p in enumerate(made.crank.parts) if getattr(p, "counterweight", None)]
     assert weighted == [1, 3, 13, 15]
+
+
+def test_the_other_commands_counterweights_are_said_to_take_no_part(single, capsys):
+    table = '\n[[counterweight]]\nthrow = 1\noverbalance = "1/2"\n'
+    text = Path(single).read_text(encoding="utf-8")
+    Path(single).write_text(text + table, encoding="utf-8")
+    run(["crankshaft", single, "--rpm", "1500", *QUICK])
+    assert "[[counterweight]] and [[balance_shaft]] take no part" in capsys.readouterr().out
+    Path(single).write_text(text, encoding="utf-8")
+    run(["crankshaft", single, "--rpm", "1500", *QUICK])
+    assert "take no part" not in capsys.readouterr().out
+
+
+def test_a_pass_that_runs_away_leaves_the_one_before(single, capsys, monkeypatch):
+    real, seen = sweep._about, []
+
+    def second_fails(made, rpm, orbits):
+        seen.append(rpm)
+        if len(seen) > 1:
+            raise SymbalanceError("the motion", "grows", "more steps")
+        return real(made, rpm, orbits)
+
+    monkeypatch.setattr(sweep, "_about", second_fails)
+    monkeypatch.setattr(sweep, "SETTLED", 0.0)
+    options = ["crankshaft", single, "--rpm", "1500", "--webs", "nominal", "--steps", "120"]
+    assert run(options) in (0, 1)
+    assert len(seen) == 2
+    assert "Speeds" in capsys.readouterr().out
+
+
+def test_finished_speeds_are_as_readable_as_their_folder(single, tmp_path):
+    out = tmp_path / "out"
+    run(["crankshaft", single, "--rpm", "1500", *QUICK, "--no-plots", "-o", str(out)])
+    folder, kept = out / "speeds", out / "speeds" / "1500rpm.npz"
+    assert kept.stat().st_mode & 0o666 == folder.stat().st_mode & 0o666
+
+
+def test_a_curve_of_a_speed_that_did_not_run_is_said_to_wait(tmp_path, capsys):
+    curve = "".join(f"{a},{a / 10}\n" for a in range(0, 720, 60))
+    (tmp_path / "gauge.csv").write_text(curve, encoding="utf-8")
+    table = '[running.overlay]\nfile = "gauge.csv"\nchannel = "pin 1 bending"\nrpm = 1800'
+    path = str(written(tmp_path, sheet(SINGLE, table)))
+    run(["crankshaft", path, "--rpm", "1500", *QUICK])
+    assert "belongs to 1800 rpm, which is no speed of this run" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("layout", "changed", "said"),
+    [
+        (
+            SINGLE,
+            "young = 206\nno_bearing = [1, 2]",
+            "crankshaft.no_bearing: leaves the crank no bearing",
+        ),
+        (
+            "[layout]\nbanks = [-30, 30]\ncylinders = [[1], [2]]\nfiring_order = [1, 2]\n",
+            "young = 206",
+            "cylinders 1 and 2 lie between the same journals on throws of -30 and 30 degrees",
+        ),
+    ],
+)
+def test_what_a_crank_lacks_is_said_where_it_lacks_it(layout, changed, said, tmp_path, capsys):
+    path = str(written(tmp_path, sheet(layout, young=changed)))
+    assert run(["crankshaft", path, *QUICK]) == 2
+    assert said in capsys.readouterr().err

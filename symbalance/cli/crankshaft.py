@@ -66,13 +66,20 @@ def _printed(found, form: str) -> str:
 
 def _write_all(folder: Path, found, drawn: dict[str, bytes]) -> None:
     """Write every report, curve and picture: all whole before the first is put in place."""
-    from symbalance.crankshaft.reports import curves_csv, summary_json, summary_page, summary_text
+    from symbalance.crankshaft.reports import (
+        curves_csv,
+        loads_csv,
+        summary_json,
+        summary_page,
+        summary_text,
+    )
 
     contents: dict[str, str | bytes] = {
         "report.txt": summary_text(found),
         "report.tex": summary_page(found, list(drawn)),
         "report.json": summary_json(found),
         **{f"curves-{o.rpm:g}rpm.csv": curves_csv(o) for o in found.outcomes},
+        **{f"loads-{o.rpm:g}rpm.csv": loads_csv(o, found.setting) for o in found.outcomes},
         **drawn,
     }
     write_files({str(folder / name): content for name, content in contents.items()})

@@ -1,4 +1,4 @@
-"""`symbalance derive`: the harmonics of one slider-crank, step by step."""
+"""`symbalance derive`: the harmonics of one slider-crank, step by step; a crankshaft node's equations."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from symbalance.cli.output import whole_number, write
 
 def run(options: argparse.Namespace) -> int:
     """Derive the quantity and write the derivation."""
+    if options.quantity == "crank-node":
+        return _run_node(options)
     order = whole_number(options.order, "order")
 
     from symbalance.derivation import derivation_latex, derivation_text, derive
@@ -16,4 +18,15 @@ def run(options: argparse.Namespace) -> int:
     result = derive(options.quantity, order, options.convention)
     printed = derivation_latex(result) if options.format == "latex" else derivation_text(result)
     write(printed.rstrip("\n") + "\n", options.output)
+    return 0
+
+
+def _run_node(options: argparse.Namespace) -> int:
+    """Derive the equations of a node of the turning crankshaft; orders and ratios play no part."""
+    from symbalance.crankshaft.equations import equations_text, node_equations
+    from symbalance.tables.latex_document import to_latex
+
+    found = node_equations(options.rotation)
+    latex = options.format == "latex"
+    write(to_latex(found, standalone=True) if latex else equations_text(found), options.output)
     return 0

@@ -11,6 +11,7 @@ from symbalance.errors import SymbalanceError
 QUANTITIES = ("displacement", "velocity", "acceleration", "force", "rod-angle")
 TARGETS = ("numpy", "numba", "array-api", "c", "javascript", "octave")
 CONVENTIONS = ("l/r", "r/l", "l/s")
+ROTATIONS = ("vector", "uvw", "uwv", "vuw", "vwu", "wuv", "wvu")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -86,7 +87,18 @@ def _add_balance(commands: argparse._SubParsersAction) -> None:
 
 def _add_derive(commands: argparse._SubParsersAction) -> None:
     parser = _command(commands, "derive", "The harmonics of one slider-crank, derived as by hand.")
-    parser.add_argument("--quantity", choices=QUANTITIES, default="force", help="default: force")
+    parser.add_argument(
+        "--quantity",
+        choices=(*QUANTITIES, "crank-node"),
+        default="force",
+        help="default: force; crank-node: the equations of a node of the turning crankshaft",
+    )
+    parser.add_argument(
+        "--rotation",
+        choices=ROTATIONS,
+        default="vector",
+        help="of crank-node: a rotation vector, or the order of Cardan angles; default: vector",
+    )
     parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
     parser.add_argument(
         "--convention",

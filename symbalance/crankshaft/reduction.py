@@ -13,15 +13,16 @@ from dataclasses import replace
 import numpy as np
 
 from symbalance.crankshaft.integrators.coefficients import gathered
-from symbalance.crankshaft.integrators.radau import factored
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import SymbalanceError, shown
 
 SUPPORT = 1e8
 """Springs (N/m) at the bearings on which the static answers are taken: the free crank has none."""
-DEPENDENT = 1e-10
-"""Directions of the basis below this share of the largest, in the metric of M, are left out."""
+DEPENDENT = 1e-12
+"""Shapes of the load below this share of the largest are rounding, and left out."""
+NEW = 1e-8
+"""What a unit column must add to the columns before it, in the metric of M, to count."""
 
 
 def reduced(
@@ -40,7 +41,7 @@ def reduced(
     if attachments:
         points = gathered(system)
         theta = system.cycle / angles * np.arange(angles)
-        shapes = factored(system.force(theta))[1]
+        shapes = _load_shapes(system.force(theta))
         supported = stiffness + SUPPORT * points.T @ points
         columns.append(np.linalg.solve(supported, np.hstack([points.T, shapes.T])))
     return projected(system, columns)
@@ -74,16 +75,26 @@ def lowest_modes(stiffness: Array, mass: Array, count: int) -> Array:
     return found * np.where(found[np.abs(found).argmax(axis=0), np.arange(count)] < 0, -1.0, 1.0)
 
 
+def _load_shapes(loads: Array) -> Array:
+    """Return the shapes (r, n) that loads (s, n) are made of, those below `DEPENDENT` left out."""
+    sizes, shapes = np.linalg.svd(loads, full_matrices=False)[1:]
+    return shapes[sizes > DEPENDENT * sizes[0]]
+
+
 def _orthonormal(columns: Sequence[Array], mass: Array) -> Array:
-    """Return an M-orthonormal basis, each group of columns cleared of those before it."""
+    """Return an M-orthonormal basis, each group of columns cleared of those before it.
+
+    In y = R x, M = R^t R, the metric is the plain one, where a singular value tells what is new.
+    """
+    root = np.linalg.cholesky(mass).T
     basis = np.zeros((len(mass), 0))
     for group in columns:
-        sized = group / np.sqrt(np.einsum("nk,nm,mk->k", group, mass, group))
+        sized = root @ group
+        sized = sized / np.linalg.norm(sized, axis=0)
         for _ in range(2):
-            sized = sized - basis @ (basis.T @ mass @ sized)
-        values, vectors = np.linalg.eigh(sized.T @ mass @ sized)
-        kept = values > DEPENDENT**2 * 1e4
-        fresh = sized @ (vectors[:, kept] / np.sqrt(values[kept]))
-        fresh = fresh - basis @ (basis.T @ mass @ fresh)
-        basis = np.hstack([basis, fresh])
-    return basis
+            sized = sized - basis @ (basis.T @ sized)
+        directions, sizes = np.linalg.svd(sized, full_matrices=False)[:2]
+        fresh = directions[:, sizes > NEW]
+        fresh = fresh - basis @ (basis.T @ fresh)
+        basis = np.hstack([basis, np.linalg.qr(fresh)[0]])
+    return np.linalg.solve(root, basis)

@@ -78,9 +78,12 @@ def closed(
 ) -> tuple[Array, NDArray[np.complexfloating[Any, Any]] | None]:
     """Return the state that comes back after a cycle, and the multipliers, largest first (or None)."""
     units = made.units
-    pushed = made.marched(np.zeros(made.state_size))[-1] / units
+    with np.errstate(over="ignore", invalid="ignore"):
+        pushed = made.marched(np.zeros(made.state_size))[-1] / units
     if not np.isfinite(pushed).all():
-        raise SymbalanceError("a load", "must be finite", "look at pressures, masses and films")
+        rule = "must be finite after a cycle; a load is not, or it grows past all bounds"
+        remedy = "take more steps a cycle, or look at pressures, masses and films"
+        raise SymbalanceError("the motion", rule, remedy)
     factors = None
     if made.state_size > DENSE:
         start = solved(lambda s: s - made.carried(units * s) / units, pushed)

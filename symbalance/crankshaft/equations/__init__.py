@@ -6,11 +6,20 @@ node         the linear equations of a general node, from its kinetic energy
 published    the paper's equation (1), and how each of its entries fares
 bearings     a bearing's stiffness and damping in turning coordinates
 page         all of it as LaTeX
+listing      the entries as text
 """
 
 from symbalance.crankshaft.equations import page as _page  # noqa: F401  (registers the printer)
 from symbalance.crankshaft.equations.bearings import TurnedBearing, turned_bearing
+from symbalance.crankshaft.equations.listing import equations_text
 from symbalance.crankshaft.equations.node import NodeEquations, node_equations
 from symbalance.crankshaft.equations.published import compared
 
-__all__ = ["NodeEquations", "TurnedBearing", "compared", "node_equations", "turned_bearing"]
+__all__ = [
+    "NodeEquations",
+    "TurnedBearing",
+    "compared",
+    "equations_text",
+    "node_equations",
+    "turned_bearing",
+]

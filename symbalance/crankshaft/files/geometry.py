@@ -161,11 +161,23 @@ def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> li
     flying = [0 < i < len(bay) for bay in bays for i in range(len(bay) + 1)]
     sizes = [table.numbers(key, len(flying), None, MILLI) for key in WEB]
     if any(flying) and not isinstance(table.table["thickness"], list):
+        if "flying_web" not in section:
+            raise _missing_flying_web(section, bays)
         thin = section.number("flying_web", None, MILLI)
         sizes[0] = [thin if f else t for f, t in zip(flying, sizes[0], strict=True)]
     weights = _read_counterweights(section, bays, pins, len(flying))
     rows = zip(*sizes, strict=True)
     return [Web(*row[:4], counterweight=weights.get(i)) for i, row in enumerate(rows, 1)]
+
+
+def _missing_flying_web(section: Section, bays: Sequence[Sequence[Group]]) -> SymbalanceError:
+    """Return the refusal that says which pins need a flying web between them, and why."""
+    one, other = next(bay for bay in bays if len(bay) > 1)[:2]
+    throws = [f"{float(pin[0].throw.turns * 360):.6g}" for pin in (one, other)]
+    numbers = f"{one[0].number} and {other[0].number}"
+    why = f"cylinders {numbers} lie between the same journals on throws of {' and '.join(throws)} degrees"
+    remedy = f"{why}: add flying_web = ... (mm), or correct the banks or the firing order"
+    return section.missing("flying_web", remedy)
 
 
 def _read_counterweights(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from symbalance.crankshaft.crank import Crank, Journal
 from symbalance.crankshaft.files.sections import MILLI, Section
+from symbalance.errors import SymbalanceError
 
 KEYS = (
     "clearance",
@@ -48,7 +49,8 @@ def read_supports(section: Section, crank: Crank, folder: Path) -> Supports:
     journals = [p for p in crank.parts if isinstance(p, Journal) and p.bearing]
     count = len(journals)
     if not count:
-        raise section.refusal("no_bearing", "leaves the crank no bearing", "keep one or more")
+        rule = "leaves the crank no bearing"
+        raise SymbalanceError("crankshaft.no_bearing", rule, "keep one or more", section.source.place)
     lengths = [j.length for j in journals]
     if "length" in section:
         lengths = section.numbers("length", count, None, MILLI)

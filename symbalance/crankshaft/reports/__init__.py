@@ -6,9 +6,17 @@ curves      every channel against the crank angle as CSV, the summary as JSON
 pictures    plots against crank angle, order and speed
 """
 
-from symbalance.crankshaft.reports.curves import curves_csv, summary_json
+from symbalance.crankshaft.reports.curves import curves_csv, loads_csv, summary_json
 from symbalance.crankshaft.reports.page import summary_page
 from symbalance.crankshaft.reports.summary import Summary, summary
 from symbalance.crankshaft.reports.text import summary_text
 
-__all__ = ["Summary", "curves_csv", "summary", "summary_json", "summary_page", "summary_text"]
+__all__ = [
+    "Summary",
+    "curves_csv",
+    "loads_csv",
+    "summary",
+    "summary_json",
+    "summary_page",
+    "summary_text",
+]

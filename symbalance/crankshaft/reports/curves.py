@@ -10,6 +10,7 @@ import numpy as np
 
 from symbalance.crankshaft.reports.summary import MEGA, Summary
 from symbalance.crankshaft.running.outcome import Outcome
+from symbalance.crankshaft.running.setting import Setting
 
 
 def curves_csv(outcome: Outcome) -> str:
@@ -25,6 +26,20 @@ def curves_csv(outcome: Outcome) -> str:
             columns += [outcome.bearings[:, j, axis], outcome.orbits[:, j, axis] * 1000]
     lines = [",".join(["crank angle [degrees]", *names])]
     lines += [",".join(f"{x:.7g}" for x in row) for row in zip(*columns, strict=True)]
+    return "\n".join(lines) + "\n"
+
+
+def loads_csv(outcome: Outcome, setting: Setting) -> str:
+    """Return the rods' forces on every pin (N) along U and V, turning axes, against the crank angle.
+
+    Gas and inertia of piston and rod; the big ends turn with their pins and are no part of it.
+    """
+    loads = setting.loading(outcome.rpm).pins.at(outcome.theta)
+    count = loads.shape[1]
+    names = [f"pin {k} {axis} [N]" for k in range(1, count + 1) for axis in "UV"]
+    rows = np.column_stack([outcome.degrees, loads[:, :, :2].reshape(len(loads), -1)])
+    lines = [",".join(["crank angle [degrees]", *names])]
+    lines += [",".join(f"{x:.7g}" for x in row) for row in rows]
     return "\n".join(lines) + "\n"
 
 

@@ -160,6 +160,15 @@ def _notes(made: Setting, outcomes: Sequence[Outcome]) -> list[str]:
             notes.append(
                 f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}"
             )
+    overlay = made.engine.operation.overlay
+    if overlay and not any(compared(overlay, outcome) for outcome in outcomes):
+        notes.append(f"the measured curve belongs to {overlay.rpm:g} rpm, which is no speed of this run")
+    balancers = made.engine.layout.balancers
+    if balancers:
+        notes.append(
+            "[[counterweight]] and [[balance_shaft]] take no part here: a running crank's weights are "
+            "its [[crankshaft.counterweight]] tables"
+        )
     for number, outside in _outside(made):
         notes.append(f"{number}: outside the fillet formulas' range: {', '.join(outside)}")
     if made.engine.operation.strength == type(made.engine.operation.strength)():

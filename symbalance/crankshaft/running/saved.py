@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import io
 import os
+import stat
 import tempfile
 import zipfile
 from contextlib import suppress
@@ -48,6 +49,7 @@ def _replaced(path: Path, data: bytes) -> None:
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
+        os.chmod(temporary, stat.S_IMODE(path.parent.stat().st_mode) & 0o666)  # as open as its folder
         os.replace(temporary, path)
     except BaseException:
         with suppress(OSError):

@@ -18,6 +18,7 @@ from symbalance.crankshaft.running.setting import Loads, Setting
 from symbalance.crankshaft.running.shifted import shifted
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem, Trajectory
+from symbalance.errors import SymbalanceError
 
 SETTLED = 0.05
 """The departure, over the clearance, at which films need not be made anew."""
@@ -47,7 +48,8 @@ def run(made: Setting, rpm: float) -> Outcome:
 
     Films about orbits are made anew for the mean of the loads they were made for and those found, until
     orbits and films agree, up to `passes` times; of all, the outcome nearest its films' orbits counts.
-    Loads taken over whole need not converge where a film is almost dry.
+    Loads taken over whole need not converge where a film is almost dry, and may grow past all bounds
+    where the steps are too coarse for it: then the passes end.
     """
     if made.about == "centre" or made.table is not None:
         full = made.system(rpm)
@@ -57,9 +59,12 @@ def run(made: Setting, rpm: float) -> Outcome:
     for _ in range(made.passes - 1):
         if best.departure < SETTLED:
             break
-        seconds += found.seconds
         loads = periodic(found.theta, (loads(found.theta) + found.bearings) / 2, found.cycle)
-        found = _about(made, rpm, made.orbits(rpm, loads))
+        try:
+            after = _about(made, rpm, made.orbits(rpm, loads))
+        except SymbalanceError:  # films of loads that run away: what was found before them stands
+            break
+        seconds, found = seconds + found.seconds, after
         best = min(best, found, key=lambda outcome: outcome.departure)
     return replace(best, seconds=seconds + found.seconds)
 

@@ -1,11 +1,13 @@
 """What a stress against the crank angle does over time: Goodman's line and rainflow damage.
 
-Of a normal stress sigma and a shear stress tau at one place the equivalent signed stress is
+Amplitudes and means of a normal stress sigma and a shear stress tau at one place combine to
+sqrt(sigma^2 + 3 tau^2) (von Mises). Goodman's line: sigma_a/sigma_e + sigma_m/sigma_u = 1/n, a mean below
+zero counted as zero. Cycles are those of the equivalent stress that wears most, of
 
-    sign(sigma) sqrt(sigma^2 + 3 tau^2),
+    sign(sigma) sqrt(sigma^2 + 3 tau^2)   and   sigma cos phi + sqrt(3) tau sin phi,  |phi| <= 90 degrees:
 
-amplitudes and means combined likewise (von Mises). Goodman's line: sigma_a/sigma_e + sigma_m/sigma_u =
-1/n, a mean below zero counted as zero. Damage (Palmgren, Miner): every rainflow cycle of amplitude a and
+the first folds a torsion that swings about zero into half its swing, the others miss what bending and
+torsion do at different angles. Damage (Palmgren, Miner): every rainflow cycle of amplitude a and
 mean m, put on the line to zero mean by Goodman, a_0 = a/(1 - m/sigma_u), takes 1/N of the life,
 N = N_e (sigma_e/a_0)^k, amplitudes below sigma_e too (Miner's elementary form: on the safe side).
 Sources: Goodman (1899) and Miner (1945) as in Shigley, Mechanical Engineering Design, ch. 6; rainflow by
@@ -14,6 +16,7 @@ ASTM E1049 as the library `rainflow` counts it.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -23,6 +26,9 @@ import numpy as np
 from symbalance.crankshaft.files.operation import Strength
 from symbalance.crankshaft.rotor import Array
 from symbalance.errors import MissingPartError
+
+DIRECTIONS = 24
+"""The combinations of the two stresses whose cycles are counted."""
 
 
 @dataclass(frozen=True)
@@ -51,8 +57,22 @@ def durability(normal: Array, shear: Array, strength: Strength) -> Durability:
     middle = (normal.max() + normal.min()) / 2, (shear.max() + shear.min()) / 2
     mean = _equivalent(*middle) if middle[0] > 0 else 0.0
     used = amplitude / strength.endurance + mean / strength.tensile
-    signed = np.where(normal < 0, -1.0, 1.0) * np.sqrt(normal**2 + 3 * shear**2)
-    return Durability(amplitude, mean, 1 / used if used else float("inf"), damage(signed, strength))
+    worst = max(damage(wave, strength) for wave in combinations(normal, shear))
+    return Durability(amplitude, mean, 1 / used if used else float("inf"), worst)
+
+
+def combinations(normal: Array, shear: Array) -> Iterator[Array]:
+    """Yield the signed root (s,), then sigma cos phi + sqrt(3) tau sin phi at `DIRECTIONS` angles.
+
+    sigma is never turned over. A swing between two angles is missed by less than 0.3 %.
+    """
+    yield np.where(normal < 0, -1.0, 1.0) * np.sqrt(normal**2 + 3 * shear**2)
+    if not shear.any():
+        return
+    for k in range(1, DIRECTIONS + 1):
+        phi = np.pi * (k / DIRECTIONS - 0.5)
+        yield normal * np.cos(phi) + np.sqrt(3) * shear * np.sin(phi)
+    yield -np.sqrt(3) * shear
 
 
 def _equivalent(normal: float, shear: float) -> float:
