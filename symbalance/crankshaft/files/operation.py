@@ -11,8 +11,9 @@ from symbalance.crankshaft.files.sections import MILLI, Section
 from symbalance.errors import SymbalanceError
 from symbalance.layout import Layout
 from symbalance.mechanisms import RodSplit
-from symbalance.torque import PressureTrace, ideal_cycle, read_pressure
+from symbalance.torque import IdealCycle, PressureTrace, ideal_cycle, read_pressure
 from symbalance.torque.tangential import AMBIENT
+from symbalance.unlike import mechanism_of
 
 KEYS = (
     "bore",
@@ -62,7 +63,10 @@ class Overlay:
 
 @dataclass(frozen=True)
 class Operation:
-    """How the engine runs, SI but for `rpm`; `excess` is the rods' J_x in kg m^2, `damping` modal."""
+    """How the engine runs, SI but for `rpm`; `excess` is the rods' J_x in kg m^2, `damping` modal.
+
+    `trace` counts from a piston's own firing top dead centre; of an `ideal` cycle it is cylinder 1's.
+    """
 
     bore: float
     rpm: tuple[float, ...]
@@ -73,6 +77,7 @@ class Operation:
     damping: float
     strength: Strength
     overlay: Overlay | None
+    ideal: IdealCycle | None = None
 
     @property
     def area(self) -> float:
@@ -82,17 +87,18 @@ class Operation:
 
 def read_operation(section: Section, layout: Layout, folder: Path) -> Operation:
     """Return what [running] says: bore in mm, speeds in rpm, pressures in bar absolute, kg, kg mm^2."""
-    rod = _rod(section, layout)
+    rod, ideal = _rod(section, layout), _ideal(section, layout)
     return Operation(
         bore=section.number("bore", None, MILLI),
         rpm=_speeds(section),
-        trace=_trace(section, layout, folder),
+        trace=_trace(section, layout, folder) if ideal is None else _first(section, ideal, layout),
         ambient=section.number("ambient", float(AMBIENT), zero=True),
         big_end_mass=_big_end_mass(section, rod),
         excess=0.0 if rod is None else float(rod.excess) * MILLI**2,
         damping=_damping(section),
         strength=_strength(section),
         overlay=_overlay(section, folder),
+        ideal=ideal,
     )
 
 
@@ -119,12 +125,17 @@ def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
 
 
 def _trace(section: Section, layout: Layout, folder: Path) -> PressureTrace:
-    name = section.text("pressure")
-    ideal = [key for key in IDEAL if key in section]
-    if name is not None:
+    name = str(section.text("pressure"))
+    return section.guarded("pressure", lambda: read_pressure(folder / name, strokes=layout.strokes))
+
+
+def _ideal(section: Section, layout: Layout) -> IdealCycle | None:
+    """Return the ideal cycle asked for, None where a pressure trace is given."""
+    if "pressure" in section:
+        ideal = [key for key in IDEAL if key in section]
         if ideal:
             raise section.refusal(ideal[0], "is for an ideal cycle", "drop it, or drop pressure")
-        return section.guarded("pressure", lambda: read_pressure(folder / name, strokes=layout.strokes))
+        return None
     if "compression" not in section:
         remedy = 'add pressure = "trace.csv" (degrees, bar), or compression and heat of an ideal cycle'
         raise section.missing("pressure", remedy)
@@ -132,11 +143,14 @@ def _trace(section: Section, layout: Layout, folder: Path) -> PressureTrace:
     if not {"heat", "peak_pressure"} & set(given):
         raise section.missing("heat", "add heat = 18 (p V at bottom dead centre), or peak_pressure")
 
-    def made() -> PressureTrace:
-        cycle = ideal_cycle(section.table["compression"], strokes=layout.strokes, **given)
-        return cycle.trace(layout.train_of(layout.first).ratio)
+    return section.guarded(
+        "compression",
+        lambda: ideal_cycle(section.table["compression"], strokes=layout.strokes, **given),
+    )
 
-    return section.guarded("compression", made)
+
+def _first(section: Section, ideal: IdealCycle, layout: Layout) -> PressureTrace:
+    return section.guarded("compression", lambda: ideal.trace(mechanism_of(layout, layout.first)))
 
 
 def _rod(section: Section, layout: Layout) -> RodSplit | None:

@@ -14,7 +14,8 @@ from symbalance.crankshaft.loads.pressures import pressures
 from symbalance.crankshaft.rotor import Array
 from symbalance.cylinders import Cylinder
 from symbalance.mechanisms import LinkRod, Mechanism
-from symbalance.torque import firing_tops
+from symbalance.torque import PressureTrace, firing_tops
+from symbalance.torque.pistons import Piston
 from symbalance.torque.running import PASCAL
 from symbalance.unlike import mechanism_of
 
@@ -54,9 +55,9 @@ class RodForces:
         """Return F, the piston's load along its axis, away from the crank: gas and inertia, N."""
         total = np.zeros_like(np.asarray(theta, dtype=float))
         if "gas" in self.parts:
-            after = theta - self._tops[number]
-            run = self.engine.operation
-            total = total - (pressures(run.trace, after) - run.ambient) * PASCAL * run.area
+            after, run = theta - self._tops[number], self.engine.operation
+            bar = pressures(self._traces[number], after) - run.ambient
+            total = total - bar * PASCAL * run.area
         if "inertia" in self.parts:
             unit = self._mass(number) * self._radius(number) * self.omega**2
             total = total - unit * self._motion(number, theta).acceleration
@@ -88,7 +89,17 @@ class RodForces:
 
     @cached_property
     def _tops(self) -> dict[int, float]:
-        return {n: float(top) * pi / 180 for n, top in firing_tops(self.engine.layout).items()}
+        """Return every piston's own firing top dead centre, in radians."""
+        passes = firing_tops(self.engine.layout)
+        return {n: float(passes[n]) * pi / 180 + Piston(m).top for n, m in self._mechanisms.items()}
+
+    @cached_property
+    def _traces(self) -> dict[int, PressureTrace]:
+        run = self.engine.operation
+        if run.ideal is None:
+            return dict.fromkeys(self._mechanisms, run.trace)
+        made = {m: run.ideal.trace(m) for m in set(self._mechanisms.values())}
+        return {n: made[m] for n, m in self._mechanisms.items()}
 
     def _motion(self, number: int, theta: Array) -> Motion:
         delay = 2 * pi * float(self._cylinders[number].delay.turns)
