@@ -100,6 +100,7 @@ def head_lines(found: Summary) -> list[str]:
         f"peak pressure {max(run.trace.bar):.4g} bar, bore {run.bore * 1000:g} mm",
         f"{made.rotor.size} unknowns, {kept}; webs: {made.webs}; housing: {made.connection}; "
         f"{made.steps} steps a cycle",
+        *(["a reduction: hold its stresses to a run without --modes at one speed"] if made.modes else []),
         f"films: {films}; damping {run.damping:g} of critical",
         f"strength: tensile {run.strength.tensile / 1e6:g} MPa, "
         f"endurance {run.strength.endurance / 1e6:g} MPa",
