@@ -48,7 +48,7 @@ _HOMES = {
     "report_text": "checking",
     "report_latex": "checking",
     "report_json": "checking",
-    "to_text": "tables.text_table",
+    "to_text": "tables.text_document",
     "to_latex": "tables.latex_document",
     "to_json": "tables.json_document",
     "to_function": "numeric",
@@ -229,7 +229,7 @@ if TYPE_CHECKING:
     from symbalance.symbols import symbol as symbol
     from symbalance.tables.json_document import to_json as to_json
     from symbalance.tables.latex_document import to_latex as to_latex
-    from symbalance.tables.text_table import to_text as to_text
+    from symbalance.tables.text_document import to_text as to_text
     from symbalance.torque import crank_torque as crank_torque
     from symbalance.torque import firing_stars as firing_stars
     from symbalance.torque import gas_torque as gas_torque

@@ -31,7 +31,7 @@ from symbalance.summation import dirichlet_quotient, inline_couple, inline_sum, 
 from symbalance.symbols import symbol
 from symbalance.tables.json_document import to_json
 from symbalance.tables.latex_document import to_latex
-from symbalance.tables.text_table import to_text
+from symbalance.tables.text_document import to_text
 from symbalance.trains import CrankTrain
 from symbalance.truncation import left_out
 

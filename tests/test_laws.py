@@ -43,9 +43,10 @@ from symbalance.rational import exact
 from symbalance.resultants import balance
 from symbalance.slider_crank import QUANTITIES, acceleration_series, harmonics
 from symbalance.spectrum import COMPONENTS, Spectrum
-from symbalance.tables.json_document import document, to_json
+from symbalance.tables.balance_json import document
+from symbalance.tables.json_document import to_json
 from symbalance.tables.latex_document import to_latex
-from symbalance.tables.text_table import to_text
+from symbalance.tables.text_document import to_text
 from symbalance.truncation import left_out
 
 settings.register_profile("laws", deadline=None, max_examples=60, derandomize=True, database=None)

@@ -34,6 +34,6 @@ def _printed(result: Balance, form: str) -> str:
         from symbalance.tables.latex_document import to_latex
 
         return to_latex(result, standalone=True)
-    from symbalance.tables.text_table import to_text
+    from symbalance.tables.text_document import to_text
 
     return to_text(result)

@@ -9,8 +9,8 @@ from symbalance.balancing import Design, Device
 from symbalance.balancing.certifying import Claim
 from symbalance.rational import decimal_text
 from symbalance.spectrum import Component, Number
+from symbalance.tables.balance_json import VALUE_DIGITS, component_values, document
 from symbalance.tables.design_facts import left_ellipses, summary
-from symbalance.tables.json_document import VALUE_DIGITS, component_values, document
 
 
 def design_json(design: Design) -> str:

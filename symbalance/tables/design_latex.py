@@ -7,6 +7,7 @@ import sympy
 from symbalance.balancing import Design
 from symbalance.balancing.ellipses import Ellipse
 from symbalance.resultants import balance
+from symbalance.tables.balance_latex import heading_latex, resultants_latex
 from symbalance.tables.balancer_facts import LATEX, direction, nearly, rounded, size
 from symbalance.tables.design_facts import (
     VERDICTS,
@@ -19,7 +20,6 @@ from symbalance.tables.design_facts import (
     weights,
 )
 from symbalance.tables.expressions import latex
-from symbalance.tables.latex_document import heading_latex, resultants_latex
 from symbalance.tables.latex_parts import in_document, tabulars
 from symbalance.tables.latex_parts import number as number_latex
 from symbalance.tables.wide_formulas import LONGEST_CELL

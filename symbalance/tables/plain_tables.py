@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from textwrap import wrap
 
-from symbalance.tables.latex_document import in_document
+from symbalance.tables.latex_parts import in_document
 from symbalance.tables.text_table import WIDTH, grid
 
 ROWS_PER_TABLE = 36

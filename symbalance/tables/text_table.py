@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from textwrap import wrap
 
 from symbalance.angles import Angle
-from symbalance.balancing import Design
 from symbalance.layout import Layout
 from symbalance.notation import series_text
 from symbalance.resultants import Balance, checked_balance
@@ -41,15 +40,8 @@ _LEGEND = (
 )
 
 
-def to_text(balance: Balance | Design) -> str:
-    """Return a balance as text: the engine, its free force, its free couple, the coefficients A_n.
-
-    A design of `design_balance` is told with its certificate.
-    """
-    if isinstance(balance, Design):
-        from symbalance.tables.design_text import design_text  # it prints what remains as a balance
-
-        return design_text(balance)
+def balance_text(balance: Balance) -> str:
+    """Return the engine, its free force, its free couple, the coefficients A_n."""
     checked_balance(balance)
     return f"{heading_text(balance)}\n\n{resultants_text(balance)}"
 

@@ -3,9 +3,9 @@ r"""A layout's torque as LaTeX: the tables of `torque_table`, with amsmath and b
 from __future__ import annotations
 
 from symbalance.notation import series_latex
+from symbalance.tables.expressions import latex
 from symbalance.tables.facts import Row, shown, strokes
 from symbalance.tables.kinds import kind_lines
-from symbalance.tables.latex_document import to_latex
 from symbalance.tables.latex_parts import escaped, in_document, number, tabulars
 from symbalance.tables.torque_table import frame_parts, running_facts, running_head
 from symbalance.tables.wide_formulas import LONGEST_CELL
@@ -69,7 +69,7 @@ def _ratio(report: TorqueReport) -> str:
 
     ratio = report.layout.ratio
     assert ratio is not None
-    return to_latex(sympy.Rational(ratio.numerator, ratio.denominator))
+    return latex(sympy.Rational(ratio.numerator, ratio.denominator))
 
 
 def _unit(balance: TorqueBalance) -> str:
@@ -108,7 +108,7 @@ def _row(row: Row) -> str:
         return " & ".join([str(row.order), cos, sin, amplitude, "", phase])
     cells = []
     for i, expression in enumerate(row.exact()):
-        formula = to_latex(expression)
+        formula = latex(expression)
         if len(formula) > LONGEST_CELL and decimals is not None:
             formula = rf"\approx {number(decimals[i])}"
         cells.append(rf"\({formula}\)")
