@@ -1,0 +1,48 @@
+"""What several commands have among their options."""
+
+from __future__ import annotations
+
+import argparse
+from importlib import import_module
+
+
+def command(commands: argparse._SubParsersAction, name: str, summary: str) -> argparse.ArgumentParser:
+    """Return the parser of a command, which runs the module of its name."""
+    parser = commands.add_parser(name, help=summary, description=summary, allow_abbrev=False)
+    parser.set_defaults(run=lambda options: import_module(f"symbalance.cli.{name}").run(options))
+    return parser
+
+
+def add_output(parser: argparse.ArgumentParser, formats: tuple[str, ...]) -> None:
+    """Add the options of what is written, and where."""
+    parser.add_argument("--format", choices=formats, default="text", help="default: text")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of the terminal")
+
+
+def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:
+    """Add the engine, its rod ratio, and the highest order where one is asked for."""
+    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    if order is not None:
+        help_ = f"highest order, 1 to 1000; default: {order}"
+        parser.add_argument("--order", metavar="N", default=order, help=help_)
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+
+
+def add_running(parser: argparse.ArgumentParser) -> None:
+    """Add what makes an engine run: its pressure and sizes."""
+    pressure = parser.add_mutually_exclusive_group()
+    pressure.add_argument(
+        "--pressure", metavar="FILE", help="CSV: degrees after firing top dead centre, bar absolute"
+    )
+    pressure.add_argument("--compression", metavar="ε", help="an ideal Otto cycle of this compression")
+    parser.add_argument(
+        "--heat",
+        metavar="Q",
+        help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
+    )
+    parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
+    parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
+    parser.add_argument("--stroke", metavar="MM", help="stroke, where the engine gives none")
+    parser.add_argument(
+        "--mass", metavar="KG", help="reciprocating mass of a cylinder, where the engine gives none"
+    )
