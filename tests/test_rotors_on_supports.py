@@ -338,6 +338,15 @@ def test_a_system_without_bearings_swings_as_the_formula_says():
         assert np.abs(found.position[:, 0] - expected).max() < (1e-4 if method == "newmark" else 1e-9)
 
 
+@pytest.mark.parametrize("steps", [64, 720])
+def test_a_resonance_without_damping_is_refused_and_with_a_little_it_is_not(steps):
+    at_rest = {"stiffness": np.eye(2), "omega": 1.0}
+    with pytest.raises(sb.SymbalanceError, match="a resonance that nothing damps"):
+        sb.steady_state(oscillator(damping=np.zeros((2, 2)), **at_rest), steps=steps)
+    little = sb.steady_state(oscillator(damping=1e-4 * np.eye(2), **at_rest), steps=720)
+    assert np.abs(little.position).max() == pytest.approx(1e4, rel=1e-3)
+
+
 @pytest.mark.parametrize(
     ("changed", "words"),
     [

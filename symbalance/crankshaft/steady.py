@@ -25,6 +25,8 @@ from symbalance.errors import SymbalanceError, shown
 DENSE = 320
 """States up to which the whole monodromy matrix is made; beyond, its action on a Krylov space."""
 CLOSED = 1e-6
+UNBOUNDED = 1e6
+"""A steady state this much larger than what one cycle makes from rest has no damping to speak of."""
 MOST_STEPS = 46080
 
 
@@ -97,4 +99,7 @@ def closed(
     if not missing <= CLOSED * (np.linalg.norm(pushed) + np.linalg.norm(start)):
         rule = "there is no periodic state: a mean load is held by nothing, or a multiplier is 1"
         raise SymbalanceError("steady state", rule, "balance the mean torque, or hold the spin")
+    if np.linalg.norm(start) > UNBOUNDED * np.linalg.norm(pushed):
+        rule = "is a resonance that nothing damps: only the integrator's own damping bounds the motion"
+        raise SymbalanceError("steady state", rule, "give the rotor or its bearings damping")
     return units * start, None if factors is None else factors[np.argsort(-np.abs(factors))]
