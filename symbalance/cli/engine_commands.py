@@ -76,9 +76,7 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
     parser = command(
         commands, "torque", "The torque on an engine's crank and frame: inertia exactly, gas on top."
     )
-    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
-    parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
-    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    add_engine(parser, "6")
     add_running(parser)
     parser.add_argument("--delta", metavar="δ", help="speed fluctuation; default: 0.02")
     add_output(parser, ("text", "latex", "json"))

@@ -24,12 +24,24 @@ def in_document(body: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return text with LaTeX's own characters taken literally, other scripts as question marks."""
-    table = {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
-    table |= {c: f"\\{c}" for c in "&%$#_{}"}
-    table |= {"°": r"\textdegree{}", "–": "--", "−": r"\(-\)", "λ": r"\(\lambda\)", "ₓ": r"\(_x\)"}
-    table |= {"ψ": r"\(\psi\)"}
-    return "".join(table.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
+    r"""Return text with LaTeX's own characters taken literally, other scripts as question marks.
+
+    >>> print(escaped("1 % of m r ω²"))
+    1 \% of m r \(\omega\)\(^2\)
+    """
+    return "".join(_ESCAPED.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
+
+
+_ESCAPED = {c: f"\\{c}" for c in "&%$#_{}"}
+_ESCAPED |= {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+_ESCAPED |= {"°": r"\textdegree{}", "–": "--", "…": r"\dots{}"}
+_ESCAPED |= {
+    c: rf"\({math}\)"
+    for c, math in {
+        **{"−": "-", "±": r"\pm", "·": r"\cdot", "×": r"\times", "≤": r"\le"},
+        **{"λ": r"\lambda", "ψ": r"\psi", "ω": r"\omega", "ₓ": "_x", "²": "^2"},
+    }.items()
+}
 
 
 def number(decimal: str) -> str:

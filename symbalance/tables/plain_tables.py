@@ -5,14 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from textwrap import wrap
 
-from symbalance.tables.latex_parts import in_document
+from symbalance.tables.latex_parts import ROWS_PER_TABLE, escaped, in_document
 from symbalance.tables.text_table import WIDTH, grid
-
-ROWS_PER_TABLE = 36
-_ESCAPED = {"%": r"\%", "&": r"\&", "_": r"\_", "#": r"\#", "$": r"\$", "{": r"\{", "}": r"\}",
-            "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "\\": r"\textbackslash{}",
-            "ω": r"\(\omega\)", "²": r"\(^2\)", "−": r"\(-\)", "±": r"\(\pm\)", "≤": r"\(\le\)",
-            "λ": r"\(\lambda\)", "·": r"\(\cdot\)", "×": r"\(\times\)", "…": r"\dots{}"}  # fmt: skip
 
 
 def figure(value: float, digits: int = 6) -> str:
@@ -61,12 +55,3 @@ def _tabular(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]
     shape = "r" + "l" * (len(columns) - 1)
     return ["", r"\medskip", rf"\begin{{tabular}}{{{shape}}} \toprule", top, *body,
             r"\bottomrule \end{tabular}", ""]  # fmt: skip
-
-
-def escaped(text: str) -> str:
-    r"""Return text as LaTeX prints it.
-
-    >>> print(escaped("1 % of m r ω²"))
-    1 \% of m r \(\omega\)\(^2\)
-    """
-    return "".join(_ESCAPED.get(c, c) for c in text)

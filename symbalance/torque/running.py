@@ -90,7 +90,7 @@ class CrankTorque:
     area: float
     omega: float
 
-    @property
+    @cached_property
     def first(self) -> RunningCylinder:
         """Cylinder 1."""
         return self.cylinders[self.layout.cylinders.index(self.layout.first)]

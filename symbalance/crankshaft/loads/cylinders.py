@@ -98,7 +98,8 @@ class RodForces:
         run = self.engine.operation
         if run.ideal is None:
             return dict.fromkeys(self._mechanisms, run.trace)
-        made = {m: run.ideal.trace(m) for m in set(self._mechanisms.values())}
+        made = {self._mechanisms[self.engine.layout.first.number]: run.trace}
+        made |= {m: run.ideal.trace(m) for m in set(self._mechanisms.values()) - made.keys()}
         return {n: made[m] for n, m in self._mechanisms.items()}
 
     def _motion(self, number: int, theta: Array) -> Motion:
