@@ -46,6 +46,7 @@ long register restrict return short signed sizeof static struct switch typedef u
 volatile while class new delete this template namespace using try catch throw public private near
 far outputs on_grid gcd near_double near_float any_double any_float main printf differs checks theta
 n points turns mass radius omega pitch fabs sqrt sin cos copysign isnan
+constants_are_doubles
 """
 TAKEN = frozenset(WORDS.split())
 """Names the function must not bear: words of C and C++, and what the source itself uses."""

@@ -37,9 +37,19 @@ SOURCE = """/* {title}; see {stem}.h.
 #include <float.h>
 #include <math.h>
 
-#if defined(__FAST_MATH__) || FLT_EVAL_METHOD != 0
-#error "the reduction of angles needs IEEE doubles: no -ffast-math, and -mfpmath=sse on 32-bit x86"
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) \\
+    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "angles are reduced by sums as written, and lost as NaN: no -ffast-math nor part of it"
 #endif
+/* FLT_EVAL_METHOD: 0, doubles are evaluated as doubles; 1, 16, 32 and 64 widen narrower types alone
+ * (16 where the machine computes in _Float16). 2, long doubles, rounds twice; below 0 nothing is known.
+ */
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16 \\
+    && FLT_EVAL_METHOD != 32 && FLT_EVAL_METHOD != 64
+#error "the reduction of angles needs IEEE doubles: on x86 -msse2 -mfpmath=sse"
+#endif
+/* An array of negative size: the constants must be doubles, no -fsingle-precision-constant. */
+typedef char constants_are_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
 
 /* A loop becomes vectors only if all it calls is inlined, however long. */
 #ifdef __GNUC__
