@@ -19,7 +19,7 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.numeric.cosines import LIMIT, Cosine, cut, sine_lines, sine_tail
+from symbalance.numeric.cosines import LIMIT, Cosine, cut, per_point, sine_lines, sine_tail
 from symbalance.numeric.kernels import Kernel
 from symbalance.numeric.waves import Closed
 from symbalance.rational import Real, real
@@ -123,9 +123,10 @@ def displacement_on_grid(kernel: Kernel, closed: Closed, name: str) -> None:
     turns = _nearest(closed.places[0][1])
     shift = f" + points*{kernel.constant('TOP_TURNS_BEFORE', turns)}" if turns else ""
     whole = f" + {kernel.constant('TOP_TURNS_BEFORE', turns)}" if turns else ""
-    kernel.line("pn", f"rint(index/points{whole})", "whole turns")
+    kernel.line("pn", f"rint(index*{per_point(kernel)}{whole})", "whole turns")
     kernel.line("pm", f"(index - pn*points){shift}")
-    kernel.line("ph", f"{kernel.constant('PI', mp.pi)}*(pm/points)", "half the crank angle")
+    kernel.line("half_step", f"{kernel.constant('PI', mp.pi)}/points", "half the angle of a point")
+    kernel.line("ph", "pm*half_step", "half the crank angle")
     sine_lines(kernel, "ps", "ph", "p")
     kernel.line(name, "ps*ps")
 

@@ -68,16 +68,27 @@ class Cosine:
             if self.phase
             else ""
         )
-        n = kernel.line(f"n{mark}", f"rint({index}/{around}{shift})", "whole periods")
+        n = kernel.line(f"n{mark}", f"rint({index}*{per_point(kernel, under)}{shift})", "whole periods")
         back = f" - {around}*SHIFT_TURNS{mark}" if self.phase else ""
         m = kernel.line(f"m{mark}", f"({index} - {n}*{around}){back}")
         half = kernel.constant("HALF_PI", mp.pi / 2)
-        x = kernel.line(f"x{mark}", f"{half}*(({around} - 4.0*abs({m}))/{around})", "a quarter less that")
+        step = kernel.line(f"step_{under}", f"{half}/{around}", "a quarter of the angle of a point")
+        x = kernel.line(f"x{mark}", f"({around} - 4.0*abs({m}))*{step}", "a quarter less that")
         sine_lines(kernel, name, x, mark)
 
     def far(self, kernel: Kernel, name: str, mark: str) -> None:
         """Add the lines for any other angle, from cos and sin of the angle itself."""
         far_cosine(self, kernel, name, mark)
+
+
+def per_point(kernel: Kernel, turns: int = 1) -> str:
+    """Add the line of 1/(turns points), to count whole periods of a grid by; return its name.
+
+    A division an angle is what a grid's loop would wait for. The reciprocal's rounding moves a count
+    only between two periods that are equally near.
+    """
+    name = "per_point" if turns == 1 else f"per_point_{turns}"
+    return kernel.line(name, "1.0/points" if turns == 1 else f"1.0/({turns}.0*points)")
 
 
 def far_cosine(cosine: Cosine, kernel: Kernel, name: str, mark: str) -> str:

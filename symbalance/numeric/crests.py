@@ -20,7 +20,7 @@ from fractions import Fraction
 import numpy as np
 from mpmath import mp
 
-from symbalance.numeric.cosines import Cosine, crest_angle, far_cosine, sine_lines
+from symbalance.numeric.cosines import Cosine, crest_angle, far_cosine, per_point, sine_lines
 from symbalance.numeric.kernels import Kernel
 from symbalance.numeric.rounding import Grid
 from symbalance.rational import Real
@@ -49,7 +49,7 @@ class Crest:
     def on_grid(self, kernel: Kernel, mark: str) -> None:
         """Add the lines at theta = 2 pi index/points."""
         times, under = float(self.step.numerator), float(self.step.denominator)
-        turned = f"{times!r}*index/({under!r}*points)"
+        turned = f"{times!r}*index*{per_point(kernel, self.step.denominator)}"
         shift = (
             f" - {kernel.constant(f'PHASE{mark}', self.phase, 'the phase, in turns')}"
             if self.phase

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from symbalance.numeric.checks import ANGLES, Check, checks
+from symbalance.numeric.checks import ANGLES, Check, checks, grid_checks, grid_points
 from symbalance.numeric.cosines32 import LIMIT32, single_kernel
 from symbalance.numeric.kernels import Kernel
 from symbalance.numeric.plans import Plan
@@ -68,6 +68,8 @@ def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, xp=None):
     jax.jit(evaluate) works.
     """
     xp = _namespace(theta) if xp is None else xp
+    if hasattr(theta, "mask"):
+        raise TypeError("theta is a masked array: its mask would be lost, pass theta.filled(nan)")
     theta = theta if hasattr(theta, "dtype") else xp.asarray(theta)
     scales = _scales(*map(_number, (mass, radius, omega, pitch)))
     if theta.dtype == xp.float64:
@@ -90,6 +92,8 @@ def _namespace(array):
     package = type(array).__module__.partition(".")[0]
     if package == "builtins":
         raise TypeError(f"theta is a {{type(array).__name__}}: pass an array, or its library as xp=")
+    if package not in sys.modules or not hasattr(sys.modules[package], "float64"):
+        raise TypeError(f"theta is a {{type(array).__name__}}: {{package}} is no array library")
     return sys.modules[package]
 
 
@@ -125,9 +129,9 @@ def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0,
     Only one period is computed, from angles that are exact; the rest repeats it. `xp` is the array
     library, `dtype` its float64 or float32, the library's own default where not given.
     """
+    if not (points == int(points) >= 1 and turns == int(turns) >= 1):
+        raise ValueError(f"points = {{points}}, turns = {{turns}}: must be whole numbers, at least 1")
     points, turns = int(points), int(turns)
-    if points < 1 or turns < 1:
-        raise ValueError(f"points = {{points}}, turns = {{turns}}: both must be at least 1")
     period, length = {period}, points*turns
     index = xp.arange(0.0, float(min(period, length)), dtype=dtype)
     if index.dtype != xp.float64 and {highest}*points > 2**24:
@@ -137,6 +141,8 @@ def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0,
     values = [scale*value for scale, value in zip(scales, _outputs({bases}, xp))]
     return _given([xp.tile(value, (-(-length//period),))[:length] for value in values])
 '''
+FARTHER = 3e14
+"""An angle at which every part of the period counts that reduces angles to 2^50."""
 SELF_TEST = '''
 
 # Angles, the true values there (mpmath, 50 digits), and what each may be off; then for float32.
@@ -146,7 +152,7 @@ CHECKS = (
 CHECKS_SINGLE = (
 {rows_single}
 )
-
+{grid_rows}
 
 def self_test(xp=None):
     """Compare with the true values, in float32 and, where `xp` (or NumPy) has it, float64."""
@@ -158,28 +164,44 @@ def self_test(xp=None):
         warnings.simplefilter("ignore")  # JAX without float64 warns, and gives float32
         double = xp.asarray([check[0] for check in CHECKS], dtype=xp.float64)
     if double.dtype == xp.float64:
-        _compare(double, CHECKS, xp)
-    _compare(xp.asarray([check[0] for check in CHECKS_SINGLE], dtype=xp.float32), CHECKS_SINGLE, xp)
+        _test(double, CHECKS, xp, 1.0)
+    single = xp.asarray([check[0] for check in CHECKS_SINGLE], dtype=xp.float32)
+    _test(single, CHECKS_SINGLE, xp, 2.0**29)
 
 
-def _compare(angles, checks, xp):
-    found = evaluate(angles, xp=xp)
-    infinite = xp.asarray([float("inf"), float("-inf"), float("nan")], dtype=angles.dtype)
+def _test(angles, checks, xp, times):
+    _compare("", evaluate(angles, xp=xp), checks, angles.dtype, 1.0)
+{grid}    infinite = xp.asarray([float("inf"), float("-inf"), float("nan")], dtype=angles.dtype)
     lost = evaluate(infinite, xp=xp)
+    for values in [lost] if len(OUTPUTS) == 1 else lost.values():
+        if not bool(xp.all(xp.isnan(values))):
+            raise AssertionError(f"not NaN where theta is not finite: {{values}}")
+
+
+def _compare(where, found, checks, dtype, times):
     for j, name in enumerate(OUTPUTS):
-        values, nothing = (found, lost) if len(OUTPUTS) == 1 else (found[name], lost[name])
-        assert values.dtype == angles.dtype, f"{{name}}: {{values.dtype}} from {{angles.dtype}}"
+        values = found if len(OUTPUTS) == 1 else found[name]
+        if values.dtype != dtype:  # no assert: python -O would leave it out
+            raise AssertionError(f"{{name}}: {{values.dtype}} from {{dtype}}")
         for i, (theta, true, allowed) in enumerate(checks):
             value = float(values[i])
-            off = abs(value - true[j])
-            assert off <= allowed[j], f"{{name}}({{theta!r}}) = {{value!r}}, true {{true[j]!r}}"
-        assert bool(xp.all(xp.isnan(nothing))), f"not NaN where theta is not finite: {{nothing}}"
+            if not abs(value - true[j]) <= times*allowed[j]:
+                raise AssertionError(f"{{name}}{{where}}({{theta!r}}) = {{value!r}}, true {{true[j]!r}}")
 
 
 if __name__ == "__main__":
     self_test()
     print("self-test passed:", len(CHECKS) + len(CHECKS_SINGLE), "angles,", ", ".join(OUTPUTS))
 '''
+GRID_ROWS = """
+# The same at theta = 2 pi j/{points}, two turns, for on_grid.
+GRID_CHECKS = (
+{rows}
+)
+"""
+GRID_TEST = """    grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype)
+    _compare(" on the grid", grid, GRID_CHECKS, angles.dtype, times)
+"""
 
 
 def array_api_source(planned: Plan, engine: str, grid: bool) -> str:
@@ -212,8 +234,14 @@ def array_api_source(planned: Plan, engine: str, grid: bool) -> str:
         tail="".join(f"{line}\n" for line in _body(planned.tail)),
         formulas="\n".join(f"        {formula}," for formula in formulas),
     )
-    rows = "\n".join(_row(check) for check in checks(planned))
-    test = SELF_TEST.format(rows=rows, rows_single="\n".join(map(_row, _single_checks(planned))))
+    rows = "\n".join(_row(check) for check in checks(planned, (*ANGLES, FARTHER)))
+    points, grid_rows = grid_points(planned), "\n".join(map(_row, grid_checks(planned)))
+    test = SELF_TEST.format(
+        rows=rows,
+        rows_single="\n".join(map(_row, _single_checks(planned))),
+        grid_rows=GRID_ROWS.format(points=points, rows=grid_rows) if grid else "",
+        grid=GRID_TEST.format(points=points) if grid else "",
+    )
     return folded("\n".join([f'"""{first}', *rest, '"""']) + "\n" + module + test, "# ", bracketed=True)
 
 

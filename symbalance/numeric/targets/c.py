@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from mpmath import mp
-
 from symbalance.errors import SymbalanceError
-from symbalance.numeric.checks import checks
+from symbalance.numeric.checks import Check, checks, grid_checks, grid_points
 from symbalance.numeric.cosines import LIMIT
 from symbalance.numeric.kernels import Line
 from symbalance.numeric.plans import Plan
@@ -50,7 +48,6 @@ constants_are_doubles
 """
 TAKEN = frozenset(WORDS.split())
 """Names the function must not bear: words of C and C++, and what the source itself uses."""
-GRID_POINTS = 7
 
 
 def c_sources(planned: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
@@ -198,26 +195,19 @@ def _grid(planned: Plan, prototype: str, outs: list[str]) -> str:
 
 def _self_test(planned: Plan, name: str, grid: bool) -> str:
     count = len(planned.outputs)
-    rows = [_row(c.theta, c.values, c.allowed) for c in checks(planned)]
-    shared = {"name": name, "count": count, "columns": 1 + 2 * count, "points": GRID_POINTS}
+    rows = "\n".join(map(_row, checks(planned)))
+    grid_rows = "\n".join(map(_row, grid_checks(planned))) if grid else ""
+    shared = {"name": name, "count": count, "columns": 1 + 2 * count, "points": grid_points(planned)}
     on_grid = ", ".join(f"on_grid[{i}]" for i in range(count))
     return SELF_TEST.format(
         macro=name.upper(),
-        rows="\n".join(rows),
+        rows=rows,
         pointers=", ".join(f"found + {i}" for i in range(count)),
-        grid_checks=GRID_CHECKS.format(rows="\n".join(_grid_rows(planned)), **shared) if grid else "",
+        grid_checks=GRID_CHECKS.format(rows=grid_rows, **shared) if grid else "",
         grid=GRID_TEST.format(pointers=on_grid, **shared) if grid else "",
         **shared,
     )
 
 
-def _grid_rows(planned: Plan) -> list[str]:
-    """Return the checks on a grid of two turns; its angles are rounded twice more than plain ones."""
-    allowed = [2.0**-52 * o.rounding * max(o.amplitude, 2.0**-900) for o in planned.outputs]
-    with mp.workdps(50):
-        angles = [2 * mp.pi * j / GRID_POINTS for j in range(2 * GRID_POINTS)]
-        return [_row(float(t), [float(o.value(t)) for o in planned.outputs], allowed) for t in angles]
-
-
-def _row(theta: float, values: Iterable[float], allowed: Iterable[float]) -> str:
-    return "    {" + ", ".join(map(repr, (theta, *values, *allowed))) + "},"
+def _row(check: Check) -> str:
+    return "    {" + ", ".join(map(repr, (check.theta, *check.values, *check.allowed))) + "},"

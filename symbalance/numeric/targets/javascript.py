@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symbalance.numeric.checks import checks
+from symbalance.numeric.checks import Check, checks, grid_checks, grid_points
 from symbalance.numeric.cosines import LIMIT
 from symbalance.numeric.kernels import Line
 from symbalance.numeric.plans import Plan
@@ -47,17 +47,29 @@ const LIMIT = {limit};  // the largest |theta| that is reduced exactly
  * @param {{{{mass?: number, radius?: number, omega?: number, pitch?: number}}}} [engine]
  */
 export function evaluate(theta, {{ mass = 1, radius = 1, omega = 1, pitch = 1 }} = {{}}) {{
+  checkNumbers({{ mass, radius, omega, pitch }});
   const single = typeof theta === "number";
   if (!single && (theta === null || typeof theta !== "object" || theta.length === undefined)) {{
     throw new TypeError(`theta = ${{theta}}: must be a number or an array, in radians`);
   }}
   const angles = single ? [theta] : theta;
+  if (!ArrayBuffer.isView(angles)) {{
+    for (let i = 0; i < angles.length; i++) {{
+      if (typeof angles[i] !== "number") checkNumbers({{ [`theta[${{i}}]`]: angles[i] }});
+    }}
+  }}
   const Kind = theta instanceof Float32Array ? Float32Array : Float64Array;
   const results = OUTPUTS.map(() => new Kind(angles.length));
   fill(angles, mass, radius, omega, pitch, ...results);
   return given(single ? results.map((values) => values[0]) : results);
 }}
 {grid}
+function checkNumbers(values) {{
+  for (const [name, value] of Object.entries(values)) {{
+    if (typeof value !== "number") throw new TypeError(`${{name}} = ${{value}}: must be a number`);
+  }}
+}}
+
 function given(results) {{
   if (results.length === 1) return results[0];
   return Object.fromEntries(OUTPUTS.map((name, i) => [name, results[i]]));
@@ -75,28 +87,44 @@ function fill(angles, mass, radius, omega, pitch, {outs}) {{
 const CHECKS = [
 {rows}
 ];
-
+{grid_rows}
 /** Compare with the true values, singly and as an array; throw an Error past a bound. */
 export function selfTest() {{
   const values = (found) => OUTPUTS.map((name) => (OUTPUTS.length === 1 ? found : found[name]));
   const together = values(evaluate(CHECKS.map(([theta]) => theta)));
-  CHECKS.forEach(([theta, expected, allowed], i) => {{
-    const alone = values(evaluate(theta));
-    OUTPUTS.forEach((name, j) => {{
-      for (const found of [alone[j], together[j][i]]) {{
-        if (!(Math.abs(found - expected[j]) <= allowed[j])) {{
-          throw new Error(`${{name}}(${{theta}}) = ${{found}}, true ${{expected[j]}}`);
-        }}
-      }}
-    }});
+  const compare = ([theta, expected, allowed], found, where) => OUTPUTS.forEach((name, j) => {{
+    if (!(Math.abs(found[j] - expected[j]) <= allowed[j])) {{
+      throw new Error(`${{name}}${{where}}(${{theta}}) = ${{found[j]}}, true ${{expected[j]}}`);
+    }}
   }});
-  for (const found of values(evaluate([Infinity, -Infinity, NaN]))) {{
+  const column = (found, i) => found.map((values) => values[i]);
+  CHECKS.forEach((check, i) => {{
+    compare(check, values(evaluate(check[0])), "");
+    compare(check, column(together, i), "");
+  }});
+{grid_test}  for (const found of values(evaluate([Infinity, -Infinity, NaN]))) {{
     if (!found.every(Number.isNaN)) throw new Error(`not NaN where theta is not finite: ${{found}}`);
   }}
 }}
 
-const script = globalThis.process?.argv?.[1]?.replaceAll("\\\\", "/");
-if (script && decodeURIComponent(import.meta.url).endsWith(script)) {{
+/** Tell whether a runtime was started with this very file, whatever links lead to it. */
+function isMain() {{
+  if (import.meta.main !== undefined) return import.meta.main;
+  const script = globalThis.process?.argv?.[1];
+  if (!script) return false;
+  const module = globalThis.process.getBuiltinModule?.("node:module");
+  const url = globalThis.process.getBuiltinModule?.("node:url");
+  if (!module || !url) {{
+    return decodeURIComponent(import.meta.url).endsWith(script.replaceAll("\\\\", "/"));
+  }}
+  try {{
+    return module.createRequire(import.meta.url).resolve(script) === url.fileURLToPath(import.meta.url);
+  }} catch {{
+    return false;
+  }}
+}}
+
+if (isMain()) {{
   selfTest();
   console.log("self-test passed:", CHECKS.length, "angles,", OUTPUTS.join(", "));
 }}
@@ -108,6 +136,7 @@ GRID = """
  * Only one period is computed, from angles that are exact; the rest repeats it.
  */
 export function onGrid(points, turns = 1, {{ mass = 1, radius = 1, omega = 1, pitch = 1 }} = {{}}) {{
+  checkNumbers({{ mass, radius, omega, pitch }});
   if (!(Number.isInteger(points) && Number.isInteger(turns) && points > 0 && turns > 0)) {{
     throw new RangeError(`points = ${{points}}, turns = ${{turns}}: must be whole numbers above 0`);
   }}
@@ -121,6 +150,15 @@ export function onGrid(points, turns = 1, {{ mass = 1, radius = 1, omega = 1, pi
   return given(results);
 }}
 {gcd}"""
+GRID_ROWS = """
+// The same at theta = 2 pi j/{points}, two turns, for onGrid.
+const GRID_CHECKS = [
+{rows}
+];
+"""
+GRID_TEST = """  const grid = values(onGrid({points}, 2));
+  GRID_CHECKS.forEach((check, i) => compare(check, column(grid, i), " on the grid"));
+"""
 GCD = """
 function gcd(a, b) {
   return b === 0 ? a : gcd(b, a % b);
@@ -151,6 +189,7 @@ def javascript_source(planned: Plan, engine: str, grid: bool) -> str:
     fill_grid = FILL_GRID.format(
         outs=outs, scales=scales, lines=on_grid, outputs=_outputs(planned, "index")
     )
+    points = grid_points(planned)
     text = MODULE.format(
         head="\n * ".join([first, *rest]).replace(" * \n", " *\n"),
         names=", ".join(f'"{o.wave.name}"' for o in planned.outputs),
@@ -162,9 +201,15 @@ def javascript_source(planned: Plan, engine: str, grid: bool) -> str:
         bases=_bases(planned),
         outputs=_outputs(planned, "i"),
         fill_grid=fill_grid if grid else "",
-        rows="\n".join(f"  [{c.theta!r}, {list(c.values)}, {list(c.allowed)}]," for c in checks(planned)),
+        rows=_rows(checks(planned)),
+        grid_rows=GRID_ROWS.format(points=points, rows=_rows(grid_checks(planned))) if grid else "",
+        grid_test=GRID_TEST.format(points=points) if grid else "",
     )
     return folded(text, "// ")
+
+
+def _rows(found: Iterable[Check]) -> str:
+    return "\n".join(f"  [{c.theta!r}, {list(c.values)}, {list(c.allowed)}]," for c in found)
 
 
 def _bases(planned: Plan) -> str:

@@ -35,10 +35,11 @@ BLOCK = 4096  # angles at a time: one far angle sends its block the slow way, no
 
 def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, out=None):
 {call_doc}
-    theta = np.asarray(theta)
-    kind = np.float32 if theta.dtype == np.float32 else np.float64
+    theta = _crank_angles(theta)
+    mass, radius, omega, pitch = _numbers(mass=mass, radius=radius, omega=omega, pitch=pitch)
+    kind = np.float32 if theta.dtype.kind == "f" and theta.dtype.itemsize == 4 else np.float64
     results = _results(theta, kind, out)
-    flat = np.ascontiguousarray(theta, dtype=kind).reshape(-1)
+    flat = np.ascontiguousarray(_apart(theta, results), dtype=kind).reshape(-1)
     _fill(flat, {scales}, {flattened})
     return _given(results)
 
@@ -71,6 +72,19 @@ def _fill_any(theta, {scale_names}, {out_names}):
             {far}
         {stores}
 '''
+GRID_FILL = """
+    filled = [result[:size] for result in results]
+    _fill_grid(np.float64(points), {scales}, *filled)
+""".strip("\n")
+GRID_LOOP = """
+
+@njit(error_model="numpy", fastmath={{"contract"}}, nogil=True)
+def _fill_grid(points, {scale_names}, {out_names}):
+    for i in range(out0.size):
+        index = np.float64(i)
+        {bases}
+        {stores}
+"""
 
 
 def numba_source(planned: Plan, engine: str, grid: bool) -> str:
@@ -82,10 +96,11 @@ def numba_source(planned: Plan, engine: str, grid: bool) -> str:
     stored = ", ".join(f"out{i}[i]" for i in count)
     bases = ", ".join(planned.bases)
     at = "np.float64(theta[i])"
+    values = ", ".join(f"float({o.wave.unit.formula})" for o in planned.outputs)
     body = NUMBA_CALL.format(
         call_doc=CALL_DOC.format(note=" The first call\n    with a type of angles compiles."),
-        scales=", ".join(f"float({o.wave.unit.formula})" for o in planned.outputs),
-        flattened=", ".join(f"results[{i}].reshape(-1)" for i in count),
+        scales=values,
+        flattened=", ".join(f"np.asarray(results[{i}]).reshape(-1)" for i in count),
         scale_names=scales,
         out_names=", ".join(f"out{i}" for i in count),
         out_parts=", ".join(f"out{i}[start:start + BLOCK]" for i in count),
@@ -93,12 +108,18 @@ def numba_source(planned: Plan, engine: str, grid: bool) -> str:
         far=f"{bases} = _far({at})" if bases else "pass",
         stores=f"{stored} = _outputs({bases or at}, {scales})",
     )
+    loop = GRID_LOOP.format(
+        scale_names=scales,
+        out_names=", ".join(f"out{i}" for i in count),
+        bases=f"{bases} = _on_grid(index, points)" if bases else "pass",
+        stores=f"{stored} = _outputs({bases or 'index'}, {scales})",
+    )
     jit = '@njit(error_model="numpy", fastmath={"contract"}, forceinline=True)'
     lines, formulas = NUMBA.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
     functions = [
         *base_function(NUMBA, "_near", planned.near.lines, planned.bases, "|theta| <= LIMIT", jit),
         *base_function(NUMBA, "_far", planned.far.lines, planned.bases, "any angle", jit),
-        *(grid_function(planned) if grid else []),
+        *(grid_function(NUMBA, planned, jit) if grid else []),
         "",
         "",
         jit,
@@ -108,7 +129,7 @@ def numba_source(planned: Plan, engine: str, grid: bool) -> str:
     ]
     return joined(
         [*head, *constants(NUMBA, planned)],
-        body + (grid_call(planned, True) if grid else ""),
+        body + (grid_call(planned, GRID_FILL.format(scales=values)) + loop if grid else ""),
         functions,
-        self_test(planned),
+        self_test(planned, grid),
     )

@@ -23,19 +23,22 @@ BLOCK = 16000  # angles at a time: intermediate values of 128 kB stay in cache, 
 
 def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, out=None):
 {call_doc}
-    theta = np.asarray(theta)
-    kind = np.float32 if theta.dtype == np.float32 else np.float64
+    theta = _crank_angles(theta)
+    mass, radius, omega, pitch = _numbers(mass=mass, radius=radius, omega=omega, pitch=pitch)
+    kind = np.float32 if theta.dtype.kind == "f" and theta.dtype.itemsize == 4 else np.float64
     scales = ({scales})
     if theta.ndim == 0 and out is None:
         values = _at(np.float64(theta))
         return _given([kind(value * scale) for value, scale in zip(values, scales)])
     results = _results(theta, kind, out)
+    theta = _apart(theta, results)
     flat = theta.reshape(-1) if theta.flags.c_contiguous else theta.flat
+    filled = [np.asarray(result).reshape(-1) for result in results]
     for start in range(0, theta.size, BLOCK):
         stop = min(start + BLOCK, theta.size)
         values = _at(np.asarray(flat[start:stop], dtype=np.float64))
-        for result, value, scale in zip(results, values, scales):
-            np.multiply(value, scale, out=result.reshape(-1)[start:stop], casting="same_kind")
+        for result, value, scale in zip(filled, values, scales):
+            np.multiply(value, scale, out=result[start:stop], casting="same_kind")
     return _given(results)
 
 
@@ -48,15 +51,25 @@ def _at(theta):
         near, beyond = _outputs({near}), _outputs({far})
         return tuple(np.where(far, b, a) for a, b in zip(near, beyond))
 '''
+GRID_FILL = """
+    scales = ({scales})
+    for start in range(0, size, BLOCK):
+        stop = min(start + BLOCK, size)
+        index = np.arange(start, stop, dtype=np.float64)
+        for result, value, scale in zip(results, _outputs({bases}), scales):
+            np.multiply(value, scale, out=result[start:stop])
+""".strip("\n")
 
 
 def numpy_source(planned: Plan, engine: str, grid: bool) -> str:
     """Return a module that needs NumPy alone."""
     calls = ["import math", ""] if grid and repeating(planned)[1] else []
     head = [*docstring(planned, engine), "", *calls, "import numpy as np", ""]
+    scales = ", ".join(o.wave.unit.formula for o in planned.outputs) + ","
+    fill = GRID_FILL.format(scales=scales, bases=called("_on_grid", planned, "index, points", "index"))
     body = NUMPY_CALL.format(
         call_doc=CALL_DOC.format(note=""),
-        scales=", ".join(o.wave.unit.formula for o in planned.outputs) + ",",
+        scales=scales,
         near=called("_near", planned),
         far=called("_far", planned),
     )
@@ -66,7 +79,7 @@ def numpy_source(planned: Plan, engine: str, grid: bool) -> str:
     functions = [
         *base_function(NUMPY, "_near", planned.near.lines, planned.bases, "|theta| <= LIMIT"),
         *base_function(NUMPY, "_far", planned.far.lines, planned.bases, "any angle"),
-        *(grid_function(planned) if grid else []),
+        *(grid_function(NUMPY, planned) if grid else []),
         "",
         "",
         f"def _outputs({bases}):",
@@ -78,7 +91,7 @@ def numpy_source(planned: Plan, engine: str, grid: bool) -> str:
     ]
     return joined(
         [*head, *constants(NUMPY, planned)],
-        body + (grid_call(planned, False) if grid else ""),
+        body + (grid_call(planned, fill) if grid else ""),
         functions,
-        self_test(planned),
+        self_test(planned, grid),
     )

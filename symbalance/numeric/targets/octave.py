@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symbalance.errors import SymbalanceError
-from symbalance.numeric.checks import checks
+from symbalance.numeric.checks import Check, checks, grid_checks, grid_points
 from symbalance.numeric.cosines import LIMIT
 from symbalance.numeric.kernels import NAME, Kernel, Line
 from symbalance.numeric.plans import Plan
@@ -31,9 +31,9 @@ SPELLING = Spelling(
 WORDS = """
 break case catch classdef continue else elseif end for function global if otherwise parfor
 persistent return spmd switch try while do until unwind_protect abs sqrt cos sin round gcd double
-single class ischar strcmp repmat isreal isnumeric islogical any all min mod nan inf isnan error
-fprintf size nargin varargin evaluate near far outputs on_grid self_test theta result mass radius
-omega pitch struct cell2mat struct2cell
+single class ischar isscalar strcmp repmat isreal isnumeric islogical any all min mod nan inf isnan
+error fprintf size nargin varargin varargout numbers evaluate near far outputs on_grid self_test theta
+result mass radius omega pitch struct cell2mat struct2cell
 """
 TAKEN = frozenset(WORDS.split())
 """Names a function file must not bear: words of the language and what the file itself uses."""
@@ -66,6 +66,7 @@ function result = evaluate(theta, mass, radius, omega, pitch)
     if ~(isnumeric(theta) || islogical(theta)) || ~isreal(theta)
         error('theta must be real crank angles, in radians');
     end
+    [mass, radius, omega, pitch] = numbers(mass, radius, omega, pitch);
     kind = class(theta);
     theta = double(theta);
 {bases}
@@ -76,6 +77,17 @@ function result = evaluate(theta, mass, radius, omega, pitch)
     result = {result};
 end
 {near}{far}{grid}
+function varargout = numbers(varargin)
+% The arguments as doubles: int32 would round every value, a letter count as its code.
+    for i = 1:nargin
+        value = varargin{{i}};
+        if ~(isnumeric(value) && isreal(value) && isscalar(value))
+            error('mass, radius, omega, pitch, points and turns must be one real number each');
+        end
+        varargout{{i}} = double(value);
+    end
+end
+
 function {values} = outputs({arguments}, mass, radius, omega, pitch)
 % The outputs in SI units.
 {constants}
@@ -101,7 +113,7 @@ function self_test()
             end
         end
     end
-    lost = {check_lost};
+{check_grid}    lost = {check_lost};
     if ~all(isnan(lost(:)))
         error('not NaN where theta is not finite');
     end
@@ -117,6 +129,19 @@ GRID_CALL = """
             result = on_grid(varargin{:});
             return
         end"""
+GRID_TEST = """% The same at theta = 2 pi j/{points}, two turns.
+    checks = [
+{rows}
+    ];
+    together = {values};
+    for i = 1:size(checks, 1)
+        for j = 1:{count}
+            if ~(abs(together(i, j) - checks(i, 1 + j)) <= checks(i, 1 + {count} + j))
+                error('output %d on the grid at %.17g: %.17g', j, checks(i, 1), together(i, j));
+            end
+        end
+    end
+"""
 GRID = """
 function result = on_grid(points, turns, mass, radius, omega, pitch)
     if nargin < 2, turns = 1; end
@@ -124,11 +149,12 @@ function result = on_grid(points, turns, mass, radius, omega, pitch)
     if nargin < 4, radius = 1; end
     if nargin < 5, omega = 1; end
     if nargin < 6, pitch = 1; end
+    [points, turns] = numbers(points, turns);
     if ~(points >= 1 && turns >= 1 && points == round(points) && turns == round(turns))
         error('points and turns must be whole numbers, at least 1');
     end
-    points = double(points);
-    count = points*double(turns);
+    [mass, radius, omega, pitch] = numbers(mass, radius, omega, pitch);
+    count = points*turns;
     period = {period};
     index = (0:min(period, count) - 1)';
 {constants}
@@ -168,7 +194,7 @@ def octave_source(planned: Plan, engine: str, name: str, grid: bool) -> str:
         arguments=", ".join(planned.bases) or "theta",
         scales="\n".join(f"    scale{i} = {o.wave.unit.formula};" for i, o in enumerate(planned.outputs)),
         **_tail(planned, outs),
-        **_checked(planned, name, outs),
+        **_checked(planned, outs, grid),
     )
     return folded(text, "% ", " ...")
 
@@ -250,16 +276,22 @@ def _tail(planned: Plan, outs: Sequence[str]) -> dict[str, str]:
     }
 
 
-def _checked(planned: Plan, name: str, outs: Sequence[str]) -> dict[str, str]:
-    def values(angles: str) -> str:
-        called = f"evaluate({angles})"
-        return called if len(outs) == 1 else f"cell2mat(struct2cell({called})')"
+def _checked(planned: Plan, outs: Sequence[str], grid: bool) -> dict[str, str]:
+    def values(call: str) -> str:
+        return call if len(outs) == 1 else f"cell2mat(struct2cell({call})')"
 
-    rows = (", ".join(map(repr, (c.theta, *c.values, *c.allowed))) for c in checks(planned))
+    def rows(found: Iterable[Check]) -> str:
+        return "\n".join(
+            "        " + ", ".join(map(repr, (c.theta, *c.values, *c.allowed))) for c in found
+        )
+
+    points, count = grid_points(planned), str(len(outs))
+    on_grid = {"points": points, "rows": rows(grid_checks(planned)), "count": count}
     return {
-        "rows": "\n".join(f"        {row}" for row in rows),
-        "count": str(len(outs)),
-        "check_all": values("checks(:, 1)"),
-        "check_one": values("checks(i, 1)"),
-        "check_lost": values("[inf; -inf; nan]"),
+        "rows": rows(checks(planned)),
+        "count": count,
+        "check_all": values("evaluate(checks(:, 1))"),
+        "check_one": values("evaluate(checks(i, 1))"),
+        "check_grid": GRID_TEST.format(values=values(f"on_grid({points}, 2)"), **on_grid) if grid else "",
+        "check_lost": values("evaluate([inf; -inf; nan])"),
     }
