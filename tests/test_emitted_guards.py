@@ -6,11 +6,13 @@ self-test that fails, by an exception that names the argument.
 
 from __future__ import annotations
 
+import math
 import re
 import shutil
 import signal
 import subprocess
 import sys
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -225,3 +227,208 @@ def test_javascript_tests_itself_through_a_link_and_without_its_ending(tmp_path:
     ask = 'import { evaluate } from "./own/one.js"; console.log(typeof evaluate);'
     (tmp_path / "ask.mjs").write_text(ask)
     assert call(["node", "ask.mjs"], tmp_path).stdout == "function\n"
+
+
+# Arguments ---------------------------------------------------------------------------------------------
+
+THETA = np.linspace(-9.0, 9.0, 40_000)
+BOTH = ("couple.vertical", "force.vertical")
+
+
+@cache
+def function(target: str, outputs: tuple[str, ...] = BOTH[:1]) -> sb.numeric.Evaluator:
+    """Return outputs of an in-line five."""
+    return sb.to_function(sb.balance(sb.load("inline-5")), outputs=outputs, target=target)
+
+
+@pytest.mark.parametrize("target", ["numpy", "numba"])
+@pytest.mark.parametrize("far", [0.0, 1e9], ids=["near", "far"])
+@pytest.mark.parametrize("shift", [-20_000, -1, 0, 1, 20_000, 39_999])
+def test_out_may_overlap_theta(target: str, far: float, shift: int) -> None:
+    """A block with a far angle is read twice, and read after others are written."""
+    start = max(0, -shift)
+    room = np.empty(80_000)
+    theta, out = room[start : start + 40_000], room[start + shift : start + shift + 40_000]
+    theta[:] = THETA
+    theta[5000] += far
+    want = function(target)(theta.copy())
+    assert function(target)(theta, out=out) is out
+    assert (out == want).all()
+
+
+@pytest.mark.parametrize("target", ["numpy", "numba"])
+def test_out_may_overlap_theta_in_any_order_and_type(target: str) -> None:
+    room = np.arange(80_000.0)
+    want = function(target)(room[::-2].copy())
+    assert (function(target)(room[::-2], out=room[:40_000]) == want).all()
+    whole = np.arange(40_000)
+    want = function(target)(whole.copy())
+    assert (function(target)(whole, out=whole.view(np.float64)) == want).all()
+    both = {BOTH[0]: np.empty(40_000), BOTH[1]: THETA.copy()}
+    right = function(target, BOTH)(THETA)
+    values = function(target, BOTH)(both[BOTH[1]], out=both)
+    assert all((values[name] == right[name]).all() for name in BOTH)
+
+
+@pytest.mark.parametrize("target", ["numpy", "numba"])
+def test_outputs_that_share_memory_are_refused(target: str) -> None:
+    room, other = np.zeros(9), np.zeros(5)
+    for first, second in ((other, other), (room[:5], room[4:]), (room[2:7], room[:5])):
+        with pytest.raises(ValueError, match="two outputs share memory"):
+            function(target, BOTH)(np.ones(5), out={BOTH[0]: first, BOTH[1]: second})
+    assert not room.any()
+    function(target, BOTH)(np.ones(4), out={BOTH[0]: room[:4], BOTH[1]: room[4:8]})
+    assert room[:8].all()
+
+
+@pytest.mark.parametrize("target", ["numpy", "numba"])
+def test_an_out_that_does_not_fit_is_refused_before_anything_is_written(target: str) -> None:
+    locked = np.zeros(4)
+    locked.flags.writeable = False
+    wrong = {
+        "read-only": (locked, ValueError),
+        "type": (np.zeros(4, np.float32), ValueError),
+        "order of bytes": (np.zeros(4, ">f8"), ValueError),
+        "steps": (np.zeros(8)[::2], ValueError),
+        "shape": (np.zeros((4, 1)), ValueError),
+        "mask": (np.ma.zeros(4), TypeError),
+        "list": ([0.0] * 4, TypeError),
+        "dict": ({BOTH[0]: np.zeros(4)}, TypeError),
+    }
+    for out, refusal in wrong.values():
+        with pytest.raises(refusal, match="out "):
+            function(target)(np.ones(4), out=out)
+    first = np.zeros(4)
+    for second in (locked, np.zeros(5)):
+        with pytest.raises(ValueError, match="out must be"):
+            function(target, BOTH)(np.ones(4), out={BOTH[0]: first, BOTH[1]: second})
+    for names in (BOTH[:1], (*BOTH, "force.lateral")):
+        with pytest.raises(ValueError, match="out must be a dict"):
+            function(target, BOTH)(np.ones(4), out={name: np.zeros(4) for name in names})
+    with pytest.raises(ValueError, match="out must be a dict"):
+        function(target, BOTH)(np.ones(4), out=first)
+    assert not first.any()
+    matrix = np.zeros((2, 2)).view(np.matrix)
+    assert function(target)(np.ones((2, 2)), out=matrix) is matrix
+    assert (matrix == function(target)(1.0)).all()
+
+
+MASKED = np.ma.array([0.5, 1e300], mask=[False, True])
+NO_ANGLES: dict[str, object] = {
+    "nothing": None,
+    "nothing among angles": [1.0, None],
+    "mask": MASKED,
+    "masked": np.ma.masked,
+    "word": "1.5",
+    "bytes": b"1.5",
+    "words": ["1.5"],
+    "truth": True,
+    "truths": np.array([True, False]),
+    "complex": 1.5 + 0j,
+    "complexes": np.array([1.5 + 2j]),
+    "date": np.datetime64("2026-01-01"),
+    "time": np.array([1500], "m8[ms]"),
+    "record": np.zeros(2, [("theta", "f8")]),
+    "huge": 2**70,
+}
+
+
+@pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
+@pytest.mark.parametrize("theta", NO_ANGLES.values(), ids=NO_ANGLES.keys())
+def test_what_is_no_angle_is_refused(target: str, theta: object) -> None:
+    more = {"xp": np} if target == "array-api" else {}
+    with pytest.raises(TypeError, match=r"theta (is a masked array|holds)"):
+        function(target)(theta, **more)
+
+
+@pytest.mark.parametrize("target", ["numpy", "numba"])
+@pytest.mark.parametrize("kind", [">f8", ">f4", "f2", "g", "i1", "u8", "matrix"])
+def test_real_numbers_of_every_type_are_angles(target: str, kind: str) -> None:
+    theta = np.arange(4.0).view(np.matrix) if kind == "matrix" else np.arange(4).astype(kind)
+    values = function(target)(theta)
+    assert type(values) is np.ndarray
+    assert values.dtype == (np.float32 if kind == ">f4" else np.float64)
+    assert values == pytest.approx(function(target)(np.arange(4.0)).reshape(values.shape), abs=1e-6)
+
+
+@pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
+@pytest.mark.parametrize("keyword", ["mass", "radius", "omega", "pitch"])
+def test_a_keyword_is_a_real_number(target: str, keyword: str) -> None:
+    """Also where the output asked for does not take it: a force has no pitch."""
+    f, theta = function(target, ("force.vertical",)), np.ones(3)
+    grid = {"xp": np} if target == "array-api" else {}
+    wrong = [None, "2", b"2", True, 2j, np.complex128(2), np.timedelta64(2, "s"), np.ma.masked, [2.0]]
+    for value in wrong if target == "array-api" else [*wrong, np.ones(3), np.ones(1)]:
+        for call_it in (lambda **k: f(theta, **k), lambda **k: f.on_grid(4, **grid, **k)):
+            with pytest.raises(TypeError, match=f"{keyword} = .*must be"):
+                call_it(**{keyword: value})
+    want = f(theta, **{keyword: 2.0})
+    for value in (2, np.float32(2), np.int8(2), np.array(2.0), Fraction(2)):
+        assert (f(theta, **{keyword: value}) == want).all()
+    assert np.isnan(f(theta, mass=math.nan)).all()
+
+
+@pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
+def test_a_grid_has_whole_numbers_of_points(target: str) -> None:
+    f, more = function(target), {"xp": np} if target == "array-api" else {}
+    for points, turns in ((7.5, 1), (7, 1.5), ("7", 1), (0, 1), (7, -1), (math.nan, 1), (None, 1)):
+        with pytest.raises((ValueError, TypeError)):
+            f.on_grid(points, turns, **more)
+    assert (f.on_grid(7.0, **more) == f.on_grid(7, **more)).all()
+
+
+def test_javascript_refuses_what_is_no_number(tmp_path: Path) -> None:
+    """null counted as 0, "1.5" as 1.5, and undefined as NaN."""
+    emit("javascript", tmp_path / "one.mjs")
+    (tmp_path / "ask.mjs").write_text("""
+import { evaluate, onGrid } from "./one.mjs";
+const wrong = [
+  ...["1", null, undefined, true, [2], 1n].flatMap((x) => [[[1, x]], [[x]]]), [[1, , 2]],
+  [new String("12")],
+  ...["mass", "radius", "omega", "pitch"].flatMap((name) =>
+    [null, "2", true, [2], 2n].map((x) => [1, { [name]: x }])),
+];
+for (const given of wrong) {
+  let refused = false;
+  try { evaluate(...given); } catch (problem) { refused = problem instanceof TypeError; }
+  if (!refused) throw new Error(`taken: ${given}`);
+}
+let refused = false;
+try { onGrid(7, 1, { mass: null }); } catch (problem) { refused = problem instanceof TypeError; }
+const same = evaluate([1, NaN], { mass: undefined, rpm: "600" })["force.vertical"];
+const one = evaluate(1)["force.vertical"];
+if (!refused || same[0] !== one || !Number.isNaN(same[1])) throw new Error("no");
+""")
+    done = call(["node", "ask.mjs"], tmp_path)
+    assert done.returncode == 0, done.stderr
+
+
+def test_octave_takes_whole_number_types_as_numbers_and_refuses_the_rest(tmp_path: Path) -> None:
+    """int32(2) as the mass rounded every force to a whole number; 'a' was its code, 97."""
+    emit("octave", tmp_path / "one.m", outputs="force.vertical")
+    (tmp_path / "ask.m").write_text("""1;
+function check(given)
+    taken = true;
+    try, one(given{:}); catch problem, taken = isempty(strfind(problem.message, 'one real')); end
+    assert(~taken);
+end
+theta = [0.1 0.2; 0.3 -4];
+assert(isequal(one(theta, int32(2), int8(3)), one(theta, 2, 3)));
+assert(isequal(class(one(theta, single(2))), 'double'));
+assert(isequal(one('grid', int8(7), 2, uint8(2)), one('grid', 7, 2, 2)));
+wrong = {'2', [], [1 2], 2i, true, {2}};
+for i = 1:numel(wrong)
+    for place = 1:4
+        given = {1, 1, 1, 1};
+        given{place} = wrong{i};
+        for call = {{0.5, given{:}}, {'grid', 7, 1, given{:}}}
+            check(call{1});
+        end
+    end
+    for given = {{wrong{i}}, {7, wrong{i}}}
+        check({'grid', given{1}{:}});
+    end
+end
+""")
+    done = call(["octave-cli", "--quiet", "--no-init-file", "ask.m"], tmp_path)
+    assert done.returncode == 0, done.stderr

@@ -71,7 +71,7 @@ def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, xp=None):
     if hasattr(theta, "mask"):
         raise TypeError("theta is a masked array: its mask would be lost, pass theta.filled(nan)")
     theta = theta if hasattr(theta, "dtype") else xp.asarray(theta)
-    scales = _scales(*map(_number, (mass, radius, omega, pitch)))
+    scales = _scales(mass=mass, radius=radius, omega=omega, pitch=pitch)
     if theta.dtype == xp.float64:
         {bases} = _angles(_within(theta, LIMIT, xp), xp)
     elif theta.dtype == xp.float32:
@@ -97,13 +97,22 @@ def _namespace(array):
     return sys.modules[package]
 
 
-def _number(value):
+def _number(name, value):
     """Return a number as a Python one, which leaves the type of the arrays it multiplies alone."""
-    return float(value) if isinstance(value, (int, float)) else value
+    if isinstance(value, float) or type(value) is int:
+        return float(value)
+    if hasattr(value, "dtype"):
+        kind = str(value.dtype)
+        if ("float" in kind or "int" in kind) and not hasattr(value, "mask"):
+            return value
+    elif hasattr(value, "__float__") and not isinstance(value, bool):
+        return float(value)
+    raise TypeError(f"{{name}} = {{value!r}}: must be a real number or an array of them, in SI units")
 
 
-def _scales(mass, radius, omega, pitch):
+def _scales(**keywords):
     """Return what each output is measured in: {units}."""
+    mass, radius, omega, pitch = (_number(name, value) for name, value in keywords.items())
     return ({scales},)
 
 
@@ -136,7 +145,7 @@ def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0,
     index = xp.arange(0.0, float(min(period, length)), dtype=dtype)
     if index.dtype != xp.float64 and {highest}*points > 2**24:
         raise ValueError(f"points = {{points}}: float32 takes up to {{2**24//{highest}}}, float64 more")
-    scales = _scales(*map(_number, (mass, radius, omega, pitch)))
+    scales = _scales(mass=mass, radius=radius, omega=omega, pitch=pitch)
     {bases} = _on_grid(index, float(points), xp)
     values = [scale*value for scale, value in zip(scales, _outputs({bases}, xp))]
     return _given([xp.tile(value, (-(-length//period),))[:length] for value in values])
