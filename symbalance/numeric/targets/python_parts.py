@@ -66,7 +66,7 @@ def _crank_angles(theta):
         remedy = "theta.compressed() or theta.astype(float).filled(np.nan)"
         raise TypeError(f"theta is a masked array: its mask would be lost, pass {remedy}")
     theta = np.asarray(theta)
-    if theta.dtype.kind not in "fiu":
+    if theta.dtype.kind not in "fiub":
         raise TypeError(f"theta holds {theta.dtype}: crank angles are real numbers, in radians")
     return theta
 
