@@ -67,7 +67,7 @@ def test_every_exception_of_the_package_copies_and_pickles(way):
         assert vars(again) == vars(error)
 
 
-class TwoArguments(SymbalanceError):
+class TwoArgumentsError(SymbalanceError):
     """As a program may write it: arguments of its own, one of them by name only."""
 
     def __init__(self, number: int, *, unit: str) -> None:
@@ -76,11 +76,11 @@ class TwoArguments(SymbalanceError):
 
 
 def test_a_subclass_with_arguments_of_its_own_pickles_and_keeps_its_class():
-    error = TwoArguments(3, unit="kg").within("a.toml:3")
-    assert type(error) is TwoArguments
+    error = TwoArgumentsError(3, unit="kg").within("a.toml:3")
+    assert type(error) is TwoArgumentsError
     assert str(error) == "a.toml:3: 3 kg: is too much"
     for again in (pickle.loads(pickle.dumps(error)), copy.deepcopy(error)):
-        assert type(again) is TwoArguments
+        assert type(again) is TwoArgumentsError
         assert (str(again), again.number) == (str(error), 3)
     missing = MissingPartError("gmsh", "is not installed", "pip install gmsh").within("a.toml")
     assert type(missing) is MissingPartError  # it was a SymbalanceError once it had a place
