@@ -28,7 +28,7 @@ class SymbalanceError(PicklableError, ValueError):
     """Input that symbalance refuses; `str()` of it is the one line a person reads.
 
     The line reads ``place = value: rule; remedy``, for instance
-    ``bank_angle = 400: must lie in [0, 180]; degrees between the banks``.
+    ``fires = 800: must lie in [0, 720); degrees after cylinder 1's firing``.
 
     >>> str(SymbalanceError("fires = 800", "must lie in [0, 720)", "degrees after cylinder 1's firing"))
     "fires = 800: must lie in [0, 720); degrees after cylinder 1's firing"
