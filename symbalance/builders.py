@@ -126,7 +126,8 @@ def vee(
     full = angle(bank_angle, "bank_angle")
     axes = [full.scaled(Fraction(-1, 2)), full.scaled(Fraction(1, 2))]
     if not full.symbols and not 0 <= full.turns <= Fraction(1, 2):
-        raise SymbalanceError(f"bank_angle = {shown(bank_angle)}", "must lie in [0, 180] degrees")
+        remedy = "degrees between the banks; banks that hang: from_firing_order(banks=[-150, 150])"
+        raise SymbalanceError(f"bank_angle = {shown(bank_angle)}", "must lie in [0, 180]", remedy)
     if (firing_order is None) == (pins is None):
         raise SymbalanceError("vee(...)", "takes either a firing order or pins", "give one of them")
     if firing_order is None:

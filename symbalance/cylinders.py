@@ -87,12 +87,13 @@ def _checked_fires(fires: object) -> Fraction:
 
 
 def checked_bank(bank: object, name: str = "bank") -> Angle:
-    """Return a bank's angle; a number must lie in (-180, 180] degrees from vertical."""
+    """Return a bank's angle from vertical; a number is taken modulo 360, to (-180, 180].
+
+    >>> checked_bank(270) == checked_bank(-90)
+    True
+    """
     result = angle(bank, name)
-    if not result.symbols and not Fraction(-1, 2) < result.turns <= Fraction(1, 2):
-        what = f"{name} = {shown(bank)}"
-        raise SymbalanceError(what, "must lie in (-180, 180]", "degrees from vertical, clockwise")
-    return result
+    return result if result.symbols else result.normalized()
 
 
 def _checked_station(station: object) -> Fraction:

@@ -18,7 +18,7 @@ from symbalance.balancer_tables import TABLES, with_balancers
 from symbalance.builders import from_firing_order
 from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import Layout, checked_name, checked_strokes
+from symbalance.layout import Layout, check_link_mass, checked_name, checked_strokes
 from symbalance.slider_crank import checked_ratio
 from symbalance.trains import OWN, ROD, CrankTrain, Link, checked_size
 from symbalance.unlike import kinds
@@ -174,16 +174,24 @@ class _Reader:
             raise self.refusal("cylinder", rows, "must be [[cylinder]] tables", "use double brackets")
         cylinders = [self.cylinder(row, i) for i, row in enumerate(rows)]
         self.guarded("", "strokes", 0, lambda: checked_strokes(strokes))
+        for i, (row, cylinder) in enumerate(zip(rows, cylinders, strict=True)):
+            section = "cylinder" if "rotating_mass" in row else "crank_train"
+            index = i if section == "cylinder" else 0
+            self.guarded(section, "", index, lambda c=cylinder: check_link_mass(c, about["crank_train"]))
 
-        def made(count: int) -> Layout:
-            layout = Layout(cylinders[:count], strokes=strokes, **about)
+        def made(places: Sequence[int]) -> Layout:
+            layout = Layout([cylinders[i] for i in places], strokes=strokes, **about)
             _ = layout.modulus  # refuses angles too fine together
             return layout
 
         # What is refused together is refused at the first cylinder that those before it do not bear.
-        counts = range(1, len(cylinders) + 1)
-        last = bisect_left(counts, True, key=lambda count: _is_refused(lambda: made(count)))
-        return self.guarded("cylinder", "", last, lambda: made(min(last + 1, len(cylinders))))
+        # Masters first: a link rod's file may list it before its master, without which it is refused.
+        places = sorted(range(len(cylinders)), key=lambda i: cylinders[i].link is not None)
+        counts = range(1, len(places) + 1)
+        last = bisect_left(counts, True, key=lambda count: _is_refused(lambda: made(places[:count])))
+        if last < len(places):
+            self.guarded("cylinder", "", places[last], lambda: made(places[: last + 1]))
+        return self.guarded("cylinder", "", 0, lambda: made(range(len(cylinders))))
 
     def cylinder(self, row: dict[str, Any], index: int) -> Cylinder:
         self.check_keys(row, _CYLINDER, "cylinder", index)

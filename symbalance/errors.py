@@ -2,17 +2,38 @@
 
 from __future__ import annotations
 
+from copy import copy
+from typing import Any
 
-class SymbalanceError(ValueError):
+
+class PicklableError(Exception):
+    """An exception that copies and pickles whatever arguments its class is constructed with.
+
+    Python calls the class again with `args`, which here is the finished line; where the class takes
+    other arguments that fails, and a `multiprocessing.Pool` that cannot read its worker's exception
+    waits for ever. So the constructor is passed over, and the attributes are put back.
+    """
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _without_init, (type(self), self.args), self.__dict__
+
+
+def _without_init(kind: type[PicklableError], args: tuple[object, ...]) -> PicklableError:
+    error = kind.__new__(kind)
+    error.args = args
+    return error
+
+
+class SymbalanceError(PicklableError, ValueError):
     """Input that symbalance refuses; `str()` of it is the one line a person reads.
 
     The line reads ``place = value: rule; remedy``, for instance
-    ``bank_angle = 400: must lie in (-180, 180]; degrees from vertical``.
+    ``fires = 800: must lie in [0, 720); degrees after cylinder 1's firing``.
 
-    >>> str(SymbalanceError("bank = 400", "must lie in (-180, 180]", "degrees from vertical"))
-    'bank = 400: must lie in (-180, 180]; degrees from vertical'
-    >>> str(SymbalanceError("bank = 400", "is too large").within("a.toml:3: cylinder 2"))
-    'a.toml:3: cylinder 2: bank = 400: is too large'
+    >>> str(SymbalanceError("fires = 800", "must lie in [0, 720)", "degrees after cylinder 1's firing"))
+    "fires = 800: must lie in [0, 720); degrees after cylinder 1's firing"
+    >>> str(SymbalanceError("fires = 800", "is too large").within("a.toml:3: cylinder 2"))
+    'a.toml:3: cylinder 2: fires = 800: is too large'
     """
 
     def __init__(self, what: str, rule: str, remedy: str = "", place: str = "") -> None:
@@ -28,7 +49,10 @@ class SymbalanceError(ValueError):
     def within(self, place: str) -> SymbalanceError:
         """Return the same refusal, said of something inside `place`."""
         full = f"{place}: {self.place}" if self.place else place
-        return SymbalanceError(self.what, self.rule, self.remedy, full)
+        said = copy(self)
+        said.place = full
+        said.args = (said._line(),)
+        return said
 
 
 class MissingPartError(SymbalanceError):

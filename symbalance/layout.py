@@ -58,6 +58,8 @@ class Layout:
         known = train.ratio if ratio is None else ratio
         set_field(self, "ratio", None if known is None else checked_ratio(known))
         set_field(self, "crank_train", train)
+        for cylinder in self.cylinders:
+            check_link_mass(cylinder, train)
         set_field(self, "balancers", checked_balancers(balancers, self.cylinders))
         if self.balancers.shafts and self.is_uniform:
             check_shares(self.balancers.shafts)
@@ -77,6 +79,11 @@ class Layout:
     def first(self) -> Cylinder:
         """The cylinder of the lowest number: the one whose sizes are the units, wherever it is listed."""
         return min(self.cylinders, key=lambda c: c.number)
+
+    @property
+    def link_pins(self) -> list[int]:
+        """The numbers of the cylinders whose rods hang on a link pin away from the crank pin."""
+        return [c.number for c in self.cylinders if c.link and c.link.radius]
 
     def stroke_of(self, cylinder: Cylinder) -> Fraction | None:
         """Return twice the crank radius that moves a cylinder, in mm: a link rod's is its master's."""
@@ -215,6 +222,20 @@ def _check_links(cylinders: Sequence[Cylinder]) -> None:
             raise SymbalanceError(
                 f"cylinder {cylinder.number}", "needs rod", "the link rod's own length, mm"
             )
+
+
+def check_link_mass(cylinder: Cylinder, train: CrankTrain) -> None:
+    """Refuse a rotating mass, its own or of the engine's sizes, of a rod that hangs on a link pin.
+
+    It would sit on that pin, which moves with the master rod and not on a circle: its force turns
+    neither steadily nor at the crank's speed alone. Link pins on the crank pin's axis (radius 0) do.
+    """
+    mass = train.overridden(cylinder.own).rotating_mass
+    if cylinder.link is None or not cylinder.link.radius or not mass:
+        return
+    rule = f"of cylinder {cylinder.number} would sit on its link pin, and what that adds is not computed"
+    remedy = "write rotating_mass = 0 for each link rod, and count those masses apart"
+    raise SymbalanceError(f"rotating_mass = {shown(mass)}", rule, remedy)
 
 
 def _check_fires(cylinders: Iterable[Cylinder], offset: bool) -> None:

@@ -107,6 +107,10 @@ class Component:
 
     number: Number
 
+    def __getstate__(self) -> dict[str, Number]:
+        """Leave out the expressions: SymPy evaluates on unpickling what stands here unevaluated."""
+        return {"number": self.number}
+
     def is_zero(self) -> bool:
         """Tell whether the component is exactly zero."""
         return self.number.is_zero()
@@ -240,7 +244,9 @@ class Spectrum:
     """The orders of one planar vector: `terms` maps +n and -n to c_n; orders that vanish are absent."""
 
     terms: Mapping[int, Number] = field(hash=False)
-    _made: dict[tuple[int, int, str], Component] = field(default_factory=dict, compare=False, repr=False)
+    _made: dict[tuple[int, str], Component] = field(
+        default_factory=dict, init=False, compare=False, repr=False
+    )
 
     @staticmethod
     def of(terms: Mapping[int, Number]) -> Spectrum:
@@ -274,11 +280,20 @@ class Spectrum:
 
         Orders that share their numbers (n and n + m do) share their components, and the work in them.
         """
-        ahead, against = self.terms.get(order, ZERO), self.terms.get(-order, ZERO)
-        key = (id(ahead), id(against), name)
+        key = (self._alike.get(order, 0), name)
         if key not in self._made:
+            ahead, against = self.terms.get(order, ZERO), self.terms.get(-order, ZERO)
             self._made[key] = _component(ahead, against, name)
         return self._made[key]
+
+    @cached_property
+    def _alike(self) -> dict[int, int]:
+        """The lowest order that has an order's two numbers: the same objects, which a copy keeps so."""
+        lowest: dict[tuple[int, int], int] = {}  # by id, while `terms` holds the objects; kept nowhere
+        return {
+            n: lowest.setdefault((id(self.terms.get(n, ZERO)), id(self.terms.get(-n, ZERO))), n)
+            for n in self.orders()
+        }
 
 
 def _component(ahead: Number, against: Number, name: str) -> Component:

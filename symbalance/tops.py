@@ -68,15 +68,15 @@ def top_angles(layout: Layout) -> dict[int, Fraction]:
     return {number: top - tops[min(tops)] for number, top in tops.items()}
 
 
-def firing_tops(layout: Layout) -> dict[int, Fraction]:
-    """Return the degrees of theta, from cylinder 1's, at which each cylinder fires at its dead centre.
+def firing_dead_centres(layout: Layout) -> dict[int, Fraction]:
+    """Return how far after cylinder 1's each cylinder's firing dead centre stands, degrees of theta.
 
     `fires` of every cylinder says which of its top dead centres that is; the angle itself follows
     from throw, bank and mechanism. Refused where a cylinder has no `fires`.
 
     >>> from symbalance.builders import vr
     >>> six = vr(15, "1-5-3-6-2-4", stroke=90, rod=164, offset=12.5, pin_step="1/2")
-    >>> [float(round(top, 3)) for top in firing_tops(six).values()]
+    >>> [float(round(top, 3)) for top in firing_dead_centres(six).values()]
     [0.0, 240.0, 120.0, 479.858, 599.858, 359.858]
     """
     tops, cycle = top_angles(layout), 180 * layout.strokes

@@ -104,7 +104,7 @@ class Link:
         turned = degrees(angle, "link_angle")
         if turned.symbols:
             raise SymbalanceError(f"link_angle = {shown(angle)}", "must be a number", "degrees")
-        set_field(self, "angle", turned.turns)
+        set_field(self, "angle", turned.normalized().turns)
         set_field(self, "radius", checked_size("link_radius", radius))
 
 

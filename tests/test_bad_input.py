@@ -129,9 +129,9 @@ def test_what_is_no_angle_is_refused(value: object) -> None:
     assert_refused(lambda: angle(value, "bank"), "bank = ")
 
 
-@pytest.mark.parametrize("value", [360, -180, "180.5", sympy.pi * 2, -sympy.pi])
-def test_a_bank_lies_within_half_a_turn(value: object) -> None:
-    assert_refused(lambda: Cylinder(1, bank=value), "bank = ", "(-180, 180]")
+@pytest.mark.parametrize("value", [10**9 + 1, -1e10, 10**5000, "1e20", 400.12345], ids=shown)
+def test_a_bank_is_taken_modulo_a_turn_but_bounded(value: object) -> None:
+    assert_refused(lambda: Cylinder(1, bank=value), "bank = ")
 
 
 @pytest.mark.parametrize("value", [0, -1, 1001, "1", 1.0, True, None, 10**5000], ids=shown)
@@ -489,11 +489,11 @@ LINES = [
     (LAYOUT_FILE.replace("rod = 147.15", "rod = 10"), 4),
     (LAYOUT_FILE.replace("stroke = 73.3", "stroke = -1"), 3),
     (LAYOUT_FILE.replace("strokes = 4", "strokes = 3"), 8),
-    (LAYOUT_FILE.replace("[-30, 30]", "[-30, 300]"), 9),
+    (LAYOUT_FILE.replace("[-30, 30]", "[-30, 1e10]"), 9),
     (LAYOUT_FILE.replace("5, 6]\n", "5, 5]\n"), 11),
     (LAYOUT_FILE.replace("stagger", "staggers"), 13),
     (CYLINDER_FILE.replace("13.5", '"x"'), 11),
-    (CYLINDER_FILE.replace("-45", "-450"), 12),
+    (CYLINDER_FILE.replace("-45", "-4500000000"), 12),
     (CYLINDER_FILE.replace("fires = 0", "fires = 720"), 8),
     ("# \u2028 in a comment\n" + CYLINDER_FILE.replace("13.5", '"x"'), 12),
 ]

@@ -127,7 +127,7 @@ def test_the_torque_of_a_vee_with_offset_and_rods_is_virtual_work(tmp_path):
 
 def test_link_rods_bear_on_the_crank_pin_through_the_master(tmp_path):
     """A master rod and two links: the crank's torque is the virtual work of all pistons."""
-    text = sheet("", big_end_mass=ROD) + "".join(
+    text = sheet("", big_end_mass="big_end_mass = 0") + "".join(
         f"[[cylinder]]\nnumber = {n}\nthrow = 0\nbank = {bank}\nfires = {fires}\n{link}"
         for n, bank, fires, link in (
             (1, 0, 0, ""),
@@ -138,6 +138,7 @@ def test_link_rods_bear_on_the_crank_pin_through_the_master(tmp_path):
     made = engine(tmp_path, text)
     assert [pin.cylinders for pin in made.crank.pins] == [(1, 2, 3)]
     check_virtual_work(made)
+    check_virtual_work(replace(made, operation=replace(made.operation, excess=-0.0015)))
 
 
 def check_virtual_work(made):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 
 import placed
@@ -11,9 +12,11 @@ from hypothesis import strategies as st
 
 import symbalance as sb
 from symbalance.cli import run
+from symbalance.crankshaft.loads import firing_crank_angles
 from symbalance.engine_file import parse_engine
 from symbalance.stars import intervals, is_even, known_firing
-from symbalance.tops import firing_tops, has_moved
+from symbalance.tops import firing_dead_centres, has_moved
+from symbalance.torque import firing_pin_passings
 
 FILE = """
 [crank_train]
@@ -93,7 +96,7 @@ def test_fires_may_say_either_moment_of_a_moved_dead_centre():
     ]
     train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
     made = sb.Layout(rows, crank_train=train)
-    top = firing_tops(made)[2]
+    top = firing_dead_centres(made)[2]
     assert 400 < top < 440
     assert known_firing(made).order == (1, 2)
     with pytest.raises(sb.SymbalanceError, match="nearly the same"):
@@ -102,6 +105,28 @@ def test_fires_may_say_either_moment_of_a_moved_dead_centre():
         )
     with pytest.raises(sb.SymbalanceError, match="must be the same"):
         sb.Layout([rows[0], sb.Cylinder(2, 0, 30, fires=425)], crank_train=train)
+
+
+@pytest.mark.parametrize("name", ["vw-vr6", "r-1820", "kharkiv-v2", "merlin-v12"])
+def test_pins_pass_and_pistons_top_out_at_different_angles(name):
+    """Three names, three meanings: pins past the axes, dead centres, and those from cylinder 1's."""
+    made = sb.load(name)
+    passings, after_first = firing_pin_passings(made), firing_dead_centres(made)
+    angles = {n: math.degrees(a) for n, a in firing_crank_angles(made).items()}
+    tops = {c.number: placed.stroke_and_top(made, c)[1] for c in made.cylinders}  # by the pistons alone
+    cycle, turned = 180 * made.strokes, []
+    for cylinder in made.cylinders:
+        n = cylinder.number
+        assert abs((angles[n] - tops[n] + 180) % 360 - 180) < 5e-6
+        late = angles[n] - angles[1] - float(after_first[n])
+        assert abs((late + cycle / 2) % cycle - cycle / 2) < 5e-6
+        pin_on_axis = float(passings[n] + cylinder.throw.in_degrees() - cylinder.bank.in_degrees())
+        assert pin_on_axis % 360 == 0
+        turned.append(abs((angles[n] - float(passings[n]) + 180) % 360 - 180))
+    assert max(turned) == pytest.approx(
+        {"vw-vr6": 3.4288, "merlin-v12": 0}.get(name, max(turned)), abs=1e-4
+    )
+    assert (max(turned) > 0.5) == has_moved(made)
 
 
 def test_a_table_says_how_far_apart_dead_centres_are(capsys):

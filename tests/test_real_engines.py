@@ -13,7 +13,7 @@ import pytest
 
 import symbalance as sb
 from symbalance.catalogue import preset_names
-from symbalance.tops import firing_tops
+from symbalance.tops import firing_dead_centres
 
 ROWS: list[dict[str, Any]] = tomllib.loads(
     (Path(__file__).parent / "unlike.toml").read_text(encoding="utf-8")
@@ -55,7 +55,7 @@ def test_strokes_and_dead_centres(row):
     strokes = [found[n][0] for n in sorted(found)]
     stated = row["strokes"] * (len(found) // len(row["strokes"]))
     assert strokes == pytest.approx(stated, abs=1e-4)
-    tops = firing_tops(layout)
+    tops = firing_dead_centres(layout)
     for number, at in tops.items():
         by_pistons = found[number][1] - found[1][1]
         assert abs((float(at) - by_pistons + 180) % 360 - 180) < 5e-6

@@ -29,8 +29,8 @@ from symbalance.torque import (
     PressureTrace,
     TangentialPressure,
     crank_torque,
+    firing_pin_passings,
     firing_stars,
-    firing_tops,
     flywheel_inertia,
     gas_torque,
     ideal_cycle,
@@ -215,13 +215,15 @@ def test_gas_orders_that_survive(name: str, orders: str) -> None:
     assert open_stars == orders.split()
 
 
-def test_firing_tops_of_an_engine_not_at_top_dead_centre() -> None:
+def test_firing_pin_passings_of_an_engine_not_at_top_dead_centre() -> None:
     """theta = 0 need not be cylinder 1's firing: it then fires in the turn from theta = 0 on."""
     four = sb.load("inline-4")
     turned = sb.Layout(
         sb.Cylinder(c.number, c.throw.in_degrees() + 30, 0, 0, c.fires) for c in four.cylinders
     )
-    assert firing_tops(turned) == {n: (top + 330) % 720 for n, top in firing_tops(four).items()}
+    assert firing_pin_passings(turned) == {
+        n: (top + 330) % 720 for n, top in firing_pin_passings(four).items()
+    }
     here, there = (
         crank_torque(e, TRACE, bore=80, stroke=80, reciprocating_mass=1, rpm=2000, ratio=4)
         for e in (four, turned)
@@ -457,7 +459,7 @@ def test_even_firing_engines_repeat_with_their_firing() -> None:
 def test_two_strokes_fire_every_turn() -> None:
     cycle = ideal_cycle(10, heat=15, strokes=2)
     twin = sb.inline(throws=[0, 180], strokes=2, ratio=4)
-    assert firing_tops(twin) == {1: 0, 2: 180}
+    assert firing_pin_passings(twin) == {1: 0, 2: 180}
     made = gas_torque(twin, cycle.trace(4, 1440), 4)
     assert [str(o.order) for o in made.orders] == ["2", "4"]
     assert made.mean * math.pi == pytest.approx(2 * cycle.mean_effective_pressure, rel=1e-4)
@@ -548,7 +550,7 @@ BAD = {
     ),
     "power": (lambda: inertia_torque(sb.load("inline-6"), 9, power=5), "is 7"),
     "order": (lambda: torque_series(0, 3), "order = 0"),
-    "no fires": (lambda: firing_tops(sb.inline(throws=[0, 180])), "has no firing angle"),
+    "no fires": (lambda: firing_pin_passings(sb.inline(throws=[0, 180])), "has no firing angle"),
     "trace": (lambda: gas_torque(sb.load("inline-4"), None), "must be a PressureTrace"),
     "two-stroke trace": (
         lambda: gas_torque(sb.load("inline-4"), ideal_cycle(9, heat=9, strokes=2).trace(4)),

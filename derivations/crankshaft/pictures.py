@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from symbalance.crankshaft.files import read_running_engine
+from symbalance.crankshaft.loads import firing_crank_angles
 from symbalance.crankshaft.reports import summary
 from symbalance.crankshaft.reports.pictures import pictures
 from symbalance.crankshaft.running import Outcome, Setting, setting, swept
@@ -78,10 +79,8 @@ def _peaks(made: Setting, outcome: Outcome) -> dict[str, list[float]]:
 
 def _away(made: Setting, outcome: Outcome, pin: int) -> np.ndarray:
     """Return the angles further than 90 degrees from the firing of a pin's own cylinders."""
-    from symbalance.torque import firing_tops
-
-    tops = firing_tops(made.engine.layout)
-    own = [float(tops[n]) for n in made.engine.crank.pins[pin - 1].cylinders]
+    tops = firing_crank_angles(made.engine.layout)
+    own = [np.degrees(tops[n]) for n in made.engine.crank.pins[pin - 1].cylinders]
     cycle = np.degrees(outcome.cycle)
     off = [np.abs(np.mod(outcome.degrees - top + cycle / 2, cycle) - cycle / 2) for top in own]
     return np.min(off, axis=0) > 90

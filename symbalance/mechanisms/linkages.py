@@ -17,6 +17,7 @@ from fractions import Fraction
 from functools import cached_property
 from math import cos, log1p, pi, sin, sqrt
 
+from symbalance.angles import Angle
 from symbalance.errors import SymbalanceError, shown
 from symbalance.rational import exact
 from symbalance.slider_crank import checked_ratio
@@ -89,6 +90,8 @@ class LinkRod:
             raise SymbalanceError(what, rule, "a link rod hangs on a master rod, not on another link")
         for name in ("link_angle", "link_radius", "length", "bank_difference", "offset"):
             object.__setattr__(self, name, exact(getattr(self, name), name))
+        for name in ("link_angle", "bank_difference"):  # like rods compare equal in every row of a radial
+            object.__setattr__(self, name, Angle(getattr(self, name)).normalized().turns)
         if self.link_radius < 0:
             what = f"link_radius = {shown(self.link_radius)}"
             raise SymbalanceError(what, "must not be negative", "turn link_angle by half a turn instead")

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from symbalance.errors import PicklableError
 
-class ReadingError(Exception):
+
+class ReadingError(PicklableError):
     """A formula the reader refuses; `offset` counts characters in the text it was given.
 
     >>> print(ReadingError(3, "unknown command \\\\foo", "write it out"))

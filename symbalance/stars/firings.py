@@ -23,7 +23,7 @@ from symbalance.angles import Angle
 from symbalance.errors import SymbalanceError, shown
 from symbalance.layout import Layout
 from symbalance.rational import exact
-from symbalance.tops import firing_tops, has_moved, top_angles
+from symbalance.tops import firing_dead_centres, has_moved, top_angles
 
 MOST_ORDERS = 2**16
 """More firing orders are not listed: 17 cylinders, if they need not fire evenly."""
@@ -151,7 +151,7 @@ def known_firing(layout: Layout) -> Firing:
             "give fires, or ask firing_orders(layout) for those its crank allows",
         )
     if has_moved(layout):
-        return _firing(firing_tops(layout), cycle)
+        return _firing(firing_dead_centres(layout), cycle)
     start = fires[min(fires)]
     return _firing({number: (angle - start) % cycle for number, angle in fires.items()}, cycle)
 

@@ -16,7 +16,7 @@ from symbalance.layout import Layout
 from symbalance.rational import Real, decimal_text
 from symbalance.resultants import Balance, Order, Resultant
 from symbalance.spectrum import Component, SymbolicPhasor
-from symbalance.tops import firing_tops, has_moved, lead_of
+from symbalance.tops import firing_dead_centres, has_moved, lead_of
 
 SHOWN_DIGITS = 6
 PLAIN_PARTS = 60
@@ -162,7 +162,7 @@ def firing_intervals(layout: Layout) -> list[Fraction]:
     """
     cycle = 180 * layout.strokes
     if has_moved(layout):
-        starts = sorted(round(top, 2) for top in firing_tops(layout).values())
+        starts = sorted(round(top, 2) for top in firing_dead_centres(layout).values())
     else:
         starts = sorted(c.fires % cycle for c in layout.cylinders if c.fires is not None)
     ends = [*starts[1:], starts[0] + cycle]

@@ -34,7 +34,7 @@ from symbalance.torque.roll import (
 )
 from symbalance.torque.running import CrankTorque, crank_torque
 from symbalance.torque.shafts import has_shafts_aside, shaft_moment
-from symbalance.torque.stars import Star, firing_stars, firing_tops
+from symbalance.torque.stars import Star, firing_pin_passings, firing_stars
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
 __all__ = [
@@ -52,8 +52,8 @@ __all__ = [
     "TorqueReport",
     "beside_moment",
     "crank_torque",
+    "firing_pin_passings",
     "firing_stars",
-    "firing_tops",
     "flywheel_inertia",
     "gas_torque",
     "has_rods",

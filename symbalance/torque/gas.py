@@ -20,7 +20,7 @@ from symbalance.torque.inertia_balance import checked_known, checked_layout
 from symbalance.torque.kinds import torque_kinds
 from symbalance.torque.measured import measured
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
-from symbalance.torque.stars import Star, firing_stars, firing_tops, stars_of
+from symbalance.torque.stars import Star, firing_pin_passings, firing_stars, stars_of
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
 
@@ -135,7 +135,7 @@ def gas_kinds(
     ambient: object = AMBIENT,
 ) -> tuple[GasKind, ...]:
     """Return the cylinders by kind, each with its tangential pressure."""
-    below, tops = _checked(layout, trace, ambient), firing_tops(layout)
+    below, tops = _checked(layout, trace, ambient), firing_pin_passings(layout)
     if layout.is_uniform:
         known = checked_ratio(checked_known(layout, ratio))
         return (GasKind(_tangential(SliderCrank(known), trace, below), tops, 1.0),)

@@ -45,8 +45,20 @@ from symbalance.torque.shafts import shaft_moment, shaft_terms
 UNIT = "J_x omega^2"
 MILLI = 1000
 """Millimetres in a metre."""
-RODS = Kinematics("u", UNIT, rod_torque_series, rod_torque_values, lambda n: {2: 6}.get(n, n + 2))
-ROCKING = Kinematics("k", UNIT, rocking_couple_series, rocking_couple_values, lambda n: n + 2)
+
+
+def _rod_power(order: int) -> int:
+    """Return the power of 1/lambda that keeps two terms of u_order."""
+    return 6 if order == 2 else order + 2
+
+
+def _rocking_power(order: int) -> int:
+    """Return the power of 1/lambda that keeps two terms of k_order."""
+    return order + 2
+
+
+RODS = Kinematics("u", UNIT, rod_torque_series, rod_torque_values, _rod_power)
+ROCKING = Kinematics("k", UNIT, rocking_couple_series, rocking_couple_values, _rocking_power)
 
 
 def has_rods(layout: Layout) -> bool:

@@ -36,7 +36,7 @@ from symbalance.torque.measured import measured, positive
 from symbalance.torque.pressure import PressureTrace
 from symbalance.torque.roll import MILLI, first_excess, rod_torque
 from symbalance.torque.shafts import shaft_terms
-from symbalance.torque.stars import firing_tops
+from symbalance.torque.stars import firing_pin_passings
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
 PASCAL = 100_000
@@ -217,7 +217,7 @@ class CrankTorque:
     @cached_property
     def _kinds(self) -> tuple[GasKind, ...]:
         """The cylinders by what their gas does, as `gas_torque` has them."""
-        nominal, found = firing_tops(self.layout), {}
+        nominal, found = firing_pin_passings(self.layout), {}
         for cylinder, own in zip(self.layout.cylinders, self.cylinders, strict=True):
             key = (id(own.tangential), own.radius)
             found.setdefault(key, (own, {}))[1][cylinder.number] = nominal[cylinder.number]
@@ -266,7 +266,7 @@ def crank_torque(
         _check_own(layout, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
     width = positive(bore, "bore") / MILLI
     tangential = {number: kind.tangential for kind in kinds for number in kind.tops}
-    tops, cylinders = firing_tops(layout), []
+    tops, cylinders = firing_pin_passings(layout), []
     for cylinder in layout.cylinders:
         own, rod = tangential[cylinder.number], layout.train_of(cylinder).rod_split
         length = _given(stroke, layout.stroke_of(cylinder), "stroke", "mm")

@@ -38,16 +38,16 @@ class Star:
         return self.resultant.is_zero()
 
 
-def firing_tops(layout: Layout) -> dict[int, Fraction]:
-    """Return the crank angle of each cylinder's firing top dead centre, in degrees, 0 to under a cycle.
+def firing_pin_passings(layout: Layout) -> dict[int, Fraction]:
+    """Return the crank angle at which each cylinder's pin passes its axis to fire, degrees, 0 to a cycle.
 
     Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
     at theta = 0, the one with fires = 0 does within the first turn. In a two-stroke every top dead
-    centre fires; in a four-stroke the cylinders' `fires` say which. Of a cylinder whose dead centre an
-    offset or a link rod moves it is the angle at which the pin passes its axis.
+    centre fires; in a four-stroke the cylinders' `fires` say which. A cylinder whose dead centre an
+    offset or a link rod moves stands there `tops.lead_of` degrees later.
 
     >>> from symbalance.builders import inline
-    >>> {n: str(top) for n, top in firing_tops(inline("1-3-4-2")).items()}
+    >>> {n: str(top) for n, top in firing_pin_passings(inline("1-3-4-2")).items()}
     {1: '0', 2: '540', 3: '180', 4: '360'}
     """
     cycle = 180 * layout.strokes
@@ -84,11 +84,13 @@ def _checked_delay(cylinder: Cylinder) -> Cylinder:
 def firing_stars(layout: Layout, order: int = 6) -> tuple[Star, ...]:
     """Return the stars of all orders of the gas torque to `order`: halves in a four-stroke.
 
+    Vectors stand where the pins pass the cylinders' axes: like cylinders are moved from there alike.
+
     >>> from symbalance.builders import inline
     >>> [str(s.order) for s in firing_stars(inline("1-5-3-6-2-4"), 9) if not s.is_closed()]
     ['3', '6', '9']
     """
-    return stars_of(firing_tops(layout), layout.strokes, order)
+    return stars_of(firing_pin_passings(layout), layout.strokes, order)
 
 
 def stars_of(tops: Mapping[int, Fraction], strokes: int, order: int) -> tuple[Star, ...]:

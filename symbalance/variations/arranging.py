@@ -27,7 +27,7 @@ from symbalance.variations.bounds import norm, total
 from symbalance.variations.measures import Shaking, Units, generators, made_vector, shaking_of, units_of
 from symbalance.variations.placements import Placement
 from symbalance.variations.problems import Problem, expected
-from symbalance.variations.shares import checked_layout, shares
+from symbalance.variations.shares import check_crank_pins, checked_layout, shares
 from symbalance.variations.weighed import PartSet, checked_sets
 
 MOST_CYLINDERS = 48
@@ -86,6 +86,8 @@ def assign_parts(
         rule = f"must be at most {MOST_CYLINDERS}"
         raise SymbalanceError(f"{count} cylinders", rule, "assign the parts of one engine")
     sets = checked_sets(parts, count)
+    if any(part.rotating for one in sets for part in one.parts):
+        check_crank_pins(layout, "rod_rotating")
     asked = _checked_orders(orders)
     rows = shares(layout, max(asked))
     units = units_of(layout, rpm, lever, rows[1])

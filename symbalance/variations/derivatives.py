@@ -37,7 +37,7 @@ from symbalance.rational import Real, listed, real
 from symbalance.unlike import mechanism_of
 from symbalance.variations.hung import MOVING, clusters, hung_changes
 from symbalance.variations.sensitivity import Sensitivity, evaluated_number
-from symbalance.variations.shares import Share, first_sizes, shares
+from symbalance.variations.shares import Share, check_crank_pins, first_sizes, shares
 from symbalance.variations.slopes import Slopes, slopes
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
@@ -126,6 +126,7 @@ def _absent(share: Share, n: int) -> Share:
 
 
 def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
+    check_crank_pins(layout, "rotating")
     first = layout.stroke_of(layout.first)
     for cylinder, share in zip(layout.cylinders, own, strict=True):
         stroke = layout.stroke_of(cylinder)

@@ -46,6 +46,14 @@ def checked_layout(layout: object) -> Layout:
     return layout
 
 
+def check_crank_pins(layout: Layout, what: str) -> None:
+    """Refuse what takes all rotating masses to sit on crank pins where link pins bear some."""
+    if layout.link_pins:
+        rule = f"is of masses on the crank pin, and the rod of cylinder {layout.link_pins[0]} hangs on a"
+        rule += " link pin"
+        raise SymbalanceError(what, rule, "leave it out: what a link pin's mass adds is not computed")
+
+
 def arms(layout: Layout, reference: object = None) -> list[Fraction]:
     """Return the stations from the reference plane, in pitches."""
     plane = layout.mean_station if reference is None else exact(reference, "reference")

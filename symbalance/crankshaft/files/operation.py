@@ -13,6 +13,7 @@ from symbalance.layout import Layout
 from symbalance.mechanisms import RodSplit
 from symbalance.torque import IdealCycle, PressureTrace, ideal_cycle, read_pressure
 from symbalance.torque.tangential import AMBIENT
+from symbalance.trains import ROD
 from symbalance.unlike import mechanism_of
 
 KEYS = (
@@ -88,12 +89,14 @@ class Operation:
 def read_operation(section: Section, layout: Layout, folder: Path) -> Operation:
     """Return what [running] says: bore in mm, speeds in rpm, pressures in bar absolute, kg, kg mm^2."""
     rod, ideal = _rod(section, layout), _ideal(section, layout)
+    big_end_mass = _big_end_mass(section, rod)
+    _check_rods(section, layout, rod, big_end_mass)
     return Operation(
         bore=section.number("bore", None, MILLI),
         rpm=_speeds(section),
         trace=_trace(section, layout, folder) if ideal is None else _first(section, ideal, layout),
         ambient=section.number("ambient", float(AMBIENT), zero=True),
-        big_end_mass=_big_end_mass(section, rod),
+        big_end_mass=big_end_mass,
         excess=0.0 if rod is None else float(rod.excess) * MILLI**2,
         damping=_damping(section),
         strength=_strength(section),
@@ -154,11 +157,10 @@ def _first(section: Section, ideal: IdealCycle, layout: Layout) -> PressureTrace
 
 
 def _rod(section: Section, layout: Layout) -> RodSplit | None:
-    keys = ("rod_mass", "rod_centre", "rod_inertia")
-    given = [key for key in keys if key in section]
+    given = [key for key in ROD if key in section]
     if not given:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
         return layout.train_of(layout.first).rod_split
-    for key in keys:
+    for key in ROD:
         if key not in section:
             raise section.missing(key, f"add {key} = ..., or drop {given[0]} and give big_end_mass")
     if "big_end_mass" in section:
@@ -168,7 +170,7 @@ def _rod(section: Section, layout: Layout) -> RodSplit | None:
         raise section.refusal(
             given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]"
         )
-    mass, centre, inertia = (section.table[key] for key in keys)
+    mass, centre, inertia = (section.table[key] for key in ROD)
     rod = section.guarded("rod_centre", lambda: RodSplit(mass, length, centre, inertia))
     share = layout.crank_train.reciprocating_mass
     if share is not None and rod.reciprocating > share:
@@ -186,6 +188,23 @@ def _big_end_mass(section: Section, rod: RodSplit | None) -> float:
         remedy = "kg a rod, its rotating share with the bearing shells; 0 leaves it out"
         raise section.missing("big_end_mass", remedy)
     return section.number("big_end_mass", None, zero=True)
+
+
+def _check_rods(section: Section, layout: Layout, rod: RodSplit | None, big_end_mass: float) -> None:
+    """Refuse one rod's masses and inertia for all where rods differ, or hang on link pins."""
+    key = next((k for k in ("rod_mass", "big_end_mass") if k in section), "")
+    what, place = f"{key} = {section.table[key]}" if key else "rod_mass", section.place(key)
+    if layout.link_pins and (big_end_mass or (rod is not None and rod.excess)):
+        rule = f"of cylinder {layout.link_pins[0]} would sit on its link pin, and is put on the crank pin"
+        remedy = "give big_end_mass = 0 and no rod_mass: what a link pin's mass adds is not computed"
+        raise SymbalanceError(what, rule, remedy, place)
+    trains = [layout.train_of(c) for c in layout.cylinders]
+    unlike = (
+        len({t.rod for t in trains}) > 1 or len({tuple(getattr(t, k) for k in ROD) for t in trains}) > 1
+    )
+    if rod is not None and unlike:
+        rule = "is one rod's, and the engine's rods are not alike"
+        raise SymbalanceError(what, rule, "give big_end_mass, and no rod_mass", place)
 
 
 def _damping(section: Section) -> float:

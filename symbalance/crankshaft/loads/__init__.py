@@ -20,7 +20,14 @@ pin its force too, and the master's piston the moment of it.
     pins         the six loads at every pin, turning coordinates; gravity, big ends, harmonics
 """
 
-from symbalance.crankshaft.loads.cylinders import RodForces, rod_forces
+from symbalance.crankshaft.loads.cylinders import RodForces, firing_crank_angles, rod_forces
 from symbalance.crankshaft.loads.pins import PinLoads, big_end_masses, pin_loads
 
-__all__ = ["PinLoads", "RodForces", "big_end_masses", "pin_loads", "rod_forces"]
+__all__ = [
+    "PinLoads",
+    "RodForces",
+    "big_end_masses",
+    "firing_crank_angles",
+    "pin_loads",
+    "rod_forces",
+]

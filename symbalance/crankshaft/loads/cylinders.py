@@ -13,8 +13,9 @@ from symbalance.crankshaft.loads.motion import Complex, Motion, link_arm, motion
 from symbalance.crankshaft.loads.pressures import pressures
 from symbalance.crankshaft.rotor import Array
 from symbalance.cylinders import Cylinder
+from symbalance.layout import Layout
 from symbalance.mechanisms import LinkRod, Mechanism
-from symbalance.torque import PressureTrace, firing_tops
+from symbalance.torque import PressureTrace, firing_pin_passings
 from symbalance.torque.pistons import Piston
 from symbalance.torque.running import PASCAL
 from symbalance.unlike import mechanism_of
@@ -89,9 +90,7 @@ class RodForces:
 
     @cached_property
     def _tops(self) -> dict[int, float]:
-        """Return every piston's own firing top dead centre, in radians."""
-        passes = firing_tops(self.engine.layout)
-        return {n: float(passes[n]) * pi / 180 + Piston(m).top for n, m in self._mechanisms.items()}
+        return firing_crank_angles(self.engine.layout)
 
     @cached_property
     def _traces(self) -> dict[int, PressureTrace]:
@@ -134,6 +133,18 @@ class RodForces:
         angle = self._motion(master, theta).angle
         arm = link_arm(link) * np.exp(-1j * angle) * self._radius(cylinder.number)
         return (np.conj(arm) * self.own(cylinder.number, theta)).imag
+
+
+def firing_crank_angles(layout: Layout) -> dict[int, float]:
+    """Return theta at every piston's own firing top dead centre, in radians, 0 to under a cycle.
+
+    >>> from symbalance.catalogue import load
+    >>> [round(float(np.degrees(top)), 3) for top in firing_crank_angles(load("vw-vr6")).values()]
+    [0.071, 240.071, 120.071, 479.929, 599.929, 359.929]
+    """
+    passes, cycle = firing_pin_passings(layout), layout.strokes * pi
+    pistons = {c.number: Piston(mechanism_of(layout, c)) for c in layout.cylinders}
+    return {n: (float(passes[n]) * pi / 180 + p.top) % cycle for n, p in pistons.items()}
 
 
 def rod_forces(engine: RunningEngine, omega: float) -> RodForces:

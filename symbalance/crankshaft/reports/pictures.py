@@ -10,6 +10,7 @@ import numpy as np
 
 from symbalance.crankshaft.bearings.series import quasi_static as in_series
 from symbalance.crankshaft.campbell import campbell
+from symbalance.crankshaft.loads import firing_crank_angles
 from symbalance.crankshaft.modes import KINDS
 from symbalance.crankshaft.reports.summary import MEGA, Summary
 from symbalance.crankshaft.rotor import Array
@@ -17,7 +18,6 @@ from symbalance.crankshaft.running.holding import driven_node
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import MissingPartError
-from symbalance.torque import firing_tops
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#555555", "#000000")
 RESOLUTION = 110
@@ -81,7 +81,7 @@ def _angles(found: Summary, outcome: Outcome, kind: str) -> Any:
         n for n in outcome.names if n.startswith("pin ") and n.endswith(f" {kind}") and "fillet" not in n
     ]
     figure, axes = _figure(len(pins), 1, sharex=True, sharey=True, height=1.5)
-    tops = {n: float(top) for n, top in firing_tops(found.setting.engine.layout).items()}
+    tops = {n: np.degrees(a) for n, a in firing_crank_angles(found.setting.engine.layout).items()}
     cycle = np.degrees(outcome.cycle)
     for axis, name, pin in zip(axes[:, 0], pins, found.setting.engine.crank.pins, strict=True):
         axis.plot(outcome.degrees, outcome.channel(name) / MEGA, color=COLOURS[0], linewidth=1.2)
