@@ -13,7 +13,9 @@ import pytest
 from cranks import SINGLE, engine, sheet, written
 
 from symbalance.cli import run
-from symbalance.crankshaft.running import sweep
+from symbalance.crankshaft import assembly
+from symbalance.crankshaft.files import read_running_engine
+from symbalance.crankshaft.running import saved, setting, sweep
 from symbalance.errors import SymbalanceError
 
 QUICK = ("--webs", "nominal", "--steps", "120", "--about", "centre")
@@ -76,6 +78,154 @@ def test_a_second_run_takes_up_what_is_finished(single, tmp_path, capsys):
     Path(single).write_text(changed, encoding="utf-8")
     run([*options, "--rpm", "1500"])
     assert "1500 rpm (1 of 1): solved" in capsys.readouterr().err
+
+
+FILM = "".join(
+    f"{angle}," + ",".join(["1e8,0,0,1e8,1e5,0,0,1e5"] * 2) + "\n" for angle in range(0, 720, 10)
+)
+UNLIKE = """strokes = 4
+[[cylinder]]
+number = 1
+throw = 0
+station = 1
+fires = 0
+[[cylinder]]
+number = 2
+throw = 180
+fires = 180
+reciprocating_mass = 1.4
+"""
+
+
+def saved_anew(path, out, capsys, change):
+    """Whether a speed is solved anew after a change of what it depends on."""
+    options = ["crankshaft", str(path), "--rpm", "1500", *QUICK, "--no-plots", "-o", str(out)]
+    run(options)
+    capsys.readouterr()
+    run(options)
+    assert "1500 rpm (1 of 1): found" in capsys.readouterr().err
+    change()
+    run(options)
+    said = capsys.readouterr().err
+    anew = "1500 rpm (1 of 1): solved" in said
+    assert anew == ("1500rpm.npz: is of another engine, other settings or another program" in said)
+    return anew
+
+
+def test_a_film_table_counts_by_its_content(tmp_path, capsys):
+    """The same name, ten times the film: not found; another folder, the same content: found."""
+    film = tmp_path / "film.csv"
+    film.write_text(FILM, encoding="utf-8")
+    path = written(tmp_path, sheet(viscosity='table = "film.csv"'))
+
+    def stiffer():
+        film.write_text(FILM.replace("1e8", "1e9"), encoding="utf-8")
+
+    assert saved_anew(path, tmp_path / "out", capsys, stiffer)
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (elsewhere / "film.csv").write_text(film.read_text(encoding="utf-8"), encoding="utf-8")
+    moved = written(elsewhere, path.read_text(encoding="utf-8"))
+    options = [str(moved), "--rpm", "1500", *QUICK, "--no-plots", "-o", str(tmp_path / "out")]
+    run(["crankshaft", *options])
+    assert "1500 rpm (1 of 1): found" in capsys.readouterr().err
+
+
+def test_a_pressure_trace_counts_by_its_content(single, tmp_path, capsys):
+    trace = tmp_path / "trace.csv"
+
+    def raise_pressure():
+        trace.write_text(trace.read_text(encoding="utf-8").replace(",63", ",70"), encoding="utf-8")
+
+    assert saved_anew(single, tmp_path / "out", capsys, raise_pressure)
+
+
+def test_a_cylinders_own_sizes_count(tmp_path, capsys):
+    path = written(tmp_path, UNLIKE + sheet("").replace("[layout]\n", ""))
+
+    def weigh():
+        text = path.read_text(encoding="utf-8").replace("mass = 1.4", "mass = 1.6")
+        path.write_text(text, encoding="utf-8")
+
+    assert saved_anew(path, tmp_path / "out", capsys, weigh)
+
+
+def test_the_program_counts(single, tmp_path, capsys, monkeypatch):
+    def update():
+        monkeypatch.setattr(saved, "program_digest", lambda: "of another version")
+
+    assert saved_anew(single, tmp_path / "out", capsys, update)
+
+
+def test_the_webs_compliance_counts_not_only_its_name(single, tmp_path, capsys, monkeypatch):
+    real = assembly.nominal_flexibility
+
+    def soften():
+        monkeypatch.setattr(assembly, "nominal_flexibility", lambda arm: 2 * real(arm))
+
+    assert saved_anew(single, tmp_path / "out", capsys, soften)
+
+
+def test_a_measured_curve_solves_nothing_anew(tmp_path, capsys):
+    rows = "".join(f"{a},{a / 10}\n" for a in range(0, 720, 60))
+    (tmp_path / "gauge.csv").write_text(rows, encoding="utf-8")
+    path = written(tmp_path, sheet())
+
+    def measure():
+        table = '[running.overlay]\nfile = "gauge.csv"\nchannel = "pin 1 bending"'
+        path.write_text(sheet(SINGLE, table), encoding="utf-8")
+
+    assert not saved_anew(path, tmp_path / "out", capsys, measure)
+
+
+def test_speeds_close_together_keep_their_own_files(single, tmp_path, capsys):
+    out = tmp_path / "out"
+    options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out)]
+    for how in ("solved", "found"):
+        run([*options, "--rpm", "2200.001,2200.002"])
+        report, progress = capsys.readouterr()
+        for rpm in ("2200.001", "2200.002"):
+            assert f"\n  {rpm} " in report
+            assert f"{rpm} rpm" in progress
+        assert progress.count(how) == 2
+    for name in ("curves-{}rpm.csv", "loads-{}rpm.csv", "speeds/{}rpm.npz"):
+        assert all((out / name.format(rpm)).exists() for rpm in ("2200.001", "2200.002"))
+    assert not [p for p in out.rglob("*") if "2200rpm" in p.name]
+    assert run([*options, "--rpm", "2200.001,2200.001"]) == 2
+    assert "rpm = 2200.001: is named twice" in capsys.readouterr().err
+
+
+def test_a_damaged_file_is_said_and_solved_anew(single, tmp_path, capsys):
+    options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(tmp_path / "out"), "--rpm", "1500"]
+    run(options)
+    whole = tmp_path / "out" / "report.json"
+    first, kept = whole.read_text(encoding="utf-8"), tmp_path / "out" / "speeds" / "1500rpm.npz"
+    content = kept.read_bytes()
+    capsys.readouterr()
+    for damaged in (b"", b"half a file", content[: len(content) // 2]):
+        kept.write_bytes(damaged)
+        run(options)
+        said = capsys.readouterr().err
+        assert "1500rpm.npz: does not read" in said
+        assert "1500 rpm (1 of 1): solved" in said
+    again = json.loads(whole.read_text(encoding="utf-8"))
+    assert again["channels"] == json.loads(first)["channels"]
+
+
+def test_no_damage_to_a_file_gets_through(single, tmp_path):
+    """Bytes changed one at a time: the whole outcome, or none and why."""
+    made = setting(read_running_engine(single), webs="nominal", steps=90, about="centre")
+    outcome = sweep.run(made, 2200.0)
+    saved.save(tmp_path, "key", outcome)
+    path = saved.file_of(tmp_path, 2200.0)
+    content = path.read_bytes()
+    for place in np.linspace(0, len(content) - 1, 300).astype(int):
+        path.write_bytes(content[:place] + bytes([content[place] ^ 255]) + content[place + 1 :])
+        restored = saved.restored(tmp_path, "key", 2200.0)
+        if restored.outcome is None:
+            assert restored.why
+        else:
+            assert (restored.outcome.values == outcome.values).all()
 
 
 def test_an_interrupt_loses_nothing_finished(single, tmp_path, capsys, monkeypatch):

@@ -10,6 +10,7 @@ import numpy as np
 
 from symbalance.crankshaft.bearings.series import quasi_static as in_series
 from symbalance.crankshaft.campbell import campbell
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.modes import KINDS
 from symbalance.crankshaft.reports.summary import MEGA, Summary
 from symbalance.crankshaft.rotor import Array
@@ -102,7 +103,8 @@ def _angles(found: Summary, outcome: Outcome, kind: str) -> Any:
         axis.grid(color="0.93", linewidth=0.5)
     _over_a_cycle(axes[-1, 0], outcome)
     figure.suptitle(
-        f"{kind.capitalize()} stress of the pins at {outcome.rpm:g} rpm; lines: firings, own in colour"
+        f"{kind.capitalize()} stress of the pins at {speed_text(outcome.rpm)} rpm; "
+        "lines: firings, own in colour"
     )
     return figure
 
@@ -123,7 +125,7 @@ def _orders(found: Summary, outcome: Outcome) -> Any:
         axis.set_ylabel(f"{name.rsplit(' ', 1)[0]}, MPa")
     axes[-1, 0].set(xlabel="order: per turn of the crank", xlim=(0, HIGHEST_ORDER + 0.5))
     axes[-1, 0].set_xticks(range(0, HIGHEST_ORDER + 1, 2))
-    figure.suptitle(f"Order content of the pins' bending stress at {outcome.rpm:g} rpm")
+    figure.suptitle(f"Order content of the pins' bending stress at {speed_text(outcome.rpm)} rpm")
     return figure
 
 
@@ -144,7 +146,7 @@ def _orbits(outcome: Outcome) -> Any:
         axis.tick_params(labelsize=7)
     figure.supxlabel("lateral displacement in the shell over the clearance", fontsize=9)
     figure.supylabel("vertical, over the clearance", fontsize=9)
-    figure.suptitle(f"Journal orbits at {outcome.rpm:g} rpm, largest share of the clearance")
+    figure.suptitle(f"Journal orbits at {speed_text(outcome.rpm)} rpm, largest share of the clearance")
     return figure
 
 
@@ -158,7 +160,7 @@ def _bearings(outcome: Outcome) -> Any:
     _over_a_cycle(axes[0, 0], outcome)
     axes[0, 0].set(ylabel="load, kN", ylim=(0, None))
     axes[0, 0].legend(fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
-    figure.suptitle(f"Main bearing loads at {outcome.rpm:g} rpm")
+    figure.suptitle(f"Main bearing loads at {speed_text(outcome.rpm)} rpm")
     return figure
 
 
@@ -181,7 +183,7 @@ def _films(found: Summary, outcome: Outcome) -> Any:
         axis.set(yscale="log", ylabel=f"{name}, |K| in N/m")
     axes[0, 0].legend(fontsize=8, ncols=3, loc="lower right", bbox_to_anchor=(1, 1))
     _over_a_cycle(axes[-1, 0], outcome)
-    figure.suptitle(f"Stiffness of main bearing {j + 1} at {outcome.rpm:g} rpm")
+    figure.suptitle(f"Stiffness of main bearing {j + 1} at {speed_text(outcome.rpm)} rpm")
     return figure
 
 

@@ -8,6 +8,7 @@ from itertools import groupby
 
 import numpy as np
 
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.modes import kinds
 from symbalance.crankshaft.running.measured import Comparison, compared
 from symbalance.crankshaft.running.outcome import Outcome
@@ -150,19 +151,20 @@ def _notes(made: Setting, outcomes: Sequence[Outcome]) -> list[str]:
     notes = []
     about = made.about == "orbit" and made.table is None
     for outcome in outcomes:
+        speed = f"{speed_text(outcome.rpm)} rpm"
         if not outcome.within_clearance:
             most = outcome.eccentricity.max()
             notes.append(
-                f"{outcome.rpm:g} rpm: an orbit reaches {most:.2f} of its clearance: the films, linear "
+                f"{speed}: an orbit reaches {most:.2f} of its clearance: the films, linear "
                 f"about {'their orbits' if about else 'the centre'}, are taken beyond their validity"
             )
         if outcome.largest > UNSTABLE:
-            notes.append(
-                f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}"
-            )
+            notes.append(f"{speed}: unstable, largest Floquet multiplier {outcome.largest:.4g}")
     overlay = made.engine.operation.overlay
     if overlay and not any(compared(overlay, outcome) for outcome in outcomes):
-        notes.append(f"the measured curve belongs to {overlay.rpm:g} rpm, which is no speed of this run")
+        notes.append(
+            f"the measured curve belongs to {speed_text(overlay.rpm)} rpm, which is no speed of this run"
+        )
     balancers = made.engine.layout.balancers
     if balancers:
         notes.append(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.reports.summary import Summary
 
 SPEED_HEAD = ("rpm", "|x|/clearance", "off the orbit", "bearing kN", "multiplier", "s")
@@ -34,7 +35,7 @@ def speed_rows(found: Summary) -> list[tuple[str, ...]]:
     """Return the cells of the speeds' table."""
     return [
         (
-            f"{s.rpm:g}",
+            speed_text(s.rpm),
             f"{s.eccentricity:.2f}",
             f"{s.departure:.2f}",
             f"{s.bearing / 1000:.1f}",
@@ -53,7 +54,7 @@ def extreme_rows(found: Summary) -> list[tuple[str, ...]]:
             f"{e.least:.4g}",
             f"{e.largest:.4g}",
             e.unit,
-            f"{e.rpm:g}",
+            speed_text(e.rpm),
             ", ".join(f"{order:g}: {size:.3g}" for order, size in e.orders),
         )
         for e in found.extremes
@@ -65,7 +66,7 @@ def place_rows(found: Summary) -> list[tuple[str, ...]]:
     return [
         (
             p.name,
-            f"{p.rpm:g}",
+            speed_text(p.rpm),
             f"{p.found.amplitude / 1e6:.1f}",
             f"{p.found.mean / 1e6:.1f}",
             f"{p.found.safety:.2f}",
@@ -78,8 +79,8 @@ def place_rows(found: Summary) -> list[tuple[str, ...]]:
 def comparison_lines(found: Summary) -> list[str]:
     """Return a line for each measured curve."""
     return [
-        f"{c.rpm:g} rpm, {c.channel}: error {c.rms:.3g} MPa rms, {c.peak:+.3g} MPa at the peak, "
-        f"of a range of {c.span:.4g} MPa"
+        f"{speed_text(c.rpm)} rpm, {c.channel}: error {c.rms:.3g} MPa rms, "
+        f"{c.peak:+.3g} MPa at the peak, of a range of {c.span:.4g} MPa"
         for c in found.comparisons
     ]
 

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 
 from symbalance.crankshaft.bearings.series import quasi_static as in_series
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.running.films import Orbits, periodic, shell_places
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.reactions import bearing_points, stationary
-from symbalance.crankshaft.running.saved import key_of, restored, save
+from symbalance.crankshaft.running.saved import Restored, file_of, key_of, restored, save
 from symbalance.crankshaft.running.setting import Loads, Setting
 from symbalance.crankshaft.running.shifted import shifted
 from symbalance.crankshaft.steady import steady_state
@@ -28,19 +30,33 @@ Progress = Callable[[str], None]
 def swept(
     made: Setting, folder: Path | None = None, progress: Progress = lambda line: None
 ) -> list[Outcome]:
-    """Return the outcome of every speed; with a `folder` each is saved at once and found again."""
+    """Return the outcome of every speed; with a `folder` each is saved at once and found again.
+
+    A saved one that is not of this engine, these settings and this program is solved anew, and
+    `progress` is told why; so it is of a damaged one.
+    """
     speeds, found = made.engine.operation.rpm, []
     for number, rpm in enumerate(speeds, 1):
-        key = key_of(made.engine.at_speeds([rpm]), *made.how)
-        outcome = restored(folder, key, rpm) if folder else None
-        how = "found" if outcome else "solved"
+        key = "" if folder is None else saved_key(made, rpm)
+        kept = Restored(None) if folder is None else restored(folder, key, rpm)
+        if folder is not None and kept.why:
+            progress(f"{file_of(folder, rpm)}: {kept.why}: solved anew")
+        outcome = kept.outcome
         if outcome is None:
             outcome = run(made, rpm)
-            if folder:
+            if folder is not None:
                 save(folder, key, outcome)
-        progress(f"{rpm:g} rpm ({number} of {len(speeds)}): {how}, {outcome.seconds:.1f} s")
+        how = "found" if kept.outcome else "solved"
+        progress(f"{speed_text(rpm)} rpm ({number} of {len(speeds)}): {how}, {outcome.seconds:.1f} s")
         found.append(outcome)
     return found
+
+
+def saved_key(made: Setting, rpm: float) -> str:
+    """Return the key of all that a speed's outcome depends on; a measured curve is no part of that."""
+    engine = made.engine.at_speeds([rpm])
+    operation = replace(engine.operation, overlay=None)
+    return key_of(replace(engine, operation=operation), made.how, made.compliances)
 
 
 def run(made: Setting, rpm: float) -> Outcome:
@@ -126,8 +142,9 @@ def _orbits(made: Setting, full: PeriodicSystem, found: Trajectory) -> Array:
 def speeds_between(low: float, high: float, step: float) -> tuple[float, ...]:
     """Return the speeds from `low` to `high` in steps.
 
-    >>> speeds_between(1000, 2000, 500)
-    (1000.0, 1500.0, 2000.0)
+    >>> speeds_between(1000, 2000, 500), speeds_between(1, 1.3, 0.1)
+    ((1000.0, 1500.0, 2000.0), (1.0, 1.1, 1.2, 1.3))
     """
-    count = int((high - low) / step * (1 + 1e-12)) + 1
-    return tuple(float(low + step * i) for i in range(count))
+    # As decimals, so that no speed comes out as 1.2000000000000002, in reports and in file names.
+    first, last, by = (Fraction(repr(float(x))) for x in (low, high, step))
+    return tuple(float(first + by * i) for i in range(int((last - first) / by) + 1))
