@@ -16,7 +16,8 @@ MOST_SPEEDS = 1000
 def run(options: argparse.Namespace) -> int:
     """Run the engine at every speed; each finished one is kept; 1 if a result is not valid.
 
-    Not valid: an orbit beyond its clearance, an unstable speed, a safety factor below 1.
+    Not valid: films that do not settle, an orbit beyond its clearance, an unstable speed, steps too
+    coarse, a safety factor below 1.
     """
     modes = whole_number(options.modes, "modes")
     steps = whole_number(options.steps, "steps")
@@ -89,6 +90,10 @@ def _write_all(folder: Path, found, drawn: dict[str, bytes]) -> None:
         **drawn,
     }
     write_files({str(folder / name): content for name, content in contents.items()})
+    patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")
+    older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
+    if older:
+        _progress(f"{folder}: of earlier runs, no part of this report: {', '.join(older)}")
 
 
 def _checked_folder(output: str | None) -> Path | None:

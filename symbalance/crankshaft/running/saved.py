@@ -11,8 +11,6 @@ import io
 import os
 import stat
 import tempfile
-import zipfile
-import zlib
 from contextlib import suppress
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -27,11 +25,6 @@ from symbalance.errors import SymbalanceError
 
 FORMAT = 2
 """The number of this layout of a file, raised with every change of it."""
-UNREADABLE = (
-    *(OSError, ValueError, TypeError, KeyError, IndexError, EOFError, RuntimeError),
-    *(NotImplementedError, MemoryError, zipfile.BadZipFile, zlib.error),
-)
-"""What NumPy and zipfile raise of a damaged file."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +85,7 @@ def restored(folder: Path, key: str, rpm: float) -> Restored:
             if str(data["key"]) != key:
                 return Restored(None, "is of another engine, other settings or another program")
             return Restored(_outcome({f.name: data[f.name] for f in fields(Outcome)}))
-    except UNREADABLE as problem:
+    except Exception as problem:  # a damaged file raises anything, from zlib.error to TokenError
         return Restored(None, f"does not read ({type(problem).__name__})")
 
 

@@ -28,6 +28,7 @@ from symbalance.rational import checked_whole
 OMEGA = np.pi / 30
 """rad/s of one rpm."""
 RIGID, MODES_SHOWN = 6, 20
+MOST_STEPS = 46_080
 Loads = Callable[[Array], Array]
 
 
@@ -150,7 +151,7 @@ def setting(
     """
     for name, value, low, high in (
         ("modes", modes, 0, 10_000),
-        ("steps", steps, 90, 46_080),
+        ("steps", steps, 90, MOST_STEPS),
         ("passes", passes, 1, 20),
     ):
         checked_whole(value, name, low, high, "see symbalance crankshaft --help")
