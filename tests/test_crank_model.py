@@ -16,8 +16,9 @@ from symbalance.crankshaft.checks import check_geometry
 from symbalance.crankshaft.crank import Counterweight, Crank, Disc, Journal, Material, Pin, Web
 from symbalance.crankshaft.modes import assurance, kinds, motion_shares, natural_modes
 from symbalance.crankshaft.shafts import Tube, held_at, shaft
+from symbalance.crankshaft.solid import store as store_module
 from symbalance.crankshaft.solid.reference import SIZES, reference, reference_four
-from symbalance.crankshaft.solid.store import Store, open_store, solve_missing
+from symbalance.crankshaft.solid.store import Store, open_store, solid_web, solve_missing
 from symbalance.crankshaft.torsion import torsional_chain, twists_of
 from symbalance.crankshaft.webs.arm import arms
 from symbalance.crankshaft.webs.fitted import fitted_flexibility, fitted_parameters
@@ -465,6 +466,91 @@ def test_a_broken_store_is_refused(tmp_path, text):
     (tmp_path / "webs.json").write_text(text)
     with pytest.raises(SymbalanceError, match=r"webs\.json"):
         open_store(tmp_path / "webs.json")
+
+
+def two_webs():
+    """Two solved webs of the package's store and their arms."""
+    crank = [arm for _, arm in arms(reference_four(weighted=True))]
+    arm, other = crank[0], next(arm for _, arm in arms(reference_four(weighted=False)))
+    return (arm, found(open_store(), arm)), (other, found(open_store(), other))
+
+
+def test_webs_of_another_mesher_are_said_and_not_believed(tmp_path, monkeypatch):
+    path, heard = tmp_path / "webs.json", []
+    (arm, web), _ = two_webs()
+    strange = replace(arm, web=replace(arm.web, thickness=arm.web.thickness * 1.01))
+    Store(path=path).kept(strange, web)
+    assert found(open_store(path, heard.append), strange)
+    assert heard == []
+    monkeypatch.setattr(store_module, "mesher_digest", lambda: "of another version")
+    assert open_store(path, heard.append).found(strange) is None
+    assert len(heard) == 1
+    assert "webs.json: holds webs that another version solved" in heard[0]
+
+
+def test_the_packages_own_webs_are_not_overridden_by_a_files(tmp_path):
+    path = tmp_path / "webs.json"
+    (arm, web), _ = two_webs()
+    Store(path=path).kept(arm, replace(web, flexibility=2 * web.flexibility))
+    assert found(open_store(path), arm).flexibility == pytest.approx(web.flexibility)
+
+
+def test_two_writers_keep_each_others_webs(tmp_path):
+    path = tmp_path / "webs.json"
+    (arm, web), (other, its) = two_webs()
+    one, two = open_store(path), open_store(path)
+    one.kept(arm, web)
+    two.kept(other, its)
+    assert len(json.loads(path.read_text(encoding="utf-8"))["webs"]) == 2
+    assert [p.name for p in tmp_path.iterdir()] == ["webs.json"]
+
+
+def test_elements_of_another_size_are_another_web(tmp_path, monkeypatch):
+    (arm, web), _ = two_webs()
+    coarse = replace(web, flexibility=0.9 * web.flexibility)
+    monkeypatch.setattr("symbalance.crankshaft.solid.half_throw.solved_web", lambda arm, size: coarse)
+    store = Store(path=tmp_path / "webs.json")
+    solve_missing(reference_four(weighted=True), store, 0.03)
+    assert store.found(arm) is None
+    assert found_at(store, arm, 0.03).flexibility == pytest.approx(coarse.flexibility)
+
+
+def found_at(store, arm, size):
+    web = store.found(arm, size)
+    assert web is not None
+    return web
+
+
+def test_a_web_solved_now_is_the_one_read_back(tmp_path, monkeypatch):
+    """To the last digit: what is saved of a speed hangs on it."""
+    (arm, web), _ = two_webs()
+    third = replace(web, flexibility=web.flexibility / 3)
+    monkeypatch.setattr("symbalance.crankshaft.solid.half_throw.solved_web", lambda arm: third)
+    store = Store(path=tmp_path / "webs.json")
+    first, again = solid_web(arm, store), solid_web(arm, store)
+    assert (first.flexibility == again.flexibility).all()
+
+
+def test_a_store_that_cannot_be_read_or_written_is_one_line(tmp_path):
+    (arm, web), _ = two_webs()
+    (tmp_path / "folder.json").mkdir()
+    with pytest.raises(SymbalanceError, match=r"folder\.json: cannot be read"):
+        open_store(tmp_path / "folder.json")
+    (tmp_path / "latin.json").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(SymbalanceError, match=r"latin\.json: cannot be read"):
+        open_store(tmp_path / "latin.json")
+    with pytest.raises(SymbalanceError, match=r"webs\.json: cannot be written"):
+        Store(path=tmp_path / "nowhere" / "webs.json").kept(arm, web)
+
+
+def test_a_web_under_another_webs_key_is_refused(tmp_path):
+    path = tmp_path / "webs.json"
+    (arm, web), _ = two_webs()
+    Store(path=path).kept(arm, web)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("web 24.0", "web 25.0"), encoding="utf-8")
+    with pytest.raises(SymbalanceError, match="is not the web it describes"):
+        open_store(path)
 
 
 @pytest.mark.parametrize(

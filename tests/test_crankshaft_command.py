@@ -6,6 +6,8 @@ import json
 import re
 import subprocess
 import sys
+from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +15,10 @@ import pytest
 from cranks import SINGLE, engine, sheet, written
 
 from symbalance.cli import run
-from symbalance.crankshaft.running import sweep
-from symbalance.errors import SymbalanceError
+from symbalance.crankshaft import assembly
+from symbalance.crankshaft.files import read_running_engine
+from symbalance.crankshaft.running import saved, setting, sweep
+from symbalance.crankshaft.system import UnsolvedError
 
 QUICK = ("--webs", "nominal", "--steps", "120", "--about", "centre")
 
@@ -78,13 +82,161 @@ def test_a_second_run_takes_up_what_is_finished(single, tmp_path, capsys):
     assert "1500 rpm (1 of 1): solved" in capsys.readouterr().err
 
 
+FILM = "".join(
+    f"{angle}," + ",".join(["1e8,0,0,1e8,1e5,0,0,1e5"] * 2) + "\n" for angle in range(0, 720, 10)
+)
+UNLIKE = """strokes = 4
+[[cylinder]]
+number = 1
+throw = 0
+station = 1
+fires = 0
+[[cylinder]]
+number = 2
+throw = 180
+fires = 180
+reciprocating_mass = 1.4
+"""
+
+
+def saved_anew(path, out, capsys, change):
+    """Whether a speed is solved anew after a change of what it depends on."""
+    options = ["crankshaft", str(path), "--rpm", "1500", *QUICK, "--no-plots", "-o", str(out)]
+    run(options)
+    capsys.readouterr()
+    run(options)
+    assert "1500 rpm (1 of 1): found" in capsys.readouterr().err
+    change()
+    run(options)
+    said = capsys.readouterr().err
+    anew = "1500 rpm (1 of 1): solved" in said
+    assert anew == ("1500rpm.npz: is of another engine, other settings or another program" in said)
+    return anew
+
+
+def test_a_film_table_counts_by_its_content(tmp_path, capsys):
+    """The same name, ten times the film: not found; another folder, the same content: found."""
+    film = tmp_path / "film.csv"
+    film.write_text(FILM, encoding="utf-8")
+    path = written(tmp_path, sheet(viscosity='table = "film.csv"'))
+
+    def stiffer():
+        film.write_text(FILM.replace("1e8", "1e9"), encoding="utf-8")
+
+    assert saved_anew(path, tmp_path / "out", capsys, stiffer)
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (elsewhere / "film.csv").write_text(film.read_text(encoding="utf-8"), encoding="utf-8")
+    moved = written(elsewhere, path.read_text(encoding="utf-8"))
+    options = [str(moved), "--rpm", "1500", *QUICK, "--no-plots", "-o", str(tmp_path / "out")]
+    run(["crankshaft", *options])
+    assert "1500 rpm (1 of 1): found" in capsys.readouterr().err
+
+
+def test_a_pressure_trace_counts_by_its_content(single, tmp_path, capsys):
+    trace = tmp_path / "trace.csv"
+
+    def raise_pressure():
+        trace.write_text(trace.read_text(encoding="utf-8").replace(",63", ",70"), encoding="utf-8")
+
+    assert saved_anew(single, tmp_path / "out", capsys, raise_pressure)
+
+
+def test_a_cylinders_own_sizes_count(tmp_path, capsys):
+    path = written(tmp_path, UNLIKE + sheet("").replace("[layout]\n", ""))
+
+    def weigh():
+        text = path.read_text(encoding="utf-8").replace("mass = 1.4", "mass = 1.6")
+        path.write_text(text, encoding="utf-8")
+
+    assert saved_anew(path, tmp_path / "out", capsys, weigh)
+
+
+def test_the_program_counts(single, tmp_path, capsys, monkeypatch):
+    def update():
+        monkeypatch.setattr(saved, "program_digest", lambda: "of another version")
+
+    assert saved_anew(single, tmp_path / "out", capsys, update)
+
+
+def test_the_webs_compliance_counts_not_only_its_name(single, tmp_path, capsys, monkeypatch):
+    real = assembly.nominal_flexibility
+
+    def soften():
+        monkeypatch.setattr(assembly, "nominal_flexibility", lambda arm: 2 * real(arm))
+
+    assert saved_anew(single, tmp_path / "out", capsys, soften)
+
+
+def test_a_measured_curve_solves_nothing_anew(tmp_path, capsys):
+    rows = "".join(f"{a},{a / 10}\n" for a in range(0, 720, 60))
+    (tmp_path / "gauge.csv").write_text(rows, encoding="utf-8")
+    path = written(tmp_path, sheet())
+
+    def measure():
+        table = '[running.overlay]\nfile = "gauge.csv"\nchannel = "pin 1 bending"'
+        path.write_text(sheet(SINGLE, table), encoding="utf-8")
+
+    assert not saved_anew(path, tmp_path / "out", capsys, measure)
+
+
+def test_speeds_close_together_keep_their_own_files(single, tmp_path, capsys):
+    out = tmp_path / "out"
+    options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out)]
+    for how in ("solved", "found"):
+        run([*options, "--rpm", "2200.001,2200.002"])
+        report, progress = capsys.readouterr()
+        for rpm in ("2200.001", "2200.002"):
+            assert f"\n  {rpm} " in report
+            assert f"{rpm} rpm" in progress
+        assert progress.count(how) == 2
+    for name in ("curves-{}rpm.csv", "loads-{}rpm.csv", "speeds/{}rpm.npz"):
+        assert all((out / name.format(rpm)).exists() for rpm in ("2200.001", "2200.002"))
+    assert not [p for p in out.rglob("*") if "2200rpm" in p.name]
+    assert run([*options, "--rpm", "2200.001,2200.001"]) == 2
+    assert "rpm = 2200.001: is named twice" in capsys.readouterr().err
+
+
+def test_a_damaged_file_is_said_and_solved_anew(single, tmp_path, capsys):
+    options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(tmp_path / "out"), "--rpm", "1500"]
+    run(options)
+    whole = tmp_path / "out" / "report.json"
+    first, kept = whole.read_text(encoding="utf-8"), tmp_path / "out" / "speeds" / "1500rpm.npz"
+    content = kept.read_bytes()
+    capsys.readouterr()
+    for damaged in (b"", b"half a file", content[: len(content) // 2]):
+        kept.write_bytes(damaged)
+        run(options)
+        said = capsys.readouterr().err
+        assert "1500rpm.npz: does not read" in said
+        assert "1500 rpm (1 of 1): solved" in said
+    again = json.loads(whole.read_text(encoding="utf-8"))
+    assert again["channels"] == json.loads(first)["channels"]
+
+
+def test_no_damage_to_a_file_gets_through(single, tmp_path):
+    """Bytes changed one at a time: the whole outcome, or none and why."""
+    made = setting(read_running_engine(single), webs="nominal", steps=90, about="centre")
+    outcome = sweep.run(made, 2200.0)
+    saved.save(tmp_path, "key", outcome)
+    path = saved.file_of(tmp_path, 2200.0)
+    content = path.read_bytes()
+    for place in np.linspace(0, len(content) - 1, 300).astype(int):
+        path.write_bytes(content[:place] + bytes([content[place] ^ 255]) + content[place + 1 :])
+        restored = saved.restored(tmp_path, "key", 2200.0)
+        if restored.outcome is None:
+            assert restored.why
+        else:
+            assert (restored.outcome.values == outcome.values).all()
+
+
 def test_an_interrupt_loses_nothing_finished(single, tmp_path, capsys, monkeypatch):
     out, real = tmp_path / "out", sweep.run
 
-    def interrupted(made, rpm):
+    def interrupted(made, rpm, progress):
         if rpm > 1000:
             raise KeyboardInterrupt
-        return real(made, rpm)
+        return real(made, rpm, progress)
 
     options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out), "--rpm", "1000,1500"]
     monkeypatch.setattr(sweep, "run", interrupted)
@@ -295,21 +447,146 @@ def test_the_other_commands_counterweights_are_said_to_take_no_part(single, caps
     assert "take no part" not in capsys.readouterr().out
 
 
-def test_a_pass_that_runs_away_leaves_the_one_before(single, capsys, monkeypatch):
+def grows(*_):
+    raise UnsolvedError("the motion", "grows", "more steps")
+
+
+def test_films_that_do_not_settle_are_tried_at_finer_steps(single, tmp_path, capsys, monkeypatch):
+    """The result is that of a run at the finer steps, and every place says so."""
+    plain = ["crankshaft", single, "--rpm", "1500", "--webs", "nominal", "--no-plots"]
+    run([*plain, "--steps", "240", "-o", str(tmp_path / "direct")])
     real, seen = sweep._about, []
 
-    def second_fails(made, rpm, orbits):
-        seen.append(rpm)
-        if len(seen) > 1:
-            raise SymbalanceError("the motion", "grows", "more steps")
-        return real(made, rpm, orbits)
+    def coarse_fails(made, rpm, orbits, **options):
+        seen.append(made.steps)
+        return grows() if seen == [120, 120] else real(made, rpm, orbits, **options)
 
-    monkeypatch.setattr(sweep, "_about", second_fails)
-    monkeypatch.setattr(sweep, "SETTLED", 0.0)
-    options = ["crankshaft", single, "--rpm", "1500", "--webs", "nominal", "--steps", "120"]
-    assert run(options) in (0, 1)
-    assert len(seen) == 2
-    assert "Speeds" in capsys.readouterr().out
+    monkeypatch.setattr(sweep, "_about", coarse_fails)
+    capsys.readouterr()
+    assert run([*plain, "--steps", "120", "-o", str(tmp_path / "finer")]) == 0
+    report, progress = capsys.readouterr()
+    assert seen[:3] == [120, 120, 240]
+    assert "1500 rpm: films do not settle at 120 steps a cycle" in progress
+    assert "then the motion: grows; more steps: trying 240 steps" in progress
+    assert "1500 rpm: 240 steps a cycle: at 120 the films do not settle" in report
+    texts = [(tmp_path / f / "curves-1500rpm.csv").read_text("utf-8") for f in ("direct", "finer")]
+    assert texts[0] == texts[1]
+    (speed,) = json.loads((tmp_path / "finer" / "report.json").read_text("utf-8"))["speeds"]
+    assert (speed["steps"], speed["reason"]) == (240, None)
+
+
+def test_a_speed_whose_films_do_not_settle_has_no_stresses(single, tmp_path, capsys):
+    """One pass leaves orbits half a clearance off their films: said everywhere, printed nowhere."""
+    out = tmp_path / "out"
+    options = ["crankshaft", single, "--rpm", "2200", "--webs", "nominal", "--steps", "120"]
+    options += ["--passes", "1", "-o", str(out)]
+    for _ in ("solved", "found"):
+        assert run(options) == 1
+        report, progress = capsys.readouterr()
+        why = "films do not settle at 120 steps a cycle and 1 pass: orbits off theirs by 0."
+        assert f"2200 rpm (1 of 1): {why}" in progress
+        assert f"  2200 rpm: {why}" in report
+        assert "MPa  " not in report
+        assert "safety" not in report
+    row = next(line.split() for line in report.splitlines() if line.startswith("  2200  "))
+    assert row[3:5] == ["-", "-"]
+    found = json.loads((out / "report.json").read_text(encoding="utf-8"))
+    (speed,) = found["speeds"]
+    assert speed["reason"].startswith(why)
+    assert speed["departure"] > 0.05
+    assert (speed["bearing"], speed["largest"], speed["error"]) == (None, None, None)
+    assert (found["channels"], found["places"], found["measured"]) == ([], [], [])
+    page = (out / "report.tex").read_text(encoding="utf-8")
+    assert why in page
+    assert "Stresses and twists" not in page
+    lines = (out / "curves-2200rpm.csv").read_text(encoding="utf-8").splitlines()
+    assert len(lines) == 2
+    assert lines[0].startswith(f"# 2200 rpm: {why}")
+    assert [p.name for p in out.glob("*.png")] == ["frequencies.png"]
+
+
+def test_other_speeds_keep_their_stresses(single, tmp_path, capsys, monkeypatch):
+    real = sweep._about
+
+    def one_fails(made, rpm, orbits, **options):
+        return grows() if rpm == 1500 else real(made, rpm, orbits, **options)
+
+    monkeypatch.setattr(sweep, "_about", one_fails)
+    rows = "".join(f"{a},{a / 10}\n" for a in range(0, 720, 60))
+    (tmp_path / "gauge.csv").write_text(rows, encoding="utf-8")
+    curve = '[running.overlay]\nfile = "gauge.csv"\nchannel = "pin 1 bending"\nrpm = 1500'
+    path = str(written(tmp_path, sheet(SINGLE, curve)))
+    options = ["crankshaft", path, "--webs", "nominal", "--steps", "120", "--format", "json"]
+    assert run([*options, "--rpm", "1500,2200"]) == 1
+    both = json.loads(capsys.readouterr().out)
+    assert run([*options, "--rpm", "2200"]) == 0
+    alone = json.loads(capsys.readouterr().out)
+    assert (both["channels"], both["places"]) == (alone["channels"], alone["places"])
+    why = (
+        "films do not settle at 120 steps a cycle: the motion: grows; more steps; nor at 240 or 480 steps"
+    )
+    assert [speed["reason"] for speed in both["speeds"]] == [why, None]
+    assert (both["speeds"][0]["eccentricity"], both["speeds"][0]["departure"]) == (None, None)
+    assert both["speeds"][1]["error"] == alone["speeds"][0]["error"] > 0
+    assert any("belongs to 1500 rpm, whose films do not settle" in note for note in both["notes"])
+
+
+def test_films_about_the_centre_may_give_no_motion(single, capsys, monkeypatch):
+    monkeypatch.setattr(sweep, "_solved", grows)
+    assert run(["crankshaft", single, "--rpm", "1500", *QUICK, "--format", "json"]) == 1
+    (speed,) = json.loads(capsys.readouterr().out)["speeds"]
+    assert speed["reason"] == "no steady state: the motion: grows; more steps"
+
+
+def test_a_journal_beyond_its_clearance_has_not_settled(single, monkeypatch):
+    """However near the orbits lie to those of their films: no journal leaves its shell."""
+    real = sweep._about
+
+    def beyond(made, rpm, orbits, **options):
+        outcome = real(made, rpm, orbits, **options)
+        return replace(outcome, departure=0.01, orbits=2 * outcome.orbits)
+
+    monkeypatch.setattr(sweep, "_about", beyond)
+    made = setting(read_running_engine(single), webs="nominal", steps=120, passes=1)
+    outcome = sweep.run(made, 2200.0)
+    assert re.search(r"journals at 1\.\d\d of it", outcome.reason)
+
+
+def test_the_step_error_is_what_halved_steps_change(single):
+    """The films kept; and it falls with the steps."""
+    engine = read_running_engine(single)
+    errors = []
+    for steps in (90, 180):
+        made, fine = (
+            setting(engine, webs="nominal", about="centre", steps=n) for n in (steps, 2 * steps)
+        )
+        outcome, finer = sweep.run(made, 2200.0), sweep.run(fine, 2200.0)
+        here, there = (
+            outcome.values[:, :3],
+            finer.values[::2, :3],
+        )  # the pin's stresses are not the largest
+        stresses = [i for i, unit in enumerate(outcome.units) if unit == "Pa"]
+        largest = np.abs(outcome.values[:, stresses]).max()
+        assert outcome.error >= np.abs(there - here).max() / largest > 0
+        assert outcome.error < 0.05
+        errors.append(outcome.error)
+    assert errors[1] < errors[0] / 2
+
+
+def test_steps_too_coarse_are_said_and_are_exit_1(single, capsys, monkeypatch):
+    monkeypatch.setattr(import_module("symbalance.crankshaft.reports.summary"), "COARSE", 1e-9)
+    assert run(["crankshaft", single, "--rpm", "1500", "--webs", "nominal", "--steps", "120"]) == 1
+    assert re.search(r"1500 rpm: halved steps change a stress by .* %", capsys.readouterr().out)
+
+
+def test_files_of_earlier_runs_are_said_to_be_no_part(single, tmp_path, capsys):
+    out = tmp_path / "out"
+    options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out)]
+    run([*options, "--rpm", "1000"])
+    assert "earlier" not in capsys.readouterr().err
+    run([*options, "--rpm", "1500"])
+    said = "of earlier runs, no part of this report: curves-1000rpm.csv, loads-1000rpm.csv"
+    assert said in capsys.readouterr().err
 
 
 def test_finished_speeds_are_as_readable_as_their_folder(single, tmp_path):

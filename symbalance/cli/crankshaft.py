@@ -16,7 +16,8 @@ MOST_SPEEDS = 1000
 def run(options: argparse.Namespace) -> int:
     """Run the engine at every speed; each finished one is kept; 1 if a result is not valid.
 
-    Not valid: an orbit beyond its clearance, an unstable speed, a safety factor below 1.
+    Not valid: films that do not settle, an orbit beyond its clearance, an unstable speed, steps too
+    coarse, a safety factor below 1.
     """
     modes = whole_number(options.modes, "modes")
     steps = whole_number(options.steps, "steps")
@@ -44,18 +45,23 @@ def run(options: argparse.Namespace) -> int:
         about=options.about,
         passes=passes,
         store=None if folder is None else folder / "webs.json",
+        say=_progress,
     )
     if engine.operation.overlay is not None:  # before the long run, not after it
         names = [channel.name for channel in made.channels]
         check_overlay(engine.operation.overlay, names, engine.layout.strokes * 180)
     kept = None if folder is None else folder / "speeds"
-    outcomes = swept(made, kept, lambda line: print(line, file=sys.stderr, flush=True))
+    outcomes = swept(made, kept, _progress)
     found = summary(made, outcomes)
     drawn = {} if options.no_plots or folder is None else pictures(found)
     if folder is not None:
         _write_all(folder, found, drawn)
     write(_printed(found, options.format), None)
     return 0 if found.valid else 1
+
+
+def _progress(line: str) -> None:
+    print(line, file=sys.stderr, flush=True)
 
 
 def _printed(found, form: str) -> str:
@@ -66,6 +72,7 @@ def _printed(found, form: str) -> str:
 
 def _write_all(folder: Path, found, drawn: dict[str, bytes]) -> None:
     """Write every report, curve and picture: all whole before the first is put in place."""
+    from symbalance.crankshaft.files.operation import speed_text
     from symbalance.crankshaft.reports import (
         curves_csv,
         loads_csv,
@@ -78,11 +85,15 @@ def _write_all(folder: Path, found, drawn: dict[str, bytes]) -> None:
         "report.txt": summary_text(found),
         "report.tex": summary_page(found, list(drawn)),
         "report.json": summary_json(found),
-        **{f"curves-{o.rpm:g}rpm.csv": curves_csv(o) for o in found.outcomes},
-        **{f"loads-{o.rpm:g}rpm.csv": loads_csv(o, found.setting) for o in found.outcomes},
+        **{f"curves-{speed_text(o.rpm)}rpm.csv": curves_csv(o) for o in found.outcomes},
+        **{f"loads-{speed_text(o.rpm)}rpm.csv": loads_csv(o, found.setting) for o in found.outcomes},
         **drawn,
     }
     write_files({str(folder / name): content for name, content in contents.items()})
+    patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")
+    older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
+    if older:
+        _progress(f"{folder}: of earlier runs, no part of this report: {', '.join(older)}")
 
 
 def _checked_folder(output: str | None) -> Path | None:

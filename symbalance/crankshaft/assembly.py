@@ -71,7 +71,7 @@ def assemble(
     >>> rotor.size, rotor.journals, rotor.pins
     (54, (1, 7), (4,))
     """
-    elastic = _elastic(crank, _flexibility(webs, store))
+    elastic = _elastic(crank, web_flexibility(webs, store))
     nodes = place_nodes(crank, elastic)
     members = [*_members(crank, nodes, elastic)]
     spans = [(front, rear, beam) for front, rear, beam, _, _ in beams(crank, nodes)]
@@ -87,7 +87,8 @@ def assemble(
     return damped(placed, damping_ratio, damping_time)
 
 
-def _flexibility(webs: str | Flexibility, store: Store | None) -> Flexibility:
+def web_flexibility(webs: str | Flexibility, store: Store | None) -> Flexibility:
+    """Return the way to a web's flexibility that `webs` names (see `assemble`), or refuse the name."""
     if not isinstance(webs, str):
         return webs
     if webs not in WEBS:

@@ -19,7 +19,7 @@ from symbalance.crankshaft.integrators.marching import LinearSteps
 from symbalance.crankshaft.integrators.methods import linear_steps
 from symbalance.crankshaft.krylov import leading, solved
 from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.system import PeriodicSystem, Trajectory
+from symbalance.crankshaft.system import PeriodicSystem, Trajectory, UnsolvedError
 from symbalance.errors import SymbalanceError, shown
 
 DENSE = 320
@@ -85,7 +85,7 @@ def closed(
     if not np.isfinite(pushed).all():
         rule = "must be finite after a cycle; a load is not, or it grows past all bounds"
         remedy = "take more steps a cycle, or look at pressures, masses and films"
-        raise SymbalanceError("the motion", rule, remedy)
+        raise UnsolvedError("the motion", rule, remedy)
     factors = None
     if made.state_size > DENSE:
         start = solved(lambda s: s - made.carried(units * s) / units, pushed)
@@ -98,8 +98,8 @@ def closed(
     missing = np.linalg.norm(start - made.carried(units * start) / units - pushed)
     if not missing <= CLOSED * (np.linalg.norm(pushed) + np.linalg.norm(start)):
         rule = "there is no periodic state: a mean load is held by nothing, or a multiplier is 1"
-        raise SymbalanceError("steady state", rule, "balance the mean torque, or hold the spin")
+        raise UnsolvedError("steady state", rule, "balance the mean torque, or hold the spin")
     if np.linalg.norm(start) > UNBOUNDED * np.linalg.norm(pushed):
         rule = "is a resonance that nothing damps: only the integrator's own damping bounds the motion"
-        raise SymbalanceError("steady state", rule, "give the rotor or its bearings damping")
+        raise UnsolvedError("steady state", rule, "give the rotor or its bearings damping")
     return units * start, None if factors is None else factors[np.argsort(-np.abs(factors))]

@@ -17,6 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.crankshaft.rotor import Array
+from symbalance.errors import SymbalanceError
+
+
+class UnsolvedError(SymbalanceError):
+    """Sound input whose equations gave no answer: no periodic motion, no orbit that closes."""
 
 
 @dataclass(frozen=True)

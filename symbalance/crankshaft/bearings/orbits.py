@@ -18,6 +18,7 @@ from symbalance.crankshaft.bearings.closing import closed_places
 from symbalance.crankshaft.bearings.short_film import Bearing, FilmState, equilibrium, film_states
 from symbalance.crankshaft.integrators.tableau import radau_iia
 from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
 
 MOST_CYCLES, MOST_NEWTON, CLOSES, NEWTON = 40, 60, 1e-7, 1e-11
@@ -65,11 +66,14 @@ def _at_once(march: _March, cycle: float) -> Array | None:
     coarse = _March(march.bearings, march.loads[::every], march.omega, march.h * every)
     try:
         places, rates, _ = coarse.cycle(coarse.at_rest())
-    except SymbalanceError:
+    except UnsolvedError:  # too coarse for these loads: the march at full steps says whether an orbit is
         return None
     share = (np.arange(every) / every)[:, None, None]
     between = places[:, None] * (1 - share) + np.roll(places, -1, axis=0)[:, None] * share
     start = between.reshape(steps, *places.shape[1:]), np.repeat(rates, every, axis=0)
+    stages = start[0][:, None] + np.einsum("ij,njbc->nibc", march.inner, start[1])
+    if not (np.linalg.norm(stages, axis=-1) < march.limits[:, 0]).all():
+        return None  # the film has no force out there, and Newton's method no start
     return closed_places(march.at, march.wanted, march.inner, FARTHEST * march.limits, start)
 
 
@@ -108,7 +112,7 @@ class _March:
                 return found
             place = end
         rule = f"no orbit closes within {MOST_CYCLES} cycles"
-        raise SymbalanceError("journal orbit", rule, "a wider bearing, more angles or smaller loads")
+        raise UnsolvedError("journal orbit", rule, "a wider bearing, more angles or smaller loads")
 
     def cycle(self, place: Array) -> tuple[Array, Array, Array]:
         """Return one cycle's places (N, b, 2), stage velocities (N, 2, b, 2) and end, from a place."""
@@ -137,7 +141,7 @@ class _March:
             if (np.abs(np.tensordot(inner, change, axes=1)) / self.limits).max() <= NEWTON:
                 return stage[-1], rate
         rule = "Newton's method does not settle on the film's velocity"
-        raise SymbalanceError(f"journal orbit at step {shown(k)}", rule, "more angles or smaller loads")
+        raise UnsolvedError(f"journal orbit at step {shown(k)}", rule, "more angles or smaller loads")
 
     def _kept_within(self, place: Array, rate: Array, change: Array) -> tuple[Array, Array]:
         """Return new rates and stage places, a bearing's change halved until its journal stays within."""
@@ -150,7 +154,7 @@ class _March:
             share = share * np.where(out, 0.5, 1.0)
             if share.min() < 1e-9:
                 rule = "the load presses the journal against the shell"
-                raise SymbalanceError("journal orbit", rule, "a wider bearing or smaller loads")
+                raise UnsolvedError("journal orbit", rule, "a wider bearing or smaller loads")
 
 
 def _between(loads: Array, share: float) -> Array:

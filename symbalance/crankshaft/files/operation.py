@@ -112,6 +112,15 @@ def _speeds(section: Section) -> tuple[float, ...]:
     return section.guarded("rpm", lambda: checked_speeds(speeds))
 
 
+def speed_text(rpm: float) -> str:
+    """Return a speed in rpm as a report or a file name says it: no two speeds alike.
+
+    >>> speed_text(2200.0), speed_text(2200.001), speed_text(0.1)
+    ('2200', '2200.001', '0.1')
+    """
+    return repr(float(rpm)).removesuffix(".0")
+
+
 def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
     """Return speeds in rising order; refuse none at all, one not positive, and repeated ones."""
     if not speeds:
@@ -119,11 +128,13 @@ def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
     for speed in speeds:
         if not 0 < speed <= MOST_RPM:
             rule = f"must lie in (0, {MOST_RPM}] rpm"
-            raise SymbalanceError(f"rpm = {speed:.6g}", rule, "a crank at rest has no running stress")
+            raise SymbalanceError(
+                f"rpm = {speed_text(speed)}", rule, "a crank at rest has no running stress"
+            )
     ordered = tuple(sorted(speeds))
     for before, after in pairwise(ordered):
         if before == after:
-            raise SymbalanceError(f"rpm = {after:.6g}", "is named twice", "name each speed once")
+            raise SymbalanceError(f"rpm = {speed_text(after)}", "is named twice", "name each speed once")
     return ordered
 
 

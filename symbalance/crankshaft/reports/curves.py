@@ -8,13 +8,17 @@ from typing import Any
 
 import numpy as np
 
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.reports.summary import MEGA, Summary
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.setting import Setting
 
 
 def curves_csv(outcome: Outcome) -> str:
-    """Return a speed's channels, bearing loads (N) and orbits (mm) against the crank angle (degrees)."""
+    """Return a speed's channels, bearing loads (N) and orbits (mm) against the crank angle (degrees).
+
+    Of a speed that is not to be relied on: a line that says why, the names, and no values.
+    """
     scale = np.array([1 / MEGA if unit == "Pa" else 1.0 for unit in outcome.units])
     names = [
         f"{n} [{'MPa' if u == 'Pa' else u}]" for n, u in zip(outcome.names, outcome.units, strict=True)
@@ -24,8 +28,10 @@ def curves_csv(outcome: Outcome) -> str:
         for axis, way in enumerate(("vertical", "lateral")):
             names += [f"bearing {j + 1} {way} [N]", f"journal {j + 1} {way} [mm]"]
             columns += [outcome.bearings[:, j, axis], outcome.orbits[:, j, axis] * 1000]
-    lines = [",".join(["crank angle [degrees]", *names])]
-    lines += [",".join(f"{x:.7g}" for x in row) for row in zip(*columns, strict=True)]
+    head = ",".join(["crank angle [degrees]", *names])
+    if outcome.reason:
+        return f"# {speed_text(outcome.rpm)} rpm: {outcome.reason}\n{head}\n"
+    lines = [head, *(",".join(f"{x:.7g}" for x in row) for row in zip(*columns, strict=True))]
     return "\n".join(lines) + "\n"
 
 
@@ -44,7 +50,10 @@ def loads_csv(outcome: Outcome, setting: Setting) -> str:
 
 
 def summary_json(found: Summary) -> str:
-    """Return the figures of a run as JSON; numbers in MPa, Hz, rpm, N, hours, null where infinite."""
+    """Return the figures of a run as JSON; numbers in MPa, Hz, rpm, N, hours, null where infinite.
+
+    A speed with a `reason` is not to be relied on: channels, places and measured curves leave it out.
+    """
     document = {
         "engine": found.setting.engine.layout.name,
         "webs": found.setting.webs,

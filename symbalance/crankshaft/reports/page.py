@@ -9,11 +9,13 @@ from symbalance.crankshaft.reports.summary import Summary
 from symbalance.crankshaft.reports.text import (
     MODE_HEAD,
     PLACE_HEAD,
+    UNRELIABLE,
     comparison_lines,
     extreme_rows,
     head_lines,
     mode_rows,
     place_rows,
+    reason_lines,
     speed_rows,
 )
 
@@ -35,9 +37,13 @@ def summary_page(found: Summary, pictures: Sequence[str] = ()) -> str:
     body = [rf"\section*{{{escaped(found.setting.engine.layout.name)}}}"]
     body += [escaped(line) + r"\\" for line in head_lines(found)]
     body += _table("Speeds", SPEED_HEAD, speed_rows(found))
+    if lines := reason_lines(found):
+        items = [rf"\item {escaped(line)}" for line in lines]
+        body += [rf"\subsection*{{{UNRELIABLE}}}", r"\begin{itemize}", *items, r"\end{itemize}"]
     body += _table("Natural frequencies of the free crank", MODE_HEAD, mode_rows(found))
-    body += _table("Stresses and twists", EXTREME_HEAD, extreme_rows(found))
-    body += _table("Durability, the worst speed of each place", PLACE_HEAD, place_rows(found))
+    if found.reliable:
+        body += _table("Stresses and twists", EXTREME_HEAD, extreme_rows(found))
+        body += _table("Durability, the worst speed of each place", PLACE_HEAD, place_rows(found))
     if found.comparisons:
         body += [r"\subsection*{Measured curves}", *(escaped(c) + r"\\" for c in comparison_lines(found))]
     if found.notes:

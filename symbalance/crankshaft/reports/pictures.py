@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from importlib import import_module
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from symbalance.crankshaft.bearings.series import quasi_static as in_series
 from symbalance.crankshaft.campbell import campbell
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.loads import firing_crank_angles
 from symbalance.crankshaft.modes import KINDS
 from symbalance.crankshaft.reports.summary import MEGA, Summary
@@ -33,9 +35,12 @@ HOLD = 1e8
 def pictures(found: Summary) -> dict[str, bytes]:
     """Return the pictures as PNG by file name: those of the highest speed, and those over all speeds.
 
-    Refused without matplotlib, with the command that installs it.
+    Speeds that are not to be relied on are left out; where no other is, the free crank's frequencies
+    remain. Refused without matplotlib, with the command that installs it.
     """
-    last = found.outcomes[-1]
+    if not found.reliable:
+        return {"frequencies.png": _png(_frequencies(found))}
+    last = found.reliable[-1]
     drawn = {
         "pin-bending.png": _angles(found, last, "bending"),
         "pin-torsion.png": _angles(found, last, "torsion"),
@@ -46,7 +51,7 @@ def pictures(found: Summary) -> dict[str, bytes]:
     }
     drawn["frequencies.png"] = _frequencies(found)
     drawn["campbell.png"] = _campbell(found)
-    if len(found.outcomes) > 2:
+    if len(found.reliable) > 2:
         drawn["waterfall.png"] = _waterfall(found)
         drawn["order-cuts.png"] = _order_cuts(found)
     return {name: _png(figure) for name, figure in drawn.items()}
@@ -102,7 +107,8 @@ def _angles(found: Summary, outcome: Outcome, kind: str) -> Any:
         axis.grid(color="0.93", linewidth=0.5)
     _over_a_cycle(axes[-1, 0], outcome)
     figure.suptitle(
-        f"{kind.capitalize()} stress of the pins at {outcome.rpm:g} rpm; lines: firings, own in colour"
+        f"{kind.capitalize()} stress of the pins at {speed_text(outcome.rpm)} rpm; "
+        "lines: firings, own in colour"
     )
     return figure
 
@@ -123,7 +129,7 @@ def _orders(found: Summary, outcome: Outcome) -> Any:
         axis.set_ylabel(f"{name.rsplit(' ', 1)[0]}, MPa")
     axes[-1, 0].set(xlabel="order: per turn of the crank", xlim=(0, HIGHEST_ORDER + 0.5))
     axes[-1, 0].set_xticks(range(0, HIGHEST_ORDER + 1, 2))
-    figure.suptitle(f"Order content of the pins' bending stress at {outcome.rpm:g} rpm")
+    figure.suptitle(f"Order content of the pins' bending stress at {speed_text(outcome.rpm)} rpm")
     return figure
 
 
@@ -144,7 +150,7 @@ def _orbits(outcome: Outcome) -> Any:
         axis.tick_params(labelsize=7)
     figure.supxlabel("lateral displacement in the shell over the clearance", fontsize=9)
     figure.supylabel("vertical, over the clearance", fontsize=9)
-    figure.suptitle(f"Journal orbits at {outcome.rpm:g} rpm, largest share of the clearance")
+    figure.suptitle(f"Journal orbits at {speed_text(outcome.rpm)} rpm, largest share of the clearance")
     return figure
 
 
@@ -158,7 +164,7 @@ def _bearings(outcome: Outcome) -> Any:
     _over_a_cycle(axes[0, 0], outcome)
     axes[0, 0].set(ylabel="load, kN", ylim=(0, None))
     axes[0, 0].legend(fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
-    figure.suptitle(f"Main bearing loads at {outcome.rpm:g} rpm")
+    figure.suptitle(f"Main bearing loads at {speed_text(outcome.rpm)} rpm")
     return figure
 
 
@@ -167,7 +173,7 @@ def _films(found: Summary, outcome: Outcome) -> Any:
 
     The middle bearing; the paper's figure 5 in kind.
     """
-    full = found.setting.system(outcome.rpm)
+    full = replace(found.setting, steps=outcome.steps).system(outcome.rpm)
     series = in_series(full)
     j = len(outcome.clearance) // 2
     figure, axes = _figure(2, 1, sharex=True, sharey=True)
@@ -181,7 +187,7 @@ def _films(found: Summary, outcome: Outcome) -> Any:
         axis.set(yscale="log", ylabel=f"{name}, |K| in N/m")
     axes[0, 0].legend(fontsize=8, ncols=3, loc="lower right", bbox_to_anchor=(1, 1))
     _over_a_cycle(axes[-1, 0], outcome)
-    figure.suptitle(f"Stiffness of main bearing {j + 1} at {outcome.rpm:g} rpm")
+    figure.suptitle(f"Stiffness of main bearing {j + 1} at {speed_text(outcome.rpm)} rpm")
     return figure
 
 
@@ -200,9 +206,9 @@ def _frequencies(found: Summary) -> Any:
 
 def _campbell(found: Summary) -> Any:
     """Draw the modes on the bearings' mean stiffness over speed, turning and stationary lines, orders."""
-    made, last = found.setting, found.outcomes[-1].rpm
+    outcome = found.reliable[-1]
+    made, last, theta = replace(found.setting, steps=outcome.steps), outcome.rpm, outcome.theta
     full = made.system(last)
-    theta = found.outcomes[-1].theta
     middle = np.abs(series_film(full, theta)).mean(axis=0).trace(axis1=1, axis2=2) / 2
     support = np.einsum("b,bin,bim->nm", middle, full.points, full.points)
     for unknown in (6 * driven_node(made.rotor) + 5, 6 * made.rotor.journals[-1] + 2):
@@ -241,14 +247,20 @@ def _worst_pin(found: Summary) -> str:
     return max(pins, key=lambda e: e.largest - e.least).name
 
 
+def _spectra(found: Summary, name: str) -> tuple[Array, Array]:
+    """Return the orders that all speeds have, whatever their steps, and (speed, order) sizes in MPa."""
+    rows = [outcome.orders(name) for outcome in found.reliable]
+    count = min(len(orders) for orders, _ in rows)
+    return rows[0][0][:count], np.array([sizes[:count] for _, sizes in rows]) / MEGA
+
+
 def _waterfall(found: Summary) -> Any:
     """Draw the order spectra of the worst pin's bending over the speed."""
     name = _worst_pin(found)
     figure, axes = _figure(1, 1, height=4.2)
-    sizes = np.array([o.orders(name)[1] for o in found.outcomes]) / MEGA
-    orders = found.outcomes[0].orders(name)[0]
+    orders, sizes = _spectra(found, name)
     kept = (orders > 0) & (orders <= HIGHEST_ORDER)
-    speeds = [o.rpm for o in found.outcomes]
+    speeds = [o.rpm for o in found.reliable]
     shade = np.log10(np.maximum(sizes[:, kept], 1e-2))
     mesh = axes[0, 0].pcolormesh(orders[kept], speeds, shade, shading="nearest", cmap="viridis")
     figure.colorbar(mesh, label="lg of the amplitude in MPa")
@@ -262,11 +274,10 @@ def _waterfall(found: Summary) -> Any:
 def _order_cuts(found: Summary) -> Any:
     name = _worst_pin(found)
     figure, axes = _figure(1, 1, height=3.6)
-    orders = found.outcomes[0].orders(name)[0]
-    sizes = np.array([o.orders(name)[1] for o in found.outcomes]) / MEGA
+    orders, sizes = _spectra(found, name)
     ranked = sorted(np.flatnonzero(orders > 0), key=lambda k: -sizes[:, k].max())[:8]
     for colour, k in zip(COLOURS, sorted(ranked), strict=False):
-        rpm = [o.rpm for o in found.outcomes]
+        rpm = [o.rpm for o in found.reliable]
         axes[0, 0].plot(rpm, sizes[:, k], "o-", markersize=3, color=colour, label=f"{orders[k]:g}")
     axes[0, 0].set(xlabel="rpm", ylabel="amplitude, MPa", title=f"Largest orders of {name} stress")
     axes[0, 0].legend(title="order", fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))

@@ -8,6 +8,7 @@ from itertools import groupby
 
 import numpy as np
 
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.modes import kinds
 from symbalance.crankshaft.running.measured import Comparison, compared
 from symbalance.crankshaft.running.outcome import Outcome
@@ -18,6 +19,8 @@ MEGA = 1e6
 SHOWN_ORDERS = 4
 UNSTABLE = 1 + 1e-9
 """A Floquet multiplier above this grows."""
+COARSE = 0.05
+"""The step error, of the largest stress, beyond which a speed's stresses are not to be relied on."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +50,8 @@ class Place:
 class Speed:
     """A speed's figures: largest |x|/clearance, departure from the films' orbits, bearing load (N).
 
-    Then the largest Floquet multiplier, the integrator's error and seconds.
+    Then the largest Floquet multiplier, the step error and seconds; the steps of a cycle. With a
+    `reason` the speed has no stresses, and what is NaN here is not known.
     """
 
     rpm: float
@@ -57,11 +61,13 @@ class Speed:
     largest: float
     error: float
     seconds: float
+    steps: int
+    reason: str | None
 
 
 @dataclass(frozen=True)
 class Summary:
-    """All figures of a run."""
+    """All figures of a run; extremes, places and comparisons are those of the `reliable` speeds."""
 
     setting: Setting
     outcomes: tuple[Outcome, ...]
@@ -74,29 +80,38 @@ class Summary:
     notes: tuple[str, ...]
 
     @property
+    def reliable(self) -> tuple[Outcome, ...]:
+        """The speeds whose values are to be relied on."""
+        return tuple(o for o in self.outcomes if not o.reason)
+
+    @property
     def worst(self) -> Place:
-        """The place of the least safety factor."""
+        """The place of the least safety factor; there is one where a speed is reliable."""
         return min(self.places, key=lambda place: place.found.safety)
 
     @property
     def valid(self) -> bool:
-        """Whether every orbit stays in its clearance, every speed is stable and every place safe."""
-        calm = all(o.within_clearance and not o.largest > UNSTABLE for o in self.outcomes)
-        return calm and self.worst.found.safety >= 1
+        """Whether all is to be relied on, in its clearance, stable, of fine steps and safe."""
+        calm = all(
+            o.within_clearance and not o.largest > UNSTABLE and o.error <= COARSE for o in self.reliable
+        )
+        every = len(self.reliable) == len(self.outcomes)
+        return every and calm and self.worst.found.safety >= 1
 
 
 def summary(made: Setting, outcomes: Sequence[Outcome]) -> Summary:
     """Return the figures of a run."""
     named = kinds(made.rotor, made.modes_at_rest)
     overlay = made.engine.operation.overlay
-    comparisons = [c for o in outcomes if overlay and (c := compared(overlay, o))]
+    reliable = [o for o in outcomes if not o.reason]
+    comparisons = [c for o in reliable if overlay and (c := compared(overlay, o))]
     return Summary(
         made,
         tuple(outcomes),
         tuple(zip(map(float, made.modes_at_rest.frequencies), named, strict=True)),
         tuple(_speed(outcome) for outcome in outcomes),
-        tuple(_extreme(name, outcomes) for name in outcomes[0].names),
-        tuple(_places(made, outcomes)),
+        tuple(_extreme(name, reliable) for name in outcomes[0].names if reliable),
+        tuple(_places(made, reliable) if reliable else ()),
         tuple(comparisons),
         tuple(_notes(made, outcomes)),
     )
@@ -108,10 +123,12 @@ def _speed(outcome: Outcome) -> Speed:
         outcome.rpm,
         float(outcome.eccentricity.max()),
         outcome.departure,
-        float(loads.max()),
-        outcome.largest,
+        float("nan") if outcome.reason else float(loads.max()),
+        float("nan") if outcome.reason else outcome.largest,
         outcome.error,
         outcome.seconds,
+        outcome.steps,
+        outcome.reason or None,
     )
 
 
@@ -150,19 +167,30 @@ def _notes(made: Setting, outcomes: Sequence[Outcome]) -> list[str]:
     notes = []
     about = made.about == "orbit" and made.table is None
     for outcome in outcomes:
+        speed = f"{speed_text(outcome.rpm)} rpm"
+        if outcome.reason:
+            continue  # said beside the speeds
+        if outcome.steps != made.steps:
+            notes.append(
+                f"{speed}: {outcome.steps} steps a cycle: at {made.steps} the films do not settle"
+            )
+        if not outcome.error <= COARSE:
+            much = f"{100 * outcome.error:.2g} %" if outcome.error >= 0 else "an unknown share"
+            notes.append(f"{speed}: halved steps change a stress by {much} of the largest: raise --steps")
         if not outcome.within_clearance:
             most = outcome.eccentricity.max()
             notes.append(
-                f"{outcome.rpm:g} rpm: an orbit reaches {most:.2f} of its clearance: the films, linear "
+                f"{speed}: an orbit reaches {most:.2f} of its clearance: the films, linear "
                 f"about {'their orbits' if about else 'the centre'}, are taken beyond their validity"
             )
         if outcome.largest > UNSTABLE:
-            notes.append(
-                f"{outcome.rpm:g} rpm: unstable, largest Floquet multiplier {outcome.largest:.4g}"
-            )
+            notes.append(f"{speed}: unstable, largest Floquet multiplier {outcome.largest:.4g}")
     overlay = made.engine.operation.overlay
-    if overlay and not any(compared(overlay, outcome) for outcome in outcomes):
-        notes.append(f"the measured curve belongs to {overlay.rpm:g} rpm, which is no speed of this run")
+    if overlay and not any(compared(overlay, o) for o in outcomes if not o.reason):
+        where = "every speed" if overlay.rpm is None else f"{speed_text(overlay.rpm)} rpm"
+        there = overlay.rpm is None or any(o.rpm == overlay.rpm for o in outcomes)
+        why = "whose films do not settle" if there else "which is no speed of this run"
+        notes.append(f"the measured curve belongs to {where}, {why}")
     balancers = made.engine.layout.balancers
     if balancers:
         notes.append(

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import isnan
 
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.reports.summary import Summary
 
+UNKNOWN = "-"
+UNRELIABLE = "Speeds without stresses: not to be relied on"
 SPEED_HEAD = ("rpm", "|x|/clearance", "off the orbit", "bearing kN", "multiplier", "s")
 MODE_HEAD = ("mode", "Hz", "mostly")
 EXTREME_HEAD = ("channel", "least", "largest", "unit", "rpm", "largest orders: amplitude")
@@ -15,9 +19,12 @@ PLACE_HEAD = ("place", "rpm", "amplitude MPa", "mean MPa", "safety", "life h")
 def summary_text(found: Summary) -> str:
     """Return the report as text: what was run, speeds, stresses, durability, notes."""
     parts = [_head(found), _table("Speeds", SPEED_HEAD, speed_rows(found))]
+    if lines := reason_lines(found):
+        parts.append(f"{UNRELIABLE}\n" + "".join(f"  {line}\n" for line in lines))
     parts.append(_table("Natural frequencies of the free crank", MODE_HEAD, mode_rows(found)))
-    parts.append(_table("Stresses and twists", EXTREME_HEAD, extreme_rows(found)))
-    parts.append(_table("Durability, the worst speed of each place", PLACE_HEAD, place_rows(found)))
+    if found.reliable:
+        parts.append(_table("Stresses and twists", EXTREME_HEAD, extreme_rows(found)))
+        parts.append(_table("Durability, the worst speed of each place", PLACE_HEAD, place_rows(found)))
     if found.comparisons:
         parts.append("Measured curves\n" + "".join(f"  {line}\n" for line in comparison_lines(found)))
     if found.notes:
@@ -34,15 +41,24 @@ def speed_rows(found: Summary) -> list[tuple[str, ...]]:
     """Return the cells of the speeds' table."""
     return [
         (
-            f"{s.rpm:g}",
-            f"{s.eccentricity:.2f}",
-            f"{s.departure:.2f}",
-            f"{s.bearing / 1000:.1f}",
-            f"{s.largest:.4f}",
+            speed_text(s.rpm),
+            _known(s.eccentricity, ".2f"),
+            _known(s.departure, ".2f"),
+            _known(s.bearing / 1000, ".1f"),
+            _known(s.largest, ".4f"),
             f"{s.seconds:.2f}",
         )
         for s in found.speeds
     ]
+
+
+def _known(value: float, form: str) -> str:
+    return UNKNOWN if isnan(value) else format(value, form)
+
+
+def reason_lines(found: Summary) -> list[str]:
+    """Return a line for each speed without stresses: why."""
+    return [f"{speed_text(s.rpm)} rpm: {s.reason}" for s in found.speeds if s.reason]
 
 
 def extreme_rows(found: Summary) -> list[tuple[str, ...]]:
@@ -53,7 +69,7 @@ def extreme_rows(found: Summary) -> list[tuple[str, ...]]:
             f"{e.least:.4g}",
             f"{e.largest:.4g}",
             e.unit,
-            f"{e.rpm:g}",
+            speed_text(e.rpm),
             ", ".join(f"{order:g}: {size:.3g}" for order, size in e.orders),
         )
         for e in found.extremes
@@ -65,7 +81,7 @@ def place_rows(found: Summary) -> list[tuple[str, ...]]:
     return [
         (
             p.name,
-            f"{p.rpm:g}",
+            speed_text(p.rpm),
             f"{p.found.amplitude / 1e6:.1f}",
             f"{p.found.mean / 1e6:.1f}",
             f"{p.found.safety:.2f}",
@@ -78,8 +94,8 @@ def place_rows(found: Summary) -> list[tuple[str, ...]]:
 def comparison_lines(found: Summary) -> list[str]:
     """Return a line for each measured curve."""
     return [
-        f"{c.rpm:g} rpm, {c.channel}: error {c.rms:.3g} MPa rms, {c.peak:+.3g} MPa at the peak, "
-        f"of a range of {c.span:.4g} MPa"
+        f"{speed_text(c.rpm)} rpm, {c.channel}: error {c.rms:.3g} MPa rms, "
+        f"{c.peak:+.3g} MPa at the peak, of a range of {c.span:.4g} MPa"
         for c in found.comparisons
     ]
 

@@ -16,8 +16,9 @@ class Outcome:
     `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
     journals' displacements in their shells and `bearings` (s, b, 2) the shaft's forces on them, vertical
     and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error`
-    the integrator's own estimate, `seconds` its run time. `departure` is how far, over the clearance,
-    the orbits lie from those the films are linear about.
+    the largest change of a stress when the steps are halved, films kept, over the largest stress;
+    `seconds` the run time. `departure` is how far, over the clearance, the orbits lie from those the
+    films are linear about. A `reason` says why the values are not to be relied on: no report prints them.
     """
 
     rpm: float
@@ -32,6 +33,12 @@ class Outcome:
     error: float
     seconds: float
     departure: float = float("nan")
+    reason: str = ""
+
+    @property
+    def steps(self) -> int:
+        """The steps of a cycle."""
+        return len(self.theta)
 
     def channel(self, name: str) -> Array:
         """Return a channel's values (s,)."""

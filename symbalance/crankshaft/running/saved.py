@@ -1,34 +1,52 @@
-"""Outcomes on disk: one NPZ file a speed, whole or not at all, told apart by a key of what made it."""
+"""Outcomes on disk: one NPZ file a speed, whole or not at all, under a key of all that it depends on.
+
+The key is a digest of the engine (the content of the files it names), of how it is solved, of the webs'
+compliances and of the program. A file under another key, or one that does not read, is not believed: the
+speed is solved anew, and the caller learns why.
+"""
 
 from __future__ import annotations
 
-import hashlib
 import io
 import os
 import stat
 import tempfile
-import zipfile
 from contextlib import suppress
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from symbalance.crankshaft.digests import digest, program_digest
+from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.errors import SymbalanceError
 
-FORMAT = 1
+FORMAT = 2
+"""The number of this layout of a file, raised with every change of it."""
+
+
+@dataclass(frozen=True)
+class Restored:
+    """What a folder holds of a speed: its `outcome`, or None and `why` a file there is not believed."""
+
+    outcome: Outcome | None
+    why: str = ""
 
 
 def key_of(*parts: object) -> str:
-    """Return a key that differs where the repr of some part does."""
-    text = repr((FORMAT, parts))
-    return hashlib.sha256(text.encode()).hexdigest()[:16]
+    """Return a key that differs where some part's content does, or the program (see `digests`)."""
+    return digest(FORMAT, program_digest(), parts)
 
 
 def file_of(folder: Path, rpm: float) -> Path:
-    """Return where a speed's outcome lies."""
-    return folder / f"{rpm:g}rpm.npz"
+    """Return where a speed's outcome lies: a file of its own for every speed.
+
+    >>> file_of(Path("speeds"), 2200.0).name, file_of(Path("speeds"), 2200.001).name
+    ('2200rpm.npz', '2200.001rpm.npz')
+    """
+    return folder / f"{speed_text(rpm)}rpm.npz"
 
 
 def save(folder: Path, key: str, outcome: Outcome) -> None:
@@ -57,17 +75,26 @@ def _replaced(path: Path, data: bytes) -> None:
         raise
 
 
-def restored(folder: Path, key: str, rpm: float) -> Outcome | None:
-    """Return a speed's outcome if one of the same key is there; None for any other file."""
+def restored(folder: Path, key: str, rpm: float) -> Restored:
+    """Return a speed's outcome if one of the same key is there; else why a file there is not it."""
+    path = file_of(folder, rpm)
+    if not path.exists():
+        return Restored(None)
     try:
-        with np.load(file_of(folder, rpm), allow_pickle=False) as data:
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
             if str(data["key"]) != key:
-                return None
-            found = {f.name: data[f.name] for f in fields(Outcome)}
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
-        return None
-    for name in ("rpm", "largest", "error", "seconds", "departure"):
-        found[name] = float(found[name])
-    for name in ("names", "units"):
-        found[name] = tuple(str(x) for x in found[name])
-    return Outcome(**found)
+                return Restored(None, "is of another engine, other settings or another program")
+            return Restored(_outcome({f.name: data[f.name] for f in fields(Outcome)}))
+    except Exception as problem:  # a damaged file raises anything, from zlib.error to TokenError
+        return Restored(None, f"does not read ({type(problem).__name__})")
+
+
+def _outcome(values: dict[str, Any]) -> Outcome:
+    for field in fields(Outcome):
+        if field.type == "float":
+            values[field.name] = float(values[field.name])
+        elif field.type == "str":
+            values[field.name] = str(values[field.name])
+        elif field.type == "tuple[str, ...]":
+            values[field.name] = tuple(str(x) for x in values[field.name])
+    return Outcome(**values)

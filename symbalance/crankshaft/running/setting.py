@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.crankshaft.assembly import assemble
+from symbalance.crankshaft.assembly import assemble, web_flexibility
 from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads import big_end_masses, pin_loads
 from symbalance.crankshaft.modes import Modes, natural_modes
@@ -22,11 +22,13 @@ from symbalance.crankshaft.running.reactions import bearing_points, quasi_static
 from symbalance.crankshaft.solid.store import open_store
 from symbalance.crankshaft.stress import Channel, channels, stress_matrix
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
+from symbalance.crankshaft.webs.arm import Arm, Elastic
 from symbalance.rational import checked_whole
 
 OMEGA = np.pi / 30
 """rad/s of one rpm."""
 RIGID, MODES_SHOWN = 6, 20
+MOST_STEPS = 46_080
 Loads = Callable[[Array], Array]
 
 
@@ -48,6 +50,8 @@ class Setting:
     steps: int
     about: str = "orbit"
     passes: int = 9
+    compliances: tuple[Elastic, ...] = ()
+    """The webs' compliances that the rotor was assembled with, front to rear."""
 
     @property
     def how(self) -> tuple[object, ...]:
@@ -137,8 +141,9 @@ def setting(
     about: str = "orbit",
     passes: int = 9,
     store: Path | None = None,
+    say: Callable[[str], None] = lambda line: None,
 ) -> Setting:
-    """Return an engine made ready to run.
+    """Return an engine made ready to run; `say` hears of a file of solved webs that is not believed.
 
     `webs` is the way to the webs' stiffness (see `assembly.WEBS`), `modes` how many are kept beside the
     static shapes, 0 for the full model; webs solved by the mesher are kept in the file `store`. Every
@@ -146,15 +151,22 @@ def setting(
     """
     for name, value, low, high in (
         ("modes", modes, 0, 10_000),
-        ("steps", steps, 90, 46_080),
+        ("steps", steps, 90, MOST_STEPS),
         ("passes", passes, 1, 20),
     ):
         checked_whole(value, name, low, high, "see symbalance crankshaft --help")
+    kept = open_store(store, say) if webs in ("solid", "fitted") else None
+    flexibility, used = web_flexibility(webs, kept), []
+
+    def recorded(arm: Arm) -> Elastic:
+        web = flexibility(arm)
+        used.append(web if isinstance(web, Elastic) else Elastic(web))
+        return used[-1]
+
     rotor = assemble(
         engine.crank,
-        webs=webs,
-        store=open_store(store),
+        webs=recorded,
         pin_masses=big_end_masses(engine),
         damping_ratio=engine.operation.damping,
     )
-    return Setting(engine, rotor, webs, modes, connection, steps, about, passes)
+    return Setting(engine, rotor, webs, modes, connection, steps, about, passes, tuple(used))

@@ -1,16 +1,23 @@
 """Solved web flexibilities as data: what one machine has meshed, every other reads.
 
-A store is a JSON file {"webs": {key: {"web": what it is of, "flexibility": 144 numbers, "body": 3
-numbers}}}. The key is that of the geometry in own axes (sizes to the nanometre) and Poisson's ratio; the
-flexibility is E S, which does not depend on Young's modulus. The package's own store holds the worked
-cranks'.
+A store is a JSON file {"format": 2, "mesher": digest, "webs": {key: {"web": what it is of, "flexibility":
+144 numbers, "body": 3 numbers}}}. The key is that of the geometry in own axes (sizes to the nanometre),
+Poisson's ratio and, where it is not the usual one, the elements' size; the flexibility is E S, which does
+not depend on Young's modulus. The package's own store holds the worked cranks'.
+
+`mesher` is a digest of the sources that draw, mesh and solve a web: what other sources have solved is not
+believed but solved anew, and `say` is told.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import tempfile
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import cache
 from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
@@ -19,66 +26,137 @@ from typing import Any
 import numpy as np
 
 from symbalance.crankshaft.crank import Crank
+from symbalance.crankshaft.digests import digest
 from symbalance.crankshaft.rotor import DOF, Array
 from symbalance.crankshaft.webs.arm import Arm, Elastic, arms
 from symbalance.errors import SymbalanceError, shown
 
+FORMAT = 2
+SOURCES = ("solid", "webs", "beams.py", "bodies.py", "crank.py", "rotor.py")
+"""The files and rooms of `symbalance.crankshaft` on which a solved flexibility depends."""
+REMEDY = "delete it: it is written anew"
+Say = Callable[[str], None]
+
 
 @dataclass
 class Store:
-    """Web flexibilities by geometry; `path` is where new ones are kept, if anywhere."""
+    """Web flexibilities by geometry; `path` is where those of `solved` are kept, if anywhere."""
 
     webs: dict[str, dict[str, Any]] = field(default_factory=dict)
     path: Path | None = None
+    solved: dict[str, dict[str, Any]] = field(default_factory=dict)
+    """Those of `webs` that were solved here, not shipped with the package."""
 
-    def found(self, arm: Arm) -> Elastic | None:
+    def found(self, arm: Arm, size: float = 0.0) -> Elastic | None:
         """Return the web's flexibility in its own axes, or None where nobody has solved it."""
-        entry = self.webs.get(key(arm))
+        entry = self.webs.get(key(arm, size))
         if entry is None:
             return None
         flexible, body = _numbers(entry)
         return Elastic(flexible / arm.material.young, body)
 
-    def kept(self, arm: Arm, elastic: Elastic) -> None:
-        """Keep a solved flexibility, on disk too where the store has a path; whole or not at all."""
+    def kept(self, arm: Arm, elastic: Elastic, size: float = 0.0) -> None:
+        """Keep a solved flexibility, on disk too where the store has a path; whole or not at all.
+
+        What another run has put there since stays.
+        """
         if elastic.body is None:
             raise SymbalanceError("a web without a body", "is not a solved one", "solve it as a solid")
         scaled = (elastic.flexibility * arm.material.young).ravel().tolist()
-        entry = {"web": described(arm), "flexibility": scaled, "body": elastic.body.tolist()}
-        self.webs[key(arm)] = entry
+        entry = {"web": described(arm, size), "flexibility": scaled, "body": elastic.body.tolist()}
+        self.webs[key(arm, size)] = self.solved[key(arm, size)] = entry
         if self.path is not None:
-            part = self.path.with_name(f"{self.path.name}.{os.getpid()}.part")
-            part.write_text(json.dumps({"webs": self.webs}, indent=1) + "\n", encoding="utf-8")
-            part.replace(self.path)
+            self.solved = _kept_webs(self.path, lambda line: None) | self.solved
+            document = {"format": FORMAT, "mesher": mesher_digest(), "webs": self.solved}
+            _replace(self.path, json.dumps(document, indent=1) + "\n")
 
 
-def open_store(path: Path | None = None) -> Store:
-    """Return the package's own solved webs, and those kept at `path`.
+def open_store(path: Path | None = None, say: Say = lambda line: None) -> Store:
+    """Return the package's own solved webs, and those kept at `path`; `say` hears what is not believed.
 
     >>> open_store().path is None
     True
     """
     own = files("symbalance.crankshaft.solid") / "solved.json"
-    webs = _read(own.read_text(encoding="utf-8"), "solved.json")
-    if path is not None and path.exists():
-        webs |= _read(path.read_text(encoding="utf-8"), str(path))
-    return Store(webs, path)
+    webs = _checked(_document(own.read_text(encoding="utf-8"), "solved.json"), "solved.json")
+    solved = {} if path is None else _kept_webs(path, say)
+    return Store(solved | webs, path, solved)
 
 
-def _read(text: str, place: str) -> dict[str, dict[str, Any]]:
-    rule, remedy = "must hold solved webs", "delete it: it is written anew"
+@cache
+def mesher_digest() -> str:
+    """Return a digest of the sources on which a solved flexibility depends."""
+    room = files("symbalance.crankshaft")
+    sources = []
+    for name in SOURCES:
+        entry = room / name
+        inside = [entry] if entry.is_file() else [f for f in entry.iterdir() if f.name.endswith(".py")]
+        sources += [(name, f.name, f.read_bytes().hex()) for f in inside]
+    return digest(sorted(sources))
+
+
+def _kept_webs(path: Path, say: Say) -> dict[str, dict[str, Any]]:
+    """Return the webs of a file of this mesher; none of one that is not there or of another."""
+    place = str(path)
     try:
-        webs = json.loads(text)["webs"]
-        for name, entry in webs.items():
-            matrix, _ = _numbers(entry)
-            if not (np.allclose(matrix, matrix.T) and np.linalg.eigvalsh(matrix)[0] > 0):
-                what = f"flexibility of {shown(name)}"
-                raise SymbalanceError(what, "must be symmetric and positive", remedy, place)
-    except (ValueError, KeyError, TypeError, AttributeError) as err:
-        if isinstance(err, SymbalanceError):
-            raise
-        raise SymbalanceError("the file", rule, remedy, place) from err
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        return {}
+    except (OSError, UnicodeError) as problem:
+        reason = getattr(problem, "strerror", None) or "it is no text"
+        raise SymbalanceError(place, f"cannot be read ({reason})", REMEDY) from None
+    document = _document(text, place)
+    webs = _checked(document, place)
+    if (document.get("format"), document.get("mesher")) != (FORMAT, mesher_digest()):
+        if webs:
+            say(f"{place}: holds webs that another version solved: those needed are solved anew")
+        return {}
     return webs
+
+
+def _document(text: str, place: str) -> dict[str, Any]:
+    try:
+        document = json.loads(text)
+    except ValueError as problem:
+        raise SymbalanceError("the file", "must hold solved webs", REMEDY, place) from problem
+    if not isinstance(document, dict) or not isinstance(document.get("webs"), dict):
+        raise SymbalanceError("the file", "must hold solved webs", REMEDY, place)
+    return document
+
+
+def _checked(document: dict[str, Any], place: str) -> dict[str, dict[str, Any]]:
+    """Return a document's webs; refuses one whose numbers no web has, or that is of another key."""
+    for name, entry in document["webs"].items():
+        try:
+            matrix, body = _numbers(entry)
+            sound = np.allclose(matrix, matrix.T) and np.linalg.eigvalsh(matrix)[0] > 0
+            described_so = _hashed(entry["web"]) == name
+        except (ValueError, KeyError, TypeError, AttributeError) as problem:
+            raise SymbalanceError("the file", "must hold solved webs", REMEDY, place) from problem
+        if not (sound and np.isfinite(body).all()):
+            what = f"flexibility of {shown(name)}"
+            raise SymbalanceError(what, "must be symmetric and positive", REMEDY, place)
+        if not described_so:
+            raise SymbalanceError(f"web {shown(name)}", "is not the web it describes", REMEDY, place)
+    return document["webs"]
+
+
+def _replace(path: Path, text: str) -> None:
+    """Put a file in place whole; every writer has a temporary file of its own."""
+    try:
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8") as stream:
+                stream.write(text)
+            os.chmod(temporary, path.parent.stat().st_mode & 0o666)  # as open as its folder
+            os.replace(temporary, path)
+        except BaseException:
+            with suppress(OSError):
+                os.unlink(temporary)
+            raise
+    except OSError as problem:
+        rule = f"cannot be written ({problem.strerror})"
+        raise SymbalanceError(str(path), rule, "name a folder you may write to") from None
 
 
 def _numbers(entry: dict[str, Any]) -> tuple[Array, Array]:
@@ -86,8 +164,8 @@ def _numbers(entry: dict[str, Any]) -> tuple[Array, Array]:
     return flexible, np.array(entry["body"], dtype=float).reshape(3)
 
 
-def described(arm: Arm) -> str:
-    """Return the sizes, in mm, that decide a web's flexibility."""
+def described(arm: Arm, size: float = 0.0) -> str:
+    """Return the sizes, in mm, that decide a web's flexibility; and its elements', if not the usual."""
     own = arm.canonical()
     parts = [_round(p) for p in (own.near, own.far)]
     sizes = (own.web.thickness, own.web.width, own.near_margin, own.far_margin, own.reach)
@@ -98,7 +176,8 @@ def described(arm: Arm) -> str:
         turn = np.round(np.degrees([weight.angle, weight.half_angle]), 6) % 360
         place = " ".join(_mm(-x + 0.0) for x in own.axis)
         sector = f" sector {_mm(weight.outer)} {turn[0]:.6f} {turn[1]:.6f} {place}"
-    return f"{parts[0]} web {slab} {parts[1]}{sector} nu {own.material.poisson:.6f}"
+    meshed = f" elements {_mm(size)}" if size else ""
+    return f"{parts[0]} web {slab} {parts[1]}{sector} nu {own.material.poisson:.6f}{meshed}"
 
 
 def _round(part: object) -> str:
@@ -109,19 +188,26 @@ def _mm(length: float) -> str:
     return f"{length * 1e3 + 0.0:.6f}"
 
 
-def key(arm: Arm) -> str:
+def key(arm: Arm, size: float = 0.0) -> str:
     """Return the name under which a web's flexibility is kept."""
-    return sha256(described(arm).encode()).hexdigest()[:16]
+    return _hashed(described(arm, size))
+
+
+def _hashed(text: str) -> str:
+    return sha256(text.encode()).hexdigest()[:16]
 
 
 def solve_missing(crank: Crank, store: Store, size: float = 0.0) -> int:
-    """Mesh and solve the crank's webs that the store lacks; return how many there were."""
+    """Mesh and solve the crank's webs that the store lacks; return how many there were.
+
+    `size` of the elements in m, 0 for the usual one.
+    """
     from symbalance.crankshaft.solid.half_throw import solved_web
 
     solved = 0
     for _, arm in arms(crank):
-        if store.found(arm) is None:
-            store.kept(arm, solved_web(arm, size))
+        if store.found(arm, size) is None:
+            store.kept(arm, solved_web(arm, size), size)
             solved += 1
     return solved
 
@@ -134,4 +220,7 @@ def solid_web(arm: Arm, store: Store) -> Elastic:
     if elastic is None:
         elastic = solved_web(arm)
         store.kept(arm, elastic)
+        # As the store gives it from now on: E S / E is S only but for rounding, and a saved speed's key
+        # holds every digit.
+        elastic = store.found(arm) or elastic
     return elastic
