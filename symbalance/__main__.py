@@ -2,12 +2,18 @@
 
 import sys
 
-from symbalance.cli import run
-
 
 def main() -> None:
     """Run the command line and exit with its code."""
-    sys.exit(run(sys.argv[1:]))
+    try:
+        from symbalance.cli import run
+        from symbalance.cli.streams import prepare
+
+        prepare()
+        code = run(sys.argv[1:])
+    except KeyboardInterrupt:
+        code = 130
+    sys.exit(code)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from copy import copy
+from pathlib import Path
+from traceback import extract_tb
 from typing import Any
 
 
@@ -57,6 +59,23 @@ class SymbalanceError(PicklableError, ValueError):
 
 class MissingPartError(SymbalanceError):
     """An optional part that is not installed; the remedy is the command that installs it."""
+
+
+def fault_of(problem: BaseException) -> str:
+    """Return what went wrong inside symbalance, and where: the last line of its own that was running.
+
+    >>> try:
+    ...     SymbalanceError("bank = 400", "is too large").within(3) + 1
+    ... except TypeError as problem:
+    ...     print(fault_of(problem))
+    TypeError
+    """
+    home = Path(__file__).parent
+    own = [frame for frame in extract_tb(problem.__traceback__) if home in Path(frame.filename).parents]
+    name = type(problem).__name__
+    if not own:
+        return name
+    return f"{name} in {Path(own[-1].filename).relative_to(home).as_posix()}:{own[-1].lineno}"
 
 
 def shown(value: object, limit: int = 40) -> str:

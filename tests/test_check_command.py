@@ -31,9 +31,124 @@ def written(folder: Path, text: str, sidecar: str = SIDECAR) -> str:
 def test_exit_codes(tmp_path, capsys):
     assert run(["check", written(tmp_path, GOOD)]) == 0
     assert run(["check", written(tmp_path, BAD)]) == 1
-    assert run(["check", written(tmp_path, r"$$x = q$$")]) == 0  # unreadable accuses nothing
+    assert run(["check", written(tmp_path, r"$$x = q$$")]) == 1
+    assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$")]) == 0
+    assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$" + "\n\n" + BAD)]) == 1
     assert run(["check", str(tmp_path / "missing.md")]) == 2
     assert capsys.readouterr().err.count("\n") == 1
+
+
+@pytest.mark.parametrize("page", ["", "Nothing but prose.\n"])
+def test_a_page_without_relations_has_not_passed(page, tmp_path, capsys):
+    path = written(tmp_path, page)
+    for form, said in (
+        ("text", "No relation was seen"),
+        ("json", '"seen": 0'),
+        ("latex", "No relation was seen"),
+    ):
+        assert run(["check", path, "--format", form, "--lenient"]) == 1
+        assert said in capsys.readouterr().out
+    assert sb.check(Path(path)).failed
+
+
+def test_every_relation_seen_is_counted(tmp_path, capsys):
+    path = written(tmp_path, f"{GOOD}\n{BAD}\n$$x = q$$\n\n$$k = 2r$$\n")
+    assert run(["check", path, "--format", "json"]) == 1
+    report = json.loads(capsys.readouterr().out)
+    assert report["seen"] == 4 == sum(report["counts"].values())
+    assert {name for name, count in report["counts"].items() if count} == {
+        "holds_to_order", "refuted", "unreadable", "definition"
+    }  # fmt: skip
+    assert report["counts"]["undecided"] == 0
+    run(["check", path])
+    assert capsys.readouterr().out.splitlines()[-1].startswith("4 relations seen: ")
+
+
+def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
+    tmp_path, capsys, monkeypatch
+):
+    from symbalance.checking import judging
+
+    honest = judging.judged
+
+    def faulty(left, right, *rest):
+        return 1 / 0 if "sin" in str(right.node) else honest(left, right, *rest)
+
+    monkeypatch.setattr(judging, "judged", faulty)
+    path = written(tmp_path, f"{GOOD}\n$$2\\sin x = \\sin x + \\sin x$$\n\n{BAD}")
+    for form in ("text", "latex", "json"):
+        assert run(["check", path, "--format", form]) == 3
+        out, err = capsys.readouterr()
+        assert err.count("\n") == 1
+        assert "line 3 of" in err
+        assert "ZeroDivisionError" in err
+        assert "please report it" in err
+    report = json.loads(out)
+    assert [link["verdict"] for link in report["links"]] == ["holds_to_order", "undecided", "refuted"]
+    assert "fault of symbalance: ZeroDivisionError" in report["links"][1]["reason"]
+    monkeypatch.setenv("SYMBALANCE_TRACEBACK", "1")
+    assert run(["check", path]) == 3
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_a_fault_in_looking_for_a_correction_leaves_the_line_refuted(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("symbalance.checking.repair.mending.diagnosed", lambda _case: 1 / 0)
+    path = written(tmp_path, BAD)
+    assert run(["check", path, "--format", "json"]) == 3
+    (link,) = json.loads(capsys.readouterr().out)["links"]
+    assert link["verdict"] == "refuted"
+    assert "no correction was found, by a fault of symbalance" in link["notes"][0]
+
+
+PRINTED_ZEROS = {
+    "0.0004 = 0.000": True,
+    "0.0006 = 0.000": False,
+    "-0.0005 = 0.000": True,
+    "0.0004 \\approx 0.000": True,
+    "0.0009 \\approx 0.000": False,
+    "\\frac{1}{300} = 0.00": True,
+    "\\frac{1}{100} = 0.00": False,
+    "\\frac{1}{3000} = -0.000": True,
+    "0.04 = 0.": False,
+    "0.4 = .0": False,
+    "10^{-400} = 0.0": True,
+    "0.0 = 0.000": True,
+    "\\sin x + 0.04 = 1.0 \\sin x + 0.0": True,
+    "\\sin x + 0.06 = 1.0 \\sin x + 0.0": False,
+    "\\sin x + 0.004 \\cos x = \\sin x + 0.00 \\cos x": True,
+    "\\sin x + 0.006 \\cos x = \\sin x + 0.00 \\cos x": False,
+}
+
+
+@pytest.mark.parametrize("relation", PRINTED_ZEROS)
+def test_a_printed_zero_stands_for_half_a_unit_of_its_last_place(relation):
+    (found,) = sb.check(f"$${relation}$$", {"x": "angle"}).verdicts
+    assert (found.verdict in ("holds", "holds_to_order"), found.fault) == (PRINTED_ZEROS[relation], "")
+
+
+@pytest.mark.parametrize(
+    "relation",
+    [
+        r"\ln 0 = 0.0",
+        r"\ln 0.0 = 3 F",
+        r"2 = 1e400",
+        r"\frac{n}{x} = 10^{400}",
+        r"\frac{0.0}{0.0} = 1",
+        r"0^0 = 1",
+        r"\frac{1}{0} = \frac{x}{0.0}",
+        r"\sqrt{-1} = \sqrt{0.0}",
+        r"0^0 \approx \ln(\sin(1))",
+        r"\cos e^{0.0} = \frac{\sin(e^{0.0})}{10^{40}}",
+        r"1 = \arcsin 2 = \frac{1}{(|x|)} = 99999999999999999999.5",
+        r"\sum_{k=1}^{n} k \approx \frac{3}{2 \sum_{k=1}^{n} k \, \sum_{k=0}^{3} \frac{1}{k}} = 0^{-1}",
+        r"(1 + 2 + \cdots + n) = n \frac{d}{dn} \frac{1}{n}",
+        r"9^{9^9} = 2^{1000}",
+    ],
+)
+def test_no_number_however_odd_is_a_fault(relation):
+    found = sb.check(f"$${relation}$$\n\n$$0.0 = 0.0$$", {"x": "angle", "F": "any", "n": "integer"})
+    assert [v.traceback for v in found.faults] == []
+    assert found.verdicts[-1].verdict == "holds"
 
 
 def test_json_has_the_agreed_keys_and_refers_continued_lines(tmp_path, capsys):

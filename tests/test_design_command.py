@@ -177,8 +177,8 @@ def test_the_rods_own_inertia_comes_back(tmp_path):
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (("--write", "a.toml", "-o", "a.toml"), "file a.toml: is named for two files"),
-        (("--picture", "a.png", "-o", "a.png"), "file a.png: is named for two files"),
+        (("--write", "a.toml", "-o", "a.toml"), "--write a.toml: is named by --output too"),
+        (("--picture", "a.png", "-o", "a.png"), "--picture a.png: is named by --output too"),
         (("--per-throw", "--no-counterweights"), "per_throw without counterweights"),
     ],
 )

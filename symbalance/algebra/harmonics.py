@@ -82,7 +82,8 @@ def angle_node(domain: Domain, angle: Monomial) -> syntax.Node:
         term = _product(
             [*([] if abs(exponent) == 1 else [rational_node(Fraction(abs(exponent)))]), *inner]
         )
-        terms.append(syntax.Negative(term) if exponent < 0 else term)  # type: ignore[arg-type]
+        term = term or rational_node(Fraction(1))  # an angle of 1 rad
+        terms.append(syntax.Negative(term) if exponent < 0 else term)
     return terms[0] if len(terms) == 1 else syntax.Sum(tuple(terms))
 
 

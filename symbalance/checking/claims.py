@@ -23,7 +23,7 @@ from symbalance.checking.verdicts import UNREADABLE, Verdict
 from symbalance.errors import SymbalanceError
 from symbalance.reading import ReadingError, read_expression, render
 from symbalance.reading.equations import Chain, Document, Side
-from symbalance.reading.syntax import Node, Product, names
+from symbalance.reading.syntax import Node, Product, Span, names
 
 
 def by_line(binds: Iterable[Bind]) -> dict[int, list[Bind]]:
@@ -167,24 +167,14 @@ def piece(
     document: Document, bind: Bind, knowledge: Knowledge, letters: frozenset[str], folder: Path
 ) -> Verdict:
     """Return the verdict on a piece of a line: a table's cell, or a number in prose."""
-    start = _line_start(document, bind)
-    line_text = document.text[start:].split("\n", 1)[0]
-    at = (bind.column - 1) if bind.column else line_text.find(bind.text)
-    if at < 0 or not line_text.startswith(bind.text, at):
-        raise SymbalanceError(
-            f"text = {bind.text}",
-            f"does not stand on line {bind.line}",
-            "copy it from the line",
-            bind.place,
-        )
-    span = (start + at, start + at + len(bind.text))
+    span = span_of(document, bind)
     base = Verdict(
         bind.line,
         1,
         bind.text,
         UNREADABLE,
         lines=(bind.line,),
-        column=at + 1,
+        column=document.column_of(span[0]),
         piece=True,
         span=span,
         claimed=bind.text,
@@ -199,6 +189,21 @@ def piece(
     if answer.status == REFUTED and bind.quantity != "harmonic":
         base = _mended(base, document, claimed, answer, bind, knowledge, folder)
     return with_answer(base, answer, bind)
+
+
+def span_of(document: Document, bind: Bind) -> Span:
+    """Return where the piece of a line stands that a bind means."""
+    start = _line_start(document, bind)
+    line_text = document.text[start:].split("\n", 1)[0]
+    at = (bind.column - 1) if bind.column else line_text.find(bind.text)
+    if at < 0 or not line_text.startswith(bind.text, at):
+        raise SymbalanceError(
+            f"text = {bind.text}",
+            f"does not stand on line {bind.line}",
+            "copy it from the line",
+            bind.place,
+        )
+    return start + at, start + at + len(bind.text)
 
 
 def _line_start(document: Document, bind: Bind) -> int:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from traceback import format_exception
+
 from symbalance.checking.deciding.steps import Answer
 from symbalance.checking.differences import differences, exact_text
 from symbalance.checking.verdicts import (
@@ -14,8 +16,10 @@ from symbalance.checking.verdicts import (
     UNREADABLE,
     Verdict,
 )
+from symbalance.errors import fault_of
 from symbalance.reading import render
 from symbalance.reading.equations import Chain, Document, Side, Unreadable
+from symbalance.reading.syntax import Span
 
 
 def described(document: Document, chain: Chain, k: int, answer: Answer) -> Verdict:
@@ -61,6 +65,24 @@ def lines_of(document: Document, side: Side, line: int) -> tuple[int, ...]:
     """Return the lines a relation's right side stands on."""
     last = document.line_of(max(side.span[1] - 1, side.span[0]))
     return tuple(range(line, max(last, line) + 1))
+
+
+def unjudged(
+    document: Document, span: Span, line: int, problem: Exception, lines: tuple[int, ...] = ()
+) -> Verdict:
+    """Return the verdict on a relation whose judging failed, by a fault that is not the document's."""
+    return Verdict(
+        line,
+        1,
+        document.source(span).strip(),
+        UNDECIDED,
+        f"not judged, by a fault of symbalance: {fault_of(problem)}; please report it",
+        lines=lines or (line,),
+        column=document.column_of(span[0]),
+        span=span,
+        fault=fault_of(problem),
+        traceback="".join(format_exception(problem)),
+    )
 
 
 def unreadable(document: Document, found: Unreadable) -> Verdict:

@@ -85,10 +85,14 @@ def _declarations(
     if symbols is not None:
         return read_sidecar(symbols)
     if path is not None:
-        for beside in (
-            path.with_name(f"{path.stem}.symbols.toml"),
-            path.with_name(f"{path.name}.symbols.toml"),
-        ):
-            if beside.exists():
-                return read_sidecar(beside)
+        for beside in sidecars_beside(path):
+            return read_sidecar(beside)
     return None
+
+
+def sidecars_beside(path: Path) -> list[Path]:
+    """Return the sidecars that lie beside a document; the first is its own."""
+    if not path.name:
+        return []
+    names = (f"{path.stem}.symbols.toml", f"{path.name}.symbols.toml")
+    return [beside for name in names if (beside := path.with_name(name)).exists()]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from symbalance.checking import claims, premises
@@ -12,7 +13,7 @@ from symbalance.checking.deciding.knowledge import Given, Knowledge
 from symbalance.checking.deciding.relations import judged, ordering
 from symbalance.checking.deciding.steps import Answer
 from symbalance.checking.definitions import Definitions
-from symbalance.checking.describing import described, unreadable
+from symbalance.checking.describing import described, unjudged, unreadable
 from symbalance.checking.letters import meaning_of
 from symbalance.checking.meanings import MOVING, by_meaning
 from symbalance.checking.repair.mending import mended, repaired
@@ -21,7 +22,7 @@ from symbalance.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked
 from symbalance.errors import SymbalanceError
 from symbalance.reading import ReadingError, read_equation
 from symbalance.reading.equations import Chain, Document, Side
-from symbalance.reading.syntax import Name, Node
+from symbalance.reading.syntax import Name, Node, Span
 
 FOLLOWS = "follows from the side before, which is refuted"
 ANGLES = ("crank angle", "rod angle", "time", "integer")
@@ -58,10 +59,24 @@ class Judge:
             found.append(claims.unfound(self.document, bind))
         for bind in self.declarations.binds:
             if bind.text:
-                known = self.knowledge(bind.line, bind.convention)
-                names_here = frozenset(self.declarations.symbols_at(bind.line))
-                found.append(claims.piece(self.document, bind, known, names_here, self.folder))
+                span = claims.span_of(self.document, bind)
+                found.append(self.guarded(partial(self.piece, bind), span, bind.line))
         return Checked(self.document, tuple(numbered(found)))
+
+    def guarded(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
+        """Return a verdict; a fault of ours leaves its relation undecided, and the report whole."""
+        try:
+            return verdict()
+        except SymbalanceError:
+            raise  # a declaration that cannot be used
+        except Exception as problem:
+            return unjudged(self.document, span, line or self.document.line_of(span[0]), problem)
+
+    def piece(self, bind: Bind) -> Verdict:
+        """Return the verdict on a piece of a line that is bound to a quantity."""
+        known = self.knowledge(bind.line, bind.convention)
+        names_here = frozenset(self.declarations.symbols_at(bind.line))
+        return claims.piece(self.document, bind, known, names_here, self.folder)
 
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
@@ -90,10 +105,11 @@ class Judge:
         bound = {claims.side_of(self.document, chain, b): b for b in binds if not b.text}
         if not chain.relations:
             return [self.claim(chain, 0, b, None) for b in bound.values()]
-        for k in range(len(chain.relations)):
+        for k, relation in enumerate(chain.relations):
             if k == 0 and 0 in bound:
                 found.append(self.claim(chain, 0, bound[0], None))
-            verdict = self.link(chain, k, sound, bad)
+            span = chain.sides[k + 1].span
+            verdict = self.guarded(partial(self.link, chain, k, sound, bad), span, relation.line)
             if k + 1 in bound:
                 excused = bad or isinstance(chain.sides[k].node, Name)
                 verdict = self.claim(chain, k + 1, bound[k + 1], verdict, excused)
@@ -111,8 +127,13 @@ class Judge:
 
         `excused` tells that the side before is known to be wrong, or only a name.
         """
-        known = self.knowledge(chain.lines[0], bind.convention)
-        return claims.side(self.document, chain, index, bind, known, self.folder, step, excused)
+
+        def verdict() -> Verdict:
+            known = self.knowledge(chain.lines[0], bind.convention)
+            return claims.side(self.document, chain, index, bind, known, self.folder, step, excused)
+
+        line = chain.relations[index - 1].line if index else 0
+        return self.guarded(verdict, chain.sides[index].span, line)
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""

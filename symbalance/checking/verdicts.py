@@ -18,6 +18,8 @@ UNREADABLE = "unreadable"
 
 VERDICTS = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL, REFUTED, UNDECIDED, DEFINITION, UNREADABLE)
 BAD = (REFUTED, UNDECIDED)
+FAILING = (*BAD, UNREADABLE)
+"""What a document that is right throughout has none of; the unreadable may be forgiven."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +77,9 @@ class Verdict:
     tag: str = ""
     span: Span = (0, 0)
     node: Node | None = None
+    fault: str = ""
+    """A fault of symbalance that kept the relation from being judged or mended."""
+    traceback: str = ""
 
     @property
     def is_bad(self) -> bool:
@@ -91,8 +96,23 @@ class Checked:
 
     @property
     def failed(self) -> bool:
-        """Tell whether anything is refuted or undecided."""
-        return any(v.is_bad for v in self.verdicts)
+        """Tell whether no relation was seen, or one is refuted, undecided or unreadable."""
+        return self.fails()
+
+    def fails(self, *, lenient: bool = False) -> bool:
+        """Tell whether the document is not to be relied on; `lenient` forgives the unreadable."""
+        failing = BAD if lenient else FAILING
+        return not self.verdicts or any(v.verdict in failing for v in self.verdicts)
+
+    @property
+    def seen(self) -> int:
+        """The number of relations seen, whatever their verdict."""
+        return len(self.verdicts)
+
+    @property
+    def faults(self) -> tuple[Verdict, ...]:
+        """The verdicts that a fault of symbalance left undecided, or without a correction."""
+        return tuple(v for v in self.verdicts if v.fault)
 
     def counted(self) -> dict[str, int]:
         """Return how many verdicts of each kind there are, zeros left out."""

@@ -6,11 +6,15 @@ import argparse
 import json
 from pathlib import Path
 
+from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
 from symbalance.cli.output import write
 
 
 def run(options: argparse.Namespace) -> int:
-    """Check the document and write the report; 1 if anything is refuted or undecided."""
+    """Check the document and write the report; 1 if it is not to be relied on, 3 after a fault of ours.
+
+    Not to be relied on: no relation was seen, or one is refuted, undecided or unreadable.
+    """
     from symbalance.checking import check, report_json, report_latex, report_text, sidecar_draft
 
     if options.declare:
@@ -24,4 +28,8 @@ def run(options: argparse.Namespace) -> int:
     else:
         printed = report_text(checked)
     write(printed.rstrip("\n") + "\n", options.output)
-    return 1 if checked.failed else 0
+    for verdict in checked.faults:
+        say_fault(f"line {verdict.line} of {options.notes}: {verdict.fault}", verdict.traceback)
+    if checked.faults:
+        return FAULT
+    return FAILED if checked.fails(lenient=options.lenient) else DONE

@@ -36,7 +36,6 @@ def run(options: argparse.Namespace) -> int:
         per_throw=options.per_throw,
         ratio=options.ratio,
     )
-    _check_names(options)
     printed = _printed(design, options.format)
     files = _files(design, options)
     if options.output not in (None, "-"):
@@ -46,15 +45,6 @@ def run(options: argparse.Namespace) -> int:
     if options.output in (None, "-"):
         write(printed, None)
     return 0
-
-
-def _check_names(options: argparse.Namespace) -> None:
-    """Refuse one name for two files: one of them would be lost."""
-    named = [n for n in (options.output, options.write, options.picture) if n not in (None, "-")]
-    twice = next((n for i, n in enumerate(named) if n in named[:i]), None)
-    if twice is not None:
-        rule, remedy = "is named for two files", "give --output, --write and --picture names of their own"
-        raise SymbalanceError(f"file {twice}", rule, remedy)
 
 
 def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes]:

@@ -5,12 +5,19 @@ from __future__ import annotations
 import argparse
 from importlib import import_module
 
+from symbalance.cli.named_files import check_named_files
+
 
 def command(commands: argparse._SubParsersAction, name: str, summary: str) -> argparse.ArgumentParser:
     """Return the parser of a command, which runs the module of its name."""
     parser = commands.add_parser(name, help=summary, description=summary, allow_abbrev=False)
-    parser.set_defaults(run=lambda options: import_module(f"symbalance.cli.{name}").run(options))
+    parser.set_defaults(command=name, run=_run)
     return parser
+
+
+def _run(options: argparse.Namespace) -> int:
+    check_named_files(options)
+    return import_module(f"symbalance.cli.{options.command}").run(options)
 
 
 def add_output(parser: argparse.ArgumentParser, formats: tuple[str, ...]) -> None:

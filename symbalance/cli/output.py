@@ -6,8 +6,9 @@ import os
 import stat
 import sys
 import tempfile
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from errno import EINVAL
 from pathlib import Path
 
 from symbalance.errors import SymbalanceError
@@ -60,13 +61,37 @@ def write_files(contents: Mapping[str, str | bytes]) -> None:
                 os.unlink(temporary)
 
 
+def finish() -> None:
+    """Hand what is still in stdout's buffer to the system, while a failure can still be told."""
+    with _stdout():
+        sys.stdout.flush()
+
+
 def _to_stdout(text: str) -> None:
     encoding = sys.stdout.encoding or "utf-8"
     try:
         text.encode(encoding)
     except UnicodeEncodeError:
         text = text.encode(encoding, "replace").decode(encoding)
-    sys.stdout.write(text)
+    with _stdout():
+        sys.stdout.write(text)
+        sys.stdout.flush()
+
+
+@contextmanager
+def _stdout() -> Iterator[None]:
+    """Refuse what stdout cannot take; a reader that has gone is no failure, and ends silently."""
+    try:
+        yield
+    except OSError as problem:
+        # What stays in the buffer would fail once more while Python shuts down.
+        with suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        # Windows reports a closed pipe as an invalid argument.
+        if isinstance(problem, BrokenPipeError) or (os.name == "nt" and problem.errno == EINVAL):
+            return
+        rule = f"cannot be written ({problem.strerror or problem})"
+        raise SymbalanceError("standard output", rule, "make room, or name a file with -o") from None
 
 
 def _staged(data: bytes, path: Path) -> str | None:

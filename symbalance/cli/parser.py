@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import argparse
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from symbalance.cli.engine_commands import add_engine_commands
 from symbalance.cli.options import add_output, command
+from symbalance.cli.output import write
 from symbalance.errors import SymbalanceError
 
 QUANTITIES = ("displacement", "velocity", "acceleration", "force", "rod-angle")
@@ -16,6 +17,11 @@ ROTATIONS = ("vector", "uvw", "uwv", "vuw", "vwu", "wuv", "wvu")
 
 class _Parser(argparse.ArgumentParser):
     """A parser whose refusals are one line, like every other refusal."""
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """Print help as any result: what cannot be written is refused, not passed over."""
+        if message:
+            write(message, None)
 
     def error(self, message: str) -> NoReturn:
         command = self.prog.removeprefix("symbalance").strip() or "command line"
@@ -44,7 +50,7 @@ class _Version(argparse.Action):
     def __call__(self, parser: argparse.ArgumentParser, *_: object) -> NoReturn:
         from symbalance import __version__
 
-        print(f"symbalance {__version__}")
+        write(f"symbalance {__version__}\n", None)
         parser.exit()
 
 
@@ -79,6 +85,9 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
         "--symbols",
         metavar="FILE",
         help="what the letters mean, and what lines claim; default: NOTES.symbols.toml beside it",
+    )
+    parser.add_argument(
+        "--lenient", action="store_true", help="exit 0 although something could not be read"
     )
     parser.add_argument(
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
+from symbalance.algebra.domain import NoFormError
 from symbalance.reading import syntax
-from symbalance.reading.syntax import Name, Node, Number, Product, Quotient
+from symbalance.reading.syntax import Derivative, Name, Node, Number, Product, Quotient, Summation
 
 
 def substituted(node: Node, name: str, value: Node) -> Node:
-    """Return a formula with a letter replaced."""
+    """Return a formula with a letter replaced; a sum's own index is another letter of the same name.
+
+    Raises NoFormError for a derivative by the letter: d/dx of a value at one x is no formula.
+    """
     if isinstance(node, Name) and node.name == name:
         return value
+    if isinstance(node, Derivative) and node.variable.name == name:
+        raise NoFormError(f"a derivative by {name}, which is given a value")
+    if isinstance(node, Summation) and node.index is not None and node.index.name == name:
+        bounds = {"lower": node.lower, "upper": node.upper}
+        return replace(
+            node, **{key: part and substituted(part, name, value) for key, part in bounds.items()}
+        )
     parts = syntax.children(node)
     changed = tuple(substituted(part, name, value) for part in parts)
     return (

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from symbalance.algebra.domain import NoFormError
 from symbalance.algebra.numbers import rational_node
 from symbalance.checking.deciding.changing import replaced, substituted
 from symbalance.checking.deciding.knowledge import Knowledge
@@ -69,6 +70,13 @@ def _of_dots(part: Sum) -> Iterator[Progression]:
 
 def by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
     """Decide left = right where one side holds one sum with open bounds; None if there is none."""
+    try:
+        return _by_induction(left, right, knowledge)
+    except NoFormError as problem:
+        return Answer(UNDECIDED, str(problem))
+
+
+def _by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
     left, right = _spelled_out(left, knowledge), _spelled_out(right, knowledge)
     found = list(progressions(left))
     if not found:

@@ -26,9 +26,7 @@ LONG = 3
 def decimals(node: Node) -> list[Number]:
     """Return the numbers of a formula that are printed with a decimal point."""
     return [
-        part
-        for part in syntax.walk(node)
-        if isinstance(part, Number) and part.last_place is not None and part.value
+        part for part in syntax.walk(node) if isinstance(part, Number) and part.last_place is not None
     ]
 
 
@@ -50,7 +48,9 @@ def agrees_as_printed(
         ):
             lone = _lone(node, generous) if decimals(node) or decimals(other) else None
             if lone is not None:
-                return _is_rounded(lone, _number(value), _number(exact), decimals(other), generous)
+                numbers = _number(value), _number(exact)
+                unit = _unit(node, lone, numbers[0], form_of)
+                return _is_rounded(lone, unit, *numbers, decimals(other), generous)
     return _coefficients_agree(left, right, first, second, form_of)
 
 
@@ -79,12 +79,21 @@ def _number(form: Form) -> Any:
     return Valuation(form.domain, {}).of(form)
 
 
-def _is_rounded(lone: Number, value: Any, exact: Any, others: list[Number], generous: bool) -> bool:
+def _unit(node: Node, lone: Number, value: Any, form_of: Callable[[Node], Form]) -> Any:
+    """Return what one unit of a lone decimal's last place comes to in the side that it is."""
     assert lone.last_place is not None
-    half = abs(value) * float(lone.last_place / 2 / abs(lone.value))
+    if lone.value:
+        return abs(value) * float(lone.last_place / abs(lone.value))
+    return abs(_number(form_of(replaced(node, lone, Number(lone.last_place)))))
+
+
+def _is_rounded(
+    lone: Number, unit: Any, value: Any, exact: Any, others: list[Number], generous: bool
+) -> bool:
+    """Tell whether a value is the exact one, rounded; a printed 0.000 stands for half a unit at most."""
     wide = any(significant(number) >= LONG for number in others)
     wide = wide or (generous and abs(value) <= abs(exact))
-    return abs(value - exact) <= half * (2 if wide else 1) * (1 + 1e-12)
+    return abs(value - exact) <= unit * (1 if wide and lone.value else 0.5) * (1 + 1e-12)
 
 
 def significant(number: Number) -> int:

@@ -59,6 +59,8 @@ def equal(left: Node, right: Node, knowledge: Knowledge) -> Answer:
 def _apart(left: Node, right: Node, knowledge: Knowledge, level: Level) -> bool:
     """Tell at one point, quickly, that two sides differ by more than any rounding: no proof is tried."""
     meaning = replace(knowledge.meaning, values=level.values)
+    if any(not number.value for number in (*decimals(left), *decimals(right))):
+        return False  # beside a printed 0.000 every value is far off, measured by the larger of the two
     points = sample_trees([left, right], meaning, 1)
     if not points:
         return False
@@ -106,11 +108,11 @@ def _by_numbers(
     same = [_close(*pair) for _, pair in points]
     if all(same) and (signed := _same_square(left, right, first, second)) is not None:
         return Answer(PROVED, "", "", (*level.assumptions, *signed), level, first, second)
-    if all(same):
-        return Answer(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
     if agrees_as_printed(left, right, evaluator.form):
         order = "the digits printed"
         return Answer(PROVED, "", order, level.assumptions, level, first, second)
+    if all(same):
+        return Answer(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
     signed = _up_to_sign(left, right, first, second) if any(same) else ""
     if signed:
         return Answer(PROVED, "", "", (*level.assumptions, signed), level, first, second)

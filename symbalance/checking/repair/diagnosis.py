@@ -7,6 +7,8 @@ not proved is not reported.
 
 from __future__ import annotations
 
+import math
+from cmath import isfinite
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -59,6 +61,8 @@ def _rounded(case: Case) -> Repair | None:
     points = values.sample([case.answer.left]) if place and case.answer.left is not None else []
     if not place or not points or points[0][0]:
         return None
+    if not values.context().isfinite(points[0][1][0]):
+        return None  # ln 0
     exact = Fraction(str(points[0][1][0].real))
     while exact and abs(exact) < 10 * place:  # at least two digits
         place /= 10
@@ -122,9 +126,13 @@ def _solutions(
         if abs(step) < 1e-14 * max(abs(here), 1e-30):
             continue
         ratio = 1 + (target - here) / step
+        if not isfinite(ratio):
+            continue
         if abs(ratio.imag) > 1e-7 * max(1, abs(ratio.real)) or abs(ratio) < 1e-9:
             continue
         exact = float(value) * ratio.real if not inverse else float(value) / ratio.real
+        if not math.isfinite(exact):
+            continue  # the number itself, or what it would be, is beyond a double
         if round(exact) and abs(exact - round(exact)) < 1e-6:
             yield Fraction(round(exact)), inverse
             continue
@@ -153,7 +161,10 @@ def _conventions(case: Case, sieve: Sieve, targets: list[Values]) -> Iterator[Ed
             Quotient(letter, rational_node(Fraction(2))),
         ),
     ):
-        changed = upright(substituted(case.node, small[0], new))
+        try:
+            changed = upright(substituted(case.node, small[0], new))
+        except NoFormError:  # a derivative by it
+            continue
         if fits(changed, sieve, targets):
             once = counts(case.node)[small[0]] == 1 and "inverted" not in title
             yield Edit(title, 1.15 if once else 0.95, case.node, changed)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from traceback import format_exception
 
 from symbalance.checking.deciding.knowledge import Knowledge
 from symbalance.checking.deciding.steps import Answer
@@ -11,6 +12,7 @@ from symbalance.checking.repair.diagnosis import Repair, diagnosed
 from symbalance.checking.repair.sieving import Case
 from symbalance.checking.repair.term_repair import kind
 from symbalance.checking.verdicts import REFUTED, Fault, Fix, Verdict
+from symbalance.errors import SymbalanceError, fault_of
 from symbalance.reading import render
 from symbalance.reading.equations import Document, Side
 from symbalance.reading.syntax import Node
@@ -34,6 +36,26 @@ def mended(
     """
     if verdict.verdict != REFUTED or answer.left is None:
         return verdict
+    try:
+        return _with_fix(verdict, document, side, answer, knowledge, proves, other)
+    except SymbalanceError:
+        raise  # a declaration that cannot be used
+    except Exception as problem:  # refuted all the same: only its correction is lost
+        fault = fault_of(problem)
+        note = f"no correction was found, by a fault of symbalance: {fault}; please report it"
+        notes = (*verdict.notes, note)
+        return replace(verdict, notes=notes, fault=fault, traceback="".join(format_exception(problem)))
+
+
+def _with_fix(
+    verdict: Verdict,
+    document: Document,
+    side: Side,
+    answer: Answer,
+    knowledge: Knowledge,
+    proves: Callable[[Node], bool],
+    other: tuple[Side, Callable[[Node], bool]] | None,
+) -> Verdict:
     found = diagnosed(Case(side.node, answer, knowledge, proves))
     where, title = side, ""
     if other is not None and (found is None or found.cost > 1.0 + OTHER_SIDE):

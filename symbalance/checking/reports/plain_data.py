@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from symbalance.checking.verdicts import HOLDS, REFUTED, Checked, Verdict
+from symbalance.checking.verdicts import HOLDS, REFUTED, VERDICTS, Checked, Verdict
 
 
 def report_json(checked: Checked) -> dict[str, Any]:
@@ -12,7 +12,8 @@ def report_json(checked: Checked) -> dict[str, Any]:
     entries = [entry for v in checked.verdicts for entry in (link(v), *continuations(v))]
     return {
         "document": checked.document.name,
-        "counts": checked.counted(),
+        "seen": checked.seen,
+        "counts": dict.fromkeys(VERDICTS, 0) | checked.counted(),
         "links": sorted(entries, key=lambda entry: entry["line"]),
     }
 

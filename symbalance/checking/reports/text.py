@@ -36,11 +36,10 @@ def report_text(checked: Checked, *, everything: bool = True) -> str:
 def summary(checked: Checked) -> str:
     """Return the counts of the verdicts in one line."""
     counts = checked.counted()
-    total = sum(counts.values())
-    if not total:
-        return "No equation was found."
+    if not checked.seen:
+        return "No relation was seen: nothing is checked."
     listed = ", ".join(f"{count} {_TITLES[name].lower()}" for name, count in counts.items())
-    return f"{total} {'verdict' if total == 1 else 'verdicts'}: {listed}."
+    return f"{checked.seen} {'relation' if checked.seen == 1 else 'relations'} seen: {listed}."
 
 
 def _block(verdict: Verdict) -> list[str]:
