@@ -132,15 +132,19 @@ def _refusals() -> Iterator[Case]:
         "power-too-small": "balance v12-60 --power 1",
         "ratio-1": "balance v8-90 --ratio 1",
         "ratio-word": "balance v8-90 --ratio four",
-        "ratio-short-of-the-offset": "balance own/one-offset --ratio 1.05",
+        "ratio-short-of-the-offset": "balance inputs/engines/own/one-offset.toml --ratio 1.05",
         "unknown-format": "balance v8-90 --format yaml",
         "output-in-no-folder": "balance v8-90 -o nowhere/out.txt",
         "torque-without-bore": "torque v8-90 --compression 10 --rpm 3000",
         "torque-without-stroke": "torque v8-90 --compression 10 --bore 90 --rpm 3000",
-        "torque-two-pressures": "torque v8-90 --compression 10 --pressure inputs/pressure.csv --bore 90",
-        "torque-two-strokes": "torque inputs/engines/own/sized-four.toml --stroke 80",
-        "torque-no-firing": "torque inputs/engines/own/sevenths-three.toml --compression 9 --bore 80 "
-        "--rpm 900",
+        "torque-two-pressures": "torque v8-90 --compression 9 --pressure inputs/pressure-4.csv --bore 90",
+        "torque-stroke-without-pressure": "torque inputs/engines/own/sized-four.toml --stroke 80",
+        "torque-stroke-twice": "torque inputs/engines/own/sized-four.toml --compression 9 --bore 80 "
+        "--rpm 900 --stroke 80",
+        "sensitivities-no-ratio": "sensitivities inputs/engines/own/geometry-only-six.toml",
+        "emit-no-ratio": "emit inputs/engines/own/geometry-only-six.toml --target numpy",
+        "emit-gas-without-order": "emit inputs/engines/own/sized-four.toml --target numpy "
+        "--outputs torque.gas --compression 9 --bore 80 --rpm 900",
         "derive-unknown": "derive --quantity jerk",
         "derive-both": "derive --quantity force --rotation uvw",
         "design-order-3": "design v8-90 --remove 3",
@@ -151,7 +155,7 @@ def _refusals() -> Iterator[Case]:
         "assign-no-file": "assign v8-90 --parts nowhere.csv",
         "engines-unknown": "engines --show v13",
         "check-no-file": "check nowhere.md",
-        "check-unknown-suffix": "check inputs/pressure.csv",
+        "check-unknown-suffix": "check inputs/pressure-4.csv",
         "emit-no-target": "emit v8-90",
         "emit-unknown-output": "emit v8-90 --target numpy --outputs force.up",
         "emit-c-to-the-terminal": "emit v8-90 --target c",
@@ -186,11 +190,18 @@ def _torques(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator[Ca
         yield from _formats(f"torque/{engine.key}", SUFFIX, "torque", engine.argument)
         if engine.text:
             running = ("--compression", "10", "--bore", "85", "--rpm", "3000", *engine.missing_sizes)
-            line = ("torque", engine.argument, *running)
+            line = ("torque", engine.argument, *running, *engine.missing_ratio)
             yield from _formats(f"torque-running/{engine.key}", ("json", "text"), *line)
     for engine in chosen:
         if engine.text:
-            trace = ("--pressure", "inputs/pressure.csv", "--bore", "85", "--rpm", "1500")
+            trace = (
+                "--pressure",
+                f"inputs/pressure-{engine.strokes}.csv",
+                "--bore",
+                "85",
+                "--rpm",
+                "1500",
+            )
             line = ("torque", engine.argument, *trace, *engine.missing_sizes, "--delta", "0.01")
             yield from _formats(f"torque-pressure/{engine.key}", ("json", "latex"), *line, "--order", "4")
             motored = ("--compression", "8.5", "--heat", "0", "--bore", "85", "--rpm", "600")
@@ -214,7 +225,7 @@ def _derivations() -> Iterator[Case]:
 
 def _designs(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator[Case]:
     for engine in engines:
-        line = ("design", engine.argument)
+        line = ("design", engine.argument, *engine.missing_ratio)
         yield from _formats(f"design/{engine.key}", SUFFIX, *line)
         yield from _formats(f"design-order-1/{engine.key}", ("json",), *line, "--remove", "1")
         yield from _formats(f"design-one-shaft/{engine.key}", ("json", "text"), *line, "--shafts", "1")
@@ -226,7 +237,6 @@ def _designs(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator[Ca
         "per-throw": ("--remove", "1", "--per-throw"),
         "weighed": ("--shafts", "1", "--vertical", "2", "--lateral", "0.5", "--length", "3"),
         "ratio": ("--remove", "2", "--ratio", "3.5"),
-        "most": ("--remove", "1", "--most", "30"),
         "write": ("--remove", "1", "--write", "balanced.toml"),
     }
     for engine in chosen:
@@ -234,13 +244,17 @@ def _designs(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator[Ca
             form = "text" if variant == "write" else "json"
             line = ("design", engine.argument, *options)
             yield from _formats(f"design-{variant}/{engine.key}", (form,), *line)
+    for engine in engines:
+        if engine.has_all_sizes:
+            line = ("design", engine.argument, "--most", "30")
+            yield from _formats(f"design-most/{engine.key}", ("json", "text"), *line)
 
 
 def _variations(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator[Case]:
     for engine in engines:
-        line = ("sensitivities", engine.argument)
+        line = ("sensitivities", engine.argument, *engine.missing_ratio)
         yield from _formats(f"sensitivities/{engine.key}", SUFFIX, *line)
-        line = ("tolerances", engine.argument, "--mass", "0.5%", "--throw", "0.1")
+        line = ("tolerances", engine.argument, "--mass", "0.5%", "--throw", "0.1", *engine.missing_ratio)
         yield from _formats(f"tolerances/{engine.key}", SUFFIX, *line)
     everything = ("--bank", "0.1", "--station", "0.2%", "--rotating", "0.5%")
     lengths = ("--stroke", "0.05", "--rod", "0.05", "--offset", "0.05")
@@ -249,10 +263,13 @@ def _variations(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator
         yield from _formats(f"sensitivities-some/{engine.key}", ("json",), *line)
         line = ("tolerances", engine.argument, "--mass", "1%", *everything, "--of", "vertical,forward")
         yield from _formats(f"tolerances-places/{engine.key}", ("json",), *line)
-        line = ("tolerances", engine.argument, *lengths, "--rpm", "3000")
-        yield from _formats(f"tolerances-lengths/{engine.key}", ("json", "text"), *line)
-        line = ("tolerances", engine.argument, "--mass", "0.002", "--throw", "0.1", "--rpm", "3000")
-        yield from _formats(f"tolerances-newtons/{engine.key}", ("json",), *line)
+    for engine in engines:
+        if engine.has_all_sizes:
+            line = ("tolerances", engine.argument, *lengths, "--rpm", "3000")
+            yield from _formats(f"tolerances-lengths/{engine.key}", ("json", "text"), *line)
+            masses = ("--mass", "0.002", "--throw", "0.1", "--rpm", "3000")
+            line = ("tolerances", engine.argument, *masses)
+            yield from _formats(f"tolerances-newtons/{engine.key}", ("json", "text"), *line)
 
 
 def _assignments(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator[Case]:
@@ -262,9 +279,14 @@ def _assignments(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterato
     for engine in chosen:
         if engine.text and engine.cylinders <= 6:
             yield from _formats(f"assign-two-sets/{engine.key}", ("json", "latex"), *_assign(engine))
-        line = _assign(engine)
-        options = ("--paired", "--orders", "1,2", "--whole", "--lever", "100")
-        yield from _formats(f"assign-whole/{engine.key}", ("json",), *line, *options)
+        options = ("--paired", "--orders", "1,2", "--whole")
+        yield from _formats(f"assign-whole/{engine.key}", ("json",), *_assign(engine), *options)
+    for engine in engines:
+        if engine.has_all_sizes:
+            options = ("--paired", "--lever", "100", "--rpm", "3000")
+            yield from _formats(
+                f"assign-newtons/{engine.key}", ("json", "text"), *_assign(engine), *options
+            )
 
 
 def _assign(engine: Engine) -> tuple[str, ...]:
@@ -281,7 +303,7 @@ def _checks(inputs: dict[str, bytes]) -> Iterator[Case]:
 
 def _sources(engines: Sequence[Engine], emitted: Sequence[Engine]) -> Iterator[Case]:
     for engine in engines:
-        line = (engine.argument, "--outputs", f"{BOTH},torque.inertia")
+        line = (engine.argument, "--outputs", f"{BOTH},torque.inertia", *engine.missing_ratio)
         yield _source(f"emit-all/{engine.key}", "numpy", *line)
     turning = "force.forward,force.backward,couple.forward,couple.backward"
     for engine in emitted:
@@ -294,7 +316,7 @@ def _sources(engines: Sequence[Engine], emitted: Sequence[Engine]) -> Iterator[C
             yield _source(f"{at}/order-2", target, engine.argument, "--order", "2", "--uniform-grid")
             yield _source(f"{at}/tolerance", target, engine.argument, "--tolerance", "1e-6")
         if engine.text:
-            outputs = ("--outputs", "torque.gas,torque.total,torque.frame")
+            outputs = ("--outputs", "torque.gas,torque.total,torque.frame", "--order", "24")
             running = ("--compression", "10", "--bore", "85", "--rpm", "3000", *engine.missing_sizes)
             for target in ("numpy", "c"):
                 yield _source(f"emit/{engine.key}/gas", target, engine.argument, *outputs, *running)

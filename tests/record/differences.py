@@ -218,7 +218,7 @@ def _of_lines(place: str, old: str, new: str, tag: str) -> Difference:
 
 
 def _tokens(text: str) -> list[tuple[str, str]]:
-    """Return a text's tokens with their classes: word, number, sign, formula; spaces and rules have none."""
+    """Return a text's tokens with their classes: word, number, sign, formula; spaces have none."""
     tokens = []
     for match in _TOKEN.finditer(text):
         kind, token = match.lastgroup, match[0]

@@ -27,6 +27,24 @@ class Engine:
         return len(table.get("cylinder") or layout.get("firing_order", ()))
 
     @property
+    def strokes(self) -> int:
+        """Four, or two."""
+        table = tomllib.loads(self.text)
+        return table.get("layout", {}).get("strokes") or table.get("strokes") or 4
+
+    @property
+    def missing_ratio(self) -> tuple[str, ...]:
+        """The option that gives the rod ratio where its file leaves it out."""
+        train = tomllib.loads(self.text).get("crank_train", {})
+        return () if {"ratio", "rod"} & set(train) else ("--ratio", "3.5")
+
+    @property
+    def has_all_sizes(self) -> bool:
+        """Whether its file gives all that results in N, N m and kg mm take."""
+        train = tomllib.loads(self.text).get("crank_train", {})
+        return {"stroke", "rod", "pitch", "reciprocating_mass"} <= set(train)
+
+    @property
     def missing_sizes(self) -> tuple[str, ...]:
         """The options that give a running engine the sizes its file leaves out.
 

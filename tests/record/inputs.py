@@ -29,7 +29,8 @@ def gather(root: Path, seeds: Path | None = None) -> dict[str, bytes]:
         files[f"pages/seeds/{path.name}"] = path.read_bytes()
     for count in range(1, MOST_CYLINDERS + 1):
         files[f"parts/{count}.csv"] = parts(count).encode()
-    files["pressure.csv"] = pressure().encode()
+    for strokes in (4, 2):
+        files[f"pressure-{strokes}.csv"] = pressure(strokes).encode()
     return dict(sorted(files.items()))
 
 
@@ -81,10 +82,10 @@ def parts(count: int) -> str:
     return "\n".join(rows) + "\n"
 
 
-def pressure() -> str:
-    """Return a pressure trace over four strokes: smooth, near 1 bar, 60 bar a little after the top."""
+def pressure(strokes: int) -> str:
+    """Return a pressure trace over a cycle: smooth, 1 bar and more, 60 bar a little after the top."""
     rows = ["degrees after firing top dead centre,bar absolute"]
-    for angle in range(-360, 360, 5):
+    for angle in range(-90 * strokes, 90 * strokes, 5):
         hill = (1 + cos((angle - 15) * pi / 180)) / 2 if abs(angle - 15) < 180 else 0
         rows.append(f"{angle},{1 + 59 * hill**4:.4f}")
     return "\n".join(rows) + "\n"

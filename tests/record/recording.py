@@ -14,7 +14,7 @@ import sys
 import tarfile
 import tempfile
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from importlib import metadata
@@ -317,18 +317,18 @@ class Crew:
 
     def run_all(self, cases: Sequence[Case]) -> dict[str, Said]:
         """Run all cases, as many at a time as there are workers."""
-        folders = [self.take_folder() for _ in cases]
         said: dict[str, Said] = {}
         with ThreadPoolExecutor(len(self.processes)) as pool:
+            running = {pool.submit(self.run, case, self.take_folder()): case for case in cases}
             try:
-                for case, one in zip(cases, pool.map(self.run, cases, folders), strict=True):
-                    said[case.name] = one
+                for done in as_completed(running):
+                    said[running[done].name] = done.result()
                     if len(said) % 100 == 0:
                         print(f"record: {len(said)} of {len(cases)} cases", file=sys.stderr, flush=True)
             except BaseException:
                 pool.shutdown(wait=False, cancel_futures=True)
                 raise
-        return said
+        return {case.name: said[case.name] for case in cases}
 
     def take_folder(self) -> Path:
         """Return a folder for one case, with the inputs in it."""

@@ -23,12 +23,10 @@ from pathlib import Path
 WARMING = (
     ("balance", "v8-90", "--format", "json"),
     ("balance", "v8-90", "--format", "latex"),
-    ("torque", "v8-90", "--compression", "10", "--bore", "90", "--rpm", "3000", "--stroke", "80"),
+    ("torque", "v8-90"),
     ("design", "v8-90"),
     ("tolerances", "v8-90", "--throw", "0.1"),
-    ("sensitivities", "v8-90"),
     ("emit", "v8-90", "--target", "numpy"),
-    ("derive", "--order", "2"),
     ("check", "absent.md"),
 )
 """Runs that load what commands load; only the names of the modules are kept of them."""
