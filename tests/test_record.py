@@ -179,6 +179,16 @@ def test_a_case_that_writes_into_its_inputs_is_refused(fake, monkeypatch):
         record(fake, ONE)
 
 
+def test_a_program_that_is_changed_while_it_runs_is_refused(fake, monkeypatch):
+    def changing(*_: object) -> list[Case]:
+        (fake / "symbalance/late.py").write_text("")
+        return [Case("one", ("other",))]
+
+    monkeypatch.setattr("tests.record.recording.all_cases", changing)
+    with pytest.raises(RecordError, match="changed while it ran"):
+        record(fake, ONE)
+
+
 def test_a_pattern_of_no_case_and_a_program_of_no_preset_are_refused(fake):
     with pytest.raises(RecordError, match="no case"):
         record(fake, Settings(jobs=1, only=("balace/*",)))

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import io
+import itertools
 import json
 import os
 import platform
@@ -64,14 +66,12 @@ def write(folder: Path, commit: str | None = None, settings: Settings | None = N
     settings = settings or Settings()
     folder = folder.resolve()
     refuse_foreign(folder)
+    program = state(commit, "symbalance", "pyproject.toml")
+    inputs_of = state(None, "tests", "derivations", "*.md")
     with program_tree(commit) as tree:
         manifest, said = record(tree, settings)
-        manifest = {
-            "record": FORMAT,
-            "program": {**manifest.pop("program"), **state(commit, "symbalance", "pyproject.toml")},
-            "inputs_of": state(None, "tests", "derivations", "*.md"),
-            **manifest,
-        }
+    manifest["program"] |= program
+    manifest |= {"record": FORMAT, "inputs_of": inputs_of}
     folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as nearby:
         new = Path(nearby) / "new"
@@ -171,6 +171,7 @@ def git(*arguments: str) -> bytes:
 def record(tree: Path, settings: Settings) -> tuple[dict, dict[str, Said]]:
     """Run every case with the program of a tree; return the manifest, and what was said by case."""
     inputs = gather(ROOT, settings.seeds)
+    sources = fingerprint(tree)
     with tempfile.TemporaryDirectory(prefix="symbalance-record-") as scratch_name:
         scratch = Path(scratch_name).resolve()
         stage(inputs, scratch / "inputs")
@@ -184,6 +185,8 @@ def record(tree: Path, settings: Settings) -> tuple[dict, dict[str, Said]]:
             said = workers.run_all(cases)
         if staged(scratch / "inputs") != inputs:
             raise RecordError("a case has written into its inputs: nothing after it can be believed")
+    if fingerprint(tree) != sources:
+        raise RecordError(f"{tree}: the program was changed while it ran: nothing here is of one program")
     manifest = {
         "program": {"version": version},
         "python": platform.python_version(),
@@ -200,6 +203,16 @@ def record(tree: Path, settings: Settings) -> tuple[dict, dict[str, Said]]:
         },
     }
     return manifest, said
+
+
+def fingerprint(tree: Path) -> str:
+    """Return one digest of all files of a tree's program, which imports some of them at every case."""
+    digest = hashlib.sha256()
+    for path in sorted((tree / "symbalance").rglob("*")):
+        if path.is_file() and path.suffix != ".pyc":
+            digest.update(f"{path.relative_to(tree).as_posix()}\0{path.stat().st_size}\0".encode())
+            digest.update(path.read_bytes())
+    return digest.hexdigest()
 
 
 def versions() -> dict[str, str | None]:
@@ -245,7 +258,7 @@ class Crew:
         self.tree, self.scratch, self.settings = tree, scratch, settings
         self.processes: list[subprocess.Popen[str]] = []
         self.idle: queue.SimpleQueue[subprocess.Popen[str]] = queue.SimpleQueue()
-        self.counter = 0
+        self.numbers = itertools.count(1)
         # Longest first: one of these may lie within another.
         self.places = sorted(
             [(str(tree), "<program>"), (str(scratch), "<here>"), (sys.prefix, "<python>")],
@@ -309,7 +322,7 @@ class Crew:
 
     def say(self, arguments: Sequence[str]) -> str:
         """Return what a command line prints that the record itself needs; refuse a refusal."""
-        said = self.run(Case("out", tuple(arguments)), self.take_folder())
+        said = self.run(Case("out", tuple(arguments)))
         if said.exit != 0:
             reason = said.files.get("out.stderr", b"").decode("utf-8", "replace").strip().split("\n")[-1]
             raise RecordError(f"symbalance {' '.join(arguments)}: exit code {said.exit}: {reason}")
@@ -319,7 +332,7 @@ class Crew:
         """Run all cases, as many at a time as there are workers."""
         said: dict[str, Said] = {}
         with ThreadPoolExecutor(len(self.processes)) as pool:
-            running = {pool.submit(self.run, case, self.take_folder()): case for case in cases}
+            running = {pool.submit(self.run, case): case for case in cases}
             try:
                 for done in as_completed(running):
                     said[running[done].name] = done.result()
@@ -332,14 +345,14 @@ class Crew:
 
     def take_folder(self) -> Path:
         """Return a folder for one case, with the inputs in it."""
-        self.counter += 1
-        folder = self.scratch / f"case-{self.counter}" / "here"
+        folder = self.scratch / f"case-{next(self.numbers)}" / "here"
         folder.mkdir(parents=True)
         (folder / "inputs").symlink_to(self.scratch / "inputs")
         return folder
 
-    def run(self, case: Case, folder: Path) -> Said:
-        """Run one case in its folder, and remove the folder."""
+    def run(self, case: Case) -> Said:
+        """Run one case in a folder of its own, and remove the folder."""
+        folder = self.take_folder()
         out, err = folder.parent / "out", folder.parent / "err"
         job = {
             "arguments": case.arguments,
@@ -351,7 +364,8 @@ class Crew:
         process = self.idle.get()
         try:
             assert process.stdin is not None
-            print(json.dumps(job), file=process.stdin, flush=True)
+            with contextlib.suppress(BrokenPipeError):  # the worker has ended: so says its answer
+                print(json.dumps(job), file=process.stdin, flush=True)
             answer = self.answer(process)
         finally:
             self.idle.put(process)
