@@ -23,5 +23,5 @@ def run(options: argparse.Namespace) -> int:
         layout, parts, orders=orders, rpm=options.rpm, lever=options.lever, whole=options.whole
     )
     printers = {"text": assignment_text, "json": assignment_json, "latex": assignment_latex}
-    write(printers[options.format](found), options.output)
+    write(printers[options.format](found), options.output, options.format)
     return 0

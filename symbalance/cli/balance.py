@@ -20,7 +20,7 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.resultants import balance
 
     result = balance(load(options.engine), order, ratio=options.ratio, power=power)
-    write(_printed(result, options.format), options.output)
+    write(_printed(result, options.format), options.output, options.format)
     return 0
 
 

@@ -18,7 +18,7 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.checking import check, report_json, report_latex, report_text, sidecar_draft
 
     if options.declare:
-        write(sidecar_draft(Path(options.notes)), options.output)
+        write(sidecar_draft(Path(options.notes)), options.output, "source")
         return 0
     checked = check(Path(options.notes), options.symbols)
     if options.format == "json":
@@ -27,7 +27,7 @@ def run(options: argparse.Namespace) -> int:
         printed = report_latex(checked)
     else:
         printed = report_text(checked)
-    write(printed.rstrip("\n") + "\n", options.output)
+    write(printed.rstrip("\n") + "\n", options.output, options.format)
     for verdict in checked.faults:
         say_fault(f"line {verdict.line} of {options.notes}: {verdict.fault}", verdict.traceback)
     if checked.faults:

@@ -56,7 +56,7 @@ def run(options: argparse.Namespace) -> int:
     drawn = {} if options.no_plots or folder is None else pictures(found)
     if folder is not None:
         _write_all(folder, found, drawn)
-    write(_printed(found, options.format), None)
+    write(_printed(found, options.format), None, options.format)
     return 0 if found.valid else 1
 
 

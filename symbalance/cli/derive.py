@@ -17,7 +17,7 @@ def run(options: argparse.Namespace) -> int:
 
     result = derive(options.quantity, order, options.convention)
     printed = derivation_latex(result) if options.format == "latex" else derivation_text(result)
-    write(printed.rstrip("\n") + "\n", options.output)
+    write(printed.rstrip("\n") + "\n", options.output, options.format)
     return 0
 
 
@@ -28,5 +28,6 @@ def _run_node(options: argparse.Namespace) -> int:
 
     found = node_equations(options.rotation)
     latex = options.format == "latex"
-    write(to_latex(found, standalone=True) if latex else equations_text(found), options.output)
+    printed = to_latex(found, standalone=True) if latex else equations_text(found)
+    write(printed, options.output, options.format)
     return 0

@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     if files:
         write_files(files)
     if options.output in (None, "-"):
-        write(printed, None)
+        write(printed, None, options.format)
     return 0
 
 

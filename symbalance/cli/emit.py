@@ -34,7 +34,7 @@ def run(options: argparse.Namespace) -> int:
     name = identifier(layout.name) if path is None else path.stem
     made = files(planned, options.target, layout.name, name, grid=options.uniform_grid)
     if path is None or len(made) == 1:
-        write(next(iter(made.values())), None if path is None else str(path))
+        write(next(iter(made.values())), None if path is None else str(path), "source")
     else:
         write_files({str(path.with_suffix(suffix)): text for suffix, text in made.items()})
     return 0

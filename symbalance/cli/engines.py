@@ -13,7 +13,7 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.catalogue import preset_text, presets
 
     if options.show is not None:
-        write(preset_text(options.show), None)
+        write(preset_text(options.show), None, "source")
         return 0
     found = presets()
     width = max(len(p.name) for p in found)

@@ -11,7 +11,10 @@ from contextlib import contextmanager, suppress
 from errno import EINVAL
 from pathlib import Path
 
+from symbalance.cli.ascii_spelling import as_encodable, as_json
 from symbalance.errors import SymbalanceError
+
+SPELLINGS = {"text": as_encodable, "json": as_json}
 
 
 def whole_number(text: str, name: str) -> int:
@@ -26,10 +29,15 @@ def whole_number(text: str, name: str) -> int:
     return int(stripped)
 
 
-def write(text: str, output: str | None) -> None:
-    """Write `text` to stdout (None or "-") or to the file `output`, replaced in one step."""
+def write(text: str, output: str | None, form: str = "text") -> None:
+    """Write `text` to stdout (None or "-") or to the file `output`, replaced in one step.
+
+    A file is UTF-8. On stdout `form` says what may become of characters that it cannot take: a "text" is
+    spelled in ASCII, "json" escapes them, and any other form, "latex" or "source", is for programs and
+    stays UTF-8 whatever the locale.
+    """
     if output in (None, "-"):
-        _to_stdout(text)
+        _to_stdout(text, form)
         return
     write_files({str(output): text})
 
@@ -67,15 +75,21 @@ def finish() -> None:
         sys.stdout.flush()
 
 
-def _to_stdout(text: str) -> None:
+def _to_stdout(text: str, form: str) -> None:
     encoding = sys.stdout.encoding or "utf-8"
-    try:
-        text.encode(encoding)
-    except UnicodeEncodeError:
-        text = text.encode(encoding, "replace").decode(encoding)
     with _stdout():
-        sys.stdout.write(text)
+        if form in SPELLINGS:
+            sys.stdout.write(SPELLINGS[form](text, encoding))
+        elif _is_utf8(encoding):
+            sys.stdout.write(text)
+        else:
+            sys.stdout.flush()
+            sys.stdout.buffer.write(text.encode("utf-8"))
         sys.stdout.flush()
+
+
+def _is_utf8(encoding: str) -> bool:
+    return encoding.lower().replace("_", "-") in ("utf-8", "utf8", "utf-8-sig")
 
 
 @contextmanager

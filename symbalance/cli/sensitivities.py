@@ -27,5 +27,5 @@ def run(options: argparse.Namespace) -> int:
         asked = [name.strip() for name in options.parameters.split(",")]
     found = sensitivities(layout, order, parameters=asked)
     printers = {"text": sensitivities_text, "json": sensitivities_json, "latex": sensitivities_latex}
-    write(printers[options.format](layout, found, order), options.output)
+    write(printers[options.format](layout, found, order), options.output, options.format)
     return 0

@@ -29,5 +29,6 @@ def run(options: argparse.Namespace) -> int:
     modes = [name.strip() for name in options.of.split(",")]
     found = worst_cases(layout, tolerances, order, of=modes)
     printers = {"text": tolerances_text, "json": tolerances_json, "latex": tolerances_latex}
-    write(printers[options.format](layout, tolerances, found, options.rpm), options.output)
+    printed = printers[options.format](layout, tolerances, found, options.rpm)
+    write(printed, options.output, options.format)
     return 0

@@ -27,12 +27,13 @@ def run(options: argparse.Namespace) -> int:
     if options.delta is not None and running is None:
         raise SymbalanceError("--delta", *FOR_RUNNING)
     if options.format == "json":
-        write(torque_json(report, running, delta, order) + "\n", options.output)
+        printed = torque_json(report, running, delta, order) + "\n"
     elif options.format == "latex":
-        write(torque_latex(report, running, delta, order, standalone=True), options.output)
+        printed = torque_latex(report, running, delta, order, standalone=True)
     else:
         parts = [torque_text(report), *([running_text(running, delta, order)] if running else [])]
-        write("\n".join(parts), options.output)
+        printed = "\n".join(parts)
+    write(printed, options.output, options.format)
     return 0
 
 
