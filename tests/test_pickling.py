@@ -15,6 +15,7 @@ import sympy
 
 import symbalance
 import symbalance as sb
+from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import MissingPartError, SymbalanceError
 from symbalance.phasor import Phasor
 from symbalance.reading.failures import ReadingError, UndeclaredError
@@ -25,6 +26,7 @@ from symbalance.torque import torque_report
 ARGUMENTS = {
     SymbalanceError: ("throw = x", "must be a number", "write it like 120", "a.toml:3"),
     MissingPartError: ("matplotlib", "is not installed", "pip install matplotlib"),
+    UnsolvedError: ("films at 3000 rpm", "do not settle", "take more steps"),
     ReadingError: (3, "unknown command", "write it out"),
     UndeclaredError: (4, "q_1"),
 }
