@@ -497,12 +497,14 @@ def agree(values: list[str], ratio: str = "4") -> bool:
 
 
 def test_a_module_is_compiled_once_whatever_it_is_called(tmp_path: Path) -> None:
-    path = numba_module(tmp_path / "eight.py")
+    """Nor where nothing can import it by the name that it had when it was compiled."""
+    (tmp_path / "own").mkdir()
+    path = numba_module(tmp_path / "own" / "eight.py")
     first = use("eight", path, tmp_path)
     assert agree(first)
     assert first[2:] == ["0", "0"]
     assert use("run", path, tmp_path) == [*first[:2], "1", "1"]
-    assert (tmp_path / "__pycache__").is_dir()
+    assert list((tmp_path / "own" / "__pycache__").glob("*.nbi"))
 
 
 def test_code_of_another_text_is_never_believed(tmp_path: Path) -> None:
