@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,6 +14,9 @@ import pytest
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 """Small matrices: several threads, in several test processes, only wait for one another."""
+if "NUMBA_CACHE_DIR" not in os.environ:  # compiled code of tests is not kept in the user's cache
+    _numba = tempfile.TemporaryDirectory(prefix="symbalance-numba-")
+    os.environ["NUMBA_CACHE_DIR"] = _numba.name
 
 GOLDEN = Path(__file__).parent / "golden"
 _FAULT = re.compile(r"^!.*|^Overfull \\hbox \(([\d.]+)pt.*|^LaTeX Warning: Reference.*", re.MULTILINE)

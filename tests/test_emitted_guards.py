@@ -7,13 +7,16 @@ self-test that fails, by an exception that names the argument.
 from __future__ import annotations
 
 import math
+import os
 import re
 import shutil
 import signal
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from functools import cache
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +25,7 @@ import pytest
 
 import symbalance as sb
 from symbalance.cli import run as command
+from symbalance.numeric import source_cache
 
 OUTPUTS = "force.vertical,piston.displacement,piston.velocity"
 GCC = shutil.which("gcc")
@@ -431,3 +435,152 @@ end
 """)
     done = call(["octave-cli", "--quiet", "--no-init-file", "ask.m"], tmp_path)
     assert done.returncode == 0, done.stderr
+
+
+# Compiled code, kept for other processes ---------------------------------------------------------------
+
+USE = """
+import sys, importlib.util
+how, path = sys.argv[1:]
+if how == "memory":
+    import symbalance as sb
+    result = sb.balance(sb.load("v8-90"), 4, ratio=path)
+    module = sb.to_function(result, outputs="couple.vertical", target="numba")._module
+elif how == "run":
+    import runpy
+    module = runpy.run_path(path)
+else:
+    spec = importlib.util.spec_from_file_location(how, path)
+    loaded = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(loaded)
+    module = vars(loaded)
+value = module["evaluate"]([0.5])
+grid = module["on_grid"](5)
+loops = [module[name].stats for name in ("_fill", "_fill_grid")]
+print(float(value[0]).hex(), float(grid[2]).hex(), *(sum(s.cache_hits.values()) for s in loops))
+"""
+
+
+def use(how: str, path: object, folder: Path, **environment: str) -> list[str]:
+    """Return a value, one on a grid, and how many loops were found compiled, in a process of its own."""
+    (folder / "use.py").write_text(USE)
+    plain = {k: v for k, v in os.environ.items() if k not in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME")}
+    line = [sys.executable, "use.py", how, str(path)]
+    here = str(Path(sb.__file__).parents[1])
+    known = {**plain, "HOME": str(folder), "PYTHONPATH": here, **environment}
+    done = subprocess.run(
+        line, cwd=folder, env=known, capture_output=True, text=True, timeout=300, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    return done.stdout.split()
+
+
+def numba_module(path: Path, ratio: str = "4") -> Path:
+    """Write a small Numba module."""
+    outputs = ["--outputs", "couple.vertical", "--order", "4", "--ratio", ratio]
+    options = ["emit", "v8-90", "--target", "numba", "--uniform-grid", *outputs, "-o", str(path)]
+    assert command(options) == 0
+    return path
+
+
+def right(ratio: str = "4") -> list[str]:
+    """Return what NumPy's target gives, to 1e-14: Numba fuses multiplications and additions."""
+    result = sb.balance(sb.load("v8-90"), 4, ratio=ratio)
+    f = sb.to_function(result, outputs="couple.vertical")
+    return [float(f([0.5])[0]).hex(), float(f.on_grid(5)[2]).hex()]
+
+
+def agree(values: list[str], ratio: str = "4") -> bool:
+    """Tell whether both values are the right ones."""
+    pairs = zip(values[:2], right(ratio), strict=True)
+    return all(float.fromhex(a) == pytest.approx(float.fromhex(b), rel=1e-13) for a, b in pairs)
+
+
+def test_a_module_is_compiled_once_whatever_it_is_called(tmp_path: Path) -> None:
+    """Nor where nothing can import it by the name that it had when it was compiled."""
+    (tmp_path / "own").mkdir()
+    path = numba_module(tmp_path / "own" / "eight.py")
+    first = use("eight", path, tmp_path)
+    assert agree(first)
+    assert first[2:] == ["0", "0"]
+    assert use("run", path, tmp_path) == [*first[:2], "1", "1"]
+    assert list((tmp_path / "own" / "__pycache__").glob("*.nbi"))
+
+
+def test_code_of_another_text_is_never_believed(tmp_path: Path) -> None:
+    """The same name, size and time, as an installer may leave them: older Numbas know no more."""
+    path = numba_module(tmp_path / "eight.py", "3.5")
+    at = path.stat()
+    assert agree(use("eight", path, tmp_path), "3.5")
+    numba_module(path, "4.5")
+    os.utime(path, ns=(at.st_atime_ns, at.st_mtime_ns))
+    assert path.stat().st_size == at.st_size
+    second = use("eight", path, tmp_path)
+    assert agree(second, "4.5")
+    assert second[2:] == ["0", "0"]
+    names = {file.name.partition("-")[0] for file in (tmp_path / "__pycache__").glob("*.nbi")}
+    assert len(names) == 4
+
+
+@pytest.mark.parametrize("how", ["eight", "memory"])
+def test_where_no_folder_can_be_written_it_compiles_each_time(how: str, tmp_path: Path) -> None:
+    """A file in a folder's place stops any user, root too."""
+    (tmp_path / "own").mkdir()
+    path = numba_module(tmp_path / "own" / "eight.py")
+    for blocked in ("own/__pycache__", "home"):
+        (tmp_path / blocked).write_text("")
+    environment = {"HOME": str(tmp_path / "home"), "XDG_CACHE_HOME": str(tmp_path / "home" / "x")}
+    values = use(how, 4 if how == "memory" else path, tmp_path, **environment)
+    assert agree(values)
+    assert values[2:] == ["0", "0"]
+
+
+def test_a_function_in_memory_is_compiled_once(tmp_path: Path) -> None:
+    first, again = (use("memory", "3.5", tmp_path) for _ in range(2))
+    assert agree(first, "3.5")
+    assert first[2:] == ["0", "0"]
+    assert again == [*first[:2], "1", "1"]
+    (kept,) = (tmp_path / ".cache" / "symbalance").glob("*.py")
+    kept.write_text(kept.read_text().replace("couple", "COUPLE"))
+    assert agree(use("memory", "3.5", tmp_path), "3.5")
+    assert "COUPLE.vertical" not in kept.read_text()
+
+
+def test_processes_at_once_do_not_disturb_one_another(tmp_path: Path) -> None:
+    with ThreadPoolExecutor(2) as pool:
+        found = list(pool.map(lambda _: use("memory", "3.5", tmp_path), range(2)))
+    assert all(agree(values, "3.5") for values in found)
+    assert use("memory", "3.5", tmp_path)[2:] == ["1", "1"]
+    assert len(list((tmp_path / ".cache" / "symbalance").iterdir())) == 2  # the text, and __pycache__
+
+
+def test_the_oldest_sources_are_forgotten(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    for i in range(source_cache.KEPT + 3):
+        path = source_cache.source_file(f"x = {i}\n")
+        assert path is not None
+        os.utime(path, (i, i))
+        for folder in ("symbalance/__pycache__", "symbalance_0123"):
+            (tmp_path / folder).mkdir(exist_ok=True)
+            (tmp_path / folder / f"{path.stem}._fill.nbi").write_text("")
+    left = sorted((tmp_path / "symbalance").glob("*.py"), key=lambda path: path.stat().st_mtime)
+    assert [path.read_text() for path in left] == [f"x = {i}\n" for i in range(3, source_cache.KEPT + 3)]
+    for folder in ("symbalance/__pycache__", "symbalance_0123"):
+        assert {p.name.partition(".")[0] for p in (tmp_path / folder).iterdir()} == {p.stem for p in left}
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="Windows keeps permissions elsewhere")
+def test_a_folder_that_others_can_write_is_not_used(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is kept there is loaded as code."""
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    (tmp_path / "symbalance").mkdir()
+    (tmp_path / "symbalance").chmod(0o777)
+    assert source_cache.source_file("x = 1\n") is None
+    (tmp_path / "symbalance").chmod(0o755)
+    assert source_cache.source_file("x = 1\n") is not None
+
+
+def test_the_types_travel_with_the_package() -> None:
+    assert files("symbalance").joinpath("py.typed").is_file()

@@ -14,6 +14,7 @@ from symbalance.errors import MissingPartError, SymbalanceError, shown
 from symbalance.numeric.asked import OUTPUTS, checked_outputs, known_ratio, truncated, within
 from symbalance.numeric.asked_torque import TORQUES, torque_wave
 from symbalance.numeric.plans import Plan, plan
+from symbalance.numeric.source_cache import source_file
 from symbalance.numeric.targets import FILES, IN_MEMORY, files
 from symbalance.numeric.waves import Wave
 from symbalance.resultants import Balance, balance, checked_balance
@@ -34,7 +35,9 @@ class Evaluator:
     theta may have any shape; the values come back in it, as an array for one output and a dict of arrays
     for several. mass (kg, reciprocating, one cylinder), radius (m, half the stroke), omega (rad/s) and
     pitch (m) are 1 unless given: the result then is in units of m r omega^2 (couples: times a; torque:
-    times r). + is up and right; couples are + with the front pushed up or right, torque as it turns.
+    times r); each is one number. + is up and right; couples are + with the front pushed up or right,
+    torque as it turns. `out` takes the values, an array for each output, and may overlap theta. What is
+    no angle is refused with TypeError: None, text, and a masked array, whose mask would be lost.
 
     `rounding` holds, by output, what a value may be off by rounding, in u = 2^-53 of the output's
     `amplitude` (for |theta| <= 2^20); `left_out` what the orders left out may sum to, in units of
@@ -53,8 +56,11 @@ class Evaluator:
 
     @cached_property
     def _module(self) -> dict[str, Any]:
-        namespace: dict[str, Any] = {"__name__": f"symbalance_{self.target}"}
-        exec(compile(self.source, f"<{namespace['__name__']}>", "exec"), namespace)  # text of our own
+        name = f"symbalance_{self.target}"
+        kept = source_file(self.source) if self.target == "numba" else None
+        namespace: dict[str, Any] = {"__name__": name}
+        place = f"<{name}>" if kept is None else str(kept)
+        exec(compile(self.source, place, "exec"), namespace)  # text of our own
         return namespace
 
     def __call__(self, theta: Any, **keywords: Any) -> Result:

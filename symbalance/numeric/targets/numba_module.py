@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from hashlib import sha256
+
 from symbalance.numeric.plans import Plan
 from symbalance.numeric.targets.printing import Spelling
 from symbalance.numeric.targets.python_parts import (
@@ -29,6 +31,29 @@ NUMBA = Spelling(
     constant="{} = {}",
     comment="# {}",
 )
+CONTENT = "0" * 16
+"""Stands for the digest of a module's text until that is known."""
+COMPILE = '''
+CONTENT = "{content}"  # a digest of this text: compiled code of another is never taken for its own
+
+
+def _compiled(function, **options):
+    """Compile under a name that only this text's functions have, in a module that is always there."""
+    function.__qualname__, function.__module__ = f"{function.__name__}_{CONTENT}", "numba"
+    return njit(error_model="numpy", fastmath={"contract"}, **options)(function)
+
+
+def _inlined(function):
+    return _compiled(function, forceinline=True)
+
+
+def _kept(function):
+    """Compile, and keep it for other processes: in NUMBA_CACHE_DIR, beside this file, or at home."""
+    try:
+        return _compiled(function, nogil=True, cache=True)
+    except (OSError, RuntimeError):  # none of these can be written, or this text is in no file
+        return _compiled(function, nogil=True)
+'''
 NUMBA_CALL = '''
 BLOCK = 4096  # angles at a time: one far angle sends its block the slow way, not all
 
@@ -44,7 +69,7 @@ def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, out=None):
     return _given(results)
 
 
-@njit(error_model="numpy", fastmath={{"contract"}}, nogil=True)
+@_kept
 def _fill(theta, {scale_names}, {out_names}):
     for start in range(0, theta.size, BLOCK):
         part = theta[start:start + BLOCK]
@@ -52,7 +77,7 @@ def _fill(theta, {scale_names}, {out_names}):
             _fill_any(part, {scale_names}, {out_parts})
 
 
-@njit(error_model="numpy", fastmath={{"contract"}}, nogil=True)
+@_compiled
 def _fill_near(theta, {scale_names}, {out_names}):
     """Fill as if every angle were within LIMIT, and return how many are."""
     inside = 0
@@ -63,7 +88,7 @@ def _fill_near(theta, {scale_names}, {out_names}):
     return inside
 
 
-@njit(error_model="numpy", fastmath={{"contract"}}, nogil=True)
+@_compiled
 def _fill_any(theta, {scale_names}, {out_names}):
     for i in range(theta.size):
         if abs(theta[i]) <= LIMIT:
@@ -78,13 +103,17 @@ GRID_FILL = """
 """.strip("\n")
 GRID_LOOP = """
 
-@njit(error_model="numpy", fastmath={{"contract"}}, nogil=True)
+@_kept
 def _fill_grid(points, {scale_names}, {out_names}):
     for i in range(out0.size):
         index = np.float64(i)
         {bases}
         {stores}
 """
+
+
+NOTE = """ The first call
+    with a type of angles compiles, unless the code was kept by an earlier process."""
 
 
 def numba_source(planned: Plan, engine: str, grid: bool) -> str:
@@ -98,7 +127,7 @@ def numba_source(planned: Plan, engine: str, grid: bool) -> str:
     at = "np.float64(theta[i])"
     values = ", ".join(f"float({o.wave.unit.formula})" for o in planned.outputs)
     body = NUMBA_CALL.format(
-        call_doc=CALL_DOC.format(note=" The first call\n    with a type of angles compiles."),
+        call_doc=CALL_DOC.format(note=NOTE),
         scales=values,
         flattened=", ".join(f"np.asarray(results[{i}]).reshape(-1)" for i in count),
         scale_names=scales,
@@ -114,7 +143,7 @@ def numba_source(planned: Plan, engine: str, grid: bool) -> str:
         bases=f"{bases} = _on_grid(index, points)" if bases else "pass",
         stores=f"{stored} = _outputs({bases or 'index'}, {scales})",
     )
-    jit = '@njit(error_model="numpy", fastmath={"contract"}, forceinline=True)'
+    jit = "@_inlined"
     lines, formulas = NUMBA.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
     functions = [
         *base_function(NUMBA, "_near", planned.near.lines, planned.bases, "|theta| <= LIMIT", jit),
@@ -127,9 +156,12 @@ def numba_source(planned: Plan, engine: str, grid: bool) -> str:
         *NUMBA.lines(lines, "    "),
         *returned([NUMBA.formula(f) for f in formulas]),
     ]
-    return joined(
+    text = joined(
         [*head, *constants(NUMBA, planned)],
-        body + (grid_call(planned, GRID_FILL.format(scales=values)) + loop if grid else ""),
+        COMPILE.replace("{content}", CONTENT)
+        + body
+        + (grid_call(planned, GRID_FILL.format(scales=values)) + loop if grid else ""),
         functions,
         self_test(planned, grid),
     )
+    return text.replace(CONTENT, sha256(text.encode()).hexdigest()[: len(CONTENT)], 1)

@@ -1,0 +1,75 @@
+"""A file in the user's cache for source that was made in memory, because Numba keeps code of files alone.
+
+Numba keeps what it compiled beside the file that holds the source, or in NUMBA_CACHE_DIR, and asks that
+the file be there. The file's name is a digest of its text, and it is compared with the text before it is
+relied on; nothing is ever read from it to be run. Numba's own key adds its version and the processor, and
+the text its digest (`targets.numba_module`), so that code of another text, version or machine is never
+taken for this one's. Where no file can be written there is none, and each process compiles.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from hashlib import sha256
+from pathlib import Path
+
+KEPT = 200
+"""Sources kept, some 150 kB each with their code; the oldest go first."""
+
+
+def source_file(source: str) -> Path | None:
+    """Return a file that holds this very text, written now unless it is there; None where none can be."""
+    data = source.encode()
+    try:
+        folder = _own_folder()
+        path = folder / f"evaluator_{sha256(data).hexdigest()[:40]}.py"
+        if not (path.is_file() and path.read_bytes() == data):
+            _replace(path, data)
+            _forget_the_oldest(folder)
+    except (OSError, RuntimeError):  # RuntimeError: the user has no home
+        return None
+    return path
+
+
+def _own_folder() -> Path:
+    """Return the folder, made if need be, or raise: what is loaded from it must be the user's own."""
+    folder = _cache() / "symbalance"
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if hasattr(os, "getuid"):
+        status = folder.stat()
+        if status.st_uid != os.getuid() or status.st_mode & 0o022:
+            raise PermissionError(f"{folder} can be written by others")
+    return folder
+
+
+def _cache() -> Path:
+    chosen = os.environ.get("NUMBA_CACHE_DIR")
+    if chosen:
+        return Path(chosen).absolute()
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+
+
+def _replace(path: Path, data: bytes) -> None:
+    """Write a file at once: another process sees all of it or nothing."""
+    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=path.stem, delete=False) as file:
+        try:
+            file.write(data)
+            file.close()
+            os.replace(file.name, path)
+        except OSError:
+            os.unlink(file.name)
+            raise
+
+
+def _forget_the_oldest(folder: Path) -> None:
+    """Remove sources beyond `KEPT` and their code: here, or in a folder of Numba's beside this one."""
+    by_age = sorted(folder.glob("evaluator_*.py"), key=lambda path: path.stat().st_mtime)
+    for path in by_age[:-KEPT]:
+        for file in (path, *folder.parent.glob(f"symbalance*/**/{path.stem}.*")):
+            file.unlink(missing_ok=True)
