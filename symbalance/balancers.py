@@ -19,11 +19,10 @@ from symbalance.cylinders import Cylinder
 from symbalance.decimal_phasor import DecimalPhasor
 from symbalance.errors import SymbalanceError, shown
 from symbalance.phasor import Phasor
-from symbalance.rational import checked_whole, exact, listed
+from symbalance.rational import LARGEST_QUOTIENT, checked_whole, exact, listed
 from symbalance.slider_crank import HIGHEST_ORDER, surviving
 from symbalance.spectrum import Number, SymbolicPhasor
 
-FINEST_SHARE = 10**40
 MOST_BALANCERS = 1000
 WEB = Fraction(1, 4)
 """How far a web stands from the middle of its pin, in pitches, where no station is given."""
@@ -63,7 +62,7 @@ def _size(share: object, unbalance: object) -> Number:
     name, value = ("unbalance", unbalance) if share is None else ("share", share)
     if isinstance(value, Phasor | SymbolicPhasor | DecimalPhasor):
         return value
-    return Phasor.of(1, {0: exact(value, name, FINEST_SHARE)})
+    return Phasor.of(1, {0: exact(value, name, LARGEST_QUOTIENT)})
 
 
 def directed(size: Number, direction: Angle) -> Number:

@@ -1,7 +1,8 @@
 """Numbers as people write them, read exactly: whole, decimal ("13.5") or fraction ("360/7").
 
 Text is matched against one pattern and never evaluated. Floats are read as they print, so that
-0.1 is one tenth. Size limits stand here, so that no input can make exact arithmetic hang.
+0.1 is one tenth. Size limits stand here, so that no input can make exact arithmetic hang; that of
+angles, whose denominators are the order of the field everything is exact in, stands in `angles`.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Rational
+from numbers import Real as RealNumber
 from operator import index
 from typing import Any
 
@@ -21,17 +23,23 @@ from symbalance.errors import SymbalanceError, shown, written
 Real = Any
 """A decimal of many digits, an mpmath `mpf`: mpmath ships no types."""
 
-LONGEST_TEXT = 200
+LONGEST_TEXT = 250
 LARGEST = 10**9
 LARGEST_DENOMINATOR = 10**12
-_PART = r"[+-]?(?:\d{1,30}(?:\.\d{0,30})?|\.\d{1,30})(?:[eE][+-]?\d{1,2})?"
+"""Of a fraction, its factors 2 and 5 left out: a sum's denominator grows by the factors that differ."""
+FINEST_DECIMAL = 10**40
+"""Of any number as it is written: a double above 1e-24 prints no more decimals, whatever computed it."""
+LARGEST_QUOTIENT = 10**100
+"""Of a quotient of sizes, such as the rod ratio, and of a design's shares."""
+_PART = r"[+-]?(?:\d{1,110}(?:\.\d{0,110})?|\.\d{1,110})(?:[eE][+-]?\d{1,3})?"
 _NUMBER = re.compile(rf"\s*({_PART})\s*(?:/\s*({_PART})\s*)?", re.ASCII)
 
 
-def exact(value: object, name: str, finest: int = LARGEST_DENOMINATOR) -> Fraction:
+def exact(value: object, name: str, finest: int | None = None) -> Fraction:
     """Return `value` as the fraction it says; `name` is what an error calls it.
 
-    `finest` is the largest denominator allowed.
+    Decimals may have 40 places, so that every float of a usual size is read, and fractions a denominator
+    up to 10^12; `finest` is the largest denominator allowed instead.
 
     >>> exact("360/7", "throw"), exact(0.1, "station"), exact("147.15/36.65", "ratio")
     (Fraction(360, 7), Fraction(1, 10), Fraction(2943, 733))
@@ -40,20 +48,35 @@ def exact(value: object, name: str, finest: int = LARGEST_DENOMINATOR) -> Fracti
     symbalance.errors.SymbalanceError: throw = nan: must be a number or a fraction; ...
     """
     number = _read(value)
+    if number is None and hasattr(value, "_mpf_"):
+        rule = "prints as many digits as mpmath's working precision happens to have"
+        remedy = 'give a float, a fraction, or text such as "0.1"'
+        raise SymbalanceError(f"{name} = {shown(value)}", rule, remedy)
     if number is None:
         raise SymbalanceError(
             f"{name} = {shown(value)}",
             "must be a number or a fraction",
             'write it like 120, 13.5 or "360/7"',
         )
-    if abs(number) > LARGEST or number.denominator > finest:
-        digits = len(str(finest)) - 1
-        raise SymbalanceError(
-            f"{name} = {shown(value)}",
-            f"must lie within {-LARGEST} and {LARGEST} with a denominator up to 10^{digits}",
-            "check the unit",
-        )
+    if abs(number) > LARGEST or _is_too_fine(number.denominator, finest):
+        fine = "40 decimals, or a denominator up to 10^12"
+        if finest is not None:
+            fine = f"a denominator up to 10^{len(str(finest)) - 1}"
+        remedy = "check the unit" if abs(number) > LARGEST else "write fewer digits"
+        rule = f"must lie within {-LARGEST} and {LARGEST} with {fine}"
+        raise SymbalanceError(f"{name} = {shown(value)}", rule, remedy)
     return number
+
+
+def _is_too_fine(denominator: int, finest: int | None) -> bool:
+    if denominator > (FINEST_DECIMAL if finest is None else finest):
+        return True
+    if finest is not None or denominator <= LARGEST_DENOMINATOR:
+        return False
+    for prime in (2, 5):
+        while denominator % prime == 0:
+            denominator //= prime
+    return denominator > LARGEST_DENOMINATOR
 
 
 def _read(value: object) -> Fraction | None:
@@ -63,12 +86,17 @@ def _read(value: object) -> Fraction | None:
         return Fraction(int(value.numerator), int(value.denominator))
     if isinstance(value, str):
         return _from_text(value)
-    if isinstance(value, float | Decimal):
+    if isinstance(value, float | Decimal) or _prints_itself(value):
         return _from_text(str(value))
     numerator, denominator = getattr(value, "p", None), getattr(value, "q", None)
     if isinstance(numerator, int) and isinstance(denominator, int):  # a SymPy rational
         return Fraction(numerator, denominator)
     return None
+
+
+def _prints_itself(value: object) -> bool:
+    """Tell whether a number of another package prints all it holds: NumPy's floats, SymPy's."""
+    return isinstance(value, RealNumber) and type(value).__module__.split(".")[0] in ("numpy", "sympy")
 
 
 def _from_text(text: str) -> Fraction | None:
@@ -126,6 +154,25 @@ def real(value: int | Fraction) -> Real:
     mpf('0.25')
     """
     return mp.mpf(value.numerator) / value.denominator
+
+
+LONGEST_SHOWN = 10**6
+"""A larger denominator says less to a reader than decimals do."""
+
+
+def short_text(number: Fraction, cut: str = "…") -> str:
+    """Return a fraction as tables print it: itself, or decimals cut off where it is long.
+
+    >>> short_text(Fraction(2943, 733)), short_text(Fraction(13948372433243415, 3997776196302304))
+    ('2943/733', '3.489032839…')
+    """
+    if number.denominator <= LONGEST_SHOWN:
+        return str(number)
+    whole = str(int(abs(number)))
+    places = max(10 - len(whole), 0)
+    digits = str(int(abs(number) * 10**places)).zfill(places + 1)
+    sign = "-" if number < 0 else ""
+    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits) + cut
 
 
 def decimal_text(value: Real, digits: int) -> str:

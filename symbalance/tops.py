@@ -22,7 +22,7 @@ from symbalance.unlike import mechanism_of
 
 FINEST = Fraction(1, 1_000_000)
 """Moved dead centres are irrational: they are given to a millionth of a degree."""
-COARSEST = 10
+COARSEST, FINEST_STEP = 10, 10**12
 
 
 def lead(mechanism: Mechanism) -> Fraction:
@@ -97,7 +97,7 @@ def bank_leads(layout: Layout, banks: Sequence[Sequence[int]], step: object) -> 
 
 def checked_step(step: object) -> Fraction:
     """Return the fraction of a degree that pins are rounded to, or refuse."""
-    number = exact(step, "pin_step")
+    number = exact(step, "pin_step", FINEST_STEP)
     if not 0 < number <= COARSEST:
         remedy = 'write it like "1/2" or 0.01'
         raise SymbalanceError(f"pin_step = {shown(step)}", f"must lie in (0, {COARSEST}] degrees", remedy)

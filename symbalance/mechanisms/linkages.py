@@ -19,7 +19,7 @@ from math import cos, log1p, pi, sin, sqrt
 
 from symbalance.angles import Angle
 from symbalance.errors import SymbalanceError, shown
-from symbalance.rational import exact
+from symbalance.rational import LARGEST_QUOTIENT, exact
 from symbalance.slider_crank import checked_ratio
 
 SAFE = 1 - 1e-9
@@ -45,7 +45,7 @@ class SliderCrank:
     offset: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
-        ratio, offset = checked_ratio(self.ratio), exact(self.offset, "offset")
+        ratio, offset = checked_ratio(self.ratio), exact(self.offset, "offset", LARGEST_QUOTIENT)
         object.__setattr__(self, "ratio", ratio)
         object.__setattr__(self, "offset", offset)
         if abs(offset) >= ratio - 1:
@@ -89,7 +89,7 @@ class LinkRod:
             what, rule = f"master = {shown(self.master)}", "must be a SliderCrank"
             raise SymbalanceError(what, rule, "a link rod hangs on a master rod, not on another link")
         for name in ("link_angle", "link_radius", "length", "bank_difference", "offset"):
-            object.__setattr__(self, name, exact(getattr(self, name), name))
+            object.__setattr__(self, name, exact(getattr(self, name), name, LARGEST_QUOTIENT))
         for name in ("link_angle", "bank_difference"):  # like rods compare equal in every row of a radial
             object.__setattr__(self, name, Angle(getattr(self, name)).normalized().turns)
         if self.link_radius < 0:

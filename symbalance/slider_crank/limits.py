@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from symbalance.errors import SymbalanceError, shown
-from symbalance.rational import checked_whole, exact
+from symbalance.rational import LARGEST_QUOTIENT, checked_whole, exact
 
 HIGHEST_ORDER = 1000
 HIGHEST_POWER = 10_000
@@ -19,7 +19,7 @@ def checked_order(order: int, name: str = "order", highest: int = HIGHEST_ORDER)
 
 def checked_ratio(ratio: object, name: str = "ratio") -> Fraction:
     """Return the rod ratio lambda = l/r as a fraction; the rod must be longer than the crank."""
-    number = exact(ratio, name)
+    number = exact(ratio, name, LARGEST_QUOTIENT)
     if number <= 1:
         raise SymbalanceError(
             f"{name} = {shown(ratio)}",

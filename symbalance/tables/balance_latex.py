@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 
-import sympy
 from mpmath import mp
 
 from symbalance.angles import Angle
 from symbalance.notation import series_latex
 from symbalance.resultants import Balance, Order
 from symbalance.tables.balancer_facts import LATEX, balancer_lines
-from symbalance.tables.expressions import latex
+from symbalance.tables.expressions import latex, ratio_latex
 from symbalance.tables.facts import (
     IN_ONE_PLANE,
     Row,
@@ -219,4 +218,4 @@ def _series(order: Order) -> str:
 
 def _ratio(balance: Balance) -> str:
     ratio = balance.ratio
-    return "" if ratio is None else latex(sympy.Rational(ratio.numerator, ratio.denominator))
+    return "" if ratio is None else ratio_latex(ratio)

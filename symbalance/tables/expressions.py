@@ -7,11 +7,13 @@ turn a cosine into a sine, or a short fraction into an ambiguous one.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any, Protocol
 
 import sympy
 from sympy.printing.pretty.pretty_symbology import pretty_symbol
 
+from symbalance.rational import short_text
 from symbalance.symbols import latex_names
 
 
@@ -86,6 +88,12 @@ def text(expression: sympy.Basic) -> str:
     ('√((25 − 11√5)/2)', '−3π/10')
     """
     return _printed(expression, _Text())
+
+
+def ratio_latex(ratio: Fraction) -> str:
+    """Return a rod ratio in math mode, cut off to decimals where the fraction is long."""
+    printed = short_text(ratio, r"\ldots")
+    return printed if "." in printed else latex(sympy.Rational(ratio.numerator, ratio.denominator))
 
 
 def latex(expression: sympy.Basic) -> str:

@@ -8,6 +8,7 @@ from textwrap import wrap
 from symbalance.angles import Angle
 from symbalance.layout import Layout
 from symbalance.notation import series_text
+from symbalance.rational import short_text
 from symbalance.resultants import Balance, checked_balance
 from symbalance.tables.balancer_facts import balancer_lines
 from symbalance.tables.expressions import text
@@ -76,7 +77,7 @@ def heading_text(balance: Balance) -> str:
 
 
 def _like(balance: Balance) -> list[str]:
-    ratio = "not given" if balance.ratio is None else balance.ratio
+    ratio = "not given" if balance.ratio is None else short_text(balance.ratio)
     return [
         f"λ = l/r (rod over crank radius): {ratio}",
         "m: reciprocating mass of one cylinder, r: crank radius, a: cylinder pitch",
@@ -228,7 +229,7 @@ def grid(table: Sequence[Sequence[str]]) -> list[str]:
 def _coefficients(balance: Balance) -> str:
     if not balance.orders or not balance.is_uniform:
         return ""
-    at = "" if balance.ratio is None else f"at λ = {balance.ratio}"
+    at = "" if balance.ratio is None else f"at λ = {short_text(balance.ratio)}"
     table = []
     for order in balance.orders:
         assert order.coefficient is not None

@@ -3,7 +3,7 @@ r"""A layout's torque as LaTeX: the tables of `torque_table`, with amsmath and b
 from __future__ import annotations
 
 from symbalance.notation import series_latex
-from symbalance.tables.expressions import latex
+from symbalance.tables.expressions import latex, ratio_latex
 from symbalance.tables.facts import Row, shown, strokes
 from symbalance.tables.kinds import kind_lines
 from symbalance.tables.latex_parts import escaped, in_document, number, tabulars
@@ -65,11 +65,9 @@ def _heading(report: TorqueReport) -> str:
 
 def _ratio(report: TorqueReport) -> str:
     """Return the rod ratio in math mode."""
-    import sympy
-
     ratio = report.layout.ratio
     assert ratio is not None
-    return latex(sympy.Rational(ratio.numerator, ratio.denominator))
+    return ratio_latex(ratio)
 
 
 def _unit(balance: TorqueBalance) -> str:

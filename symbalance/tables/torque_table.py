@@ -7,7 +7,7 @@ from math import pi
 from typing import Any
 
 from symbalance.notation import series_text
-from symbalance.rational import decimal_text
+from symbalance.rational import decimal_text, short_text
 from symbalance.tables.expressions import text
 from symbalance.tables.facts import Row, shown
 from symbalance.tables.kinds import kind_lines
@@ -77,7 +77,7 @@ def _tables(balance: TorqueBalance) -> list[str]:
     if balance.kinematics is None:
         return table
     letter = SUBSCRIPT[balance.kinematics.letter]
-    at = "" if balance.ratio is None else f" at λ = {balance.ratio}"
+    at = "" if balance.ratio is None else f" at λ = {short_text(balance.ratio)}"
     series = [["order", f"{letter} in powers of 1/λ", f"{letter}{at}"]]
     for order in balance.orders:
         assert order.coefficient is not None
