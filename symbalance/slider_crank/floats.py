@@ -24,7 +24,7 @@ from functools import cache
 from itertools import count
 from math import acosh, isqrt, ldexp, log, log2
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, shown, written
 from symbalance.slider_crank.limits import HIGHEST_ORDER, checked_order
 
 _BITS = 80
@@ -57,13 +57,14 @@ def _terms(ratio: Fraction | float | int) -> tuple[int, int]:
     """Return lambda as an exact quotient, or refuse what is none above 1."""
     try:
         over, under = ratio.as_integer_ratio()
-    except (AttributeError, OverflowError, ValueError):
-        over, under = 0, 1
+    except (AttributeError, OverflowError, ValueError):  # no number, infinite, not a number
+        rule, remedy = "must be a finite number", "give a fraction, a float or an int, not text"
+        raise SymbalanceError(f"ratio = {written(ratio)}", rule, remedy) from None
     if over <= under:
         raise SymbalanceError(
             f"ratio = {shown(ratio)}",
             "the rod must be longer than the crank, lambda = l/r > 1",
-            "write it as a fraction, a float or an int",
+            "engines have 3 to 4.5; r/l is the inverse",
         )
     return over, under
 
