@@ -21,12 +21,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symbalance.crankshaft.arguments import check_kind, check_number
 from symbalance.crankshaft.frames import QUARTER_TURN
 from symbalance.crankshaft.rotor import Array
 from symbalance.errors import SymbalanceError, shown
 
 DENSEST = 1 - 1e-9
 """The largest eccentricity; the film's force has no bound towards 1."""
+MAKE = "sb.Bearing(diameter, length, clearance, viscosity)"
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,7 @@ class Bearing:
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
+            check_number(value, f"bearing {name}", "m; viscosity in Pa s", signed=True)
             if not 0 < value < np.inf:
                 remedy = "radial clearance, diameter and length in m, viscosity in Pa s"
                 raise SymbalanceError(f"bearing {name} = {shown(value)}", "must be positive", remedy)
@@ -74,6 +77,7 @@ def film_state(bearing: Bearing, place: ArrayLike, velocity: ArrayLike, omega: f
     >>> bool(np.allclose(state.damping, state.damping.T)), bool(state.force @ [0.0, 1.0] > 0)
     (True, True)
     """
+    check_kind(bearing, Bearing, "bearing", MAKE)
     r, speed = np.asarray(place, dtype=float), np.asarray(velocity, dtype=float)
     return film_states(np.array(bearing.strength), np.array(bearing.clearance), r, speed, omega)
 
@@ -128,6 +132,7 @@ def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
     >>> round(float(np.linalg.norm(place)) / 1e-4, 4)
     0.2663
     """
+    check_kind(bearing, Bearing, "bearing", MAKE)
     force = np.asarray(load, dtype=float)
     size, clear = float(np.linalg.norm(force)), bearing.clearance
     if not np.isfinite(size) or not 0 < abs(omega) < np.inf:
