@@ -724,6 +724,7 @@ MADE_WRONG = [
     ),
     (lambda: sb.film_state(None, [0.0, 0.0], [0.0, 0.0], 1.0), "bearing of type NoneType"),
     (lambda: sb.equilibrium("b", [1.0, 0.0], 1.0), "bearing of type str"),
+    (lambda: sb.equilibrium(PLAIN, [1e30, 0.0], 157.0), "is more than the film bears"),
     (lambda: sb.journal_orbit(PLAIN, np.ones((8, 1, 2)), 1.0, 6.28), "bearings = .* must be a list"),
     (lambda: sb.journal_orbit([3.0], np.ones((8, 1, 2)), 1.0, 6.28), "bearing 1 of type float"),
     (

@@ -24,10 +24,13 @@ from numpy.typing import ArrayLike
 from symbalance.crankshaft.arguments import check_kind, check_number
 from symbalance.crankshaft.frames import QUARTER_TURN
 from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
 
 DENSEST = 1 - 1e-9
 """The largest eccentricity; the film's force has no bound towards 1."""
+BORNE = 1e-3
+"""How far the force at an equilibrium may be from the load, of the load."""
 MAKE = "sb.Bearing(diameter, length, clearance, viscosity)"
 
 
@@ -149,10 +152,18 @@ def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
         slope = float(state.force @ state.stiffness[:, 0]) / carried * clear
         step = np.log(size / carried) * carried / slope
         proposed = eccentricity + step
-        eccentricity = proposed if low < proposed < high else (low + high) / 2
-        if abs(step) <= 1e-14 * eccentricity or high - low <= 1e-16:
+        settled = abs(step) <= 1e-14 * eccentricity or high - low <= 1e-16
+        if low < proposed < high:
+            eccentricity = proposed
+        elif not settled:  # a step of a rounding unit ends on a bound: no reason to halve what is settled
+            eccentricity = (low + high) / 2
+        if settled:
             break
     state = film_state(bearing, [eccentricity * clear, 0.0], still, omega)
+    carried = float(np.linalg.norm(state.force))
+    if not abs(carried - size) <= BORNE * size:
+        rule = f"is more than the film bears within the clearance, {carried:.3g} N"
+        raise UnsolvedError(f"load = {size:.3g} N", rule, "a wider bearing or a smaller load")
     turn = np.array([state.force, QUARTER_TURN @ state.force]).T / np.linalg.norm(state.force)
     aim = np.array([force, QUARTER_TURN @ force]).T / size
     return eccentricity * clear * aim @ turn.T @ np.array([1.0, 0.0])
