@@ -92,6 +92,7 @@ _HOMES = {
     "Journal": "crankshaft.crank",
     "Pin": "crankshaft.crank",
     "Web": "crankshaft.crank",
+    "WebCounterweight": "crankshaft.crank",
     "Crank": "crankshaft.crank",
     "assemble": "crankshaft.assembly",
     "Tube": "crankshaft.shafts",
@@ -187,6 +188,7 @@ if TYPE_CHECKING:
     from symbalance.crankshaft.crank import Material as Material
     from symbalance.crankshaft.crank import Pin as Pin
     from symbalance.crankshaft.crank import Web as Web
+    from symbalance.crankshaft.crank import WebCounterweight as WebCounterweight
     from symbalance.crankshaft.equations import node_equations as node_equations
     from symbalance.crankshaft.modes import natural_modes as natural_modes
     from symbalance.crankshaft.reduction import reduced as reduced

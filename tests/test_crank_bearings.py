@@ -73,6 +73,20 @@ def test_against_a_textbook_bearing():
     assert np.allclose(other.stiffness, state.stiffness * mirror)
 
 
+def test_equilibrium_carries_its_load_in_any_bearing():
+    """Sizes, speeds and loads over decades: Newton's last step must not be halved away."""
+    chance = np.random.default_rng(1)
+    for _ in range(300):
+        lows, highs = (-2.0, -2.0, -5.0, -2.5), (-0.5, -1.0, -3.5, -1.0)
+        bearing = Bearing(
+            *(10 ** chance.uniform(low, high) for low, high in zip(lows, highs, strict=True))
+        )
+        omega, load = 10 ** chance.uniform(1, 3), 10 ** chance.uniform(1, 5.5)
+        place = equilibrium(bearing, [-load, 0.0], omega)
+        force = film_state(bearing, place, [0.0, 0.0], omega).force
+        assert np.allclose(force, [-load, 0.0], rtol=0, atol=1e-5 * load)
+
+
 @pytest.mark.parametrize("load", [1e-3, 10.0, 1e4, 1e7])
 def test_equilibrium_carries_its_load(load):
     wanted = load * np.array([np.cos(1.2), np.sin(1.2)])

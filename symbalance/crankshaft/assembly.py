@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from symbalance.crankshaft.arguments import check_kind
 from symbalance.crankshaft.beams import ALONG_W, Beam, circular, element, flexibility
 from symbalance.crankshaft.bodies import Body, disc_body
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Pin, Web
@@ -71,6 +72,7 @@ def assemble(
     >>> rotor.size, rotor.journals, rotor.pins
     (54, (1, 7), (4,))
     """
+    check_kind(crank, Crank, "crank", "sb.Crank(parts), journal, web, pin, web, journal, …")
     elastic = _elastic(crank, web_flexibility(webs, store))
     nodes = place_nodes(crank, elastic)
     members = [*_members(crank, nodes, elastic)]

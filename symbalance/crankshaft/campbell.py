@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.crankshaft.modes import assurance, natural_modes
-from symbalance.crankshaft.rotor import DOF, Array, Rotor
+from symbalance.crankshaft.rotor import DOF, Array, Rotor, check_rotor
 from symbalance.crankshaft.spin import deflated
 from symbalance.errors import SymbalanceError, shown
 
@@ -86,6 +86,7 @@ def campbell(
     `support` (n, n) is a stiffness alike in all directions across the axis. Solved on the `kept` lowest
     modes at rest, the free rotor's rigid motions included.
     """
+    check_rotor(rotor)
     for speed in speeds:
         if not np.isfinite(speed):
             raise SymbalanceError(f"speed = {shown(speed)} rad/s", "must be finite")

@@ -11,7 +11,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
+from symbalance.crankshaft.arguments import check_fields, check_kind, check_number
 from symbalance.errors import SymbalanceError, shown
+from symbalance.rational import listed, whole
+
+ROUND = tuple((name, "m") for name in ("diameter", "length", "bore", "fillet"))
 
 
 @dataclass(frozen=True)
@@ -21,6 +25,18 @@ class Material:
     young: float = 206e9
     poisson: float = 0.29
     density: float = 7850.0
+
+    def __post_init__(self) -> None:
+        for name in ("young", "poisson", "density"):
+            check_number(getattr(self, name), name, "Pa, 1, kg/m^3", signed=True)
+        if not self.young > 0:
+            raise SymbalanceError(f"young = {shown(self.young)}", "must be positive", "Pa; GPa in files")
+        if not 0 <= self.poisson < 0.5:
+            what = f"poisson = {shown(self.poisson)}"
+            raise SymbalanceError(what, "must lie in [0, 0.5)", "0.29 for steel")
+        if not self.density > 0:
+            remedy = "kg/m^3, 7850 for steel; 1e-3 where a shaft's mass is not to count"
+            raise SymbalanceError(f"density = {shown(self.density)}", "must be positive", remedy)
 
     @property
     def shear(self) -> float:
@@ -38,6 +54,10 @@ class Journal:
     fillet: float = 0.0
     bearing: bool = True
 
+    def __post_init__(self) -> None:
+        check_fields(self, "journal", ROUND)
+        check_kind(self.bearing, bool, "journal bearing", "True, or False for a journal without one")
+
 
 @dataclass(frozen=True)
 class Pin:
@@ -51,9 +71,18 @@ class Pin:
     bore: float = 0.0
     fillet: float = 0.0
 
+    def __post_init__(self) -> None:
+        check_fields(self, "pin", (*ROUND, ("radius", "m from the crank's axis")))
+        check_number(self.angle, "pin angle", "radians from U towards V", signed=True)
+        numbers = listed(self.cylinders, "pin cylinders", "(1,), the numbers of its cylinders")
+        if None in map(whole, numbers):
+            what, rule = f"pin cylinders = {shown(numbers)}", "must be whole numbers"
+            raise SymbalanceError(what, rule, "the numbers of its cylinders, as in (1, 2)")
+        object.__setattr__(self, "cylinders", tuple(numbers))
+
 
 @dataclass(frozen=True)
-class Counterweight:
+class WebCounterweight:
     """A web's counterweight: mass in kg, its centre `radius` m from the axis at `angle` radians from U.
 
     `inertia` is its moment of inertia about the line parallel to W through its centre, kg m^2.
@@ -67,6 +96,11 @@ class Counterweight:
     outer: float = 0.0
     half_angle: float = 0.0
 
+    def __post_init__(self) -> None:
+        units = {"mass": "kg", "radius": "m", "inertia": "kg m^2", "outer": "m", "half_angle": "radians"}
+        check_fields(self, "counterweight", units.items())
+        check_number(self.angle, "counterweight angle", "radians from U", signed=True)
+
 
 @dataclass(frozen=True)
 class Web:
@@ -79,7 +113,16 @@ class Web:
     width: float
     tip: float
     heel: float
-    counterweight: Counterweight | None = None
+    counterweight: WebCounterweight | None = None
+
+    def __post_init__(self) -> None:
+        check_fields(self, "web", ((name, "m") for name in ("thickness", "width", "tip", "heel")))
+        if self.counterweight is not None:
+            remedy = (
+                "a web's own is sb.WebCounterweight(mass, radius, angle), in kg, m and radians; "
+                "sb.Counterweight is a layout's, in shares of its crank train"
+            )
+            check_kind(self.counterweight, WebCounterweight, "web counterweight", remedy)
 
 
 @dataclass(frozen=True)
@@ -96,6 +139,10 @@ class Disc:
     diameter: float = 0.0
     """The diameter of the shaft that carries it; 0: the end journal's."""
 
+    def __post_init__(self) -> None:
+        units = {"mass": "kg", "polar": "kg m^2", "diametral": "kg m^2", "distance": "m", "diameter": "m"}
+        check_fields(self, "disc", units.items())
+
 
 Part = Journal | Web | Pin
 
@@ -110,7 +157,17 @@ class Crank:
     flywheel: Disc | None = None
 
     def __post_init__(self) -> None:
-        _check_chain(self.parts)
+        parts = tuple(listed(self.parts, "parts", "(journal, web, pin, web, journal)"))
+        for number, part in enumerate(parts, 1):
+            if not isinstance(part, Journal | Web | Pin):
+                what = f"crank part {number} of type {type(part).__name__}"
+                raise SymbalanceError(what, "must be a Journal, Web or Pin", "front to rear")
+        object.__setattr__(self, "parts", parts)
+        check_kind(self.material, Material, "crank material", "sb.Material(young, poisson, density)")
+        for name in ("pulley", "flywheel"):
+            if getattr(self, name) is not None:
+                check_kind(getattr(self, name), Disc, name, "sb.Disc(mass, polar, diametral), or None")
+        _check_chain(parts)
 
     def stations(self) -> Iterator[tuple[Part, float, float]]:
         """Yield each part with the W of its front and rear end, the first part's front end at 0."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from symbalance.crankshaft.rotor import DOF, Array, Rotor
+from symbalance.crankshaft.rotor import DOF, Array, Rotor, check_rotor
 from symbalance.errors import SymbalanceError, shown
 
 AnyShapes = Array | NDArray[np.complex128]
@@ -36,6 +36,7 @@ def natural_modes(rotor: Rotor, count: int = 20, support: Array | None = None) -
     way, K - s M R (R' M R)^-1 R' M, to the eigenvalue -s, so that a slow elastic mode is never lost
     among zeros.
     """
+    check_rotor(rotor)
     available = rotor.size - (DOF if support is None else 0)
     if not isinstance(count, int | np.integer) or not 0 < count <= available:
         raise SymbalanceError(f"modes = {shown(count)}", f"must lie in 1..{available}", "elastic modes")

@@ -14,7 +14,7 @@ import numpy as np
 
 from symbalance.crankshaft.integrators.coefficients import gathered
 from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.crankshaft.system import PeriodicSystem, check_system
 from symbalance.errors import SymbalanceError, shown
 
 SUPPORT = 1e8
@@ -34,6 +34,7 @@ def reduced(
     `attachments` the static answers to unit forces at the bearings and to the shapes that the loads have
     at `angles` equal angles. Its columns are orthonormal in M. `unreduced` takes a trajectory back.
     """
+    check_system(system)
     if not isinstance(modes, int | np.integer) or not 1 <= modes <= system.size:
         raise SymbalanceError(f"modes = {shown(modes)}", f"must lie in 1 to {system.size}", "20 is usual")
     stiffness = (system.stiffness + system.stiffness.T) / 2

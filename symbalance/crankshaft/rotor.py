@@ -15,6 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from symbalance.crankshaft.arguments import check_kind
+
 Array = NDArray[np.floating[Any]]
 DOF = 6
 
@@ -109,3 +111,8 @@ class Rotor:
             turn = np.eye(3)[axis]
             motions[:, :3, 3 + axis] = np.cross(turn, self.points)
         return motions.reshape(self.size, DOF)
+
+
+def check_rotor(value: object) -> None:
+    """Refuse what is no rotor: a crank or a shaft must have been assembled to one."""
+    check_kind(value, Rotor, "rotor", "sb.assemble(crank) or sb.shaft(tubes) makes one")

@@ -7,13 +7,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from symbalance.crankshaft.arguments import check_fields, check_kind, check_number
 from symbalance.crankshaft.beams import ALONG_W, Beam, circular
 from symbalance.crankshaft.bodies import disc_body
-from symbalance.crankshaft.checks import check_material
 from symbalance.crankshaft.crank import Disc, Material
 from symbalance.crankshaft.gathering import gathered
-from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor
+from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor, check_rotor
 from symbalance.errors import SymbalanceError, shown
+from symbalance.rational import listed, whole
 
 CLOSE = 1e-9
 
@@ -31,6 +32,18 @@ class Tube:
     bore: float = 0.0
     elements: int = 4
     bending: tuple[float, float] = (1.0, 1.0)
+
+    def __post_init__(self) -> None:
+        check_fields(self, "tube", (("length", "m"), ("diameter", "m"), ("bore", "m")))
+        factors = listed(self.bending, "tube bending", "(1.0, 0.9): factors along U and V")
+        for factor in factors:
+            check_number(factor, "tube bending", "factors along U and V")
+        sound = len(factors) == 2 and all(factor > 0 for factor in factors)
+        sound = sound and self.length > 0 and self.bore < self.diameter
+        if not sound or (whole(self.elements) or 0) < 1:
+            what = ", ".join(f"{name} = {shown(value)}" for name, value in vars(self).items())
+            rule = "must have length, a bore within its diameter, a whole number of elements, factors > 0"
+            raise SymbalanceError(what, rule, "m", "tube")
 
 
 def shaft(
@@ -51,8 +64,14 @@ def shaft(
     >>> rotor.points[:, 2], rotor.journals
     (array([0.  , 0.25, 0.5 , 0.75, 1.  ]), (0, 4))
     """
-    steel, weights = material or Material(), dict(discs or {})
+    tubes, bearings = (
+        listed(tubes, "tubes", "[sb.Tube(1.0, 0.05)]"),
+        listed(bearings, "bearings", "[0, 1]"),
+    )
+    steel, weights = Material() if material is None else material, {} if discs is None else discs
     _check(tubes, steel, weights)
+    for place in (*weights, *bearings):
+        check_number(place, "place", "m along the shaft", signed=True)
     places = _places(tubes, [*weights, *bearings])
     points = np.array([[0.0, 0.0, w] for w in places])
     spans = [*_spans(tubes, places, steel, shear)]
@@ -66,20 +85,12 @@ def _check(tubes: Sequence[Tube], steel: Material, discs: Mapping[float, Disc]) 
     if not tubes:
         raise SymbalanceError("0 tubes", "must be one or more")
     for number, tube in enumerate(tubes, 1):
-        sound = 0 < tube.length < np.inf and 0 <= tube.bore < tube.diameter < np.inf
-        sound = sound and all(0 < factor < np.inf for factor in tube.bending)
-        if not sound or not isinstance(tube.elements, int | np.integer) or tube.elements < 1:
-            what = ", ".join(f"{name} = {shown(value)}" for name, value in vars(tube).items())
-            rule = "must have length, a bore within its diameter, a whole number of elements, factors > 0"
-            raise SymbalanceError(what, rule, "m", f"tube {number}")
-    check_material(steel)
+        check_kind(tube, Tube, f"tube {number}", "sb.Tube(length, diameter), in m")
+    check_kind(steel, Material, "material", "sb.Material(young, poisson, density)")
+    check_kind(discs, Mapping, "discs", "{place in m: sb.Disc(mass, polar, diametral)}")
     for place, disc in discs.items():
         name = f"disc at {shown(place)} m"
-        for part in ("mass", "polar", "diametral"):
-            value = getattr(disc, part)
-            if not 0 <= value < np.inf:
-                rule = "must be finite, not negative"
-                raise SymbalanceError(f"{part} = {shown(value)}", rule, "kg, kg m^2", name)
+        check_kind(disc, Disc, name, "sb.Disc(mass, polar, diametral), in kg and kg m^2")
         if disc.polar > 2 * disc.diametral * (1 + 1e-9):
             rule = f"must be at most twice the diametral, {shown(disc.diametral)}"
             raise SymbalanceError(f"polar = {shown(disc.polar)}", rule, "as for any body", name)
@@ -90,6 +101,7 @@ def held_at(rotor: Rotor, stiffness: float, across: float | None = None, axial: 
 
     Springs alike in u and v are the same in turning and in stationary axes.
     """
+    check_rotor(rotor)
     for value in (stiffness, across or 0.0, axial):
         if not np.isfinite(value):
             raise SymbalanceError(f"spring = {shown(value)} N/m", "must be finite")

@@ -14,13 +14,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from numbers import Real
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symbalance.crankshaft.arguments import check_kind, check_number
 from symbalance.crankshaft.frames import QUARTER_TURN
-from symbalance.crankshaft.rotor import DOF, Array, Rotor
-from symbalance.errors import SymbalanceError, shown
+from symbalance.crankshaft.rotor import DOF, Array, Rotor, check_rotor
+from symbalance.errors import SymbalanceError, shown, written
+from symbalance.rational import listed
 
 ROUND = 1e-8
 """How far a matrix may be from commuting with a quarter turn, relative to its largest entry."""
@@ -48,9 +51,7 @@ class Support:
     def __post_init__(self) -> None:
         for name in ("stiffness", "damping"):
             object.__setattr__(self, name, _square(getattr(self, name), f"support {name}"))
-        if not (np.isfinite(self.tilt) and self.tilt >= 0):
-            rule = "must be finite, not negative"
-            raise SymbalanceError(f"support tilt = {shown(self.tilt)}", rule, "N m/rad")
+        check_number(self.tilt, "support tilt", "N m/rad")
 
     @property
     def matrices(self) -> tuple[Array, Array]:
@@ -63,6 +64,11 @@ Supports = Sequence[Support] | Callable[[float], Sequence[Support]]
 
 
 def _square(given: ArrayLike, name: str) -> Array:
+    # Text would become a number here, and None nan.
+    kind = np.asarray(given, dtype=object)
+    if not all(isinstance(x, Real) and not isinstance(x, bool) for x in kind.ravel()):
+        rule = "must be a finite number, a pair or (2, 2)"
+        raise SymbalanceError(f"{name} = {written(given)}", rule, "N/m, N s/m; vertical, lateral")
     table = np.asarray(given, dtype=float)
     if table.shape == ():
         table = float(table) * np.eye(2)
@@ -106,9 +112,14 @@ class Standing:
 
 def standing_at(rotor: Rotor, supports: Supports, omega: float) -> Sequence[Support]:
     """Return the supports at a speed; refuses another number than that of the rotor's bearings."""
+    check_rotor(rotor)
     if not 0 <= omega < np.inf:
         raise SymbalanceError(f"speed = {shown(omega)} rad/s", "must be finite, not negative")
-    found = supports(omega) if callable(supports) else supports
+    found = listed(
+        supports(omega) if callable(supports) else supports, "supports", "[sb.Support(1e6)] * 2"
+    )
+    for number, support in enumerate(found, 1):
+        check_kind(support, Support, f"support {number}", "sb.Support(stiffness, damping), N/m and N s/m")
     if len(found) != len(rotor.journals):
         what = f"{len(found)} supports"
         raise SymbalanceError(what, f"must be one a bearing, {len(rotor.journals)}", "shaft(bearings=…)")
@@ -117,6 +128,7 @@ def standing_at(rotor: Rotor, supports: Supports, omega: float) -> Sequence[Supp
 
 def standing(rotor: Rotor) -> Standing:
     """Return a round rotor's matrices in stationary axes; refuses a rotor that is not round."""
+    check_rotor(rotor)
     turn = np.kron(np.eye(2 * len(rotor.points)), np.pad(QUARTER_TURN, (0, 1)))
     _checked(rotor, turn)
     turning = rotor.gyroscopic - 2 * rotor.mass @ turn

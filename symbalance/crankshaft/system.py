@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from symbalance.crankshaft.arguments import check_function, check_kind
 from symbalance.crankshaft.rotor import Array
 from symbalance.errors import SymbalanceError
 
@@ -35,6 +36,11 @@ class Film:
     stiffness: Callable[[Array], Array]
     damping: Callable[[Array], Array]
 
+    def __post_init__(self) -> None:
+        for name in ("stiffness", "damping"):
+            remedy = "a function of angles (s,) to (s, b, 2, 2); sb.film_from_tables makes one"
+            check_function(getattr(self, name), f"film {name}", remedy)
+
 
 @dataclass(frozen=True)
 class Housing:
@@ -42,6 +48,13 @@ class Housing:
 
     stiffness: Array
     damping: Array
+
+    def __post_init__(self) -> None:
+        shapes = [np.shape(self.stiffness), np.shape(self.damping)]
+        for name, shape in zip(("stiffness", "damping"), shapes, strict=True):
+            if len(shape) != 3 or shape[1:] != (2, 2) or shape != shapes[0]:
+                remedy = "a 2 x 2 matrix for each bearing, N/m and N s/m"
+                raise SymbalanceError(f"housing {name} of shape {shape}", "must be (b, 2, 2)", remedy)
 
 
 @dataclass(frozen=True)
@@ -62,10 +75,22 @@ class PeriodicSystem:
     omega: float
     cycle: float = 4 * np.pi
 
+    def __post_init__(self) -> None:
+        check_kind(self.film, Film, "film", "sb.Film(stiffness, damping), or sb.film_from_tables(...)")
+        if self.housing is not None:
+            check_kind(self.housing, Housing, "housing", "sb.Housing(stiffness, damping), or None")
+        check_function(self.force, "force", "a function of angles (s,) to (s, n)")
+
     @property
     def size(self) -> int:
         """The number of unknowns, without housing states."""
         return len(self.mass)
+
+
+def check_system(value: object) -> None:
+    """Refuse what is no periodic system: a rotor needs its supports first."""
+    remedy = "sb.supported(rotor, supports, omega) makes one of a rotor"
+    check_kind(value, PeriodicSystem, "system", remedy)
 
 
 @dataclass(frozen=True)

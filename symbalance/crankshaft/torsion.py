@@ -11,7 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from symbalance.crankshaft.rotor import DOF, Array, Rotor
+from symbalance.crankshaft.rotor import DOF, Array, Rotor, check_rotor
 from symbalance.errors import SymbalanceError, shown
 
 
@@ -73,6 +73,7 @@ def twists_of(rotor: Rotor) -> TorsionalChain:
     inertia about W goes to the journals before and behind it in proportion to its place. A lateral
     hold by bearings stiffens the throws: this chain is the free shaft's.
     """
+    check_rotor(rotor)
     stations = sorted({*rotor.journals, *(n for n in (rotor.pulley, rotor.flywheel) if n is not None)})
     stations.sort(key=lambda node: rotor.points[node, 2])
     if len(stations) < 2:

@@ -73,7 +73,8 @@ def unbalance_response(
     >>> found.forward[0, 2].round(7)
     np.complex128(-0.0013333+0j)
     """
-    matrices, n = standing(rotor), len(rotor.points)
+    matrices = standing(rotor)
+    n = len(rotor.points)
     push = np.zeros((n, 4), dtype=complex)
     for node, amount in _placed(rotor, unbalances):
         push[node, :2] += amount * np.array([1, -1j])

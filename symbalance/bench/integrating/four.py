@@ -12,7 +12,7 @@ from symbalance.crankshaft.bearings.orbits import journal_orbit
 from symbalance.crankshaft.bearings.periodic import trigonometric_film
 from symbalance.crankshaft.bearings.quasi_static import bearing_loads
 from symbalance.crankshaft.bearings.short_film import Bearing
-from symbalance.crankshaft.crank import Counterweight, Crank, Disc, Journal, Part, Pin, Web
+from symbalance.crankshaft.crank import Crank, Disc, Journal, Part, Pin, Web, WebCounterweight
 from symbalance.crankshaft.rotor import DOF, Array, Rotor
 from symbalance.crankshaft.spin import deflated, spin_motion
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
@@ -47,7 +47,7 @@ def crank() -> Crank:
     """Return the crank: throw 60 mm, journals 65 mm, pins 55 mm, pitch 110 mm, eight counterweights."""
     parts: list[Part] = [Journal(0.065, 0.03)]
     for number, angle in enumerate(THROWS, 1):
-        web = Web(0.02, 0.09, 0.04, 0.045, Counterweight(0.9, 0.05, angle + np.pi))
+        web = Web(0.02, 0.09, 0.04, 0.045, WebCounterweight(0.9, 0.05, angle + np.pi))
         parts += [web, Pin(0.055, 0.034, 0.06, angle, (number,)), web, Journal(0.065, 0.036)]
     pulley, flywheel = Disc(3.0, 0.01, 0.006, 0.05), Disc(32.0, 0.65, 0.35, 0.03)
     return Crank(tuple(parts), pulley=pulley, flywheel=flywheel)

@@ -14,14 +14,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from symbalance.crankshaft.arguments import check_kind
 from symbalance.crankshaft.bearings.closing import closed_places
-from symbalance.crankshaft.bearings.short_film import Bearing, FilmState, equilibrium, film_states
+from symbalance.crankshaft.bearings.short_film import MAKE, Bearing, FilmState, equilibrium, film_states
 from symbalance.crankshaft.integrators.tableau import radau_iia
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
+from symbalance.rational import listed
 
 MOST_CYCLES, MOST_NEWTON, CLOSES, NEWTON = 40, 60, 1e-7, 1e-11
+CARRIED = 1e-6
+"""How far the films' forces along an orbit may be from the loads, of the largest."""
 FARTHEST = 0.9995
 """The eccentricity at which Newton's steps are cut short."""
 COARSE = 120
@@ -48,6 +52,8 @@ def journal_orbit(bearings: Sequence[Bearing], loads: Array, omega: float, cycle
 
     Refuses loads under which no orbit closes: none turns, or a load too large for the film.
     """
+    for number, bearing in enumerate(listed(bearings, "bearings", "[sb.Bearing(...)]"), 1):
+        check_kind(bearing, Bearing, f"bearing {number}", MAKE)
     steps, count = loads.shape[:2]
     if count != len(bearings):
         raise SymbalanceError(f"{count} bearing loads", f"must be {len(bearings)}", "one per bearing")
@@ -173,6 +179,10 @@ def _tangents(
         at = films(bearings, place, velocity, omega)
         velocity = velocity + np.linalg.solve(at.damping, (loads - at.force)[..., None])[..., 0]
     at = films(bearings, place, velocity, omega)
+    weakest = np.array([b.strength * b.clearance for b in bearings])[:, None] * abs(omega)
+    if not (np.abs(at.force - loads) <= CARRIED * (np.abs(loads).max() + weakest)).all():
+        rule = "no velocity along it carries the loads"
+        raise UnsolvedError("journal orbit", rule, "more angles or smaller loads")
     theta = cycle / len(place) * np.arange(len(place))
     return Orbit(theta, place, velocity, at.stiffness, at.damping)
 

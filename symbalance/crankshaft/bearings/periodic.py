@@ -52,6 +52,12 @@ def checked_table(theta: Array, stiffness: Array, damping: Array, cycle: float) 
             f"{len(theta)} angles", rule, "the last angle of the cycle is its first again"
         )
     for name, table in (("stiffness", stiffness), ("damping", damping)):
+        shape = np.shape(table)
+        if len(shape) != 4 or shape[0] != len(theta) or shape[2:] != (2, 2):
+            rule = f"must be ({len(theta)}, bearings, 2, 2)"
+            raise SymbalanceError(
+                f"{name} of shape {shape}", rule, "a 2 x 2 matrix an angle and a bearing"
+            )
         if not np.isfinite(table).all():
             row, bearing = np.argwhere(~np.isfinite(table))[0][:2]
             raise SymbalanceError(name, "must be finite", "", _place(float(theta[row]), int(bearing)))

@@ -21,12 +21,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from symbalance.crankshaft.arguments import check_kind, check_number
 from symbalance.crankshaft.frames import QUARTER_TURN
 from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
 
 DENSEST = 1 - 1e-9
 """The largest eccentricity; the film's force has no bound towards 1."""
+BORNE = 1e-3
+"""How far the force at an equilibrium may be from the load, of the load."""
+MAKE = "sb.Bearing(diameter, length, clearance, viscosity)"
 
 
 @dataclass(frozen=True)
@@ -45,6 +50,7 @@ class Bearing:
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
+            check_number(value, f"bearing {name}", "m; viscosity in Pa s", signed=True)
             if not 0 < value < np.inf:
                 remedy = "radial clearance, diameter and length in m, viscosity in Pa s"
                 raise SymbalanceError(f"bearing {name} = {shown(value)}", "must be positive", remedy)
@@ -74,6 +80,7 @@ def film_state(bearing: Bearing, place: ArrayLike, velocity: ArrayLike, omega: f
     >>> bool(np.allclose(state.damping, state.damping.T)), bool(state.force @ [0.0, 1.0] > 0)
     (True, True)
     """
+    check_kind(bearing, Bearing, "bearing", MAKE)
     r, speed = np.asarray(place, dtype=float), np.asarray(velocity, dtype=float)
     return film_states(np.array(bearing.strength), np.array(bearing.clearance), r, speed, omega)
 
@@ -128,6 +135,7 @@ def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
     >>> round(float(np.linalg.norm(place)) / 1e-4, 4)
     0.2663
     """
+    check_kind(bearing, Bearing, "bearing", MAKE)
     force = np.asarray(load, dtype=float)
     size, clear = float(np.linalg.norm(force)), bearing.clearance
     if not np.isfinite(size) or not 0 < abs(omega) < np.inf:
@@ -144,10 +152,18 @@ def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
         slope = float(state.force @ state.stiffness[:, 0]) / carried * clear
         step = np.log(size / carried) * carried / slope
         proposed = eccentricity + step
-        eccentricity = proposed if low < proposed < high else (low + high) / 2
-        if abs(step) <= 1e-14 * eccentricity or high - low <= 1e-16:
+        settled = abs(step) <= 1e-14 * eccentricity or high - low <= 1e-16
+        if low < proposed < high:
+            eccentricity = proposed
+        elif not settled:  # a step of a rounding unit ends on a bound: no reason to halve what is settled
+            eccentricity = (low + high) / 2
+        if settled:
             break
     state = film_state(bearing, [eccentricity * clear, 0.0], still, omega)
+    carried = float(np.linalg.norm(state.force))
+    if not abs(carried - size) <= BORNE * size:
+        rule = f"is more than the film bears within the clearance, {carried:.3g} N"
+        raise UnsolvedError(f"load = {size:.3g} N", rule, "a wider bearing or a smaller load")
     turn = np.array([state.force, QUARTER_TURN @ state.force]).T / np.linalg.norm(state.force)
     aim = np.array([force, QUARTER_TURN @ force]).T / size
     return eccentricity * clear * aim @ turn.T @ np.array([1.0, 0.0])

@@ -13,7 +13,7 @@ from itertools import groupby, pairwise
 from math import pi
 
 from symbalance.crankshaft.checks import check_geometry
-from symbalance.crankshaft.crank import Counterweight, Crank, Disc, Journal, Material, Part, Pin, Web
+from symbalance.crankshaft.crank import Crank, Disc, Journal, Material, Part, Pin, Web, WebCounterweight
 from symbalance.crankshaft.files.sections import MILLI, Section
 from symbalance.cylinders import Cylinder
 from symbalance.errors import SymbalanceError
@@ -182,14 +182,14 @@ def _missing_flying_web(section: Section, bays: Sequence[Sequence[Group]]) -> Sy
 
 def _read_counterweights(
     section: Section, bays: list[list[Group]], pins: list[Pin], count: int
-) -> dict[int, Counterweight]:
+) -> dict[int, WebCounterweight]:
     """Return each web's counterweight; its angle counts from opposite the web's pin."""
     counted = iter(pins)
     beside = []  # the pin behind each web, of a bay's last web the pin before it
     for bay in bays:
         own = [next(counted) for _ in bay]
         beside += [*own, own[-1]]
-    found: dict[int, Counterweight] = {}
+    found: dict[int, WebCounterweight] = {}
     for row in section.subsections("counterweight", WEIGHT):
         if not row.table.get("webs"):
             raise row.missing("webs", "add webs = [1, 2], counted from 1 at the front")
@@ -200,8 +200,8 @@ def _read_counterweights(
     return found
 
 
-def _counterweight(row: Section, pin: float) -> Counterweight:
-    return Counterweight(
+def _counterweight(row: Section, pin: float) -> WebCounterweight:
+    return WebCounterweight(
         row.number("mass", None),
         row.number("radius", None, MILLI),
         pin + pi + row.number("angle", 0.0, DEGREE, any_sign=True),

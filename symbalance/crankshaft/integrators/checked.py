@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.system import Housing, PeriodicSystem
+from symbalance.crankshaft.system import Housing, PeriodicSystem, check_system
 from symbalance.errors import SymbalanceError, shown
 
 LEAST_STEPS, MOST_STEPS = 4, 200_000
@@ -21,6 +21,7 @@ def checked_steps(steps: int) -> None:
 def checked_system(system: PeriodicSystem) -> None:
     """Refuse speeds that are none, shapes that do not fit, matrices that are not finite or no mass,
     housings that push themselves away."""
+    check_system(system)
     if not 0 < system.omega < np.inf:
         rule = "must be positive and finite"
         raise SymbalanceError(f"speed = {shown(system.omega)} rad/s", rule, "give rpm > 0")

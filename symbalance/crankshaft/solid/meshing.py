@@ -47,7 +47,9 @@ def meshed(draw: Callable[[Any], Any], size: float) -> Any:
             gmsh.model.occ.synchronize()
             gmsh.model.mesh.generate(3)
             gmsh.model.mesh.setOrder(2)
-        except Exception as err:  # gmsh raises bare Exceptions
+        except Exception as err:
+            if type(err) is not Exception:  # gmsh raises bare ones; any other is a fault of this program
+                raise
             rule = f"cannot be meshed ({err})"
             raise SymbalanceError(
                 "the crank's solid", rule, "check its sizes, or webs = 'fitted'"

@@ -8,7 +8,7 @@ from math import pi
 
 import numpy as np
 
-from symbalance.crankshaft.crank import Counterweight, Material, Web
+from symbalance.crankshaft.crank import Material, Web, WebCounterweight
 from symbalance.crankshaft.rotor import Array
 from symbalance.errors import SymbalanceError, shown
 
@@ -30,7 +30,7 @@ class Plate:
 
 def sector_counterweight(
     web: Web, pin_angle: float, reach: float, outer: float, half_angle: float, material: Material
-) -> Counterweight:
+) -> WebCounterweight:
     """Return the counterweight of a web whose sector, opposite the pin, reaches to `outer` (m).
 
     Mass, centre and inertia about it of the sector's part outside the web's outline. SI; `half_angle` in
@@ -51,7 +51,7 @@ def sector_counterweight(
     weight = material.density * web.thickness
     inertia = weight * (plate.along + plate.across)
     angle = (pin_angle + pi) % (2 * pi)
-    return Counterweight(weight * plate.area, abs(plate.centre), angle, inertia, outer, half_angle)
+    return WebCounterweight(weight * plate.area, abs(plate.centre), angle, inertia, outer, half_angle)
 
 
 @lru_cache(maxsize=64)

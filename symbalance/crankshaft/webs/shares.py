@@ -18,7 +18,7 @@ from math import pi
 import numpy as np
 
 from symbalance.crankshaft.bodies import Body, ring, turn_about_w
-from symbalance.crankshaft.crank import Counterweight
+from symbalance.crankshaft.crank import WebCounterweight
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.webs.arm import Arm
 from symbalance.crankshaft.webs.sector import sector_plate
@@ -97,7 +97,7 @@ def _fillet(diameter: float, radius: float, side: int, arm: Arm) -> Body:
     return ring((1 - pi / 4) * radius**2, diameter / 2 + inward, side * inward, arm.material.density)
 
 
-def _counterweight(arm: Arm, weight: Counterweight) -> Body:
+def _counterweight(arm: Arm, weight: WebCounterweight) -> Body:
     """Return the counterweight about the near node, a flat piece as thick as the web.
 
     Its inertia about the axis' direction is divided as the drawn sector's is; into halves without one.
@@ -111,7 +111,7 @@ def _counterweight(arm: Arm, weight: Counterweight) -> Body:
     return Body(weight.mass, offset, turn @ own @ turn.T)
 
 
-def _along(arm: Arm, weight: Counterweight) -> float:
+def _along(arm: Arm, weight: WebCounterweight) -> float:
     """Return the part of a counterweight's inertia that comes of its extent along its own radius."""
     if not weight.outer or arm.axis != (0.0, 0.0):
         return 0.5
