@@ -127,6 +127,24 @@ def test_a_printed_zero_stands_for_half_a_unit_of_its_last_place(relation):
 
 
 @pytest.mark.parametrize(
+    ("relation", "verdict"),
+    [
+        (r"\frac{1}{0} < 2", "undecided"),
+        (r"9^{9^9} > 1", "undecided"),
+        (r"\sqrt{-1} < 2", "undecided"),
+        (r"\arcsin 2 < 1", "undecided"),
+        (r"1 < 2", "holds"),
+        (r"2 \le 1", "refuted"),
+        (r"\sqrt{-1} \neq 1", "holds"),
+        (r"x < 3", "definition"),
+    ],
+)
+def test_an_inequality_of_numbers_is_never_just_a_range(relation, verdict):
+    (found,) = sb.check(f"$${relation}$$", {"x": "angle"}).verdicts
+    assert found.verdict == verdict
+
+
+@pytest.mark.parametrize(
     "relation",
     [
         r"\ln 0 = 0.0",

@@ -278,6 +278,47 @@ def test_unreadable_files_are_refused(capsys, tmp_path):
     assert "UTF-8" in line
 
 
+# Options that would play no part --------------------------------------------------------------------
+
+GAS = "emit inline-4 --target numpy --outputs torque.gas --compression 10 --bore 80 --order 4"
+IDLE = {
+    "emit inline-4 --target numpy --compression 10 --bore 80": "--compression: is for the outputs",
+    "emit inline-4 --target numpy --outputs torque.inertia --stroke 80": "--stroke: is for the outputs",
+    f"{GAS} --rpm 3000": "--rpm: is for the output torque.total",
+    f"{GAS} --mass 1": "--mass: is for the output torque.total",
+    "emit inline-4 --target numpy --outputs piston.velocity --order 2": "--order: plays no part",
+    "derive --quantity crank-node --order 4": "--order: plays no part in crank-node",
+    "derive --quantity crank-node --convention r/l": "--convention: plays no part in crank-node",
+    "derive --rotation uvw": "--rotation: is for --quantity crank-node",
+    "check {notes} --declare --format json": "--format: plays no part in --declare",
+    "check {notes} --declare --lenient": "--lenient: plays no part in --declare",
+    "torque inline-4 --heat 18": "--heat: is for a running engine",
+    "torque inline-4 --delta 0.02": "--delta: is for a running engine",
+}
+
+
+@pytest.mark.parametrize("command", IDLE)
+def test_an_option_that_would_play_no_part_is_refused(command, capsys, tmp_path):
+    notes = tmp_path / "notes.md"
+    notes.write_text("$$a = b$$", encoding="utf-8")
+    assert IDLE[command] in refused(capsys, *command.format(notes=notes).split())
+
+
+def test_an_empty_option_is_not_the_default(capsys):
+    running = ["--compression", "10", "--bore", "80", "--stroke", "80", "--mass", "1"]
+    assert "rpm" in refused(capsys, "torque", "inline-4", *running, "--rpm", "")
+    assert "--order" in refused(capsys, "derive", "--order", "")
+
+
+def test_letters_declared_apart_are_not_asked_for_again(capsys, tmp_path):
+    notes, symbols = tmp_path / "notes.md", tmp_path / "others.toml"
+    notes.write_text("$$F = m a$$", encoding="utf-8")
+    symbols.write_text('[symbols]\nm = "reciprocating mass"\n', encoding="utf-8")
+    drafted = printed(capsys, "check", str(notes), "--declare", "--symbols", str(symbols))
+    assert '"a" = ""' in drafted
+    assert '"m" = ""' not in drafted
+
+
 # Files, pipes, processes --------------------------------------------------------------------------
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from symbalance.checking.documents import declarations_of, text_of
 from symbalance.checking.meanings import KNOWN
@@ -14,9 +16,12 @@ _UNDECLARED = re.compile(r"letter (\S+) is not declared$")
 MOST_ROUNDS = 60
 
 
-def sidecar_draft(document: str | Path) -> str:
-    """Return a sidecar with an entry for each undeclared letter, and the line it first stands on."""
-    found = undeclared(document)
+def sidecar_draft(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> str:
+    """Return a sidecar with an entry for each undeclared letter, and the line it first stands on.
+
+    `symbols` declares some already, as it does for `check`.
+    """
+    found = undeclared(document, symbols)
     lines = ["[symbols]"]
     for name, line in sorted(found.items(), key=lambda pair: pair[1]):
         lines.append(f'"{render(Name(name))}" = ""{"":12}# line {line}')
@@ -27,14 +32,16 @@ def sidecar_draft(document: str | Path) -> str:
     )
 
 
-def undeclared(document: str | Path) -> dict[str, int]:
+def undeclared(
+    document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None
+) -> dict[str, int]:
     """Return the letters of a document that are not declared, and where each is first missed.
 
     >>> undeclared("$$E = m c^2$$")
     {'m': 1, 'c': 1}
     """
     text, name, _ = text_of(document)
-    declarations, text = declarations_of(document, None, text, name)
+    declarations, text = declarations_of(document, symbols, text, name)
     found: dict[str, int] = {}
 
     def names_at(line: int) -> set[str]:

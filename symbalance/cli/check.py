@@ -8,6 +8,7 @@ from pathlib import Path
 
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
 from symbalance.cli.output import write
+from symbalance.errors import SymbalanceError
 
 
 def run(options: argparse.Namespace) -> int:
@@ -18,8 +19,11 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.checking import check, report_json, report_latex, report_text, sidecar_draft
 
     if options.declare:
-        write(sidecar_draft(Path(options.notes)), options.output, "source")
-        return 0
+        for given, name in ((options.format, "format"), (options.lenient, "lenient")):
+            if given:
+                raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
+        write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")
+        return DONE
     checked = check(Path(options.notes), options.symbols)
     if options.format == "json":
         printed = json.dumps(report_json(checked), ensure_ascii=False, indent=1)
@@ -27,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
         printed = report_latex(checked)
     else:
         printed = report_text(checked)
-    write(printed.rstrip("\n") + "\n", options.output, options.format)
+    write(printed.rstrip("\n") + "\n", options.output, options.format or "text")
     for verdict in checked.faults:
         say_fault(f"line {verdict.line} of {options.notes}: {verdict.fault}", verdict.traceback)
     if checked.faults:

@@ -5,17 +5,23 @@ from __future__ import annotations
 import argparse
 
 from symbalance.cli.output import whole_number, write
+from symbalance.errors import SymbalanceError
 
 
 def run(options: argparse.Namespace) -> int:
     """Derive the quantity and write the derivation."""
     if options.quantity == "crank-node":
+        for name in ("order", "convention"):
+            if getattr(options, name) is not None:
+                raise SymbalanceError(f"--{name}", "plays no part in crank-node", "leave it out")
         return _run_node(options)
-    order = whole_number(options.order, "order")
+    if options.rotation is not None:
+        raise SymbalanceError("--rotation", "is for --quantity crank-node", "leave it out")
+    order = whole_number("6" if options.order is None else options.order, "order")
 
     from symbalance.derivation import derivation_latex, derivation_text, derive
 
-    result = derive(options.quantity, order, options.convention)
+    result = derive(options.quantity, order, options.convention or "l/r")
     printed = derivation_latex(result) if options.format == "latex" else derivation_text(result)
     write(printed.rstrip("\n") + "\n", options.output, options.format)
     return 0
@@ -26,7 +32,7 @@ def _run_node(options: argparse.Namespace) -> int:
     from symbalance.crankshaft.equations import equations_text, node_equations
     from symbalance.tables.latex_document import to_latex
 
-    found = node_equations(options.rotation)
+    found = node_equations(options.rotation or "vector")
     latex = options.format == "latex"
     printed = to_latex(found, standalone=True) if latex else equations_text(found)
     write(printed, options.output, options.format)

@@ -13,6 +13,8 @@ from symbalance.errors import SymbalanceError
 
 def run(options: argparse.Namespace) -> int:
     """Load the engine, plan its outputs, write them in the target's language."""
+    outputs = [name.strip() for name in options.outputs.split(",")]
+    _check_use(options, outputs)
     order = None if options.order is None else whole_number(options.order, "order")
     tolerance = _tolerance(options.tolerance) if order is None else None
 
@@ -24,7 +26,6 @@ def run(options: argparse.Namespace) -> int:
 
     path = _path(options.output, FILES[options.target], options.target)
     layout = load(options.engine)
-    outputs = [name.strip() for name in options.outputs.split(",")]
     if options.ratio is not None:
         layout = layout.with_ratio(checked_ratio(options.ratio))
     running = running_engine(options, layout, "torque.total" in outputs)
@@ -38,6 +39,22 @@ def run(options: argparse.Namespace) -> int:
     else:
         write_files({str(path.with_suffix(suffix)): text for suffix, text in made.items()})
     return 0
+
+
+def _check_use(options: argparse.Namespace, outputs: list[str]) -> None:
+    """Refuse what no output asked for depends on, rather than pass over it."""
+    if options.order is not None and all(name.startswith("piston.") for name in outputs):
+        raise SymbalanceError("--order", "plays no part in piston outputs, always exact", "leave it out")
+    gas = {"torque.gas", "torque.total"} & set(outputs)
+    for name in ("pressure", "compression", "heat", "bore", "stroke", "rpm", "mass"):
+        if getattr(options, name) is None or "torque.total" in gas:
+            continue
+        if name in ("rpm", "mass"):
+            rule = "is for the output torque.total"
+            raise SymbalanceError(f"--{name}", rule, "add it to --outputs, or leave this out")
+        if not gas:
+            rule = "is for the outputs torque.gas and torque.total"
+            raise SymbalanceError(f"--{name}", rule, "add one to --outputs, or leave this out")
 
 
 def _tolerance(text: str | None) -> float:

@@ -65,14 +65,12 @@ def _add_derive(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--rotation",
         choices=ROTATIONS,
-        default="vector",
         help="of crank-node: a rotation vector, or the order of Cardan angles; default: vector",
     )
-    parser.add_argument("--order", metavar="N", default="6", help="highest order, 1 to 1000; default: 6")
+    parser.add_argument("--order", metavar="N", help="highest order, 1 to 1000; default: 6")
     parser.add_argument(
         "--convention",
         choices=CONVENTIONS,
-        default="l/r",
         help="what is expanded in: λ = l/r, ρ = r/l or λ = l/s (s the stroke); default: l/r",
     )
     add_output(parser, ("text", "latex"))
@@ -93,6 +91,7 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
     )
     add_output(parser, ("text", "latex", "json"))
+    parser.set_defaults(format=None)
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:

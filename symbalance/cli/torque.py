@@ -52,7 +52,8 @@ def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True)
         heat = HEAT if options.heat is None else options.heat
         gas = ideal_cycle(options.compression, heat=heat, strokes=layout.strokes)
     sizes = _sizes(options, layout.train_of(layout.first), whole)
-    return crank_torque(layout, gas, bore=options.bore, rpm=options.rpm or "1", **sizes)
+    rpm = "1" if options.rpm is None else options.rpm
+    return crank_torque(layout, gas, bore=options.bore, rpm=rpm, **sizes)
 
 
 def _is_running(options: argparse.Namespace, whole: bool) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import product
+from typing import Any
 
 from symbalance.algebra import values
 from symbalance.algebra.domain import NoFormError, TooLargeError
@@ -20,7 +21,7 @@ from symbalance.checking.deciding.steps import (
 )
 from symbalance.checking.verdicts import DEFINITION
 from symbalance.reading.equations import Chain, Side
-from symbalance.reading.syntax import Name, Node
+from symbalance.reading.syntax import Name, Node, names
 
 MOST_READINGS = 16
 
@@ -77,12 +78,18 @@ def ordering(chain: Chain, k: int, knowledge: Knowledge) -> Answer:
     found = _compared(chain.sides[k].node, chain.sides[k + 1].node, sign, knowledge)
     if found is not None:
         return found
+    if not names(chain.sides[k].node) and not names(chain.sides[k + 1].node):
+        return Answer(UNDECIDED, "two numbers that could not be compared")
     signs = {r.sign for r in chain.relations}
     if k == 1 and len(chain.sides) == 3 and (signs <= {"<", "≤"} or signs <= {">", "≥"}):
         outer = _compared(chain.sides[0].node, chain.sides[2].node, sign, knowledge)
         if outer is not None and not outer.proved:
             return Answer(REFUTED, "the range is empty", witness=outer.witness)
     return Answer(DEFINITION, "a stated range")
+
+
+def _is_real(value: Any) -> bool:
+    return abs(value.imag) <= abs(value) * values.context().mpf(10) ** -20
 
 
 def _compared(left: Node, right: Node, sign: str, knowledge: Knowledge) -> Answer | None:
@@ -98,6 +105,8 @@ def _compared(left: Node, right: Node, sign: str, knowledge: Knowledge) -> Answe
         points = values.sample([first, second])
         if not points:
             return None
+        if sign != "≠" and not all(_is_real(value) for value in points[0][1]):
+            return Answer(UNDECIDED, "one side is not a real number", "", (), level, first, second)
         one, other = (value.real for value in points[0][1])
         holds = {
             "<": not same and one < other,
