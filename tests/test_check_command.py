@@ -294,6 +294,27 @@ def test_the_latex_report_compiles_and_shows_both_lines(compile_latex, tmp_path)
     compile_latex(printed)
 
 
+def test_the_latex_report_loses_no_character_of_the_source(compile_latex):
+    source = "$$x = −√3·½ λ² ± ∂ ÷ × ∫ ΔΩς désaxé 力 ≠ … ₂ ÿ$$"
+    printed = report_latex(sb.check(source, LETTERS))
+    shown = printed[printed.index(r"\ttfamily") : printed.index(r"\par}", printed.index(r"\ttfamily"))]
+    assert "?" not in shown
+    for piece in ("--", r"\surd", r"\times", r"\Delta", "désaxé", "529B]", r"\pm", "ÿ"):
+        assert piece in shown, piece
+    compile_latex(printed)
+
+
+def test_every_character_of_the_report_compiles(compile_latex):
+    from symbalance.checking.reports.latex import escaped
+
+    ranges = ((0xA0, 0x100), (0x370, 0x400), (0x2010, 0x2040), (0x2070, 0x20A0), (0x2190, 0x2260))
+    text = [escaped(chr(code)) for start, end in ranges for code in range(start, end)]
+    assert "?" not in "".join(text)
+    head = "\\documentclass{article}\\usepackage[T1]{fontenc}\\usepackage[utf8]{inputenc}"
+    page = "\n\n".join(text)
+    compile_latex(f"{head}\\usepackage{{lmodern,amsmath}}\\begin{{document}}{page}\\end{{document}}")
+
+
 def test_check_equal_decides_sympy_expressions():
     x, n = sp.Symbol("x"), sp.Symbol("n", integer=True)
     a = sp.Symbol("a", positive=True)

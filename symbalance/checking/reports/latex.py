@@ -144,25 +144,67 @@ def escaped(text: str) -> str:
 
 
 _RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+_LOWERED = "₀₁₂₃₄₅₆₇₈₉"
+_SIGNS = {
+    "≈": r"$\approx$",
+    "≥": r"$\geq$",
+    "≤": r"$\leq$",
+    "≠": r"$\neq$",
+    "≡": r"$\equiv$",
+    "±": r"$\pm$",
+    "∓": r"$\mp$",
+    "×": r"$\times$",
+    "÷": r"$\div$",
+    "·": r"$\cdot$",
+    "⋅": r"$\cdot$",
+    "−": "--",
+    "–": "--",
+    "—": "---",
+    "√": r"$\surd$",
+    "∞": r"$\infty$",
+    "∂": r"$\partial$",
+    "∫": r"$\int$",
+    "∑": r"$\sum$",
+    "→": r"$\to$",
+    "⇒": r"$\Rightarrow$",
+    "∴": r"$\Rightarrow$",
+    "°": r"$^{\circ}$",
+    "′": r"$'$",
+    "½": r"$\frac12$",
+    "¼": r"$\frac14$",
+    "…": "...",
+    "⋯": "...",
+    "\u00a0": " ",
+}
 
 
 def _letter(character: str) -> str:
-    known = {
-        "≈": r"$\approx$",
-        "≥": r"$\geq$",
-        "≤": r"$\leq$",
-        "·": r"$\cdot$",
-        "−": "--",
-        "²": r"\textsuperscript{2}",
-        "√": r"$\surd$",
-        "…": "...",
-    }
-    if character in known:
-        return known[character]
+    """Return a character beyond ASCII as LaTeX prints it; by its code in brackets where it cannot."""
+    if character in _SIGNS:
+        return _SIGNS[character]
     if character in _RAISED:
         return rf"$^{{{'-0123456789'[_RAISED.index(character)]}}}$"
+    if character in _LOWERED:
+        return rf"$_{{{_LOWERED.index(character)}}}$"
     name = unicodedata.name(character, "")
-    if name.startswith("GREEK SMALL LETTER "):
-        letter = name.removeprefix("GREEK SMALL LETTER ").lower().replace("lamda", "lambda")
-        return rf"$\{letter}$" if letter.isalpha() and letter != "omicron" else "?"
-    return "?" if character.isprintable() else " "
+    if greek := _greek(name):
+        return greek
+    if name.startswith("LATIN ") and character <= "\u00ff":
+        return character
+    return f"[U+{ord(character):04X}]" if character.isprintable() else " "
+
+
+def _greek(name: str) -> str:
+    """Return the letter of a Unicode name, such as GREEK SMALL LETTER THETA; empty for any other."""
+    size, _, letter = name.removeprefix("GREEK ").partition(" LETTER ")
+    letter = letter.lower().replace("lamda", "lambda")
+    if name.startswith("GREEK ") and size == "SMALL" and letter.isalpha() and letter not in _LATIN:
+        return rf"$\{letter}$"
+    if name.startswith("GREEK ") and letter in _CAPITALS:
+        return rf"$\{letter.capitalize()}$"
+    return ""
+
+
+_LATIN = ("omicron", "stigma", "digamma", "koppa", "sampi", "sho", "san", "heta")
+"""Small letters LaTeX has no name for."""
+_CAPITALS = ("gamma", "delta", "theta", "lambda", "xi", "pi", "sigma", "upsilon", "phi", "psi", "omega")
