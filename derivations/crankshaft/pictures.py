@@ -45,13 +45,15 @@ def _run(name: str, kept: Path | None) -> dict[str, Any]:
     made = setting(engine)
     folder = None if kept is None else kept / name
     outcomes = swept(made, folder, lambda line: print(name, line, file=sys.stderr, flush=True))
+    if refused := [f"{name}, {o.rpm:g} rpm: {o.reason}" for o in outcomes if o.reason]:
+        sys.exit("\n".join(refused))
     found = summary(made, outcomes)
     for picture, data in pictures(found).items():
         if picture.removesuffix(".png") in SHOWN:
             (HERE.parent / "pictures" / f"{engine.layout.name}-{picture}").write_bytes(data)
-    centre = replace(made, about="centre", passes=1)
-    paper = swept(centre.at_speeds((SPEEDS[name][-1],)), folder and folder / "centre")[0]
     last = outcomes[-1]
+    centre = replace(made, about="centre", passes=1, steps=last.steps)
+    paper = swept(centre.at_speeds((SPEEDS[name][-1],)), folder and folder / "centre")[0]
     return {
         "bending": {str(o.rpm): _peaks(made, o) for o in outcomes},
         "high": {str(o.rpm): _high(o) for o in outcomes},
