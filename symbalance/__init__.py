@@ -16,76 +16,76 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 _HOMES = {
-    "Angle": "angles",
-    "degrees": "angles",
-    "Cylinder": "cylinders",
-    "Layout": "layout",
-    "CrankTrain": "trains",
-    "from_firing_order": "builders",
-    "inline": "builders",
-    "vee": "builders",
-    "vr": "builders",
-    "boxer": "builders",
-    "w": "builders",
-    "radial": "builders",
-    "Link": "trains",
-    "Counterweight": "balancers",
-    "BalanceShaft": "balancers",
-    "Weight": "balancers",
-    "Balancers": "balancers",
-    "load": "catalogue",
-    "presets": "catalogue",
-    "balance": "resultants",
-    "Balance": "resultants",
-    "harmonics": "slider_crank",
-    "exact_coefficient": "slider_crank",
-    "left_out": "truncation",
-    "inline_sum": "summation",
-    "inline_couple": "summation",
-    "derive": "derivation",
-    "check": "checking",
-    "check_equal": "checking",
-    "report_text": "checking",
-    "report_latex": "checking",
-    "report_json": "checking",
+    "Angle": "exact.angles",
+    "degrees": "exact.angles",
+    "Cylinder": "engine.cylinders",
+    "Layout": "engine.layout",
+    "CrankTrain": "engine.trains",
+    "from_firing_order": "engine.builders",
+    "inline": "engine.builders",
+    "vee": "engine.builders",
+    "vr": "engine.builders",
+    "boxer": "engine.builders",
+    "w": "engine.builders",
+    "radial": "engine.builders",
+    "Link": "engine.trains",
+    "Counterweight": "engine.balancers",
+    "BalanceShaft": "engine.balancers",
+    "Weight": "engine.balancers",
+    "Balancers": "engine.balancers",
+    "load": "engine.catalogue",
+    "presets": "engine.catalogue",
+    "balance": "forces.resultants",
+    "Balance": "forces.resultants",
+    "harmonics": "kinematics.slider_crank",
+    "exact_coefficient": "kinematics.slider_crank",
+    "left_out": "kinematics.truncation",
+    "inline_sum": "forces.summation",
+    "inline_couple": "forces.summation",
+    "derive": "kinematics.derivation",
+    "check": "notes.checking",
+    "check_equal": "notes.checking",
+    "report_text": "notes.checking",
+    "report_latex": "notes.checking",
+    "report_json": "notes.checking",
     "to_text": "tables.text_document",
     "to_latex": "tables.latex_document",
     "to_json": "tables.json_document",
-    "to_function": "numeric",
-    "firing_orders": "stars",
-    "natural_bank_angles": "stars",
-    "pin_offsets": "stars",
-    "crank_stars": "stars",
-    "engine_text": "engine_writing",
-    "Design": "balancing",
-    "Ellipse": "balancing",
-    "balanced_weights": "balancing",
-    "best_forward": "balancing",
-    "best_overbalance": "balancing",
-    "design_balance": "balancing",
-    "ellipse": "balancing",
-    "overbalanced": "balancing",
-    "rotating_unbalance": "balancing",
-    "rotating_weights": "balancing",
-    "throw_unbalance": "balancing",
-    "design_text": "tables.design_text",
-    "design_latex": "tables.design_latex",
-    "design_json": "tables.design_json",
+    "to_function": "codegen",
+    "firing_orders": "engine.stars",
+    "natural_bank_angles": "engine.stars",
+    "pin_offsets": "engine.stars",
+    "crank_stars": "engine.stars",
+    "engine_text": "engine.engine_writing",
+    "Design": "design.balancing",
+    "Ellipse": "design.balancing",
+    "balanced_weights": "design.balancing",
+    "best_forward": "design.balancing",
+    "best_overbalance": "design.balancing",
+    "design_balance": "design.balancing",
+    "ellipse": "design.balancing",
+    "overbalanced": "design.balancing",
+    "rotating_unbalance": "design.balancing",
+    "rotating_weights": "design.balancing",
+    "throw_unbalance": "design.balancing",
+    "design_text": "design.balancing.design_text",
+    "design_latex": "design.balancing.design_latex",
+    "design_json": "design.balancing.design_json",
     "inertia_torque": "torque",
     "torque_report": "torque",
     "roll_moment": "torque",
-    "shaft_moment": "torque",
+    "shaft_moment": "forces.shafts",
     "crank_torque": "torque",
     "gas_torque": "torque",
     "firing_stars": "torque",
     "read_pressure": "torque",
     "pressure_trace": "torque",
     "ideal_cycle": "torque",
-    "SliderCrank": "mechanisms",
-    "LinkRod": "mechanisms",
-    "RodSplit": "mechanisms",
-    "dead_centres": "mechanisms",
-    "force_harmonics": "mechanisms",
+    "SliderCrank": "kinematics.mechanisms",
+    "LinkRod": "kinematics.mechanisms",
+    "RodSplit": "kinematics.mechanisms",
+    "dead_centres": "kinematics.mechanisms",
+    "force_harmonics": "kinematics.mechanisms",
     "node_equations": "crankshaft.equations",
     "Material": "crankshaft.crank",
     "Disc": "crankshaft.crank",
@@ -118,14 +118,14 @@ _HOMES = {
     "equilibrium": "crankshaft.bearings.short_film",
     "journal_orbit": "crankshaft.bearings.orbits",
     "film_from_tables": "crankshaft.bearings.periodic",
-    "symbolic_order": "variations",
-    "sensitivities": "variations",
-    "Tolerances": "variations",
-    "worst_cases": "variations",
-    "assign_parts": "variations",
-    "read_parts": "variations",
+    "symbolic_order": "design.variations",
+    "sensitivities": "design.variations",
+    "Tolerances": "design.variations",
+    "worst_cases": "design.variations",
+    "assign_parts": "design.variations",
+    "read_parts": "design.variations",
     "SymbalanceError": "errors",
-    "symbol": "symbols",
+    "symbol": "document.symbols",
 }
 
 __all__ = [*_HOMES, "__version__"]  # pyright: ignore[reportUnsupportedDunderAll]
@@ -144,37 +144,7 @@ def __dir__() -> list[str]:
 
 
 if TYPE_CHECKING:
-    from symbalance.angles import Angle as Angle
-    from symbalance.angles import degrees as degrees
-    from symbalance.balancers import Balancers as Balancers
-    from symbalance.balancers import BalanceShaft as BalanceShaft
-    from symbalance.balancers import Counterweight as Counterweight
-    from symbalance.balancers import Weight as Weight
-    from symbalance.balancing import Design as Design
-    from symbalance.balancing import Ellipse as Ellipse
-    from symbalance.balancing import balanced_weights as balanced_weights
-    from symbalance.balancing import best_forward as best_forward
-    from symbalance.balancing import best_overbalance as best_overbalance
-    from symbalance.balancing import design_balance as design_balance
-    from symbalance.balancing import ellipse as ellipse
-    from symbalance.balancing import overbalanced as overbalanced
-    from symbalance.balancing import rotating_unbalance as rotating_unbalance
-    from symbalance.balancing import rotating_weights as rotating_weights
-    from symbalance.balancing import throw_unbalance as throw_unbalance
-    from symbalance.builders import boxer as boxer
-    from symbalance.builders import from_firing_order as from_firing_order
-    from symbalance.builders import inline as inline
-    from symbalance.builders import radial as radial
-    from symbalance.builders import vee as vee
-    from symbalance.builders import vr as vr
-    from symbalance.builders import w as w
-    from symbalance.catalogue import load as load
-    from symbalance.catalogue import presets as presets
-    from symbalance.checking import check as check
-    from symbalance.checking import check_equal as check_equal
-    from symbalance.checking import report_json as report_json
-    from symbalance.checking import report_latex as report_latex
-    from symbalance.checking import report_text as report_text
+    from symbalance.codegen import to_function as to_function
     from symbalance.crankshaft.assembly import assemble as assemble
     from symbalance.crankshaft.bearings.orbits import journal_orbit as journal_orbit
     from symbalance.crankshaft.bearings.periodic import film_from_tables as film_from_tables
@@ -207,28 +177,68 @@ if TYPE_CHECKING:
     from symbalance.crankshaft.unbalance import unbalance_response as unbalance_response
     from symbalance.crankshaft.whirling import critical_speeds as critical_speeds
     from symbalance.crankshaft.whirling import whirl as whirl
-    from symbalance.cylinders import Cylinder as Cylinder
-    from symbalance.derivation import derive as derive
-    from symbalance.engine_writing import engine_text as engine_text
+    from symbalance.design.balancing import Design as Design
+    from symbalance.design.balancing import Ellipse as Ellipse
+    from symbalance.design.balancing import balanced_weights as balanced_weights
+    from symbalance.design.balancing import best_forward as best_forward
+    from symbalance.design.balancing import best_overbalance as best_overbalance
+    from symbalance.design.balancing import design_balance as design_balance
+    from symbalance.design.balancing import ellipse as ellipse
+    from symbalance.design.balancing import overbalanced as overbalanced
+    from symbalance.design.balancing import rotating_unbalance as rotating_unbalance
+    from symbalance.design.balancing import rotating_weights as rotating_weights
+    from symbalance.design.balancing import throw_unbalance as throw_unbalance
+    from symbalance.design.variations import Tolerances as Tolerances
+    from symbalance.design.variations import assign_parts as assign_parts
+    from symbalance.design.variations import read_parts as read_parts
+    from symbalance.design.variations import sensitivities as sensitivities
+    from symbalance.design.variations import symbolic_order as symbolic_order
+    from symbalance.design.variations import worst_cases as worst_cases
+    from symbalance.document.symbols import symbol as symbol
+    from symbalance.engine.balancers import Balancers as Balancers
+    from symbalance.engine.balancers import BalanceShaft as BalanceShaft
+    from symbalance.engine.balancers import Counterweight as Counterweight
+    from symbalance.engine.balancers import Weight as Weight
+    from symbalance.engine.builders import boxer as boxer
+    from symbalance.engine.builders import from_firing_order as from_firing_order
+    from symbalance.engine.builders import inline as inline
+    from symbalance.engine.builders import radial as radial
+    from symbalance.engine.builders import vee as vee
+    from symbalance.engine.builders import vr as vr
+    from symbalance.engine.builders import w as w
+    from symbalance.engine.catalogue import load as load
+    from symbalance.engine.catalogue import presets as presets
+    from symbalance.engine.cylinders import Cylinder as Cylinder
+    from symbalance.engine.engine_writing import engine_text as engine_text
+    from symbalance.engine.layout import Layout as Layout
+    from symbalance.engine.stars import crank_stars as crank_stars
+    from symbalance.engine.stars import firing_orders as firing_orders
+    from symbalance.engine.stars import natural_bank_angles as natural_bank_angles
+    from symbalance.engine.stars import pin_offsets as pin_offsets
+    from symbalance.engine.trains import CrankTrain as CrankTrain
+    from symbalance.engine.trains import Link as Link
     from symbalance.errors import SymbalanceError as SymbalanceError
-    from symbalance.layout import Layout as Layout
-    from symbalance.mechanisms import LinkRod as LinkRod
-    from symbalance.mechanisms import RodSplit as RodSplit
-    from symbalance.mechanisms import SliderCrank as SliderCrank
-    from symbalance.mechanisms import dead_centres as dead_centres
-    from symbalance.mechanisms import force_harmonics as force_harmonics
-    from symbalance.numeric import to_function as to_function
-    from symbalance.resultants import Balance as Balance
-    from symbalance.resultants import balance as balance
-    from symbalance.slider_crank import exact_coefficient as exact_coefficient
-    from symbalance.slider_crank import harmonics as harmonics
-    from symbalance.stars import crank_stars as crank_stars
-    from symbalance.stars import firing_orders as firing_orders
-    from symbalance.stars import natural_bank_angles as natural_bank_angles
-    from symbalance.stars import pin_offsets as pin_offsets
-    from symbalance.summation import inline_couple as inline_couple
-    from symbalance.summation import inline_sum as inline_sum
-    from symbalance.symbols import symbol as symbol
+    from symbalance.exact.angles import Angle as Angle
+    from symbalance.exact.angles import degrees as degrees
+    from symbalance.forces.resultants import Balance as Balance
+    from symbalance.forces.resultants import balance as balance
+    from symbalance.forces.shafts import shaft_moment as shaft_moment
+    from symbalance.forces.summation import inline_couple as inline_couple
+    from symbalance.forces.summation import inline_sum as inline_sum
+    from symbalance.kinematics.derivation import derive as derive
+    from symbalance.kinematics.mechanisms import LinkRod as LinkRod
+    from symbalance.kinematics.mechanisms import RodSplit as RodSplit
+    from symbalance.kinematics.mechanisms import SliderCrank as SliderCrank
+    from symbalance.kinematics.mechanisms import dead_centres as dead_centres
+    from symbalance.kinematics.mechanisms import force_harmonics as force_harmonics
+    from symbalance.kinematics.slider_crank import exact_coefficient as exact_coefficient
+    from symbalance.kinematics.slider_crank import harmonics as harmonics
+    from symbalance.kinematics.truncation import left_out as left_out
+    from symbalance.notes.checking import check as check
+    from symbalance.notes.checking import check_equal as check_equal
+    from symbalance.notes.checking import report_json as report_json
+    from symbalance.notes.checking import report_latex as report_latex
+    from symbalance.notes.checking import report_text as report_text
     from symbalance.tables.json_document import to_json as to_json
     from symbalance.tables.latex_document import to_latex as to_latex
     from symbalance.tables.text_document import to_text as to_text
@@ -240,14 +250,4 @@ if TYPE_CHECKING:
     from symbalance.torque import pressure_trace as pressure_trace
     from symbalance.torque import read_pressure as read_pressure
     from symbalance.torque import roll_moment as roll_moment
-    from symbalance.torque import shaft_moment as shaft_moment
     from symbalance.torque import torque_report as torque_report
-    from symbalance.trains import CrankTrain as CrankTrain
-    from symbalance.trains import Link as Link
-    from symbalance.truncation import left_out as left_out
-    from symbalance.variations import Tolerances as Tolerances
-    from symbalance.variations import assign_parts as assign_parts
-    from symbalance.variations import read_parts as read_parts
-    from symbalance.variations import sensitivities as sensitivities
-    from symbalance.variations import symbolic_order as symbolic_order
-    from symbalance.variations import worst_cases as worst_cases

@@ -1,6 +1,6 @@
 """Formulas for the tests of the algebra: trees from short texts, random trees, values by mpmath alone.
 
-`tree` reads Python's own syntax, so nothing of `symbalance.reading` but its nodes is involved; `value`
+`tree` reads Python's own syntax, so nothing of `symbalance.notes.reading` but its nodes is involved; `value`
 is a textbook recursion over the tree with mpmath's functions, derivatives being numerical.
 """
 
@@ -14,10 +14,7 @@ from typing import Any
 import hypothesis.strategies as st
 from mpmath import mp
 
-from symbalance.algebra.domain import Domain
-from symbalance.algebra.evaluation import Evaluator, Meaning
-from symbalance.algebra.forms import Form
-from symbalance.reading.syntax import (
+from symbalance.document.syntax import (
     Call,
     Constant,
     Derivative,
@@ -32,6 +29,9 @@ from symbalance.reading.syntax import (
     Sum,
     Summation,
 )
+from symbalance.notes.algebra.domain import Domain
+from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.forms import Form
 
 POSITIVE = frozenset("a b c lambda rho".split())  # noqa: SIM905
 INTEGER = frozenset("n k".split())  # noqa: SIM905

@@ -40,7 +40,7 @@ def coefficient(n: int, ratio):
 
 def size(vector):
     """Return a weight's size and direction, as one complex number."""
-    from symbalance.unlike import decimal
+    from symbalance.exact.arithmetic import decimal
 
     return decimal(vector)
 

@@ -19,11 +19,13 @@ import sympy
 from kinematics import DIGITS, Place
 from mpmath import mp
 
-from symbalance.builders import boxer, from_firing_order, inline, radial, vee, w
-from symbalance.cylinders import Cylinder
-from symbalance.layout import Layout
-from symbalance.resultants import Balance, Resultant, balance
-from symbalance.slider_crank import (
+from symbalance.document.symbols import symbol
+from symbalance.engine.builders import boxer, from_firing_order, inline, radial, vee, w
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.exact.spectrum import Component
+from symbalance.forces.resultants import Balance, Resultant, balance
+from symbalance.kinematics.slider_crank import (
     QUANTITIES,
     acceleration_series,
     acceleration_value,
@@ -33,9 +35,7 @@ from symbalance.slider_crank import (
     rod_angle_series,
     rod_angle_value,
 )
-from symbalance.spectrum import Component
-from symbalance.symbols import symbol
-from symbalance.truncation import left_out
+from symbalance.kinematics.truncation import left_out
 
 TOLERANCE = mp.mpf(10) ** -30
 RATIO = Fraction(4)

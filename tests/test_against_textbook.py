@@ -25,10 +25,10 @@ from typing import Any
 import pytest
 import sympy
 
-from symbalance.catalogue import load, preset_names, presets
-from symbalance.cylinders import Cylinder
-from symbalance.layout import Layout
-from symbalance.resultants import Balance, Resultant, balance
+from symbalance.engine.catalogue import load, preset_names, presets
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.forces.resultants import Balance, Resultant, balance
 
 Row = dict[str, Any]
 HIGHEST = 12

@@ -16,13 +16,13 @@ from formulas import MEANING, POINT, at_point, close, forms, points, tree, trees
 from hypothesis import HealthCheck, assume, given, settings
 from mpmath import mp
 
-from symbalance.algebra import values
-from symbalance.algebra.division import quotient
-from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.algebra.evaluation import Evaluator, Meaning
-from symbalance.algebra.forms import Form
-from symbalance.algebra.trees import TreeValues
-from symbalance.reading.syntax import Derivative, Name, Node, Number, children, with_children
+from symbalance.document.syntax import Derivative, Name, Node, Number, children, with_children
+from symbalance.notes.algebra import values
+from symbalance.notes.algebra.division import quotient
+from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.trees import TreeValues
 
 settings.register_profile("algebra", deadline=None, max_examples=150, derandomize=True, database=None)
 settings.load_profile("algebra")

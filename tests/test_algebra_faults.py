@@ -15,11 +15,11 @@ from formulas import POINT, forms, tree
 from test_algebra import DisagreementError, assert_soundly_compared, assert_value
 from test_algebra_series import LARGE, SMALL, RemainderError, assert_good, series_of
 
-from symbalance.algebra import derivatives, functions, named, polynomials, zero
-from symbalance.algebra.forms import Form
-from symbalance.algebra.roots import unit
-from symbalance.algebra.series import Expansion, Series
-from symbalance.phasor import Phasor
+from symbalance.exact.phasor import Phasor
+from symbalance.notes.algebra import derivatives, functions, named, polynomials, zero
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.roots import unit
+from symbalance.notes.algebra.series import Expansion, Series
 
 Patch = pytest.MonkeyPatch
 Comparison = Callable[[], None]

@@ -17,10 +17,10 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from symbalance.algebra import values
-from symbalance.algebra.domain import NoFormError, TooLargeError
-from symbalance.algebra.series import Expansion, Series
-from symbalance.reading.syntax import Node
+from symbalance.document.syntax import Node
+from symbalance.notes.algebra import values
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.series import Expansion, Series
 
 DIGITS = 420
 LARGE, SMALL = ("lambda", -1), ("rho", 1)

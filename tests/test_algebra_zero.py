@@ -15,15 +15,7 @@ from formulas import MEANING, POINT, at_point, close, forms, tree
 from hypothesis import given, settings
 from mpmath import mp
 
-from symbalance.algebra import values
-from symbalance.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.algebra.evaluation import Evaluator, Meaning
-from symbalance.algebra.forms import Form
-from symbalance.algebra.functions import cosine
-from symbalance.algebra.roots import root
-from symbalance.algebra.zero import root_of_prime
-from symbalance.phasor import Phasor
-from symbalance.reading.syntax import (
+from symbalance.document.syntax import (
     Call,
     Constant,
     Name,
@@ -35,6 +27,14 @@ from symbalance.reading.syntax import (
     Sum,
     Summation,
 )
+from symbalance.exact.phasor import Phasor
+from symbalance.notes.algebra import values
+from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.functions import cosine
+from symbalance.notes.algebra.roots import root
+from symbalance.notes.algebra.zero import root_of_prime
 
 PRIMES = [p for p in range(2, 200) if all(p % d for d in range(2, p))]
 MOST = 40_000_000

@@ -9,7 +9,7 @@ import sympy
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.unlike import kinds
+from symbalance.engine.unlike import kinds
 
 ROW = """
 [[cylinder]]

@@ -10,9 +10,9 @@ import pytest
 import sympy
 from sympy.parsing.sympy_parser import convert_xor, parse_expr, standard_transformations
 
-from symbalance.catalogue import preset_names, preset_text
 from symbalance.cli import run
 from symbalance.cli.ascii_spelling import RAISED, as_encodable, as_json
+from symbalance.engine.catalogue import preset_names, preset_text
 
 ENCODINGS = ("ascii", "latin-1", "cp1252", "cp932", "koi8-r")
 C_LOCALE = {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}

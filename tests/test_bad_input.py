@@ -16,24 +16,24 @@ import pytest
 import sympy
 from hypothesis import given, settings
 
-from symbalance.angles import angle, degrees
-from symbalance.builders import boxer, from_firing_order, inline, radial, vee, w
-from symbalance.cylinders import Cylinder
-from symbalance.derivation import derive
-from symbalance.engine_file import parse_engine
+from symbalance.codegen import to_function
+from symbalance.document.symbols import symbol
+from symbalance.engine.builders import boxer, from_firing_order, inline, radial, vee, w
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.engine_file import parse_engine
+from symbalance.engine.layout import Layout
+from symbalance.engine.trains import CrankTrain
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import Layout
-from symbalance.numeric import to_function
-from symbalance.rational import exact
-from symbalance.resultants import balance
-from symbalance.slider_crank import harmonics
-from symbalance.summation import dirichlet_quotient, inline_couple, inline_sum, spacing
-from symbalance.symbols import symbol
+from symbalance.exact.angles import angle, degrees
+from symbalance.forces.resultants import balance
+from symbalance.forces.summation import dirichlet_quotient, inline_couple, inline_sum, spacing
+from symbalance.kinematics.derivation import derive
+from symbalance.kinematics.slider_crank import harmonics
+from symbalance.kinematics.truncation import left_out
 from symbalance.tables.json_document import to_json
 from symbalance.tables.latex_document import to_latex
 from symbalance.tables.text_document import to_text
-from symbalance.trains import CrankTrain
-from symbalance.truncation import left_out
+from symbalance.text.numbers import exact
 
 X = sympy.Symbol("x")
 PLACE = "some/engine.toml"

@@ -15,17 +15,15 @@ from hypothesis import strategies as st
 from mpmath import mp
 
 import symbalance as sb
-from symbalance.angles import Angle
-from symbalance.balancing.bounded import bounded
-from symbalance.balancing.numbers import size_of, summed
-from symbalance.balancing.overbalancing import amplitudes, first_order
-from symbalance.balancing.planes import in_planes
-from symbalance.catalogue import preset_names
-from symbalance.phasor import ZERO, Phasor
-from symbalance.rotors import added
-from symbalance.tables.torque_table import torque_text
-from symbalance.trains import CrankTrain, Link
-from symbalance.unlike import decimal
+from symbalance.design.balancing.bounded import bounded
+from symbalance.design.balancing.overbalancing import amplitudes, first_order
+from symbalance.design.balancing.planes import in_planes
+from symbalance.engine.catalogue import preset_names
+from symbalance.engine.trains import CrankTrain, Link
+from symbalance.exact.angles import Angle
+from symbalance.exact.arithmetic import added, decimal, size_of, summed
+from symbalance.exact.phasor import ZERO, Phasor
+from symbalance.torque.torque_text import torque_text
 
 GONE = 1e-33
 SIZED = CrankTrain(
@@ -417,8 +415,8 @@ def test_the_shafts_chosen_leave_the_least(shafts, vertical, lateral):
     """By brute force over all sets of signed orders, each order's part chosen from a grid."""
     from itertools import combinations
 
-    from symbalance.balancing.choosing import left_at, parts_of
-    from symbalance.balancing.limits import Weighting
+    from symbalance.design.balancing.choosing import left_at, parts_of
+    from symbalance.design.balancing.limits import Weighting
 
     layout = sb.load("inline-5")
     weighting = Weighting(Fraction(vertical), Fraction(lateral))

@@ -26,7 +26,7 @@ from symbalance.bench.evaluating.sweep import Point, Sweep, as_csv, sweep_table
 from symbalance.bench.evaluating.truth import UNIT, chosen, truth
 from symbalance.bench.timing import Measurement, Report
 from symbalance.cli import run
-from symbalance.slider_crank import acceleration_floats
+from symbalance.kinematics.slider_crank import acceleration_floats
 
 SIX = Case("inline-6", "force.vertical")
 FIVE = Case("inline-5", "couple.vertical", None, Fraction(4))

@@ -12,7 +12,7 @@ from symbalance.bench.faults import KINDS
 from symbalance.bench.in_sympy import InSympy
 from symbalance.bench.planting import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
 from symbalance.bench.simplifying import DIFFERENT, PROVED, UNDECIDED, Link, decided, links, simplified
-from symbalance.reading import read_expression
+from symbalance.notes.reading import read_expression
 
 HERE = page()
 

@@ -11,23 +11,8 @@ from kinematics import acceleration, displacement, velocity
 from mpmath import mp
 
 import symbalance as sb
-from symbalance.bench.stability import (
-    asked,
-    engines,
-    pistons,
-    ratios,
-    reporting,
-    rules,
-    sums,
-)
-from symbalance.bench.stability.angles import (
-    closest,
-    hard,
-    near_multiples,
-    near_turns,
-    quarters,
-    small,
-)
+from symbalance.bench.stability import asked, engines, pistons, ratios, reporting, rules, sums
+from symbalance.bench.stability.angles import closest, hard, near_multiples, near_turns, quarters, small
 from symbalance.bench.stability.asked import Asked
 from symbalance.bench.stability.case import Case, Part, largest, measured, tried
 from symbalance.bench.stability.truth import (
@@ -39,7 +24,7 @@ from symbalance.bench.stability.truth import (
     piston_at,
     weights,
 )
-from symbalance.numeric.targets import IN_MEMORY
+from symbalance.codegen.targets import IN_MEMORY
 
 REAL = Fraction(7, 2)
 SINGLE = sb.inline(throws=[0])

@@ -7,8 +7,8 @@ import pytest
 import sympy as sp
 
 import symbalance as sb
-from symbalance.checking import report_latex
 from symbalance.cli import run
+from symbalance.notes.checking import report_latex
 
 LETTERS = {
     "theta": "crank angle",
@@ -67,7 +67,7 @@ def test_every_relation_seen_is_counted(tmp_path, capsys):
 def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
     tmp_path, capsys, monkeypatch
 ):
-    from symbalance.checking import judging
+    from symbalance.notes.checking import judging
 
     honest = judging.judged
 
@@ -92,7 +92,7 @@ def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
 
 
 def test_a_fault_in_looking_for_a_correction_leaves_the_line_refuted(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("symbalance.checking.repair.mending.diagnosed", lambda _case: 1 / 0)
+    monkeypatch.setattr("symbalance.notes.checking.repair.mending.diagnosed", lambda _case: 1 / 0)
     path = written(tmp_path, BAD)
     assert run(["check", path, "--format", "json"]) == 3
     (link,) = json.loads(capsys.readouterr().out)["links"]
@@ -305,7 +305,7 @@ def test_the_latex_report_loses_no_character_of_the_source(compile_latex):
 
 
 def test_every_character_of_the_report_compiles(compile_latex):
-    from symbalance.checking.reports.latex import escaped
+    from symbalance.notes.checking.reports.latex import escaped
 
     ranges = ((0xA0, 0x100), (0x370, 0x400), (0x2010, 0x2040), (0x2070, 0x20A0), (0x2190, 0x2260))
     text = [escaped(chr(code)) for start, end in ranges for code in range(start, end)]

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from mpmath import mp
 
 from symbalance.errors import SymbalanceError
-from symbalance.slider_crank import floats
-from symbalance.slider_crank.exact import acceleration_value
-from symbalance.slider_crank.floats import acceleration_floats
+from symbalance.kinematics.slider_crank import floats
+from symbalance.kinematics.slider_crank.exact import acceleration_value
+from symbalance.kinematics.slider_crank.floats import acceleration_floats
 
 WORST = 0.51
 STEP = 2.0**-1074

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from symbalance.catalogue import preset_names
 from symbalance.cli import run
+from symbalance.engine.catalogue import preset_names
 
 GOOD = """
 [layout]
@@ -119,7 +119,7 @@ def test_without_a_ratio_values_are_null(capsys, tmp_path):
 
 
 def test_engines_lists_every_preset_with_its_source(capsys):
-    from symbalance.catalogue import presets
+    from symbalance.engine.catalogue import presets
 
     out = printed(capsys, "engines")
     assert max(map(len, out.splitlines())) <= 80

@@ -12,13 +12,13 @@ from cranks import BEARINGS, CRANKSHAFT, RUNNING, TRAIN, engine, sheet, written
 from test_crank_stress import constant_film
 
 import symbalance as sb
-from symbalance.catalogue import preset_text
 from symbalance.cli import run
 from symbalance.crankshaft.loads import pin_loads
 from symbalance.crankshaft.reduction import reduced
 from symbalance.crankshaft.running import setting
 from symbalance.crankshaft.running.shifted import shifted
 from symbalance.crankshaft.steady import steady_state
+from symbalance.engine.catalogue import preset_text
 
 QUICK = ("--webs", "nominal", "--steps", "120", "--about", "centre", "--modes", "20", "--format", "json")
 FLYING = CRANKSHAFT.replace("young = 206", "young = 206\nflying_web = 12")

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.crankshaft.loads import firing_crank_angles
-from symbalance.engine_file import parse_engine
-from symbalance.stars import intervals, is_even, known_firing
-from symbalance.tops import firing_dead_centres, has_moved
+from symbalance.engine.engine_file import parse_engine
+from symbalance.engine.stars import intervals, is_even, known_firing
+from symbalance.engine.tops import firing_dead_centres, has_moved
 from symbalance.torque import firing_pin_passings
 
 FILE = """

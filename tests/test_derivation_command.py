@@ -17,12 +17,13 @@ import pytest
 from effort import effort
 from mpmath import mp
 
-from symbalance.derivation import Derivation, Prose, derivation_latex, derivation_text, derive
-from symbalance.derivation.bounds import printed_error
+from symbalance.document import formula as f
+from symbalance.document.notation import CONVENTIONS
 from symbalance.errors import SymbalanceError
-from symbalance.notation import CONVENTIONS, series_latex, series_text
-from symbalance.notation import formula as f
-from symbalance.slider_crank import QUANTITIES, acceleration_series, harmonics
+from symbalance.kinematics.derivation import Derivation, Prose, derivation_latex, derivation_text, derive
+from symbalance.kinematics.derivation.bounds import printed_error
+from symbalance.kinematics.series_printing import series_latex, series_text
+from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics
 
 ORDERS = (1, 2, 3, 6, 7, 12)
 RATIO, THETA, POINTS = Fraction(30), mp.mpf("0.7"), 256
@@ -330,7 +331,7 @@ def test_a_power_is_kept_or_refused() -> None:
 
 def test_deriving_does_without_sympy() -> None:
     code = (
-        "import sys; from symbalance.derivation import derivation_text, derive\n"
+        "import sys; from symbalance.kinematics.derivation import derivation_text, derive\n"
         "derivation_text(derive()); print('sympy' in sys.modules)"
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

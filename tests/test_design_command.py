@@ -10,9 +10,9 @@ import sympy
 import test_unlike
 
 import symbalance as sb
-from symbalance.catalogue import preset_names
 from symbalance.cli import run
-from symbalance.trains import CrankTrain
+from symbalance.engine.catalogue import preset_names
+from symbalance.engine.trains import CrankTrain
 
 SIZES = CrankTrain(
     stroke=Fraction(86),

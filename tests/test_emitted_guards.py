@@ -25,7 +25,7 @@ import pytest
 
 import symbalance as sb
 from symbalance.cli import run as command
-from symbalance.numeric import source_cache
+from symbalance.codegen import source_cache
 
 OUTPUTS = "force.vertical,piston.displacement,piston.velocity"
 GCC = shutil.which("gcc")

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 from mpmath import mp
 
 import symbalance as sb
-from symbalance.catalogue import preset_names
-from symbalance.numeric.evaluators import planned_for
-from symbalance.numeric.plans import plan
-from symbalance.numeric.targets import files
-from symbalance.numeric.waves import FORCE, Term, Wave
+from symbalance.codegen.evaluators import planned_for
+from symbalance.codegen.plans import plan
+from symbalance.codegen.targets import files
+from symbalance.codegen.waves import FORCE, Term, Wave
+from symbalance.engine.catalogue import preset_names
 
 U = mp.ldexp(1, -53)
 OUTPUTS = tuple(f"{kind}.{part}" for kind in ("force", "couple") for part in ("vertical", "lateral"))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from symbalance.checking import check, report_json
+from symbalance.notes.checking import check, report_json
 
 HAND = Path(__file__).parent / "hand"
 TRUTHS = sorted(HAND.glob("*.truth.toml"))

@@ -4,9 +4,9 @@ import pytest
 import sympy
 
 import symbalance as sb
-from symbalance.catalogue import preset_names
-from symbalance.slider_crank import acceleration_series
-from symbalance.tables.latex_parts import in_document
+from symbalance.document.latex_parts import in_document
+from symbalance.engine.catalogue import preset_names
+from symbalance.kinematics.slider_crank import acceleration_series
 
 SEVEN = sb.inline("1-3-5-7-6-4-2", name="seven_&_odd", ratio="7/2")
 TWIN = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin", ratio=4)

@@ -22,32 +22,32 @@ import sympy
 from hypothesis import assume, given, settings
 from mpmath import mp
 
-from symbalance.angles import Angle, angle, degrees
-from symbalance.builders import from_firing_order, inline, vee
-from symbalance.catalogue import load
-from symbalance.cylinders import Cylinder
-from symbalance.derivation import derivation_text, derive
-from symbalance.derivation.bounds import printed_error
-from symbalance.layout import Layout
-from symbalance.numeric import to_function
-from symbalance.phasor import ONE, Phasor
-from symbalance.radicals import (
+from symbalance.codegen import to_function
+from symbalance.engine.builders import from_firing_order, inline, vee
+from symbalance.engine.catalogue import load
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.exact.angles import Angle, angle, degrees
+from symbalance.exact.phasor import ONE, Phasor
+from symbalance.exact.radicals import (
     evaluated,
     exact_form,
     radical_form,
     square_root_form,
     trigonometric_form,
 )
-from symbalance.radicals.forms import _cached_form as exact_form_cache
-from symbalance.rational import exact
-from symbalance.resultants import balance
-from symbalance.slider_crank import QUANTITIES, acceleration_series, harmonics
-from symbalance.spectrum import COMPONENTS, Spectrum
-from symbalance.tables.balance_json import document
+from symbalance.exact.radicals.forms import _cached_form as exact_form_cache
+from symbalance.exact.spectrum import COMPONENTS, Spectrum
+from symbalance.forces.balance_json import document
+from symbalance.forces.resultants import balance
+from symbalance.kinematics.derivation import derivation_text, derive
+from symbalance.kinematics.derivation.bounds import printed_error
+from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics
+from symbalance.kinematics.truncation import left_out
 from symbalance.tables.json_document import to_json
 from symbalance.tables.latex_document import to_latex
 from symbalance.tables.text_document import to_text
-from symbalance.truncation import left_out
+from symbalance.text.numbers import exact
 
 settings.register_profile("laws", deadline=None, max_examples=60, derandomize=True, database=None)
 settings.load_profile("laws")
@@ -526,7 +526,7 @@ def test_a_bound_is_rounded_up_at_any_precision() -> None:
     """The factor that covers rounding is no number of the precision set when it was imported."""
     code = (
         "import mpmath; mpmath.mp.dps = 4\n"
-        "from symbalance.truncation import ROUNDING, left_out; from fractions import Fraction\n"
+        "from symbalance.kinematics.truncation import ROUNDING, left_out; from fractions import Fraction\n"
         "mpmath.mp.dps = 30; print(ROUNDING > 1, left_out(6, Fraction(4)))"
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -11,9 +11,9 @@ from link_pins import force_series
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine_file import parse_engine
-from symbalance.rotors import rotating_shares
-from symbalance.variations.weighed import parse_parts
+from symbalance.design.variations.weighed import parse_parts
+from symbalance.engine.engine_file import parse_engine
+from symbalance.engine.rotors import rotating_shares
 
 NINE = sb.load("r-1820")
 MASTER = "[[cylinder]]\nnumber = 1\nthrow = 0\n"

@@ -1,7 +1,7 @@
 """Evidence: offset cylinders, link rods and rods with inertia, against geometry and Newton's laws.
 
 The linkage is built here by intersecting circles with lines in the engine's frame, angles from the
-master's axis, without the formulas of `symbalance.mechanisms`: a piston is where the circle of the rod
+master's axis, without the formulas of `symbalance.kinematics.mechanisms`: a piston is where the circle of the rod
 about its pin meets the cylinder's axis. Derivatives are mpmath's differences at 60 digits, harmonics are
 `mp.quad` or a plain sum, and the rod's inertia is that of points of mass along it.
 """
@@ -15,7 +15,7 @@ import pytest
 from mpmath import mp
 
 from symbalance.errors import SymbalanceError
-from symbalance.mechanisms import (
+from symbalance.kinematics.mechanisms import (
     LinkRod,
     RodSplit,
     SliderCrank,
@@ -33,7 +33,7 @@ from symbalance.mechanisms import (
     rod_motion,
     side_thrust,
 )
-from symbalance.slider_crank import acceleration_series, acceleration_values, rod_angle_value
+from symbalance.kinematics.slider_crank import acceleration_series, acceleration_values, rod_angle_value
 
 F = Fraction
 CENTRED, OFFSET = SliderCrank(4), SliderCrank("7/2", "-3/8")

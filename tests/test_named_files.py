@@ -127,7 +127,7 @@ def test_one_name_is_not_taken_for_two_results(second, folder, capsys):
 
 
 def test_nothing_is_done_before_the_refusal(folder, capsys, monkeypatch):
-    monkeypatch.setattr("symbalance.checking.check", lambda *_: pytest.fail("checked"))
+    monkeypatch.setattr("symbalance.notes.checking.check", lambda *_: pytest.fail("checked"))
     refused(capsys, "check notes.md -o notes.md")
 
 

@@ -17,11 +17,11 @@ import symbalance
 import symbalance as sb
 from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import MissingPartError, SymbalanceError
-from symbalance.phasor import Phasor
-from symbalance.reading.failures import ReadingError, UndeclaredError
-from symbalance.spectrum import Spectrum
-from symbalance.tables.torque_table import torque_text
+from symbalance.exact.phasor import Phasor
+from symbalance.exact.spectrum import Spectrum
+from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.torque import torque_report
+from symbalance.torque.torque_text import torque_text
 
 ARGUMENTS = {
     SymbalanceError: ("throw = x", "must be a number", "write it like 120", "a.toml:3"),

@@ -6,16 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from symbalance.reading import (
-    ReadingError,
-    UndeclaredError,
-    canonical_name,
-    read_equation,
-    read_expression,
-    render,
-    render_latex,
-)
-from symbalance.reading.syntax import (
+from symbalance.document.syntax import (
     Call,
     Derivative,
     Dots,
@@ -28,6 +19,15 @@ from symbalance.reading.syntax import (
     Sum,
     Summation,
     walk,
+)
+from symbalance.document.syntax_latex import render_latex
+from symbalance.document.syntax_text import render
+from symbalance.notes.reading import (
+    ReadingError,
+    UndeclaredError,
+    canonical_name,
+    read_equation,
+    read_expression,
 )
 
 LETTERS_TEXT = """

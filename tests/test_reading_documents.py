@@ -6,8 +6,9 @@ import time
 
 import pytest
 
-from symbalance.reading import read_document, render
-from symbalance.reading.equations import Chain, Document
+from symbalance.document.syntax_text import render
+from symbalance.notes.reading import read_document
+from symbalance.notes.reading.equations import Chain, Document
 
 LETTERS_TEXT = "theta lambda s l x n N h L R Lh omega r rho F a M m alpha k t b c y v"
 LETTERS = LETTERS_TEXT.split()

@@ -6,10 +6,11 @@ from fractions import Fraction
 
 import pytest
 
-from symbalance.reading import ReadingError, canonical_name, read_document, read_expression, render
-from symbalance.reading.equations import Document
-from symbalance.reading.syntax import Name, Number, Product
-from symbalance.reading.units import scale_of
+from symbalance.document.syntax import Name, Number, Product
+from symbalance.document.syntax_text import render
+from symbalance.notes.reading import ReadingError, canonical_name, read_document, read_expression
+from symbalance.notes.reading.equations import Document
+from symbalance.notes.reading.units import scale_of
 
 LETTERS_TEXT = (
     "theta theta_1 lambda phi omega rho s l x y n N r F F_1 m M a b c v k f v_max x_min Lh beta"

@@ -10,15 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from symbalance.reading import (
-    ReadingError,
-    canonical_name,
-    read_document,
-    read_expression,
-    render,
-    render_latex,
-)
-from symbalance.reading.syntax import (
+from symbalance.document.syntax import (
     FUNCTIONS,
     Call,
     Constant,
@@ -35,6 +27,9 @@ from symbalance.reading.syntax import (
     Summation,
     walk,
 )
+from symbalance.document.syntax_latex import render_latex
+from symbalance.document.syntax_text import render
+from symbalance.notes.reading import ReadingError, canonical_name, read_document, read_expression
 
 NAMES = [
     "x", "y", "s", "d", "r", "n", "F", "N", "theta", "lambda", "phi", "varphi", "m_1", "m_rec", "omega_n",

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import pytest
 
-from symbalance.reading import read_document, read_expression, render, render_latex
-from symbalance.reading.equations import Chain, Document
+from symbalance.document.syntax_latex import render_latex
+from symbalance.document.syntax_text import render
+from symbalance.notes.reading import read_document, read_expression
+from symbalance.notes.reading.equations import Chain, Document
 
 ONE_CYLINDER_LETTERS = """theta beta s lambda l x X n omega v a F M Mw rw Fw Fwv Fwh N h S u alpha L R Lh Lv Rh Rv M1 M2 M3"""
 ONE_CYLINDER = r"""

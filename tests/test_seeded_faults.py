@@ -18,14 +18,14 @@ from kinematics import DIGITS, Place
 from mpmath import mp
 from test_against_quadrature import DisagreementError, assert_agrees, assert_close
 
-from symbalance import phasor, spectrum
-from symbalance import resultants as balance_module
-from symbalance.builders import inline, vee
-from symbalance.cylinders import Cylinder
-from symbalance.layout import Layout
-from symbalance.phasor import Phasor
-from symbalance.radicals import characters, forms
-from symbalance.slider_crank import acceleration_series, powers
+from symbalance.engine.builders import inline, vee
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.exact import phasor, spectrum
+from symbalance.exact.phasor import Phasor
+from symbalance.exact.radicals import characters, forms
+from symbalance.forces import resultants as balance_module
+from symbalance.kinematics.slider_crank import acceleration_series, powers
 
 ORDER = 6
 VEE_PLACES = [

@@ -15,13 +15,11 @@ import hypothesis.strategies as st
 import pytest
 from hypothesis import given, settings
 
-from symbalance.builders import boxer, from_firing_order, inline, radial, vee
-from symbalance.catalogue import load, presets
-from symbalance.cylinders import Cylinder
-from symbalance.errors import SymbalanceError
-from symbalance.layout import Layout
-from symbalance.resultants import balance
-from symbalance.stars import (
+from symbalance.engine.builders import boxer, from_firing_order, inline, radial, vee
+from symbalance.engine.catalogue import load, presets
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.engine.stars import (
     Firing,
     crank_stars,
     even_interval,
@@ -34,6 +32,8 @@ from symbalance.stars import (
     natural_bank_angles,
     pin_offsets,
 )
+from symbalance.errors import SymbalanceError
+from symbalance.forces.resultants import balance
 
 LAWS = settings(deadline=None, max_examples=60, derandomize=True, database=None)
 

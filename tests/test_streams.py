@@ -121,7 +121,7 @@ def ended(monkeypatch, capsys, problem: BaseException) -> tuple[int, str]:
     def failing(*_: object) -> None:
         raise problem
 
-    monkeypatch.setattr("symbalance.catalogue.load", failing)
+    monkeypatch.setattr("symbalance.engine.catalogue.load", failing)
     code = run(["balance", "v12-60"])
     out, err = capsys.readouterr()
     assert out == ""

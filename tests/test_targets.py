@@ -43,11 +43,11 @@ from targets import (
     truth,
 )
 
-from symbalance.catalogue import load
 from symbalance.cli import run as command
+from symbalance.codegen import to_function
+from symbalance.engine.catalogue import load
 from symbalance.errors import SymbalanceError
-from symbalance.numeric import to_function
-from symbalance.resultants import balance
+from symbalance.forces.resultants import balance
 
 PYTHON = ("numpy", "numba", "array-api")
 LIBRARIES = ("array_api_strict", "jax", *(("torch",) if find_spec("torch") else ()))

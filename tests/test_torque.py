@@ -23,7 +23,8 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.errors import SymbalanceError
-from symbalance.slider_crank import acceleration_series, acceleration_value, surviving
+from symbalance.kinematics.inertia import torque_left_out, torque_series, torque_values
+from symbalance.kinematics.slider_crank import acceleration_series, acceleration_value, surviving
 from symbalance.torque import (
     CrankTorque,
     PressureTrace,
@@ -39,9 +40,6 @@ from symbalance.torque import (
     pressure_trace,
     read_pressure,
     speed_fluctuation,
-    torque_left_out,
-    torque_series,
-    torque_values,
 )
 
 few = settings(deadline=None, max_examples=25, derandomize=True, database=None)

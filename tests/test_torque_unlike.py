@@ -21,8 +21,15 @@ from test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.mechanisms import LinkRod, RodSplit, SliderCrank
-from symbalance.tables.torque_latex import torque_latex
+from symbalance.engine.trains import CrankTrain
+from symbalance.kinematics.mechanisms import LinkRod, RodSplit, SliderCrank
+from symbalance.kinematics.pistons import Piston
+from symbalance.kinematics.rod import (
+    rocking_couple_series,
+    rocking_couple_values,
+    rod_torque_series,
+    rod_torque_values,
+)
 from symbalance.torque import (
     beside_moment,
     crank_torque,
@@ -35,14 +42,7 @@ from symbalance.torque import (
     roll_moment,
     torque_report,
 )
-from symbalance.torque.pistons import Piston
-from symbalance.torque.rod import (
-    rocking_couple_series,
-    rocking_couple_values,
-    rod_torque_series,
-    rod_torque_values,
-)
-from symbalance.trains import CrankTrain
+from symbalance.torque.torque_latex import torque_latex
 
 POINTS = ((Fraction(1, 3), Fraction(-1, 10)), (Fraction(1, 5), Fraction(2, 5)), (Fraction(1, 7), 1))
 """A rod: kg at shares of its length from the big end."""
@@ -297,7 +297,7 @@ def test_the_running_frame_is_the_crank_reversed_and_the_change_of_momentum(name
     [SliderCrank("3.4", "0.3"), LinkRod(SliderCrank(4, "1/10"), "1/5", "3/4", "13/4", "1/5", "1/20")],
 )
 def test_floating_pistons_against_geometry(mechanism) -> None:
-    from symbalance.mechanisms import height_motion, rod_motion
+    from symbalance.kinematics.mechanisms import height_motion, rod_motion
 
     piston = Piston(mechanism)
     with mp.workdps(30):

@@ -12,7 +12,7 @@ from placed import component, planar, planar_series
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.trains import CrankTrain, Link
+from symbalance.engine.trains import CrankTrain, Link
 
 SHARED = CrankTrain(stroke=Fraction(90), rod=Fraction(164))
 
@@ -95,8 +95,8 @@ def test_what_cancels_among_like_cylinders_is_gone():
 
 def test_the_narrow_vee_fires_evenly():
     """Split pins of 22 degrees make up for the bank angle and the dead centres the offset moves."""
-    from symbalance.mechanisms import dead_centres
-    from symbalance.unlike import mechanism_of
+    from symbalance.engine.unlike import mechanism_of
+    from symbalance.kinematics.mechanisms import dead_centres
 
     layout = narrow_six()
     tops = {}
@@ -224,7 +224,7 @@ def test_what_a_tolerance_leaves_out_is_bounded(name, tolerance):
 @pytest.mark.parametrize("order", [1, 2, 5, 12, 40])
 def test_the_tail_is_bounded(ratio, aside, order):
     """Every harmonic above an order: the proved bound is above their sum."""
-    from symbalance.mechanisms import SliderCrank, force_harmonics, force_tail
+    from symbalance.kinematics.mechanisms import SliderCrank, force_harmonics, force_tail
 
     lam = Fraction(ratio)
     crank = SliderCrank(lam, (lam - 1) * Fraction(aside))
@@ -235,8 +235,8 @@ def test_the_tail_is_bounded(ratio, aside, order):
 
 
 def test_the_tail_of_a_link_rod_is_bounded():
-    from symbalance.mechanisms import force_harmonics, force_tail
-    from symbalance.unlike import mechanism_of
+    from symbalance.engine.unlike import mechanism_of
+    from symbalance.kinematics.mechanisms import force_harmonics, force_tail
 
     layout = near_the_limit()
     link = mechanism_of(layout, layout.cylinders[1])

@@ -15,10 +15,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import symbalance as sb
-from symbalance.balancing import rotating_weights
 from symbalance.cli import run
-from symbalance.engine_file import parse_engine
-from symbalance.rational import exact, short_text
+from symbalance.design.balancing import rotating_weights
+from symbalance.engine.engine_file import parse_engine
+from symbalance.text.numbers import exact, short_text
 
 
 @given(st.floats(1e-24, 1e9) | st.floats(-1e9, -1e-24))

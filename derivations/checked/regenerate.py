@@ -14,7 +14,7 @@ import re
 import sys
 from pathlib import Path
 
-from symbalance.checking import Checked, check, corrections_markdown, report_markdown
+from symbalance.notes.checking import Checked, check, corrections_markdown, report_markdown
 
 HERE = Path(__file__).parent
 NAMES = {

@@ -23,7 +23,7 @@ from symbalance.bench.check_page import PAGE, Page, blocks, context, masked, pag
 from symbalance.bench.planting import DEFINITION, LOWERED, NO_FAULT, STEP, UNREAD, Fault, Planter, tally
 from symbalance.bench.simplifying import LIMIT, UNDECIDED, Outcome, links, simplified
 from symbalance.bench.timing import Measurement, Report, best, progress
-from symbalance.checking.verdicts import REFUTED, Checked
+from symbalance.notes.checking.verdicts import REFUTED, Checked
 
 WHOLE_PROCESS = 5.0
 FASTER = 4

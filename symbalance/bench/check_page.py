@@ -16,11 +16,11 @@ from importlib.resources import files
 from typing import Any
 
 from symbalance.bench.in_sympy import InSympy
-from symbalance.checking import check
-from symbalance.checking.verdicts import Checked
-from symbalance.reading import canonical_name, read_document, read_expression
-from symbalance.reading.equations import Chain, Document
-from symbalance.reading.syntax import names
+from symbalance.document.syntax import names
+from symbalance.notes.checking import check
+from symbalance.notes.checking.verdicts import Checked
+from symbalance.notes.reading import canonical_name, read_document, read_expression
+from symbalance.notes.reading.equations import Chain, Document
 
 POSITIVE = frozenset({"r", "l", "lambda", "omega", "m", "b", "U", "q"})
 PAGE = files("symbalance.bench") / "page.md"

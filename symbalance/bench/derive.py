@@ -15,10 +15,15 @@ from sympy.core.cache import clear_cache
 
 from symbalance.bench.timing import Measurement, Report, best, processes, progress
 from symbalance.bench.unused import ideal_engine
-from symbalance.builders import inline
-from symbalance.notation import series_latex
-from symbalance.resultants import geometry
-from symbalance.slider_crank import Series, acceleration_integers, acceleration_series, harmonics
+from symbalance.engine.builders import inline
+from symbalance.forces.resultants import geometry
+from symbalance.kinematics.series_printing import series_latex
+from symbalance.kinematics.slider_crank import (
+    Series,
+    acceleration_integers,
+    acceleration_series,
+    harmonics,
+)
 
 INTEGER_LIMITS = {20: 20e-6, 200: 2e-3, 1000: 0.1}
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from symbalance.reading import syntax
+from symbalance.document import syntax
 
 _FUNCTIONS = {
     "abs": sympy.Abs, "ln": sympy.log, "log": sympy.log, "sqrt": sympy.sqrt,
@@ -30,7 +30,7 @@ class InSympy:
     `positive` and `integer` letters get SymPy's assumption of that name, all others `real`.
     A derivative by `time` is one by `angle`, times `speed`.
 
-    >>> from symbalance.reading import read_expression
+    >>> from symbalance.notes.reading import read_expression
     >>> cosine, product = (read_expression(text, "xy")[0] for text in ("cos 2x", "3 x y"))
     >>> InSympy(values={"y": cosine}).of(product)
     3*x*cos(2*x)

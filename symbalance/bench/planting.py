@@ -15,9 +15,9 @@ from dataclasses import dataclass, replace
 from symbalance.bench.check_page import Block, Page, blocks, context, masked, place_of
 from symbalance.bench.faults import KINDS
 from symbalance.bench.values import PageValues
-from symbalance.checking.verdicts import REFUTED, Checked
-from symbalance.reading.equations import Chain
-from symbalance.reading.syntax import Name, Node
+from symbalance.document.syntax import Name, Node
+from symbalance.notes.checking.verdicts import REFUTED, Checked
+from symbalance.notes.reading.equations import Chain
 
 STEP, DEFINITION = "step", "definition"
 NO_FAULT, LOWERED, UNREAD = "same value", "true to a lower order", "no formula"

@@ -20,8 +20,8 @@ import sympy
 
 from symbalance.bench.check_page import Page, place_of
 from symbalance.bench.in_sympy import InSympy
-from symbalance.reading import syntax
-from symbalance.reading.equations import Chain
+from symbalance.document import syntax
+from symbalance.notes.reading.equations import Chain
 
 LIMIT = 10.0
 PROVED, DIFFERENT, UNDECIDED = "proved", "shown different", "undecided"

@@ -14,13 +14,13 @@ from time import perf_counter
 import numpy as np
 
 from symbalance.bench.timing import Measurement, progress
-from symbalance.builders import inline
-from symbalance.catalogue import load
-from symbalance.cylinders import Cylinder
-from symbalance.layout import Layout
-from symbalance.numeric import to_function
-from symbalance.resultants import Balance, balance, geometry
-from symbalance.slider_crank import surviving
+from symbalance.codegen import to_function
+from symbalance.engine.builders import inline
+from symbalance.engine.catalogue import load
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.forces.resultants import Balance, balance, geometry
+from symbalance.kinematics.slider_crank import surviving
 
 ORDER = 12
 MOST = 1.25

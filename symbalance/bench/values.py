@@ -11,7 +11,7 @@ import mpmath
 import sympy
 
 from symbalance.bench.check_page import Page
-from symbalance.reading.syntax import Dots, Node, walk
+from symbalance.document.syntax import Dots, Node, walk
 
 POINTS, DIGITS, MANY_DIGITS = 3, 30, 150
 TINY = -12

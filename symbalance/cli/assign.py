@@ -11,9 +11,13 @@ def run(options: argparse.Namespace) -> int:
     """Load the engine and the parts, find the best arrangement, write it in the format asked for."""
     orders = [whole_number(part, "orders") for part in options.orders.split(",")]
 
-    from symbalance.catalogue import load
-    from symbalance.tables.assignment_table import assignment_json, assignment_latex, assignment_text
-    from symbalance.variations import assign_parts, read_parts
+    from symbalance.design.variations import assign_parts, read_parts
+    from symbalance.design.variations.assignment_table import (
+        assignment_json,
+        assignment_latex,
+        assignment_text,
+    )
+    from symbalance.engine.catalogue import load
 
     layout = load(options.engine)
     if options.ratio is not None:

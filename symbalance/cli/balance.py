@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from symbalance.cli.output import whole_number, write
 
 if TYPE_CHECKING:
-    from symbalance.resultants import Balance
+    from symbalance.forces.resultants import Balance
 
 
 def run(options: argparse.Namespace) -> int:
@@ -16,8 +16,8 @@ def run(options: argparse.Namespace) -> int:
     order = whole_number(options.order, "order")
     power = None if options.power is None else whole_number(options.power, "power")
 
-    from symbalance.catalogue import load
-    from symbalance.resultants import balance
+    from symbalance.engine.catalogue import load
+    from symbalance.forces.resultants import balance
 
     result = balance(load(options.engine), order, ratio=options.ratio, power=power)
     write(_printed(result, options.format), options.output, options.format)

@@ -19,7 +19,7 @@ def run(options: argparse.Namespace) -> int:
         raise SymbalanceError("--rotation", "is for --quantity crank-node", "leave it out")
     order = whole_number("6" if options.order is None else options.order, "order")
 
-    from symbalance.derivation import derivation_latex, derivation_text, derive
+    from symbalance.kinematics.derivation import derivation_latex, derivation_text, derive
 
     result = derive(options.quantity, order, options.convention or "l/r")
     printed = derivation_latex(result) if options.format == "latex" else derivation_text(result)

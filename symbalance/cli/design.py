@@ -9,7 +9,7 @@ from symbalance.cli.output import whole_number, write, write_files
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
-    from symbalance.balancing import Design
+    from symbalance.design.balancing import Design
 
 
 def run(options: argparse.Namespace) -> int:
@@ -18,8 +18,8 @@ def run(options: argparse.Namespace) -> int:
     shafts = None if options.shafts is None else whole_number(options.shafts, "shafts")
     stations = None if options.stations is None else options.stations.split(",")
 
-    from symbalance.balancing import design_balance
-    from symbalance.catalogue import load
+    from symbalance.design.balancing import design_balance
+    from symbalance.engine.catalogue import load
 
     design = design_balance(
         load(options.engine),
@@ -51,14 +51,14 @@ def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes
     """Return the files asked for beside the design: the balanced engine, the picture."""
     found: dict[str, str | bytes] = {}
     if options.write is not None:
-        from symbalance.engine_writing import engine_text
+        from symbalance.engine.engine_writing import engine_text
 
         if not options.write.endswith(".toml"):
             what = f"--write {options.write}"
             raise SymbalanceError(what, "must end in .toml", "other commands know engine files by it")
         found[options.write] = engine_text(design.balanced)
     if options.picture is not None:
-        from symbalance.tables.design_picture import design_picture
+        from symbalance.design.balancing.design_picture import design_picture
 
         found[options.picture] = design_picture(design, options.picture)
     return found
@@ -66,13 +66,13 @@ def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes
 
 def _printed(design: Design, form: str) -> str:
     if form == "json":
-        from symbalance.tables.design_json import design_json
+        from symbalance.design.balancing.design_json import design_json
 
         return design_json(design) + "\n"
     if form == "latex":
-        from symbalance.tables.design_latex import design_latex
+        from symbalance.design.balancing.design_latex import design_latex
 
         return design_latex(design, standalone=True)
-    from symbalance.tables.design_text import design_text
+    from symbalance.design.balancing.design_text import design_text
 
     return design_text(design)

@@ -18,11 +18,11 @@ def run(options: argparse.Namespace) -> int:
     order = None if options.order is None else whole_number(options.order, "order")
     tolerance = _tolerance(options.tolerance) if order is None else None
 
-    from symbalance.catalogue import load
-    from symbalance.numeric import planned_for
-    from symbalance.numeric.targets import FILES, files, identifier
-    from symbalance.resultants import balance
-    from symbalance.slider_crank import checked_ratio
+    from symbalance.codegen import planned_for
+    from symbalance.codegen.targets import FILES, files, identifier
+    from symbalance.engine.catalogue import load
+    from symbalance.forces.resultants import balance
+    from symbalance.kinematics.slider_crank import checked_ratio
 
     path = _path(options.output, FILES[options.target], options.target)
     layout = load(options.engine)

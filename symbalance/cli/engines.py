@@ -10,7 +10,7 @@ from symbalance.cli.output import write
 
 def run(options: argparse.Namespace) -> int:
     """List the presets, or print one's engine file."""
-    from symbalance.catalogue import preset_text, presets
+    from symbalance.engine.catalogue import preset_text, presets
 
     if options.show is not None:
         write(preset_text(options.show), None, "source")

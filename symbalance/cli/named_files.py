@@ -92,9 +92,9 @@ def _is_file(engine: str) -> bool:
 
 def _declared(notes: Path, beside: bool) -> Iterator[Path]:
     """Yield the sidecars beside a document, and the files they name, or its own header names."""
-    from symbalance.checking.documents import sidecars_beside
-    from symbalance.checking.header import without_header
-    from symbalance.engine_file import read_text
+    from symbalance.notes.checking.documents import sidecars_beside
+    from symbalance.notes.checking.header import without_header
+    from symbalance.text.files import read_text
 
     for sidecar in sidecars_beside(notes) if beside else ():
         yield sidecar
@@ -104,7 +104,7 @@ def _declared(notes: Path, beside: bool) -> Iterator[Path]:
 
 
 def _named_in(path: Path) -> Iterator[Path]:
-    from symbalance.engine_file import read_text
+    from symbalance.text.files import read_text
 
     with suppress(SymbalanceError):  # what cannot be read is refused where it is read
         yield from _named_by(read_text(path), path.parent)

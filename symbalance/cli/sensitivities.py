@@ -11,13 +11,13 @@ def run(options: argparse.Namespace) -> int:
     """Load the engine, differentiate, write the table in the format asked for."""
     order = whole_number(options.order, "order")
 
-    from symbalance.catalogue import load
-    from symbalance.tables.sensitivity_table import (
+    from symbalance.design.variations import sensitivities
+    from symbalance.design.variations.sensitivity_table import (
         sensitivities_json,
         sensitivities_latex,
         sensitivities_text,
     )
-    from symbalance.variations import sensitivities
+    from symbalance.engine.catalogue import load
 
     layout = load(options.engine)
     if options.ratio is not None:

@@ -18,9 +18,13 @@ def run(options: argparse.Namespace) -> int:
         names = ", ".join(f"--{name}" for name in TOLERANCES)
         raise SymbalanceError("symbalance tolerances", "is given no tolerance", f"give some of {names}")
 
-    from symbalance.catalogue import load
-    from symbalance.tables.tolerance_table import tolerances_json, tolerances_latex, tolerances_text
-    from symbalance.variations import Tolerances, worst_cases
+    from symbalance.design.variations import Tolerances, worst_cases
+    from symbalance.design.variations.tolerance_table import (
+        tolerances_json,
+        tolerances_latex,
+        tolerances_text,
+    )
+    from symbalance.engine.catalogue import load
 
     layout = load(options.engine)
     if options.ratio is not None:

@@ -16,10 +16,10 @@ def run(options: argparse.Namespace) -> int:
     """Load the engine, sum its inertia torque, and with a pressure run it."""
     order = whole_number(options.order, "order")
 
-    from symbalance.catalogue import load
-    from symbalance.tables.torque_latex import torque_latex
-    from symbalance.tables.torque_table import running_text, torque_json, torque_text
+    from symbalance.engine.catalogue import load
     from symbalance.torque import torque_report
+    from symbalance.torque.torque_latex import torque_latex
+    from symbalance.torque.torque_text import running_text, torque_json, torque_text
 
     report = torque_report(load(options.engine), order, ratio=options.ratio)
     running = running_engine(options, report.layout)

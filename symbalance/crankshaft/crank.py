@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from symbalance.crankshaft.arguments import check_fields, check_kind, check_number
 from symbalance.errors import SymbalanceError, shown
-from symbalance.rational import listed, whole
+from symbalance.text.numbers import listed, whole
 
 ROUND = tuple((name, "m") for name in ("diameter", "length", "bore", "fillet"))
 

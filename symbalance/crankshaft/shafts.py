@@ -14,7 +14,7 @@ from symbalance.crankshaft.crank import Disc, Material
 from symbalance.crankshaft.gathering import gathered
 from symbalance.crankshaft.rotor import DOF, Array, Member, Rotor, check_rotor
 from symbalance.errors import SymbalanceError, shown
-from symbalance.rational import listed, whole
+from symbalance.text.numbers import listed, whole
 
 CLOSE = 1e-9
 

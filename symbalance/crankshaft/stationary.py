@@ -23,7 +23,7 @@ from symbalance.crankshaft.arguments import check_kind, check_number
 from symbalance.crankshaft.frames import QUARTER_TURN
 from symbalance.crankshaft.rotor import DOF, Array, Rotor, check_rotor
 from symbalance.errors import SymbalanceError, shown, written
-from symbalance.rational import listed
+from symbalance.text.numbers import listed
 
 ROUND = 1e-8
 """How far a matrix may be from commuting with a quarter turn, relative to its largest entry."""

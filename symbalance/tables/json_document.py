@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 
-from symbalance.balancing import Design
-from symbalance.resultants import Balance
-from symbalance.tables.balance_json import document
-from symbalance.tables.design_json import design_json
+from symbalance.design.balancing import Design
+from symbalance.design.balancing.design_json import design_json
+from symbalance.forces.balance_json import document
+from symbalance.forces.resultants import Balance
 
 
 def to_json(balance: Balance | Design) -> str:

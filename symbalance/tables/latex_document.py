@@ -7,20 +7,20 @@ from typing import Any
 
 import sympy
 
-from symbalance.balancing import Design
-from symbalance.derivation import Derivation, derivation_latex
+from symbalance.design.balancing import Design
+from symbalance.design.balancing.design_latex import design_latex
+from symbalance.design.variations import SymbolicOrder
+from symbalance.design.variations.symbolic_latex import symbolic_latex
+from symbalance.document.expressions import latex
 from symbalance.errors import SymbalanceError
-from symbalance.notation import series_latex
-from symbalance.resultants import Balance
-from symbalance.slider_crank import Series
-from symbalance.spectrum import Component
-from symbalance.tables.balance_latex import balance_latex
-from symbalance.tables.design_latex import design_latex
-from symbalance.tables.expressions import latex
-from symbalance.tables.symbolic_latex import symbolic_latex
-from symbalance.tables.torque_latex import torque_latex
+from symbalance.exact.spectrum import Component
+from symbalance.forces.balance_latex import balance_latex
+from symbalance.forces.resultants import Balance
+from symbalance.kinematics.derivation import Derivation, derivation_latex
+from symbalance.kinematics.series_printing import series_latex
+from symbalance.kinematics.slider_crank import Series
 from symbalance.torque import TorqueReport
-from symbalance.variations import SymbolicOrder
+from symbalance.torque.torque_latex import torque_latex
 
 
 @singledispatch
@@ -30,7 +30,7 @@ def to_latex(result: Any, *, standalone: bool = False) -> str:
     `standalone` wraps a balance, a torque report or a derivation in a complete document; a fragment needs
     amsmath and booktabs. Components, series and expressions give a formula for math mode.
 
-    >>> from symbalance.slider_crank import acceleration_series
+    >>> from symbalance.kinematics.slider_crank import acceleration_series
     >>> print(to_latex(acceleration_series(6, 7)))
     \frac{9}{128 \lambda^{5}} + \frac{45}{512 \lambda^{7}} + \cdots
     """

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from symbalance.balancing import Design
-from symbalance.resultants import Balance
-from symbalance.tables.design_text import design_text
-from symbalance.tables.text_table import balance_text
+from symbalance.design.balancing import Design
+from symbalance.design.balancing.design_text import design_text
+from symbalance.forces.balance_text import balance_text
+from symbalance.forces.resultants import Balance
 
 
 def to_text(balance: Balance | Design) -> str:

@@ -16,11 +16,12 @@ crank's.
     running          whole torque, mean, fluctuation, energy;  flywheel sizes what evens it
 """
 
+from symbalance.forces.shafts import has_shafts_aside, shaft_moment
+from symbalance.kinematics.inertia import torque_left_out, torque_series, torque_values
 from symbalance.torque.csv_file import parse_pressure, read_pressure
 from symbalance.torque.flywheel import Fluctuation, flywheel_inertia, speed_fluctuation
 from symbalance.torque.gas import GasOrder, GasTorque, gas_torque, tangential_pressure
 from symbalance.torque.ideal import IdealCycle, ideal_cycle
-from symbalance.torque.inertia import torque_left_out, torque_series, torque_values
 from symbalance.torque.inertia_balance import TorqueBalance, TorqueOrder, inertia_torque
 from symbalance.torque.pressure import PressureTrace, pressure_trace
 from symbalance.torque.roll import (
@@ -33,7 +34,6 @@ from symbalance.torque.roll import (
     torque_report,
 )
 from symbalance.torque.running import CrankTorque, crank_torque
-from symbalance.torque.shafts import has_shafts_aside, shaft_moment
 from symbalance.torque.stars import Star, firing_pin_passings, firing_stars
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 

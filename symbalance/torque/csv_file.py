@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from symbalance.engine_file import read_text
+from symbalance.engine.layout import checked_strokes
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import checked_strokes
-from symbalance.torque.measured import reading
+from symbalance.text.files import read_text
+from symbalance.text.measurements import reading
 from symbalance.torque.pressure import PressureTrace, Row, from_rows
 
 LARGEST_FILE = 20_000_000

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from math import sqrt
 
 from symbalance.errors import SymbalanceError
-from symbalance.torque.measured import positive
+from symbalance.text.measurements import positive
 
 POINTS = 1440
 _FINE = 48

@@ -9,16 +9,16 @@ from fractions import Fraction
 
 from mpmath import mp
 
+from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import Layout
-from symbalance.mechanisms import Mechanism, SliderCrank
-from symbalance.mechanisms.linkages import plain
-from symbalance.rational import Real, exact
-from symbalance.slider_crank import checked_order, checked_ratio
+from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
+from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.slider_crank import checked_order, checked_ratio
+from symbalance.text.measurements import measured
+from symbalance.text.numbers import Real, exact
 from symbalance.torque.ideal import IdealCycle
 from symbalance.torque.inertia_balance import checked_known, checked_layout
 from symbalance.torque.kinds import torque_kinds
-from symbalance.torque.measured import measured
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
 from symbalance.torque.stars import Star, firing_pin_passings, firing_stars, stars_of
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
@@ -110,7 +110,7 @@ def gas_torque(
     `ratio` overrides the layout's rod ratio, `ambient` is the pressure below the pistons, bar absolute.
     An ideal cycle gives every kind of cylinder the trace of its own piston's way.
 
-    >>> from symbalance.catalogue import load
+    >>> from symbalance.engine.catalogue import load
     >>> from symbalance.torque.ideal import ideal_cycle
     >>> six = gas_torque(load("inline-6"), ideal_cycle(10, heat=20).trace(4), 9)
     >>> [(str(o.order), round(o.amplitude, 2)) for o in six.orders]

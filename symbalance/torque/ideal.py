@@ -18,13 +18,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
 
+from symbalance.engine.layout import checked_strokes
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import checked_strokes
-from symbalance.mechanisms import LinkRod, SliderCrank
-from symbalance.rational import checked_whole
-from symbalance.slider_crank import checked_ratio
-from symbalance.torque.measured import measured
-from symbalance.torque.pistons import Piston
+from symbalance.kinematics.mechanisms import LinkRod, SliderCrank
+from symbalance.kinematics.pistons import Piston
+from symbalance.kinematics.slider_crank import checked_ratio
+from symbalance.text.measurements import measured
+from symbalance.text.numbers import checked_whole
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
 
 POINTS = 2880

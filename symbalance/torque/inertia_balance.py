@@ -22,16 +22,16 @@ from functools import cached_property
 
 from mpmath import mp
 
+from symbalance.engine.layout import Layout
+from symbalance.engine.trains import CrankTrain
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import Layout
-from symbalance.rational import Real
-from symbalance.slider_crank import Series, checked_order, checked_power, checked_ratio
-from symbalance.spectrum import QUARTER, Component
-from symbalance.torque.inertia import default_power, torque_series, torque_values
+from symbalance.exact.spectrum import QUARTER, Component
+from symbalance.kinematics.inertia import default_power, torque_series, torque_values
+from symbalance.kinematics.kinetic import inertia_harmonics
+from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
+from symbalance.text.numbers import Real
 from symbalance.torque.kinds import joined, torque_kinds
-from symbalance.torque.kinetic import inertia_harmonics
 from symbalance.torque.stars import summed
-from symbalance.trains import CrankTrain
 
 DIGITS = 30
 
@@ -65,7 +65,7 @@ class TorqueBalance:
 
     `kinematics` says what t_n is; None where the components hold it, in `unit`.
 
-    >>> from symbalance.builders import inline
+    >>> from symbalance.engine.builders import inline
     >>> four = inertia_torque(inline("1-3-4-2"), order=6)
     >>> [(o.order, o.torque.amplitude, o.torque.phase) for o in four.orders]
     [(2, 4, pi/2), (4, 4, pi/2), (6, 4, pi/2)]
@@ -119,7 +119,7 @@ class TorqueBalance:
     ) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C t_n, S t_n) for each order, in `unit`, exact in lambda to `digits`.
 
-        >>> from symbalance.builders import inline
+        >>> from symbalance.engine.builders import inline
         >>> [(order, mp.nstr(s, 6)) for order, _, s in inertia_torque(inline("1-3-4-2"), 2).terms(4)]
         [(Fraction(2, 1), '-2.00052')]
         """
@@ -175,7 +175,7 @@ def inertia_torque(
     the series. Symbolic angles are kept as symbols. Of cylinders that are not alike the components are
     numbers, in m r^2 omega^2 of cylinder 1.
 
-    >>> from symbalance.catalogue import load
+    >>> from symbalance.engine.catalogue import load
     >>> [[o.order for o in inertia_torque(load(n)).orders] for n in ("inline-6", "v8-90", "v12-60")]
     [[3, 6, 9, 12], [4, 8, 12], [6, 12]]
     """

@@ -18,16 +18,16 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.cylinders import Cylinder
-from symbalance.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.engine.unlike import mechanism_of, sizes
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Layout
-from symbalance.mechanisms import Mechanism
-from symbalance.radicals import evaluated
-from symbalance.rational import Real, real
-from symbalance.spectrum import Component
+from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.radicals import evaluated
+from symbalance.exact.spectrum import Component
+from symbalance.kinematics.mechanisms import Mechanism
+from symbalance.text.numbers import Real, real
 from symbalance.torque.stars import summed
-from symbalance.unlike import mechanism_of, sizes
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ Harmonics = Callable[[Mechanism, int, int], Mapping[int, Real]]
 def torque_kinds(layout: Layout) -> list[Kind]:
     """Return the cylinders by kind, in the order of the first of each.
 
-    >>> from symbalance.catalogue import load
+    >>> from symbalance.engine.catalogue import load
     >>> [(k.size, k.excess, len(k.cylinders)) for k in torque_kinds(load("inline-4"))]
     [(Fraction(1, 1), Fraction(0, 1), 4)]
     """

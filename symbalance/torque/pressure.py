@@ -14,10 +14,10 @@ from functools import cached_property
 from itertools import pairwise
 from math import isfinite, pi
 
+from symbalance.engine.layout import checked_strokes
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import checked_strokes
-from symbalance.rational import listed
-from symbalance.torque.measured import reading
+from symbalance.text.measurements import reading
+from symbalance.text.numbers import listed
 
 MOST_BAR = 2000
 WIDEST = 10

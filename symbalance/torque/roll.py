@@ -19,12 +19,20 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Layout
-from symbalance.rational import real
-from symbalance.slider_crank import checked_order
-from symbalance.spectrum import Component
+from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.spectrum import Component
+from symbalance.forces.shafts import shaft_moment, shaft_terms
+from symbalance.kinematics.kinetic import beside_harmonics, rocking_harmonics, rod_harmonics
+from symbalance.kinematics.rod import (
+    rocking_couple_series,
+    rocking_couple_values,
+    rod_torque_series,
+    rod_torque_values,
+)
+from symbalance.kinematics.slider_crank import checked_order
+from symbalance.text.numbers import real
 from symbalance.torque.inertia_balance import (
     Kinematics,
     TorqueBalance,
@@ -33,14 +41,6 @@ from symbalance.torque.inertia_balance import (
     sine_components,
 )
 from symbalance.torque.kinds import Kind, joined, torque_kinds
-from symbalance.torque.kinetic import beside_harmonics, rocking_harmonics, rod_harmonics
-from symbalance.torque.rod import (
-    rocking_couple_series,
-    rocking_couple_values,
-    rod_torque_series,
-    rod_torque_values,
-)
-from symbalance.torque.shafts import shaft_moment, shaft_terms
 
 UNIT = "J_x omega^2"
 MILLI = 1000
@@ -102,7 +102,7 @@ def roll_moment(layout: Layout, order: int = 12, *, ratio: object = None) -> Tor
 
     It needs numbers: rod ratio, and with rods the reciprocating mass and the stroke in kg and mm.
 
-    >>> from symbalance.catalogue import load
+    >>> from symbalance.engine.catalogue import load
     >>> roll_moment(load("inline-4"), 2, ratio=4)[2].torque.sin.round(6)
     2.000521
     """

@@ -20,22 +20,17 @@ from math import pi
 
 from mpmath import mp
 
+from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError, shown
-from symbalance.layout import Layout
-from symbalance.rational import Real, checked_whole
-from symbalance.torque.flywheel import (
-    Fluctuation,
-    extremes,
-    flywheel_inertia,
-    speed_fluctuation,
-)
+from symbalance.forces.shafts import shaft_terms
+from symbalance.text.measurements import measured, positive
+from symbalance.text.numbers import Real, checked_whole
+from symbalance.torque.flywheel import Fluctuation, extremes, flywheel_inertia, speed_fluctuation
 from symbalance.torque.gas import GasKind, gas_kinds
 from symbalance.torque.ideal import IdealCycle
 from symbalance.torque.inertia_balance import inertia_torque
-from symbalance.torque.measured import measured, positive
 from symbalance.torque.pressure import PressureTrace
 from symbalance.torque.roll import MILLI, first_excess, rod_torque
-from symbalance.torque.shafts import shaft_terms
 from symbalance.torque.stars import firing_pin_passings
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
@@ -254,7 +249,7 @@ def crank_torque(
     Stroke, reciprocating mass (per cylinder) and rod ratio default to the layout's crank train; where
     that gives them, they cannot be given anew for cylinders that are not alike.
 
-    >>> from symbalance.catalogue import load
+    >>> from symbalance.engine.catalogue import load
     >>> from symbalance.torque.ideal import ideal_cycle
     >>> trace = ideal_cycle(10, heat=20).trace(4)
     >>> four = crank_torque(load("inline-4"), trace, bore=80, stroke=80, reciprocating_mass=0.5, rpm=3000)

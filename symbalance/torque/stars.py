@@ -13,13 +13,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
 
-from symbalance.angles import Angle
-from symbalance.cylinders import Cylinder
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Layout
-from symbalance.phasor import Phasor, checked_modulus
-from symbalance.slider_crank import checked_order
-from symbalance.spectrum import Component, Number, SymbolicPhasor
+from symbalance.exact.angles import Angle
+from symbalance.exact.phasor import Phasor, checked_modulus
+from symbalance.exact.spectrum import Component, Number, SymbolicPhasor
+from symbalance.kinematics.slider_crank import checked_order
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def firing_pin_passings(layout: Layout) -> dict[int, Fraction]:
     centre fires; in a four-stroke the cylinders' `fires` say which. A cylinder whose dead centre an
     offset or a link rod moves stands there `tops.lead_of` degrees later.
 
-    >>> from symbalance.builders import inline
+    >>> from symbalance.engine.builders import inline
     >>> {n: str(top) for n, top in firing_pin_passings(inline("1-3-4-2")).items()}
     {1: '0', 2: '540', 3: '180', 4: '360'}
     """
@@ -86,7 +86,7 @@ def firing_stars(layout: Layout, order: int = 6) -> tuple[Star, ...]:
 
     Vectors stand where the pins pass the cylinders' axes: like cylinders are moved from there alike.
 
-    >>> from symbalance.builders import inline
+    >>> from symbalance.engine.builders import inline
     >>> [str(s.order) for s in firing_stars(inline("1-5-3-6-2-4"), 9) if not s.is_closed()]
     ['3', '6', '9']
     """

@@ -21,8 +21,8 @@ from functools import cached_property
 from itertools import pairwise
 from math import floor, pi, sqrt
 
-from symbalance.mechanisms import Mechanism, SliderCrank
-from symbalance.torque.pistons import Piston
+from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
+from symbalance.kinematics.pistons import Piston
 from symbalance.torque.pressure import PressureTrace
 
 AMBIENT = Fraction(101325, 100_000)

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.bench.evaluating.cases import Case
-from symbalance.numeric.plans import Plan
-from symbalance.numeric.targets import files
+from symbalance.codegen.plans import Plan
+from symbalance.codegen.targets import files
 
 Floats = NDArray[np.float64]
 Call = Callable[[Floats, Floats], Floats]

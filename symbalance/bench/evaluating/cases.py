@@ -7,12 +7,12 @@ from fractions import Fraction
 from functools import cached_property
 from math import atan2, hypot
 
-from symbalance.catalogue import load
-from symbalance.layout import Layout
-from symbalance.numeric import Evaluator, planned_for, to_function
-from symbalance.numeric.plans import Plan
-from symbalance.numeric.waves import Wave
-from symbalance.resultants import Balance, balance
+from symbalance.codegen import Evaluator, planned_for, to_function
+from symbalance.codegen.plans import Plan
+from symbalance.codegen.waves import Wave
+from symbalance.engine.catalogue import load
+from symbalance.engine.layout import Layout
+from symbalance.forces.resultants import Balance, balance
 
 ALL = "all"
 

@@ -8,8 +8,8 @@ from math import ulp
 from mpmath import mp
 
 from symbalance.bench.timing import Measurement, best
-from symbalance.rational import Real
-from symbalance.slider_crank import acceleration_floats
+from symbalance.kinematics.slider_crank import acceleration_floats
+from symbalance.text.numbers import Real
 
 HIGHEST = 40
 FASTER, MOST_OFF = 50, 4.0

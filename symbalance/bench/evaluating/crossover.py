@@ -19,7 +19,7 @@ from symbalance.bench.evaluating.rounds import in_turn
 from symbalance.bench.evaluating.speed import angles, short
 from symbalance.bench.evaluating.truth import truth
 from symbalance.bench.timing import progress
-from symbalance.numeric.plans import plan
+from symbalance.codegen.plans import plan
 
 COUNT, PASSES = 100_000, 4
 NOT_REACHED = float("inf")

@@ -1,6 +1,6 @@
 """The truth: exact kinematics of every cylinder, in mpmath, and how far a function is from it.
 
-Nothing of `symbalance.numeric` takes part: a cylinder's inertia force is the closed second derivative of
+Nothing of `symbalance.codegen` takes part: a cylinder's inertia force is the closed second derivative of
 its piston's way, summed over the cylinders as the layout places them.
 """
 
@@ -15,7 +15,7 @@ from mpmath import mp
 from symbalance.bench.evaluating.alternatives import cylinders, per_cylinder
 from symbalance.bench.evaluating.candidates import Floats
 from symbalance.bench.evaluating.cases import Case
-from symbalance.rational import Real
+from symbalance.text.numbers import Real
 
 DIGITS = 40
 FARTHEST = 1e6

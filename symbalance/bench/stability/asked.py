@@ -30,10 +30,10 @@ from symbalance.bench.stability.truth import (
     terms,
     weights,
 )
-from symbalance.layout import Layout
-from symbalance.numeric import Evaluator, planned_for, to_function
-from symbalance.numeric.targets import IN_MEMORY, files
-from symbalance.resultants import balance
+from symbalance.codegen import Evaluator, planned_for, to_function
+from symbalance.codegen.targets import IN_MEMORY, files
+from symbalance.engine.layout import Layout
+from symbalance.forces.resultants import balance
 
 Array = Any
 Function = Callable[[Array], Array]

@@ -14,10 +14,10 @@ from symbalance.bench.stability.asked import Asked, on_target, targets
 from symbalance.bench.stability.case import OF_AMPLITUDE, ULP, Case, Part, largest, measured, tried
 from symbalance.bench.stability.truth import Points
 from symbalance.bench.timing import progress
-from symbalance.builders import from_firing_order, inline, vee
-from symbalance.catalogue import load, presets
-from symbalance.layout import Layout
-from symbalance.numeric import OUTPUTS
+from symbalance.codegen import OUTPUTS
+from symbalance.engine.builders import from_firing_order, inline, vee
+from symbalance.engine.catalogue import load, presets
+from symbalance.engine.layout import Layout
 
 NEAR = 4.0
 """What is aimed at for |theta| <= 1e6, in u of the amplitude; NumPy's functions state a little more."""

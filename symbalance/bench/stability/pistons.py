@@ -13,9 +13,9 @@ from symbalance.bench.stability.asked import Array, Asked, on_target, targets
 from symbalance.bench.stability.case import OF_AMPLITUDE, ULP, Case, Part, largest, measured, tried
 from symbalance.bench.stability.truth import Points, U
 from symbalance.bench.timing import progress
-from symbalance.builders import inline
-from symbalance.cylinders import Cylinder
-from symbalance.layout import Layout
+from symbalance.engine.builders import inline
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
 
 RATIOS = (Fraction(10_000_001, 10_000_000), Fraction(101, 100), Fraction(7, 2), Fraction(10**6))
 DISPLACEMENT, VELOCITY = 4.0, 4.0

@@ -15,9 +15,9 @@ from symbalance.bench.stability.case import ULP, WRONG, Case, Part, largest, mea
 from symbalance.bench.stability.engines import stated_case
 from symbalance.bench.stability.truth import Points, coefficients
 from symbalance.bench.timing import progress
-from symbalance.catalogue import load
+from symbalance.engine.catalogue import load
 from symbalance.errors import SymbalanceError
-from symbalance.slider_crank import acceleration_floats
+from symbalance.kinematics.slider_crank import acceleration_floats
 
 COEFFICIENT = 0.51
 """What `acceleration_floats` states, in ulp."""

@@ -14,13 +14,7 @@ import mpmath
 import numpy as np
 import sympy
 
-from symbalance.bench.stability import (
-    engines,
-    pistons,
-    ratios,
-    rules,
-    sums,
-)
+from symbalance.bench.stability import engines, pistons, ratios, rules, sums
 from symbalance.bench.stability.asked import targets
 from symbalance.bench.stability.case import Case, Part, largest
 

@@ -16,9 +16,9 @@ from symbalance.bench.stability.angles import random_angles
 from symbalance.bench.stability.asked import PARTS, targets
 from symbalance.bench.stability.case import WRONG, Case, Part, tried
 from symbalance.bench.timing import progress
-from symbalance.catalogue import load
-from symbalance.numeric import to_function
-from symbalance.resultants import balance
+from symbalance.codegen import to_function
+from symbalance.engine.catalogue import load
+from symbalance.forces.resultants import balance
 
 Array = Any
 Function = Callable[..., Any]

@@ -1,6 +1,6 @@
 """True values for the bench of stability, from the kinematics alone: mpmath and whole numbers.
 
-Nothing here rests on `symbalance.numeric` or on the exact phasors. cos theta and sin theta come from
+Nothing here rests on `symbalance.codegen` or on the exact phasors. cos theta and sin theta come from
 mpmath; a cylinder's own angle, powers of e^(i theta) and square roots are then taken in whole numbers
 of 2^-BITS, which is as exact and much faster. A true value is kept as a double and what that leaves out.
 """
@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 from mpmath import mp
 
-from symbalance.cylinders import Cylinder
-from symbalance.layout import Layout
-from symbalance.rational import Real
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.text.numbers import Real
 
 Array = Any
 BITS, DIGITS = 256, 100

@@ -21,7 +21,7 @@ from symbalance.crankshaft.integrators.tableau import radau_iia
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
-from symbalance.rational import listed
+from symbalance.text.numbers import listed
 
 MOST_CYCLES, MOST_NEWTON, CLOSES, NEWTON = 40, 60, 1e-7, 1e-11
 CARRIED = 1e-6

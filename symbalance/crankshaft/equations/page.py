@@ -15,8 +15,8 @@ from symbalance.crankshaft.equations.bearings import turned_bearing
 from symbalance.crankshaft.equations.node import NodeEquations
 from symbalance.crankshaft.equations.published import HOLDS, Entry, compared
 from symbalance.crankshaft.equations.quantities import LATEX, THETA, M
+from symbalance.document.latex_parts import in_document
 from symbalance.tables.latex_document import to_latex
-from symbalance.tables.latex_parts import in_document
 
 _NAMES = {"mass": "M", "gyroscopic": "G", "centrifugal": r"\Delta K", "centrifugal_force": "F_M"}
 

@@ -7,15 +7,16 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from symbalance.catalogue import preset_names
 from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.files import geometry, operation, supports
 from symbalance.crankshaft.files.operation import Operation
-from symbalance.crankshaft.files.sections import Section, Source
 from symbalance.crankshaft.files.supports import Supports
-from symbalance.engine_file import parse_engine, read_text, toml_table
+from symbalance.engine.catalogue import preset_names
+from symbalance.engine.engine_file import parse_engine
+from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Layout
+from symbalance.text.files import read_text, toml_table
+from symbalance.text.sections import Section, Source
 
 
 @dataclass(frozen=True)

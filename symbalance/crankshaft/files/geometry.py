@@ -14,10 +14,10 @@ from math import pi
 
 from symbalance.crankshaft.checks import check_geometry
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Material, Part, Pin, Web, WebCounterweight
-from symbalance.crankshaft.files.sections import MILLI, Section
-from symbalance.cylinders import Cylinder
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Layout
+from symbalance.text.sections import MILLI, Section
 
 DEGREE = pi / 180
 KEYS = (

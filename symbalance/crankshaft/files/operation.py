@@ -7,14 +7,14 @@ from itertools import pairwise
 from math import pi
 from pathlib import Path
 
-from symbalance.crankshaft.files.sections import MILLI, Section
+from symbalance.engine.layout import Layout
+from symbalance.engine.trains import ROD
+from symbalance.engine.unlike import mechanism_of
 from symbalance.errors import SymbalanceError
-from symbalance.layout import Layout
-from symbalance.mechanisms import RodSplit
+from symbalance.kinematics.mechanisms import RodSplit
+from symbalance.text.sections import MILLI, Section
 from symbalance.torque import IdealCycle, PressureTrace, ideal_cycle, read_pressure
 from symbalance.torque.tangential import AMBIENT
-from symbalance.trains import ROD
-from symbalance.unlike import mechanism_of
 
 KEYS = (
     "bore",

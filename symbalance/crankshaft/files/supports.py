@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from symbalance.crankshaft.crank import Crank, Journal
-from symbalance.crankshaft.files.sections import MILLI, Section
 from symbalance.errors import SymbalanceError
+from symbalance.text.sections import MILLI, Section
 
 KEYS = (
     "clearance",

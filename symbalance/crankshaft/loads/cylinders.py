@@ -12,13 +12,13 @@ from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads.motion import Complex, Motion, link_arm, motion
 from symbalance.crankshaft.loads.pressures import pressures
 from symbalance.crankshaft.rotor import Array
-from symbalance.cylinders import Cylinder
-from symbalance.layout import Layout
-from symbalance.mechanisms import LinkRod, Mechanism
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.engine.unlike import mechanism_of
+from symbalance.kinematics.mechanisms import LinkRod, Mechanism
+from symbalance.kinematics.pistons import Piston
 from symbalance.torque import PressureTrace, firing_pin_passings
-from symbalance.torque.pistons import Piston
 from symbalance.torque.running import PASCAL
-from symbalance.unlike import mechanism_of
 
 MILLI = 1e-3
 
@@ -138,7 +138,7 @@ class RodForces:
 def firing_crank_angles(layout: Layout) -> dict[int, float]:
     """Return theta at every piston's own firing top dead centre, in radians, 0 to under a cycle.
 
-    >>> from symbalance.catalogue import load
+    >>> from symbalance.engine.catalogue import load
     >>> [round(float(np.degrees(top)), 3) for top in firing_crank_angles(load("vw-vr6")).values()]
     [0.071, 240.071, 120.071, 479.929, 599.929, 359.929]
     """

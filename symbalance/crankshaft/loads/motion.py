@@ -1,4 +1,4 @@
-"""The closed forms of `symbalance.mechanisms` for whole arrays of crank angles, in floats."""
+"""The closed forms of `symbalance.kinematics.mechanisms` for whole arrays of crank angles, in floats."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.crankshaft.rotor import Array
-from symbalance.mechanisms import LinkRod, Mechanism, SliderCrank
+from symbalance.kinematics.mechanisms import LinkRod, Mechanism, SliderCrank
 
 Complex = NDArray[np.complex128]
 

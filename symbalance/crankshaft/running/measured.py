@@ -13,9 +13,9 @@ import numpy as np
 from symbalance.crankshaft.files.operation import Overlay
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.running.outcome import Outcome
-from symbalance.engine_file import read_text
 from symbalance.errors import SymbalanceError, shown
-from symbalance.torque.measured import measured
+from symbalance.text.files import read_text
+from symbalance.text.measurements import measured
 
 FEWEST = 8
 MEGA = 1e6

@@ -23,7 +23,7 @@ from symbalance.crankshaft.solid.store import open_store
 from symbalance.crankshaft.stress import Channel, channels, stress_matrix
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
 from symbalance.crankshaft.webs.arm import Arm, Elastic
-from symbalance.rational import checked_whole
+from symbalance.text.numbers import checked_whole
 
 OMEGA = np.pi / 30
 """rad/s of one rpm."""

@@ -1,0 +1,198 @@
+"""Results as functions in memory: the very source that `symbalance emit` writes, compiled when used."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from importlib.util import find_spec
+from math import isfinite
+from typing import Any
+
+from symbalance.codegen.asked import OUTPUTS, checked_outputs, known_ratio, truncated, within
+from symbalance.codegen.asked_torque import TORQUES, torque_wave
+from symbalance.codegen.plans import Plan, plan
+from symbalance.codegen.source_cache import source_file
+from symbalance.codegen.targets import FILES, IN_MEMORY, files
+from symbalance.codegen.waves import Wave
+from symbalance.errors import MissingPartError, SymbalanceError, shown
+from symbalance.forces.resultants import Balance, balance, checked_balance
+from symbalance.kinematics.slider_crank import checked_order
+from symbalance.torque import CrankTorque, TorqueBalance
+
+ASKED = (*OUTPUTS, *TORQUES)
+RUNNING_ORDER = 12
+"""The highest order of a running engine's torque, unless another is given."""
+Source = Balance | TorqueBalance | CrankTorque
+Result = Any
+
+
+@dataclass(frozen=True)
+class Evaluator:
+    """f(theta, *, mass, radius, omega, pitch, out=None): the outputs in SI units, for theta in radians.
+
+    theta may have any shape; the values come back in it, as an array for one output and a dict of arrays
+    for several. mass (kg, reciprocating, one cylinder), radius (m, half the stroke), omega (rad/s) and
+    pitch (m) are 1 unless given: the result then is in units of m r omega^2 (couples: times a; torque:
+    times r); each is one number. + is up and right; couples are + with the front pushed up or right,
+    torque as it turns. `out` takes the values, an array for each output, and may overlap theta. What is
+    no angle is refused with TypeError: None, text, and a masked array, whose mask would be lost.
+
+    `rounding` holds, by output, what a value may be off by rounding, in u = 2^-53 of the output's
+    `amplitude` (for |theta| <= 2^20); `left_out` what the orders left out may sum to, in units of
+    m r omega^2 (couples: times a), None where the orders were given. `source` is the module's text.
+    """
+
+    target: str
+    source: str
+    ratio: Fraction
+    outputs: tuple[str, ...]
+    orders: dict[str, tuple[str, ...]]
+    forms: dict[str, str]
+    rounding: dict[str, float]
+    amplitude: dict[str, float]
+    left_out: dict[str, float | None]
+
+    @cached_property
+    def _module(self) -> dict[str, Any]:
+        name = f"symbalance_{self.target}"
+        kept = source_file(self.source) if self.target == "numba" else None
+        namespace: dict[str, Any] = {"__name__": name}
+        place = f"<{name}>" if kept is None else str(kept)
+        exec(compile(self.source, place, "exec"), namespace)  # text of our own
+        return namespace
+
+    def __call__(self, theta: Any, **keywords: Any) -> Result:
+        """Return the outputs at the crank angles `theta` (radians)."""
+        return self._module["evaluate"](theta, **keywords)
+
+    def on_grid(self, points: int, turns: int = 1, **keywords: Any) -> Result:
+        """Return the outputs at theta = 2 pi j/points over whole turns, computing one period only."""
+        return self._module["on_grid"](points, turns, **keywords)
+
+    def self_test(self) -> None:
+        """Compare with mpmath's values at the angles the source holds; AssertionError past a bound."""
+        self._module["self_test"]()
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "_module"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    def __hash__(self) -> int:
+        return hash(self.source)
+
+
+def to_function(
+    result: Source,
+    ratio: object = None,
+    outputs: Sequence[str] | str | None = None,
+    target: str = "numpy",
+    *,
+    tolerance: float | None = None,
+    order: int | None = None,
+) -> Evaluator:
+    """Return a picklable function of the crank angle that holds `outputs` of a result and no more.
+
+    Outputs: force or couple, a dot, and vertical, lateral, forward or backward; and piston.displacement,
+    piston.velocity and piston.acceleration of cylinder 1, exact. `ratio` is the rod ratio lambda = l/r;
+    every A_n is taken exact in it, rounded once. Targets: numpy, numba, array-api. The default is
+    force.vertical, of an inertia torque torque.inertia, of a running engine torque.total.
+
+    Torque: torque.inertia and torque.frame, in units of m r^2 omega^2; torque.rod, which takes omega
+    alone; of a running engine (`crank_torque`) torque.gas, which takes the radius alone, and
+    torque.total, which takes no keyword: it is that of the engine's own sizes and speed, in N m.
+
+    The orders are those of the result (of a running engine `order`, 12 unless given); with a `tolerance`,
+    in units of m r omega^2 (couples: times a), the fewest whose proven bound is within it; with tolerance
+    0 all that can show in a double. A tolerance leaves the choice between harmonics and the closed form
+    to the cheaper (`numeric.plans`).
+
+    >>> from symbalance.forces.resultants import balance
+    >>> from symbalance.engine.catalogue import load
+    >>> force = to_function(balance(load("inline-4"), order=4))
+    >>> float(force(0.0).round(6)), force.orders
+    (0.999708, {'force.vertical': ('2', '4')})
+    """
+    if target not in IN_MEMORY:
+        known = ", ".join(IN_MEMORY)
+        raise SymbalanceError(
+            f"target = {shown(target)!r}", f"must be one of {known}", f"emit writes {', '.join(FILES)}"
+        )
+    planned = planned_for(result, ratio, outputs, target, tolerance, order)
+    if target == "numba" and find_spec("numba") is None:
+        raise MissingPartError("target = 'numba'", "Numba is not installed", "pip install numba")
+    (source,) = files(planned, target, result.layout.name, result.layout.name).values()
+    by_name = {o.wave.name: o for o in planned.outputs}
+    return Evaluator(
+        target,
+        source,
+        planned.ratio,
+        tuple(by_name),
+        {n: tuple(str(t.order) for t in o.wave.terms) for n, o in by_name.items()},
+        {n: o.form for n, o in by_name.items()},
+        {n: o.rounding for n, o in by_name.items()},
+        {n: o.amplitude for n, o in by_name.items()},
+        {n: o.wave.left_out for n, o in by_name.items()},
+    )
+
+
+def planned_for(
+    result: Source,
+    ratio: object,
+    outputs: Sequence[str] | str | None,
+    target: str,
+    tolerance: float | None,
+    order: int | None = None,
+) -> Plan:
+    """Return the plan of a result's outputs for a target, or refuse."""
+    if not isinstance(result, TorqueBalance | CrankTorque):
+        checked_balance(result)
+    names = checked_outputs(_default(result) if outputs is None else outputs, ASKED)
+    if isinstance(result, CrankTorque) and ratio is not None:
+        rule = "is the running engine's own already"
+        raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give it to crank_torque")
+    number = known_ratio(result, ratio)
+    tolerance = None if tolerance is None else checked_tolerance(tolerance)
+    highest = checked_order(_highest(result) if order is None else order)
+    waves = {n: torque_wave(result, n, number, highest, tolerance) for n in names if n in TORQUES}
+    forces = [name for name in names if name not in waves]
+    if forces:
+        known = result if isinstance(result, Balance) and order is None else None
+        known = balance(result.layout, highest) if known is None else known
+        found = _force_waves(known, forces, number, tolerance)
+        waves |= {wave.name: wave for wave in found}
+    return plan([waves[name] for name in names], number, target)
+
+
+def _force_waves(
+    result: Balance, names: Sequence[str], ratio: Fraction, tolerance: float | None
+) -> tuple[Wave, ...]:
+    if tolerance is None:
+        return truncated(result, names, ratio)
+    return within(result, names, ratio, tolerance)
+
+
+def _default(result: Source) -> str:
+    if isinstance(result, CrankTorque):
+        return "torque.total"
+    return "torque.inertia" if isinstance(result, TorqueBalance) else "force.vertical"
+
+
+def _highest(result: Source) -> int:
+    return RUNNING_ORDER if isinstance(result, CrankTorque) else result.highest
+
+
+def checked_tolerance(tolerance: object) -> float:
+    """Return a tolerance as a number, 0 or more, or refuse."""
+    if isinstance(tolerance, (int, float, Fraction)) and not isinstance(tolerance, bool):
+        value = float(tolerance)
+        if isfinite(value) and value >= 0:
+            return value
+    raise SymbalanceError(
+        f"tolerance = {shown(tolerance)}",
+        "must be 0 or a positive number",
+        "its unit is m r omega^2; 0 asks for every order that shows in a double",
+    )

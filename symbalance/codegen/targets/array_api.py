@@ -1,0 +1,300 @@
+"""A Python module for any array library of the array API standard: JAX, PyTorch, CuPy, NumPy.
+
+It imports no array library and never looks at a value, so that it can be compiled (`jax.jit`),
+differentiated and left on a device. float64 angles are reduced exactly to 2^50 rad (`wide`), float32
+angles in float32 (`cosines32`): the type of the angles decides, not what the library or the device can
+do besides. Both reductions cost less than the choice between two kernels, which computes both.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from symbalance.codegen.checks import ANGLES, Check, checks, grid_checks, grid_points
+from symbalance.codegen.cosines32 import LIMIT32, single_kernel
+from symbalance.codegen.kernels import Kernel
+from symbalance.codegen.plans import Plan
+from symbalance.codegen.targets.folding import folded
+from symbalance.codegen.targets.grids import repeating
+from symbalance.codegen.targets.printing import Spelling, unique
+from symbalance.codegen.targets.wording import paragraphs
+from symbalance.codegen.wide import FARTHEST, widened
+
+SPELLING = Spelling(
+    {
+        "rint": "xp.round({})",
+        "abs": "xp.abs({})",
+        "sqrt": "xp.sqrt({})",
+        "side": "xp.where({} < 0.0, -one, one)",
+        "cos": "xp.cos({})",
+        "sin": "xp.sin({})",
+    },
+    line="{} = {}",
+    constant="{} = {}",
+    comment="# {}",
+)
+REDUCTION = (
+    f"The type of theta decides the arithmetic. float64: angles are reduced exactly up to {FARTHEST:.3g} "
+    f"rad, values are within the bounds above, and u = 2^-53. float32: up to {LIMIT32:.3g} rad theta is "
+    "taken exactly as it is, everything is computed in float32, and u = 2^-24. Larger angles, "
+    "which the type holds to no better than 1/4 of a radian, and angles that are not finite give NaN at "
+    "their place and nowhere else. Every other type of theta is refused."
+)
+MODULE = '''
+{imports}
+
+OUTPUTS = ({names},)
+LIMIT = {limit!r}  # the largest |theta| in float64
+LIMIT_SINGLE = {limit_single!r}  # and in float32
+
+# To reduce float64 angles.
+{double}
+
+# To reduce float32 angles.
+{single}
+
+# The outputs.
+{constants}
+
+
+def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, xp=None):
+    """Return the outputs at crank angles `theta` (radians, any shape), in SI units.
+
+    One array of theta's shape, type and device for one output, a dict of arrays by name for
+    several. `theta` is a float64 or float32 array. `xp` is its library, found from theta where not
+    given. The keywords are numbers, or arrays of that library. No step depends on a value:
+    jax.jit(evaluate) works.
+    """
+    xp = _namespace(theta) if xp is None else xp
+    if hasattr(theta, "mask"):
+        raise TypeError("theta is a masked array: its mask would be lost, pass theta.filled(nan)")
+    theta = theta if hasattr(theta, "dtype") else xp.asarray(theta)
+    scales = _scales(mass=mass, radius=radius, omega=omega, pitch=pitch)
+    if theta.dtype == xp.float64:
+        {bases} = _angles(_within(theta, LIMIT, xp), xp)
+    elif theta.dtype == xp.float32:
+        {bases} = _angles_single(_within(theta, LIMIT_SINGLE, xp), xp)
+    else:
+        raise TypeError(f"theta holds {{theta.dtype}}: must be float64 or float32, in radians")
+    return _given([scale*value for scale, value in zip(scales, _outputs({bases}, xp))])
+{grid}
+
+def _given(values):
+    return values[0] if len(OUTPUTS) == 1 else dict(zip(OUTPUTS, values))
+
+
+def _namespace(array):
+    """Return an array's library: what the standard says it is, else its type's package (torch)."""
+    if hasattr(array, "__array_namespace__"):
+        return array.__array_namespace__()
+    package = type(array).__module__.partition(".")[0]
+    if package == "builtins":
+        raise TypeError(f"theta is a {{type(array).__name__}}: pass an array, or its library as xp=")
+    if package not in sys.modules or not hasattr(sys.modules[package], "float64"):
+        raise TypeError(f"theta is a {{type(array).__name__}}: {{package}} is no array library")
+    return sys.modules[package]
+
+
+def _number(name, value):
+    """Return a number as a Python one, which leaves the type of the arrays it multiplies alone."""
+    if isinstance(value, float) or type(value) is int:
+        return float(value)
+    if hasattr(value, "dtype"):
+        kind = str(value.dtype)
+        if ("float" in kind or "int" in kind) and not hasattr(value, "mask"):
+            return value
+    elif hasattr(value, "__float__") and not isinstance(value, bool):
+        return float(value)
+    raise TypeError(f"{{name}} = {{value!r}}: must be a real number or an array of them, in SI units")
+
+
+def _scales(**keywords):
+    """Return what each output is measured in: {units}."""
+    mass, radius, omega, pitch = (_number(name, value) for name, value in keywords.items())
+    return ({scales},)
+
+
+def _within(theta, limit, xp):
+    """Return theta, NaN beyond the limit."""
+    return xp.where(xp.abs(theta) <= limit, theta, xp.full_like(theta, float("nan")))
+
+
+{functions}
+
+
+def _outputs({bases}, xp):
+    """The outputs, with every keyword 1."""
+{tail}    return (
+{formulas}
+    )
+'''
+GRID = '''
+
+def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0, pitch=1.0):
+    """Return the outputs at theta = 2 pi j/points, j = 0, 1, ... over so many whole turns.
+
+    Only one period is computed, from angles that are exact; the rest repeats it. `xp` is the array
+    library, `dtype` its float64 or float32, the library's own default where not given.
+    """
+    if not (points == int(points) >= 1 and turns == int(turns) >= 1):
+        raise ValueError(f"points = {{points}}, turns = {{turns}}: must be whole numbers, at least 1")
+    points, turns = int(points), int(turns)
+    period, length = {period}, points*turns
+    index = xp.arange(0.0, float(min(period, length)), dtype=dtype)
+    if index.dtype != xp.float64 and {highest}*points > 2**24:
+        raise ValueError(f"points = {{points}}: float32 takes up to {{2**24//{highest}}}, float64 more")
+    scales = _scales(mass=mass, radius=radius, omega=omega, pitch=pitch)
+    {bases} = _on_grid(index, float(points), xp)
+    values = [scale*value for scale, value in zip(scales, _outputs({bases}, xp))]
+    return _given([xp.tile(value, (-(-length//period),))[:length] for value in values])
+'''
+FARTHER = 3e14
+"""An angle at which every part of the period counts that reduces angles to 2^50."""
+SELF_TEST = '''
+
+# Angles, the true values there (mpmath, 50 digits), and what each may be off; then for float32.
+CHECKS = (
+{rows}
+)
+CHECKS_SINGLE = (
+{rows_single}
+)
+{grid_rows}
+
+def self_test(xp=None):
+    """Compare with the true values, in float32 and, where `xp` (or NumPy) has it, float64."""
+    import warnings
+
+    if xp is None:
+        import numpy as xp
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # JAX without float64 warns, and gives float32
+        double = xp.asarray([check[0] for check in CHECKS], dtype=xp.float64)
+    if double.dtype == xp.float64:
+        _test(double, CHECKS, xp, 1.0)
+    single = xp.asarray([check[0] for check in CHECKS_SINGLE], dtype=xp.float32)
+    _test(single, CHECKS_SINGLE, xp, 2.0**29)
+
+
+def _test(angles, checks, xp, times):
+    _compare("", evaluate(angles, xp=xp), checks, angles.dtype, 1.0)
+{grid}    infinite = xp.asarray([float("inf"), float("-inf"), float("nan")], dtype=angles.dtype)
+    lost = evaluate(infinite, xp=xp)
+    for values in [lost] if len(OUTPUTS) == 1 else lost.values():
+        if not bool(xp.all(xp.isnan(values))):
+            raise AssertionError(f"not NaN where theta is not finite: {{values}}")
+
+
+def _compare(where, found, checks, dtype, times):
+    for j, name in enumerate(OUTPUTS):
+        values = found if len(OUTPUTS) == 1 else found[name]
+        if values.dtype != dtype:  # no assert: python -O would leave it out
+            raise AssertionError(f"{{name}}: {{values.dtype}} from {{dtype}}")
+        for i, (theta, true, allowed) in enumerate(checks):
+            value = float(values[i])
+            if not abs(value - true[j]) <= times*allowed[j]:
+                raise AssertionError(f"{{name}}{{where}}({{theta!r}}) = {{value!r}}, true {{true[j]!r}}")
+
+
+if __name__ == "__main__":
+    self_test()
+    print("self-test passed:", len(CHECKS) + len(CHECKS_SINGLE), "angles,", ", ".join(OUTPUTS))
+'''
+GRID_ROWS = """
+# The same at theta = 2 pi j/{points}, two turns, for on_grid.
+GRID_CHECKS = (
+{rows}
+)
+"""
+GRID_TEST = """    grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype)
+    _compare(" on the grid", grid, GRID_CHECKS, angles.dtype, times)
+"""
+
+
+def array_api_source(planned: Plan, engine: str, grid: bool) -> str:
+    """Return a module that needs the array library of its arguments alone."""
+    double, single = widened(planned.near), single_kernel(planned.found, planned.bases)
+    more = [planned.tail, *([planned.on_grid] if grid else [])]
+    bases = ", ".join(planned.bases) or "theta"
+    units = [o.wave.unit.formula for o in planned.outputs]
+    functions = [
+        *_function("_angles", "theta", double, bases, "float64 angles"),
+        "",
+        "",
+        *_function("_angles_single", "theta", single, bases, "float32 angles"),
+    ]
+    zero = "0.0*" + (planned.bases or ("theta",))[0]
+    formulas = [zero if o.formula == "0.0" else SPELLING.formula(o.formula) for o in planned.outputs]
+    first, *rest = paragraphs(planned, engine, REDUCTION)
+    calls_gcd = grid and repeating(planned)[1]
+    module = MODULE.format(
+        imports="import math\nimport sys" if calls_gcd else "import sys",
+        names=", ".join(repr(o.wave.name) for o in planned.outputs),
+        limit=FARTHEST,
+        limit_single=LIMIT32,
+        **_constants(double, single, more),
+        grid=_grid(planned, bases) if grid else "",
+        bases=bases,
+        units=", ".join(o.wave.unit.name for o in planned.outputs),
+        scales=", ".join(units),
+        functions="\n".join(functions),
+        tail="".join(f"{line}\n" for line in _body(planned.tail)),
+        formulas="\n".join(f"        {formula}," for formula in formulas),
+    )
+    rows = "\n".join(_row(check) for check in checks(planned, (*ANGLES, FARTHER)))
+    points, grid_rows = grid_points(planned), "\n".join(map(_row, grid_checks(planned)))
+    test = SELF_TEST.format(
+        rows=rows,
+        rows_single="\n".join(map(_row, _single_checks(planned))),
+        grid_rows=GRID_ROWS.format(points=points, rows=grid_rows) if grid else "",
+        grid=GRID_TEST.format(points=points) if grid else "",
+    )
+    return folded("\n".join([f'"""{first}', *rest, '"""']) + "\n" + module + test, "# ", bracketed=True)
+
+
+def _constants(double: Kernel, single: Kernel, more: list[Kernel]) -> dict[str, str]:
+    """Return the definitions of the constants, each once, under what needs it first."""
+    groups = {"double": [double], "single": [single], "constants": more}
+    texts, before = {}, []
+    for name, kernels in groups.items():
+        known = unique(before)
+        found = unique([*before, *(k.constants for k in kernels)])
+        texts[name] = "\n".join(SPELLING.constants(found[len(known) :]))
+        before.append(found)
+    return texts
+
+
+def _function(name: str, arguments: str, kernel: Kernel, bases: str, where: str) -> list[str]:
+    head = [f"def {name}({arguments}, xp):", f'    """What the outputs are made of, from {where}."""']
+    return [*head, *_body(kernel), f"    return {bases}"]
+
+
+def _body(kernel: Kernel) -> list[str]:
+    """Return a kernel's lines; `side` needs an array of ones first."""
+    lines = SPELLING.lines(kernel.lines, "    ")
+    argument = "index" if "index" in kernel.names() else "theta"
+    needs_one = any("-one, one" in line for line in lines)
+    return [f"    one = xp.ones_like({argument})", *lines] if needs_one else lines
+
+
+def _grid(planned: Plan, bases: str) -> str:
+    highest = int(planned.highest_step * planned.step.denominator**2)
+    period, _ = repeating(planned, "//", "math.gcd")
+    text = GRID.format(period=period, bases=bases, highest=highest)
+    kernel = planned.on_grid
+    where = "theta = 2 pi index/points"
+    if not kernel.lines:  # every output is zero
+        return text + "\n\ndef _on_grid(index, points, xp):\n    return index\n"
+    return text + "\n\n" + "\n".join(_function("_on_grid", "index, points", kernel, bases, where)) + "\n"
+
+
+def _single_checks(planned: Plan) -> list[Check]:
+    """Return the checks at the angles' float32 neighbours, with 2^29 times as much allowed."""
+    found = checks(planned, [float(np.float32(theta)) for theta in ANGLES])
+    return [replace(check, allowed=tuple(a * 2.0**29 for a in check.allowed)) for check in found]
+
+
+def _row(check: Check) -> str:
+    return f"    ({check.theta!r}, {check.values!r}, {check.allowed!r}),"

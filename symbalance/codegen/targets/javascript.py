@@ -1,0 +1,236 @@
+"""An ES module without dependencies, for browsers, Node, Deno and Bun."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from symbalance.codegen.checks import Check, checks, grid_checks, grid_points
+from symbalance.codegen.cosines import LIMIT
+from symbalance.codegen.kernels import Line
+from symbalance.codegen.plans import Plan
+from symbalance.codegen.targets.folding import folded
+from symbalance.codegen.targets.grids import repeating
+from symbalance.codegen.targets.printing import Spelling, unique
+from symbalance.codegen.targets.wording import paragraphs
+
+SPELLING = Spelling(
+    {
+        "rint": "(({} + MAGIC) - MAGIC)",
+        "abs": "Math.abs({})",
+        "sqrt": "Math.sqrt({})",
+        "side": "({} < 0 ? -1 : 1)",
+        "cos": "Math.cos({})",
+        "sin": "Math.sin({})",
+    },
+    line="const {} = {};",
+    constant="const {} = {};",
+    comment="// {}",
+)
+MODULE = """/* {head}
+ *
+ * An ES module: import {{ evaluate }} from this file. Run by node it tests itself.
+ */
+
+export const OUTPUTS = [{names}];
+
+const MAGIC = 6755399441055744;  // 1.5 * 2^52: adding it rounds to a whole number
+const LIMIT = {limit};  // the largest |theta| that is reduced exactly
+{constants}
+
+/**
+ * Return the outputs at crank angles theta (radians), in SI units.
+ *
+ * A number gives a number, an array or a Float64Array a Float64Array, a Float32Array a
+ * Float32Array; for several outputs an object of those, by output name.
+ *
+ * @param {{number | ArrayLike<number>}} theta
+ * @param {{{{mass?: number, radius?: number, omega?: number, pitch?: number}}}} [engine]
+ */
+export function evaluate(theta, {{ mass = 1, radius = 1, omega = 1, pitch = 1 }} = {{}}) {{
+  checkNumbers({{ mass, radius, omega, pitch }});
+  const single = typeof theta === "number";
+  if (!single && (theta === null || typeof theta !== "object" || theta.length === undefined)) {{
+    throw new TypeError(`theta = ${{theta}}: must be a number or an array, in radians`);
+  }}
+  const angles = single ? [theta] : theta;
+  if (!ArrayBuffer.isView(angles)) {{
+    for (let i = 0; i < angles.length; i++) {{
+      if (typeof angles[i] !== "number") checkNumbers({{ [`theta[${{i}}]`]: angles[i] }});
+    }}
+  }}
+  const Kind = theta instanceof Float32Array ? Float32Array : Float64Array;
+  const results = OUTPUTS.map(() => new Kind(angles.length));
+  fill(angles, mass, radius, omega, pitch, ...results);
+  return given(single ? results.map((values) => values[0]) : results);
+}}
+{grid}
+function checkNumbers(values) {{
+  for (const [name, value] of Object.entries(values)) {{
+    if (typeof value !== "number") throw new TypeError(`${{name}} = ${{value}}: must be a number`);
+  }}
+}}
+
+function given(results) {{
+  if (results.length === 1) return results[0];
+  return Object.fromEntries(OUTPUTS.map((name, i) => [name, results[i]]));
+}}
+
+function fill(angles, mass, radius, omega, pitch, {outs}) {{
+{scales}
+  for (let i = 0; i < angles.length; i++) {{
+    const theta = angles[i];
+{bases}{outputs}
+  }}
+}}
+{fill_grid}
+// Angles, the true values there (mpmath, 50 digits), and what each may be off.
+const CHECKS = [
+{rows}
+];
+{grid_rows}
+/** Compare with the true values, singly and as an array; throw an Error past a bound. */
+export function selfTest() {{
+  const values = (found) => OUTPUTS.map((name) => (OUTPUTS.length === 1 ? found : found[name]));
+  const together = values(evaluate(CHECKS.map(([theta]) => theta)));
+  const compare = ([theta, expected, allowed], found, where) => OUTPUTS.forEach((name, j) => {{
+    if (!(Math.abs(found[j] - expected[j]) <= allowed[j])) {{
+      throw new Error(`${{name}}${{where}}(${{theta}}) = ${{found[j]}}, true ${{expected[j]}}`);
+    }}
+  }});
+  const column = (found, i) => found.map((values) => values[i]);
+  CHECKS.forEach((check, i) => {{
+    compare(check, values(evaluate(check[0])), "");
+    compare(check, column(together, i), "");
+  }});
+{grid_test}  for (const found of values(evaluate([Infinity, -Infinity, NaN]))) {{
+    if (!found.every(Number.isNaN)) throw new Error(`not NaN where theta is not finite: ${{found}}`);
+  }}
+}}
+
+/** Tell whether a runtime was started with this very file, whatever links lead to it. */
+function isMain() {{
+  if (import.meta.main !== undefined) return import.meta.main;
+  const script = globalThis.process?.argv?.[1];
+  if (!script) return false;
+  const module = globalThis.process.getBuiltinModule?.("node:module");
+  const url = globalThis.process.getBuiltinModule?.("node:url");
+  if (!module || !url) {{
+    return decodeURIComponent(import.meta.url).endsWith(script.replaceAll("\\\\", "/"));
+  }}
+  try {{
+    return module.createRequire(import.meta.url).resolve(script) === url.fileURLToPath(import.meta.url);
+  }} catch {{
+    return false;
+  }}
+}}
+
+if (isMain()) {{
+  selfTest();
+  console.log("self-test passed:", CHECKS.length, "angles,", OUTPUTS.join(", "));
+}}
+"""
+GRID = """
+/**
+ * Return the outputs at theta = 2 pi j/points, j = 0, 1, ... over so many whole turns.
+ *
+ * Only one period is computed, from angles that are exact; the rest repeats it.
+ */
+export function onGrid(points, turns = 1, {{ mass = 1, radius = 1, omega = 1, pitch = 1 }} = {{}}) {{
+  checkNumbers({{ mass, radius, omega, pitch }});
+  if (!(Number.isInteger(points) && Number.isInteger(turns) && points > 0 && turns > 0)) {{
+    throw new RangeError(`points = ${{points}}, turns = ${{turns}}: must be whole numbers above 0`);
+  }}
+  const length = points*turns;
+  const period = Math.min({period}, length);
+  const results = OUTPUTS.map(() => new Float64Array(length));
+  fillGrid(period, points, mass, radius, omega, pitch, ...results);
+  for (const values of results) {{
+    for (let i = period; i < length; i++) values[i] = values[i - period];
+  }}
+  return given(results);
+}}
+{gcd}"""
+GRID_ROWS = """
+// The same at theta = 2 pi j/{points}, two turns, for onGrid.
+const GRID_CHECKS = [
+{rows}
+];
+"""
+GRID_TEST = """  const grid = values(onGrid({points}, 2));
+  GRID_CHECKS.forEach((check, i) => compare(check, column(grid, i), " on the grid"));
+"""
+GCD = """
+function gcd(a, b) {
+  return b === 0 ? a : gcd(b, a % b);
+}
+"""
+FILL_GRID = """
+function fillGrid(period, points, mass, radius, omega, pitch, {outs}) {{
+{scales}
+  for (let index = 0; index < period; index++) {{
+{lines}
+{outputs}
+  }}
+}}
+"""
+
+
+def javascript_source(planned: Plan, engine: str, grid: bool) -> str:
+    """Return the module."""
+    first, *rest = paragraphs(planned, engine)
+    kernels = [planned.near, planned.far, planned.tail, *([planned.on_grid] if grid else [])]
+    period, calls_gcd = repeating(planned)
+    outs = ", ".join(f"out{i}" for i in range(len(planned.outputs)))
+    scales = "\n".join(
+        f"  const scale{i} = {o.wave.unit.formula};" for i, o in enumerate(planned.outputs)
+    )
+    on_grid = "\n".join(SPELLING.lines(planned.on_grid.lines, "    "))
+    on_grid = on_grid or "    const theta = 0;  // every output is zero"
+    fill_grid = FILL_GRID.format(
+        outs=outs, scales=scales, lines=on_grid, outputs=_outputs(planned, "index")
+    )
+    points = grid_points(planned)
+    text = MODULE.format(
+        head="\n * ".join([first, *rest]).replace(" * \n", " *\n"),
+        names=", ".join(f'"{o.wave.name}"' for o in planned.outputs),
+        limit=int(LIMIT),
+        constants="\n".join(SPELLING.constants(unique(k.constants for k in kernels))),
+        grid=GRID.format(period=period, gcd=GCD if calls_gcd else "") if grid else "",
+        outs=outs,
+        scales=scales,
+        bases=_bases(planned),
+        outputs=_outputs(planned, "i"),
+        fill_grid=fill_grid if grid else "",
+        rows=_rows(checks(planned)),
+        grid_rows=GRID_ROWS.format(points=points, rows=_rows(grid_checks(planned))) if grid else "",
+        grid_test=GRID_TEST.format(points=points) if grid else "",
+    )
+    return folded(text, "// ")
+
+
+def _rows(found: Iterable[Check]) -> str:
+    return "\n".join(f"  [{c.theta!r}, {list(c.values)}, {list(c.allowed)}]," for c in found)
+
+
+def _bases(planned: Plan) -> str:
+    """Return the lines of what the outputs are made of, near and far."""
+    if not planned.bases:
+        return ""
+    near, far = (
+        "\n".join(_assigned(kernel.lines, planned.bases)) for kernel in (planned.near, planned.far)
+    )
+    head = f"    let {', '.join(planned.bases)};\n    if (Math.abs(theta) <= LIMIT) {{\n"
+    return f"{head}{near}\n    }} else {{\n{far}\n    }}\n"
+
+
+def _assigned(lines: Iterable[Line], bases: tuple[str, ...]) -> list[str]:
+    """Return assignments, those of `bases` to variables that are there already."""
+    texts = SPELLING.lines(lines, "      ")
+    starts = tuple(f"      const {base} = " for base in bases)
+    return [t.replace("const ", "", 1) if t.startswith(starts) else t for t in texts]
+
+
+def _outputs(planned: Plan, place: str) -> str:
+    lines, formulas = SPELLING.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
+    stored = (f"    out{i}[{place}] = {SPELLING.formula(f)};" for i, f in enumerate(formulas))
+    return "\n".join([*SPELLING.lines(lines, "    "), *stored])

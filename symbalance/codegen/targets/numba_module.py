@@ -1,0 +1,167 @@
+"""A Python module that needs NumPy and Numba: one loop that the compiler turns into vectors."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+
+from symbalance.codegen.plans import Plan
+from symbalance.codegen.targets.printing import Spelling
+from symbalance.codegen.targets.python_parts import (
+    CALL_DOC,
+    base_function,
+    constants,
+    docstring,
+    grid_call,
+    grid_function,
+    joined,
+    returned,
+    self_test,
+)
+
+NUMBA = Spelling(
+    {
+        "rint": "(({} + MAGIC) - MAGIC)",
+        "abs": "abs({})",
+        "sqrt": "np.sqrt({})",
+        "side": "math.copysign(1.0, {})",
+        "cos": "math.cos({})",
+        "sin": "math.sin({})",
+    },
+    line="{} = {}",
+    constant="{} = {}",
+    comment="# {}",
+)
+CONTENT = "0" * 16
+"""Stands for the digest of a module's text until that is known."""
+COMPILE = '''
+CONTENT = "{content}"  # a digest of this text: compiled code of another is never taken for its own
+
+
+def _compiled(function, **options):
+    """Compile under a name that only this text's functions have, in a module that is always there."""
+    function.__qualname__, function.__module__ = f"{function.__name__}_{CONTENT}", "numba"
+    return njit(error_model="numpy", fastmath={"contract"}, **options)(function)
+
+
+def _inlined(function):
+    return _compiled(function, forceinline=True)
+
+
+def _kept(function):
+    """Compile, and keep it for other processes: in NUMBA_CACHE_DIR, beside this file, or at home."""
+    try:
+        return _compiled(function, nogil=True, cache=True)
+    except (OSError, RuntimeError):  # none of these can be written, or this text is in no file
+        return _compiled(function, nogil=True)
+'''
+NUMBA_CALL = '''
+BLOCK = 4096  # angles at a time: one far angle sends its block the slow way, not all
+
+
+def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, out=None):
+{call_doc}
+    theta = _crank_angles(theta)
+    mass, radius, omega, pitch = _numbers(mass=mass, radius=radius, omega=omega, pitch=pitch)
+    kind = np.float32 if theta.dtype.kind == "f" and theta.dtype.itemsize == 4 else np.float64
+    results = _results(theta, kind, out)
+    flat = np.ascontiguousarray(_apart(theta, results), dtype=kind).reshape(-1)
+    _fill(flat, {scales}, {flattened})
+    return _given(results)
+
+
+@_kept
+def _fill(theta, {scale_names}, {out_names}):
+    for start in range(0, theta.size, BLOCK):
+        part = theta[start:start + BLOCK]
+        if _fill_near(part, {scale_names}, {out_parts}) < part.size:
+            _fill_any(part, {scale_names}, {out_parts})
+
+
+@_compiled
+def _fill_near(theta, {scale_names}, {out_names}):
+    """Fill as if every angle were within LIMIT, and return how many are."""
+    inside = 0
+    for i in range(theta.size):
+        {near}
+        {stores}
+        inside += abs(theta[i]) <= LIMIT
+    return inside
+
+
+@_compiled
+def _fill_any(theta, {scale_names}, {out_names}):
+    for i in range(theta.size):
+        if abs(theta[i]) <= LIMIT:
+            {near}
+        else:
+            {far}
+        {stores}
+'''
+GRID_FILL = """
+    filled = [result[:size] for result in results]
+    _fill_grid(np.float64(points), {scales}, *filled)
+""".strip("\n")
+GRID_LOOP = """
+
+@_kept
+def _fill_grid(points, {scale_names}, {out_names}):
+    for i in range(out0.size):
+        index = np.float64(i)
+        {bases}
+        {stores}
+"""
+
+
+NOTE = """ The first call
+    with a type of angles compiles, unless the code was kept by an earlier process."""
+
+
+def numba_source(planned: Plan, engine: str, grid: bool) -> str:
+    """Return a module that needs NumPy and Numba; one pass over the angles, no C compiler."""
+    head = [*docstring(planned, engine), "", "import math", "", "import numpy as np"]
+    head += ["from numba import njit", "", "MAGIC = 6755399441055744.0  # 1.5 * 2^52: adding it rounds"]
+    count = range(len(planned.outputs))
+    scales = ", ".join(f"scale{i}" for i in count)
+    stored = ", ".join(f"out{i}[i]" for i in count)
+    bases = ", ".join(planned.bases)
+    at = "np.float64(theta[i])"
+    values = ", ".join(f"float({o.wave.unit.formula})" for o in planned.outputs)
+    body = NUMBA_CALL.format(
+        call_doc=CALL_DOC.format(note=NOTE),
+        scales=values,
+        flattened=", ".join(f"np.asarray(results[{i}]).reshape(-1)" for i in count),
+        scale_names=scales,
+        out_names=", ".join(f"out{i}" for i in count),
+        out_parts=", ".join(f"out{i}[start:start + BLOCK]" for i in count),
+        near=f"{bases} = _near({at})" if bases else "pass",
+        far=f"{bases} = _far({at})" if bases else "pass",
+        stores=f"{stored} = _outputs({bases or at}, {scales})",
+    )
+    loop = GRID_LOOP.format(
+        scale_names=scales,
+        out_names=", ".join(f"out{i}" for i in count),
+        bases=f"{bases} = _on_grid(index, points)" if bases else "pass",
+        stores=f"{stored} = _outputs({bases or 'index'}, {scales})",
+    )
+    jit = "@_inlined"
+    lines, formulas = NUMBA.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
+    functions = [
+        *base_function(NUMBA, "_near", planned.near.lines, planned.bases, "|theta| <= LIMIT", jit),
+        *base_function(NUMBA, "_far", planned.far.lines, planned.bases, "any angle", jit),
+        *(grid_function(NUMBA, planned, jit) if grid else []),
+        "",
+        "",
+        jit,
+        f"def _outputs({bases or 'theta'}, {scales}):",
+        *NUMBA.lines(lines, "    "),
+        *returned([NUMBA.formula(f) for f in formulas]),
+    ]
+    text = joined(
+        [*head, *constants(NUMBA, planned)],
+        COMPILE.replace("{content}", CONTENT)
+        + body
+        + (grid_call(planned, GRID_FILL.format(scales=values)) + loop if grid else ""),
+        functions,
+        self_test(planned, grid),
+    )
+    return text.replace(CONTENT, sha256(text.encode()).hexdigest()[: len(CONTENT)], 1)

@@ -1,0 +1,297 @@
+"""One function file for GNU Octave and MATLAB."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from symbalance.codegen.checks import Check, checks, grid_checks, grid_points
+from symbalance.codegen.cosines import LIMIT
+from symbalance.codegen.kernels import NAME, Kernel, Line
+from symbalance.codegen.plans import Plan
+from symbalance.codegen.targets.folding import folded
+from symbalance.codegen.targets.grids import repeating
+from symbalance.codegen.targets.printing import Spelling, unique
+from symbalance.codegen.targets.wording import identifier, paragraphs
+from symbalance.errors import SymbalanceError
+
+SPELLING = Spelling(
+    {
+        "rint": "round({})",
+        "abs": "abs({})",
+        "sqrt": "sqrt({})",
+        "side": "(1 - 2*({} < 0))",
+        "cos": "cos({})",
+        "sin": "sin({})",
+    },
+    line="{} = {};",
+    constant="{} = {};",
+    comment="% {}",
+    elementwise=True,
+)
+WORDS = """
+break case catch classdef continue else elseif end for function global if otherwise parfor
+persistent return spmd switch try while do until unwind_protect abs sqrt cos sin round gcd double
+single class ischar isscalar strcmp repmat isreal isnumeric islogical any all min mod nan inf isnan
+error fprintf size nargin varargin varargout numbers evaluate near far outputs on_grid self_test theta
+result mass radius omega pitch struct cell2mat struct2cell
+"""
+TAKEN = frozenset(WORDS.split())
+"""Names a function file must not bear: words of the language and what the file itself uses."""
+MODULE = """function result = {name}(theta, varargin)
+%{upper}  {head}
+%
+% values = {name}(theta)
+% values = {name}(theta, mass, radius, omega, pitch)
+%     theta: crank angles, an array of any shape. Trailing arguments may be left out: each is 1
+%     then. {returned} single angles give single values.
+{grid_help}% {name}('self-test')
+%     compares with the true values, and is an error where one is past its bound.
+%
+% {about}
+    if ischar(theta)
+        if strcmp(theta, 'self-test')
+            self_test();
+            return
+        end{grid_call}
+        error('%s: unknown; the first argument is crank angles{words}', theta);
+    end
+    result = evaluate(theta, varargin{{:}});
+end
+
+function result = evaluate(theta, mass, radius, omega, pitch)
+    if nargin < 2, mass = 1; end
+    if nargin < 3, radius = 1; end
+    if nargin < 4, omega = 1; end
+    if nargin < 5, pitch = 1; end
+    if ~(isnumeric(theta) || islogical(theta)) || ~isreal(theta)
+        error('theta must be real crank angles, in radians');
+    end
+    [mass, radius, omega, pitch] = numbers(mass, radius, omega, pitch);
+    kind = class(theta);
+    theta = double(theta);
+{bases}
+{outputs}
+    if strcmp(kind, 'single')
+{singles}
+    end
+    result = {result};
+end
+{near}{far}{grid}
+function varargout = numbers(varargin)
+% The arguments as doubles: int32 would round every value, a letter count as its code.
+    for i = 1:nargin
+        value = varargin{{i}};
+        if ~(isnumeric(value) && isreal(value) && isscalar(value))
+            error('mass, radius, omega, pitch, points and turns must be one real number each');
+        end
+        varargout{{i}} = double(value);
+    end
+end
+
+function {values} = outputs({arguments}, mass, radius, omega, pitch)
+% The outputs in SI units.
+{constants}
+{scales}
+{tail}
+end
+
+function self_test()
+% Angles, the true values there (mpmath, 50 digits), and what each may be off.
+    checks = [
+{rows}
+    ];
+    together = {check_all};
+    for i = 1:size(checks, 1)
+        alone = {check_one};
+        for j = 1:{count}
+            expected = checks(i, 1 + j);
+            allowed = checks(i, 1 + {count} + j);
+            for found = [alone(j), together(i, j)]
+                if ~(abs(found - expected) <= allowed)
+                    error('output %d at %.17g: %.17g, true %.17g', j, checks(i, 1), found, expected);
+                end
+            end
+        end
+    end
+{check_grid}    lost = {check_lost};
+    if ~all(isnan(lost(:)))
+        error('not NaN where theta is not finite');
+    end
+    fprintf('self-test passed: %d angles\\n', size(checks, 1));
+end
+"""
+GRID_HELP = """% values = {name}('grid', points, turns, mass, radius, omega, pitch)
+%     the values at theta = 2 pi j/points, j = 0, 1, ... over so many whole turns, a column; only
+%     one period is computed, from angles that are exact, and repeated. turns is 1 unless given.
+"""
+GRID_CALL = """
+        if strcmp(theta, 'grid')
+            result = on_grid(varargin{:});
+            return
+        end"""
+GRID_TEST = """% The same at theta = 2 pi j/{points}, two turns.
+    checks = [
+{rows}
+    ];
+    together = {values};
+    for i = 1:size(checks, 1)
+        for j = 1:{count}
+            if ~(abs(together(i, j) - checks(i, 1 + j)) <= checks(i, 1 + {count} + j))
+                error('output %d on the grid at %.17g: %.17g', j, checks(i, 1), together(i, j));
+            end
+        end
+    end
+"""
+GRID = """
+function result = on_grid(points, turns, mass, radius, omega, pitch)
+    if nargin < 2, turns = 1; end
+    if nargin < 3, mass = 1; end
+    if nargin < 4, radius = 1; end
+    if nargin < 5, omega = 1; end
+    if nargin < 6, pitch = 1; end
+    [points, turns] = numbers(points, turns);
+    if ~(points >= 1 && turns >= 1 && points == round(points) && turns == round(turns))
+        error('points and turns must be whole numbers, at least 1');
+    end
+    [mass, radius, omega, pitch] = numbers(mass, radius, omega, pitch);
+    count = points*turns;
+    period = {period};
+    index = (0:min(period, count) - 1)';
+{constants}
+{lines}
+{outputs}
+{repeated}
+    result = {result};
+end
+"""
+
+
+def octave_source(planned: Plan, engine: str, name: str, grid: bool) -> str:
+    """Return the function file; `name` is its stem, and the function's name."""
+    if identifier(name) != name or name in TAKEN or len(name) > 63:
+        remedy = "name it with letters, digits and _, like engine.m"
+        raise SymbalanceError(f"--output {name}.m", "is no function's name in Octave", remedy)
+    first, *rest = paragraphs(planned, engine)
+    outs = [identifier(o.wave.name) for o in planned.outputs]
+    one = len(outs) == 1
+    text = MODULE.format(
+        name=name,
+        upper=name.upper(),
+        head=first,
+        about="\n% ".join(rest[1:]).replace("% \n", "%\n"),
+        returned="The values have its shape;" if one else "A struct of arrays of its shape, by output;",
+        grid_help=GRID_HELP.format(name=name) if grid else "",
+        grid_call=GRID_CALL if grid else "",
+        words=", ''grid'' or ''self-test''" if grid else " or ''self-test''",
+        bases=_bases(planned),
+        outputs=_call(planned, outs),
+        singles="\n".join(f"        {out} = single({out});" for out in outs),
+        result=_result(outs),
+        near=_function("near", planned.near, planned.bases, f"|theta| <= {int(LIMIT)}"),
+        far=_function("far", planned.far, planned.bases, "any angle"),
+        grid=_grid(planned, outs) if grid else "",
+        values=_several(outs),
+        arguments=", ".join(planned.bases) or "theta",
+        scales="\n".join(f"    scale{i} = {o.wave.unit.formula};" for i, o in enumerate(planned.outputs)),
+        **_tail(planned, outs),
+        **_checked(planned, outs, grid),
+    )
+    return folded(text, "% ", " ...")
+
+
+def _several(names: Sequence[str]) -> str:
+    return names[0] if len(names) == 1 else f"[{', '.join(names)}]"
+
+
+def _result(outs: Sequence[str]) -> str:
+    """Return the one output, or a struct of several."""
+    if len(outs) == 1:
+        return outs[0]
+    fields = ", ".join(f"'{out}', {out}" for out in outs)
+    return f"struct({fields})"
+
+
+def _call(planned: Plan, outs: Sequence[str]) -> str:
+    arguments = ", ".join(planned.bases) or "theta"
+    return f"    {_several(outs)} = outputs({arguments}, mass, radius, omega, pitch);"
+
+
+def _bases(planned: Plan) -> str:
+    """Return the lines that compute the bases, near ones at once, far ones where they are needed."""
+    if not planned.bases:
+        return "    theta(~(abs(theta) < inf)) = nan;"
+    parts = [f"{base}_far" for base in planned.bases]
+    lines = [
+        f"{_several(planned.bases)} = near(theta);",
+        f"beyond = ~(abs(theta) <= {int(LIMIT)});",
+        "if any(beyond(:))",
+        f"    {_several(parts)} = far(theta(beyond));",
+        *(f"    {base}(beyond) = {part};" for base, part in zip(planned.bases, parts, strict=True)),
+        "end",
+    ]
+    return "\n".join(f"    {line}" for line in lines)
+
+
+def _constants(planned: Plan, lines: Iterable[Line], more: Iterable[str] = ()) -> list[str]:
+    """Return the definitions of the constants that lines, and formulas more, use."""
+    formulas = [*(line.formula for line in lines), *more]
+    used = {name for formula in formulas for name in NAME.findall(formula)}
+    kernels = (planned.near, planned.far, planned.on_grid, planned.tail)
+    return SPELLING.constants([c for c in unique(k.constants for k in kernels) if c.name in used], "    ")
+
+
+def _function(name: str, kernel: Kernel, bases: tuple[str, ...], where: str) -> str:
+    if not bases:
+        return ""
+    lines = [
+        "",
+        f"function {_several(bases)} = {name}(theta)",
+        f"% What the outputs are made of, for {where}.",
+        *SPELLING.constants(kernel.constants, "    "),
+        *SPELLING.lines(kernel.lines, "    "),
+        "end",
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def _grid(planned: Plan, outs: Sequence[str]) -> str:
+    lines = SPELLING.lines(planned.on_grid.lines, "    ") or ["    theta = index;"]
+    return GRID.format(
+        period=repeating(planned)[0],
+        constants="\n".join(SPELLING.constants(planned.on_grid.constants, "    ")),
+        lines="\n".join(lines),
+        outputs=_call(planned, outs),
+        repeated="\n".join(f"    {out} = {out}(mod((0:count - 1)', period) + 1);" for out in outs),
+        result=_result(outs),
+    )
+
+
+def _tail(planned: Plan, outs: Sequence[str]) -> dict[str, str]:
+    lines, formulas = SPELLING.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
+    values = (f"    {out} = {SPELLING.formula(f)};" for out, f in zip(outs, formulas, strict=True))
+    return {
+        "constants": "\n".join(_constants(planned, lines, formulas)),
+        "tail": "\n".join([*SPELLING.lines(lines, "    "), *values]),
+    }
+
+
+def _checked(planned: Plan, outs: Sequence[str], grid: bool) -> dict[str, str]:
+    def values(call: str) -> str:
+        return call if len(outs) == 1 else f"cell2mat(struct2cell({call})')"
+
+    def rows(found: Iterable[Check]) -> str:
+        return "\n".join(
+            "        " + ", ".join(map(repr, (c.theta, *c.values, *c.allowed))) for c in found
+        )
+
+    points, count = grid_points(planned), str(len(outs))
+    on_grid = {"points": points, "rows": rows(grid_checks(planned)), "count": count}
+    return {
+        "rows": rows(checks(planned)),
+        "count": count,
+        "check_all": values("evaluate(checks(:, 1))"),
+        "check_one": values("evaluate(checks(i, 1))"),
+        "check_grid": GRID_TEST.format(values=values(f"on_grid({points}, 2)"), **on_grid) if grid else "",
+        "check_lost": values("evaluate([inf; -inf; nan])"),
+    }

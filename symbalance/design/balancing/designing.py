@@ -1,0 +1,140 @@
+r"""The least set of counterweights and balance shafts that ends given orders of force and couple.
+
+What turns at s times the crank's speed (s of either sign) has a force and a couple in e^(i s theta)
+alone, and the powers e^(i s theta) are linearly independent. So every signed order whose force or couple
+is not zero needs something that turns at its own speed: a counterweight on the crank at +1, else a shaft
+of its own. One shaft is enough for each: two weights in two planes have any force and any couple
+(`symbalance.design.balancing.planes`). The least number of shafts that ends given orders therefore is the number
+of their signed orders, +1 apart, that are not zero; and one weight on it is enough exactly where the
+couple is the force times an arm. Where limits forbid that, an order that keeps one of its parts gets the
+best of the other (`symbalance.design.balancing.choosing`).
+
+What a design claims is proved by `symbalance.forces.resultants.balance` of the engine with the design built in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from mpmath import mp
+
+from symbalance.design.balancing.certifying import Claim, claims
+from symbalance.design.balancing.choosing import parts_of
+from symbalance.design.balancing.devices import Device, devices_for, for_rotating
+from symbalance.design.balancing.limits import Limits, checked_limits, checked_orders
+from symbalance.engine.layout import Layout
+from symbalance.engine.rotors import share_unit, unit_unbalance
+from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.arithmetic import size_of
+from symbalance.exact.decimal_phasor import DIGITS
+from symbalance.exact.spectrum import Number
+from symbalance.forces.resultants import Balance, balance
+from symbalance.text.numbers import Real
+
+SHOWN = 12
+"""Orders up to this one are listed in what remains."""
+
+
+@dataclass(frozen=True)
+class Design:
+    """A proposal: `layout` as it was, `balanced` with the `devices` built in, and what follows.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> four = design_balance(load("inline-4"), remove=[1, 2])
+    >>> [(d.speed, str(d.weights[0][0]), d.weights[0][1].rational()) for d in four.devices]
+    [(2, '0', Fraction(-2, 1)), (-2, '0', Fraction(-2, 1))]
+    >>> four.is_complete, [o.order for o in four.remains.orders]
+    (True, [4, 6, 8, 10, 12])
+    """
+
+    layout: Layout
+    balanced: Layout
+    remove: tuple[int, ...]
+    devices: tuple[Device, ...]
+    limits: Limits
+    before: Balance
+    remains: Balance
+
+    @property
+    def shafts(self) -> list[Device]:
+        """The balance shafts of it."""
+        return [d for d in self.devices if not d.on_crank]
+
+    @property
+    def least_shafts(self) -> int:
+        """How many shafts it takes to end all orders to remove: those not zero, the crank's +1 apart."""
+        signed = parts_of(self.before, self.remove)
+        return len(signed) - (1 in signed and self.limits.counterweights)
+
+    @property
+    def claims(self) -> list[Claim]:
+        """What becomes of every order to remove: of force and couple, with and against the crank."""
+        return claims(self.before, self.remains, self.remove)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether every order to remove is proved to be zero, force and couple."""
+        return all(claim.is_zero for claim in self.claims)
+
+    def unbalance(self, device: Device, vector: Number) -> Real | None:
+        """Return a weight's mass times radius in kg mm, None where the engine's sizes do not say."""
+        unit = unit_unbalance(self.balanced)
+        needs_ratio = abs(device.speed) > 1 and self.balanced.is_uniform
+        if unit is None or (needs_ratio and self.balanced.ratio is None) or self.balanced.has_symbols:
+            return None
+        with mp.workdps(DIGITS):
+            size = size_of(vector) * share_unit(self.balanced, device.speed)
+            return size * unit.numerator / unit.denominator / device.speed**2
+
+
+def design_balance(
+    layout: Layout,
+    remove: Sequence[int] = (1, 2),
+    *,
+    shafts: int | None = None,
+    counter_rotation: bool = True,
+    counterweights: bool = True,
+    stations: Sequence[object] | None = None,
+    spread: str = "ends",
+    vertical: object = 1,
+    lateral: object = 1,
+    length: object = 1,
+    most: object = None,
+    per_throw: bool = False,
+    ratio: object = None,
+) -> Design:
+    """Return the least counterweights and balance shafts that end, or reduce most, the orders to remove.
+
+    `shafts` is the most there may be (default: as many as it takes), `counter_rotation` whether they may
+    turn against the crank, `counterweights` whether the crank may carry some; `stations` are the places
+    for weights (default: one place where that does, else the outermost cylinders), `spread` "even" puts
+    weights in all of them; `per_throw` balances half the reciprocating mass on each throw instead. What
+    cannot be ended is made least: mean squares, `vertical` and `lateral` weighted, couples over `length`
+    (pitches). `most` bounds each weight, in kg mm; `ratio` overrides lambda.
+    """
+    layout, orders = _checked(layout, ratio), checked_orders(remove)
+    limits = checked_limits(
+        shafts=shafts,
+        counter_rotation=counter_rotation,
+        counterweights=counterweights,
+        stations=stations,
+        spread=spread,
+        vertical=vertical,
+        lateral=lateral,
+        length=length,
+        most=most,
+        per_throw=per_throw,
+    )
+    highest = max(SHOWN, orders[-1])
+    before = balance(layout, highest)
+    devices = tuple(devices_for(before, orders, limits))
+    balanced = layout.balanced_by(*for_rotating(layout, devices), *(p for d in devices for p in d.parts))
+    return Design(layout, balanced, orders, devices, limits, before, balance(balanced, highest))
+
+
+def _checked(layout: object, ratio: object) -> Layout:
+    if not isinstance(layout, Layout):
+        remedy = 'load one with load("v12-60"), or build one'
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", remedy)
+    return layout if ratio is None else layout.with_ratio(ratio)

@@ -1,0 +1,200 @@
+"""What turns in a design: for each signed order served, weights with the force and couple wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from mpmath import mp
+
+from symbalance.design.balancing.bounded import bounded, jointly
+from symbalance.design.balancing.choosing import Left, Pair, chosen, parts_of, targets_of
+from symbalance.design.balancing.limits import Limits
+from symbalance.design.balancing.planes import Placed, in_planes
+from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight, directed
+from symbalance.engine.layout import Layout
+from symbalance.engine.rotors import rotating_shares, share_unit, unit_unbalance
+from symbalance.engine.unlike import sizes
+from symbalance.errors import SymbalanceError
+from symbalance.exact.arithmetic import added, decimal, size_of, station_of, summed
+from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.phasor import ZERO, Phasor
+from symbalance.exact.spectrum import Number
+from symbalance.forces.resultants import Balance
+from symbalance.text.numbers import real
+
+
+@dataclass(frozen=True)
+class Device:
+    """What turns at `speed` times the crank's speed: counterweights (the crank itself) or a shaft.
+
+    `force` and `couple` (about the mean of the stations) are what its weights have, in the unit of the
+    order; `weights` its (station, share) pairs, empty for counterweights that stand on throws.
+    """
+
+    speed: int
+    on_crank: bool
+    force: Number
+    couple: Number
+    weights: tuple[Placed, ...]
+    parts: tuple[Counterweight | BalanceShaft, ...] = field(compare=False)
+
+
+def devices_for(before: Balance, orders: Sequence[int], limits: Limits) -> list[Device]:
+    """Return what serves the orders to remove, slowest first, the crank before shafts."""
+    parts = parts_of(before, orders)
+    served = _served(before, parts, limits)
+    found = []
+    for n in sorted({abs(s) for s in served}):
+        placed = _placed(before, parts, [s for s in (n, -n) if s in served], limits)
+        found += [_device(before, speed, weights, limits) for speed, weights in placed.items()]
+    return [device for device in found if device.parts]
+
+
+def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int]:
+    """Return the signed orders that get a device."""
+    free = [1] if limits.counterweights else []
+    candidates = set(parts)
+    if limits.weighting.tilt:  # a part that is zero may then make up for the other
+        candidates |= {-n for n in parts}
+    able = sorted(n for n in candidates if n > 0 or limits.counter_rotation)
+    crank, wanted = [n for n in able if n in free], [n for n in able if n not in free]
+    if limits.shafts is None or len(wanted) <= limits.shafts:
+        return able
+    if limits.shafts == 0:
+        return crank
+    return chosen(before, able, free, limits.shafts, limits.weighting, _leaves(before, limits))
+
+
+def _leaves(before: Balance, limits: Limits) -> Left | None:
+    """Return what tells what is left where weights cannot have any force and couple, else None."""
+    places = limits.stations and set(limits.stations)
+    if limits.most is None and (not places or len(places) > 1):
+        return None
+
+    def left(parts: dict[int, Pair], served: Sequence[int]) -> dict[int, Pair]:
+        placed = _placed(before, parts, served, limits)
+        return {s: _sum(parts.get(s, (ZERO, ZERO)), _had(before.layout, w)) for s, w in placed.items()}
+
+    return left
+
+
+def _had(layout: Layout, weights: Sequence[Placed]) -> Pair:
+    """Return the force and the couple about the mean of the stations that weights have."""
+    plane = layout.mean_station
+    return summed([w for _, w in weights]), summed([w.scaled(z - plane) for z, w in weights])
+
+
+def _sum(one: Pair, other: Pair) -> Pair:
+    return added(one[0], other[0]), added(one[1], other[1])
+
+
+def _placed(
+    before: Balance, parts: dict[int, Pair], served: Sequence[int], limits: Limits
+) -> dict[int, list[Placed]]:
+    """Return, by speed, the weights that serve one order: stations and vectors in its unit."""
+    layout, tilt = before.layout, limits.weighting.tilt
+    targets = {s: targets_of(parts, s, -s in served, tilt) for s in served}
+    found = {s: _weights(layout, s, wanted, limits) for s, wanted in targets.items()}
+    if limits.most is None or not tilt or len(served) < 2:
+        return found
+    if all(_had_all(layout, found[s], targets[s]) for s in served):
+        return found
+    plane = layout.mean_station
+    arms = sorted({z for wanted in targets.values() for z in _arms(layout, wanted, limits.stations)})
+    bound = _bound(layout, served[0], limits.most)
+    both = jointly([targets[s] for s in served], arms[::-1], bound, limits.weighting.length, tilt)
+    return {s: [(z + plane, w) for z, w in side] for s, side in zip(served, both, strict=True)}
+
+
+def _had_all(layout: Layout, weights: Sequence[Placed], wanted: Pair) -> bool:
+    had = _had(layout, weights)
+    return all(added(w, -h).is_zero() for w, h in zip(wanted, had, strict=True))
+
+
+def _device(before: Balance, speed: int, weights: Sequence[Placed], limits: Limits) -> Device:
+    on_crank = speed == 1 and limits.counterweights
+    if on_crank and limits.per_throw:
+        return _on_throws(before.layout)
+    shares = [(station, _share(before.layout, speed, vector)) for station, vector in weights]
+    if not shares:  # from the stations there are, nothing is better than something
+        parts: Any = ()
+    elif on_crank:
+        parts = tuple(Counterweight(0, station, share=vector) for station, vector in shares)
+    else:
+        parts = (BalanceShaft(speed, [Weight(station, share=vector) for station, vector in shares]),)
+    return Device(speed, on_crank, *_had(before.layout, weights), tuple(shares), parts)
+
+
+def _on_throws(layout: Layout) -> Device:
+    """Return counterweights for half of the reciprocating mass on every throw."""
+    half = tuple(Counterweight(throw=c.number, overbalance="1/2") for c in layout.cylinders)
+    rows = zip(layout.cylinders, sizes(layout), strict=True)
+    pulls = [(c.station, directed(Phasor.of(1, {0: -size / 2}), c.throw)) for c, size in rows]
+    return Device(1, True, *_had(layout, pulls), (), half)
+
+
+def _weights(layout: Layout, speed: int, targets: Pair, limits: Limits) -> list[Placed]:
+    """Return stations and vectors, in the unit of the order, with the force and couple wanted."""
+    plane, length = layout.mean_station, limits.weighting.length
+    arms = _arms(layout, targets, limits.stations)
+    placed = in_planes(*targets, arms, spread=limits.spread, length=length)
+    if limits.most is not None:
+        bound = _bound(layout, speed, limits.most)
+        if any(size_of(vector) > real(bound) for _, vector in placed):
+            placed = bounded(*targets, sorted(set(arms), reverse=True), bound, length)
+    return [(arm + plane, vector) for arm, vector in placed if not vector.is_zero()]
+
+
+def _arms(layout: Layout, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
+    """Return the arms weights may have: the ends of the engine, and the one place that does alone."""
+    plane = layout.mean_station
+    if stations is not None:
+        return [station - plane for station in stations]
+    places = [c.station - plane for c in layout.cylinders]
+    half = Fraction(1, 2)
+    front, rear = max(places), min(places)
+    alone = station_of(*targets)
+    near = alone is not None and rear - half <= alone <= front + half
+    ends = [front, rear] if front != rear else [half, -half]
+    return [*ends, alone] if near and alone is not None else ends
+
+
+def _share(layout: Layout, speed: int, vector: Number) -> Number:
+    """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
+    if layout.is_geometric or not layout.is_uniform or abs(speed) == 1:
+        return vector
+    with mp.workdps(DIGITS):
+        return DecimalPhasor(decimal(vector) / share_unit(layout, speed))
+
+
+def _bound(layout: Layout, speed: int, most: Fraction) -> Fraction:
+    """Return the largest vector a weight of so many kg mm may have, rounded to 12 digits."""
+    unit = unit_unbalance(layout)
+    if unit is None:
+        rule, remedy = "is in kg mm", "give stroke and reciprocating_mass in [crank_train]"
+        raise SymbalanceError(f"most = {most}", rule, remedy)
+    if abs(speed) == 1 or not layout.is_geometric:
+        return most * speed * speed / unit
+    per_share = share_unit(layout, speed)
+    share = most * speed * speed / unit
+    with mp.workdps(DIGITS):
+        return (
+            Fraction(int(mp.floor(abs(share.numerator * 10**12 / (share.denominator * per_share)))))
+            / 10**12
+        )
+
+
+def for_rotating(layout: Layout, devices: Sequence[Device]) -> list[Counterweight]:
+    """Return what balances rotating masses throw by throw: they count once there are counterweights."""
+    added_weights = any(d.on_crank for d in devices) and not layout.balancers.counterweights
+    if not added_weights or any(p.overbalance is not None for d in devices for p in _on_crank(d)):
+        return []
+    pairs = zip(layout.cylinders, rotating_shares(layout), strict=True)
+    return [Counterweight(throw=c.number, overbalance=0) for c, share in pairs if share]
+
+
+def _on_crank(device: Device) -> list[Counterweight]:
+    return [p for p in device.parts if isinstance(p, Counterweight)]

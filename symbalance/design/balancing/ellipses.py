@@ -1,0 +1,115 @@
+r"""The ellipse that one order of a force or couple draws, from its two rotating parts.
+
+forward e^(i n theta) + backward e^(-i n theta) draws an ellipse with semi-axes |forward| + |backward| and
+||forward| - |backward||, the long one at half the sum of the parts' directions. It is a circle where one
+part is 0 and a straight line where both are equal; it is run through with the crank where the forward
+part is the larger. (Two counter-rotating vectors: Den Hartog, Mechanical Vibrations, section 5.2, from
+memory.)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy
+from mpmath import mp
+
+from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.arithmetic import product, size_of
+from symbalance.exact.phasor import ZERO
+from symbalance.exact.spectrum import Component, Number
+from symbalance.forces.resultants import Balance, checked_balance
+from symbalance.text.numbers import Real, checked_whole
+
+
+@dataclass(frozen=True)
+class Ellipse:
+    """What a planar vector of one order draws; unit F_n = A_n m r omega^2 (couples F_n a).
+
+    `forward` is c_n, which turns with the crank, and `backward` c_-n, both as directions at theta = 0.
+
+    >>> from symbalance.engine.builders import inline
+    >>> from symbalance.forces.resultants import balance
+    >>> line = ellipse(balance(inline("1"), 1))
+    >>> line.major, line.minor, line.direction, line.shape
+    (1, 0, 0, 'line')
+    """
+
+    order: int
+    forward: Number
+    backward: Number
+
+    @cached_property
+    def _sizes(self) -> tuple[sympy.Expr, sympy.Expr]:
+        return Component(self.forward).amplitude, Component(self.backward).amplitude
+
+    @property
+    def major(self) -> sympy.Expr:
+        """The long semi-axis, exactly."""
+        return self._sizes[0] + self._sizes[1]
+
+    @property
+    def minor(self) -> sympy.Expr:
+        """The short semi-axis, exactly; with symbols |forward| - |backward|, of either sign."""
+        forward, backward = self._sizes
+        if self.forward.is_zero() or self.backward.is_zero():
+            return self.major
+        if forward.free_symbols or backward.free_symbols:
+            return forward - backward
+        return backward - forward if self.sense < 0 else forward - backward
+
+    @property
+    def sense(self) -> int:
+        """+1 if it is run through with the crank, -1 against it, 0 for a straight line."""
+        with mp.workdps(40):
+            gap = size_of(self.forward) - size_of(self.backward)
+            small = abs(gap) < mp.mpf(10) ** -30 * (1 + size_of(self.forward))
+        return 0 if small else (1 if gap > 0 else -1)
+
+    @cached_property
+    def direction(self) -> sympy.Expr:
+        """Where the long semi-axis points, radians from straight up, + to the right; 0 for a circle."""
+        both = product(self.forward, self.backward)
+        return sympy.S.Zero if both.is_zero() else Component(both).phase / 2
+
+    @property
+    def shape(self) -> str:
+        """Nothing, circle, line or ellipse; only a circle is decided with symbols."""
+        none = self.forward.is_zero(), self.backward.is_zero()
+        if any(none):
+            return "nothing" if all(none) else "circle"
+        if self._sizes[0].free_symbols or self._sizes[1].free_symbols:
+            return "ellipse"
+        return "ellipse" if self.sense else "line"
+
+    def reach(self, direction: Real) -> Real:
+        """Return how far it reaches along a direction (radians from straight up): its amplitude there."""
+        with mp.workdps(40):
+            turned = mp.expj(-direction)
+            ahead, against = (_complex(n) * turned for n in (self.forward, self.backward))
+            return abs(mp.conj(ahead) + against)
+
+
+def _complex(number: Number) -> Real:
+    from symbalance.exact.arithmetic import decimal
+
+    return decimal(number)
+
+
+def ellipse(result: Balance, order: int = 1, kind: str = "force") -> Ellipse:
+    """Return the ellipse of one order of a balance's free force, or of its couple.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> from symbalance.forces.resultants import balance
+    >>> twin = ellipse(balance(load("v2-90"), 1))
+    >>> twin.major, twin.minor, twin.shape
+    (1, 1, 'circle')
+    """
+    checked_balance(result)
+    if kind not in ("force", "couple"):
+        raise SymbalanceError(f"kind = {shown(kind)}", "must be force or couple", "ask for one of them")
+    rule = f"of a balance to order {result.highest}"
+    checked_whole(order, "order", 1, result.highest, f"{rule}; ask balance for more")
+    terms = (result.force if kind == "force" else result.couple).terms
+    return Ellipse(order, terms.get(order, ZERO), terms.get(-order, ZERO))

@@ -1,0 +1,185 @@
+r"""How each order of the free force and couple changes with each size of each cylinder.
+
+Of cylinder j, with its share c_{+-n} of `shares`, f its harmonic and everything else held fixed:
+
+=========  ============================  =============================================
+parameter  the unit of its change        derivative of c_{+-n}
+=========  ============================  =============================================
+mass       m of cylinder 1               c_{+-n} m_1/m_j
+throw      radian                        +-i n c_{+-n}
+bank       radian                        i (1 -+ n) c_{+-n}
+station    pitch (couples only)          c_{+-n}
+stroke     r of cylinder 1, of radius    f replaced by d(r f)/dr  (half of that for the stroke)
+rod        r                             f replaced by r df/dl
+offset     r                             f replaced by r df/de
+rotating   m of cylinder 1               c_1 = e^(i throw), c_-1 = 0, order 1 alone
+=========  ============================  =============================================
+
+A turn of the crank pin (throw) keeps the axis, a turn of the axis (bank) keeps the pin. The geometry is
+exact, a `Phasor` of the layout's field; the kinematics stands beside it as one number of 40 digits. The
+reference plane of couples stays where it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from mpmath import mp
+
+from symbalance.design.variations.hung import MOVING, clusters, hung_changes
+from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
+from symbalance.design.variations.shares import Share, check_crank_pins, first_sizes, shares
+from symbalance.design.variations.slopes import Slopes, slopes
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.engine.unlike import mechanism_of
+from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.phasor import ZERO, Phasor
+from symbalance.kinematics.mechanisms import SliderCrank
+from symbalance.text.numbers import Real, listed, real
+
+HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
+PARAMETERS = ("mass", "throw", "bank", "station", "stroke", "rod", "offset", "rotating")
+LENGTHS = ("stroke", "rod", "offset")
+
+
+def sensitivities(
+    layout: Layout, order: int = 4, *, parameters: object = None, reference: object = None
+) -> list[Sensitivity]:
+    """Return all derivatives to an order, those of the worst steps (`STEPS`) first.
+
+    `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
+    "rotating" (default: all but the last). Orders that cancel in the engine as drawn are among them.
+    A master's angles and lengths move the cylinders hung on it too: its derivatives are of all of them. A
+    link rod has neither throw nor stroke of its own, they are its master's.
+
+    >>> from symbalance.engine.builders import inline
+    >>> found = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
+    >>> [(s.order, s.cylinder, s.force.vertical.cos, float(s.couple.vertical.cos)) for s in found[:2]]
+    [(1, 1, 1, 1.5), (1, 4, 1, -1.5)]
+    """
+    asked = _checked_parameters(parameters)
+    by_order = shares(layout, order, reference)
+    lengths = _slopes(layout, order) if set(asked) & set(LENGTHS) else {}
+    found = [*hung_changes(layout, by_order, order, asked)]
+    found += [
+        one
+        for n in range(1, order + 1)
+        for name in asked
+        for one in _of_order(layout, n, name, by_order.get(n), lengths, reference)
+    ]
+    return sorted(
+        found, key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder)
+    )
+
+
+def _checked_parameters(parameters: object) -> tuple[str, ...]:
+    if parameters is None:
+        return PARAMETERS[:-1]
+    asked = tuple(listed(parameters, "parameters", '["mass", "throw"]'))
+    unknown = [p for p in asked if p not in PARAMETERS]
+    if unknown or not asked:
+        what = f"parameters = {shown(unknown[0]) if unknown else '[]'}"
+        raise SymbalanceError(what, "is no parameter", f"choose from {', '.join(PARAMETERS)}")
+    return asked
+
+
+def _slopes(layout: Layout, order: int) -> dict[int, dict[int, Slopes]]:
+    """Return, by cylinder, the slopes of those that hang on no other and bear no other."""
+    masters, found = clusters(layout), {}
+    for cylinder in layout.cylinders:
+        mechanism = mechanism_of(layout, cylinder)
+        if isinstance(mechanism, SliderCrank) and cylinder.number not in masters:
+            found[cylinder.number] = slopes(mechanism, order)
+    return found
+
+
+def _of_order(
+    layout: Layout,
+    n: int,
+    name: str,
+    own: Sequence[Share] | None,
+    lengths: dict[int, dict[int, Slopes]],
+    reference: object,
+) -> Iterator[Sensitivity]:
+    if name == "rotating":
+        if n == 1:
+            yield from _rotating(layout, shares(layout, 1, reference)[1])
+        return
+    if own is None and name not in LENGTHS:
+        return
+    # An order that no cylinder has may still have slopes: an offset brings the odd ones.
+    rows, hung = own or [_absent(s, n) for s in shares(layout, 1, reference)[1]], clusters(layout)
+    for cylinder, share in zip(layout.cylinders, rows, strict=True):
+        if name in MOVING and (cylinder.link or cylinder.number in hung):
+            continue
+        one = _one(layout, cylinder, share, name, lengths)
+        if one.factor:
+            yield one
+
+
+def _absent(share: Share, n: int) -> Share:
+    """Return the share of an order that a cylinder does not have."""
+    return Share(share.number, n, share.axis, n * share.lead, share.arm, share.size, mp.mpc(0))
+
+
+def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
+    check_crank_pins(layout, "rotating")
+    first = layout.stroke_of(layout.first)
+    for cylinder, share in zip(layout.cylinders, own, strict=True):
+        stroke = layout.stroke_of(cylinder)
+        radius = stroke / first if stroke and first else Fraction(1)
+        pin = Phasor.root(cylinder.throw.turns)
+        with mp.workdps(DIGITS):
+            factor = real(radius)
+        yield Sensitivity("rotating", share.number, 1, (pin, ZERO), factor, share.arm)
+
+
+def _one(
+    layout: Layout, cylinder: Cylinder, share: Share, name: str, lengths: dict[int, dict[int, Slopes]]
+) -> Sensitivity:
+    n, value, size = share.order, share.value, share.size
+    if name in LENGTHS:
+        value, size = getattr(lengths[share.number][n], name), _over_radius(layout, cylinder, size)
+    if name == "mass":
+        size = _over_mass(layout, cylinder, size)
+    ahead, against = _geometry(share, name)
+    if value.imag and value.real:  # a link rod: nothing exact to hold
+        with mp.workdps(DIGITS):
+            pair = (_decimal(ahead, value), _decimal(against, mp.conj(value)))
+            return Sensitivity(name, share.number, n, pair, real(size), share.arm)
+    quarter = QUARTER if value.imag else Fraction(0)
+    with mp.workdps(DIGITS):
+        factor = (value.imag if value.imag else value.real) * real(size)
+    pair = (ahead.turned(quarter), against.turned(-quarter))
+    return Sensitivity(name, share.number, n, pair, factor, share.arm)
+
+
+def _decimal(exact: Phasor, value: Real) -> DecimalPhasor:
+    return DecimalPhasor(value * evaluated_number(exact))
+
+
+def _over_mass(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
+    """Return r_j/r_1: the share's size with its mass taken for that of cylinder 1."""
+    mass, first = layout.train_of(cylinder).reciprocating_mass, first_sizes(layout)[0]
+    return size * first / mass if mass and first else size
+
+
+def _over_radius(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
+    """Return m_j/m_1: the share's size with its radius taken for that of cylinder 1."""
+    stroke, (_, radius) = layout.stroke_of(cylinder), first_sizes(layout)
+    return size * 2 * radius / stroke if stroke and radius else size
+
+
+def _geometry(share: Share, name: str) -> tuple[Phasor, Phasor]:
+    """Return the derivative of e^(i (axis +- lead))/2 by an angle, or that itself."""
+    ahead = Phasor.root(share.axis + share.lead).scaled(HALF)
+    against = Phasor.root(share.axis - share.lead).scaled(HALF)
+    n = share.order
+    if name == "throw":
+        return ahead.turned(QUARTER).scaled(n), against.turned(QUARTER).scaled(-n)
+    if name == "bank":
+        return ahead.turned(QUARTER).scaled(1 - n), against.turned(QUARTER).scaled(1 + n)
+    return ahead, against

@@ -1,0 +1,227 @@
+r"""How badly an engine within its tolerances can shake: of each order, the worst that errors add up to.
+
+Cylinder j pushes along its axis with weight w_j: seen in the direction u, order n is
+
+    sum of w_j cos(u - bank_j - k_j) cos(n theta + n (delay_j + t_j - k_j)),   w_j = m_j r_j f_n(j) [s_j],
+
+t_j and k_j the errors of throw and bank. Mass, station, stroke, rod and offset enter w_j alone, each as
+a factor that runs through an interval of its own (r A_n(r/l, e/l) grows with r and |e| and falls with l,
+for all its terms have one sign), so w_j fills an interval exactly. Angles are bounded by taking the
+direction cosine and the phase n (t_j - k_j) for independent. Then every cylinder is a `Sector`, and
+
+- the amplitude of one component is `largest_sum` of them,
+- the largest modulus of the planar vector over a turn is `farthest` over all directions u.
+
+Counterweights, shafts and rotating masses add what they were made to (`symbalance.design.variations.made`).
+Both give a bound that is proved (but for the rounding of floats, for which it is raised by `ROUNDING`).
+The attained value is that of an engine that exists: errors within their tolerances, improved in turns,
+put into the formula above. For tolerances of mass, station, stroke and rod on centred cylinders the two
+meet. Each order has its own worst engine, and so have force and couple.
+"""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, hypot, pi, remainder
+
+from symbalance.design.variations.aims import (
+    MODES,
+    Aim,
+    Errors,
+    aim_at,
+    answer,
+    seen,
+    sums_of,
+    told,
+    unit,
+)
+from symbalance.design.variations.boxes import Box, boxes
+from symbalance.design.variations.derivatives import sensitivities
+from symbalance.design.variations.made import NOTHING, Made, made_parts
+from symbalance.design.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
+from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
+from symbalance.design.variations.tolerances import Relative, Tolerances
+from symbalance.engine.layout import Layout
+from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.phasor import ZERO
+from symbalance.forces.resultants import Balance, balance
+from symbalance.kinematics.slider_crank import acceleration_value
+from symbalance.text.numbers import listed
+
+QUANTITIES = ("force", "couple")
+ROUNDING = 1e-9
+IMPROVEMENTS = 6
+
+
+@dataclass(frozen=True)
+class WorstCase:
+    """The worst of one order of the force or the couple, in m r omega^2 of cylinder 1 (times a).
+
+    `of` is "largest" (the largest modulus over a turn) or a component, whose amplitude it then is.
+    `nominal` is that of the engine without errors, `attained` that of an engine within the tolerances,
+    `bound` what no such engine passes, `statistical` the root of the sum of squares of the first-order
+    effects (three times their rms, if tolerances are three standard deviations of independent errors).
+    `errors` are those of the engine that attains: by the cylinder's number, the factor by which its m r
+    f_n is off, the error of its station in pitches, those of its throw and bank in degrees.
+    """
+
+    order: int
+    quantity: str
+    of: str
+    nominal: float
+    attained: float
+    bound: float
+    statistical: float
+    errors: dict[int, tuple[float, float, float, float]]
+
+
+def worst_cases(
+    layout: Layout,
+    tolerances: Tolerances,
+    order: int = 4,
+    *,
+    of: object = ("largest",),
+    reference: object = None,
+) -> list[WorstCase]:
+    """Return the worst that tolerances allow, for every order to `order` that they let exist.
+
+    Orders whose A_n is below what a double holds (some 10^-308) are left out.
+    `of` lists some of "largest", "vertical", "lateral", "forward" and "backward".
+
+    >>> from symbalance.engine.builders import inline
+    >>> found = worst_cases(inline("1-3-4-2", ratio=4), Tolerances(mass="1%"), 1)
+    >>> [(w.quantity, w.nominal, round(w.attained, 9), round(w.bound, 6)) for w in found]
+    [('force', 0.0, 0.04, 0.04), ('couple', 0.0, 0.04, 0.04)]
+    """
+    modes = tuple(listed(of, "of", '["largest"]'))
+    unknown = [mode for mode in modes if mode not in MODES]
+    if unknown:
+        rule = "is not known"
+        raise SymbalanceError(f"of = {shown(unknown[0])}", rule, f"choose from {', '.join(MODES)}")
+    if not isinstance(tolerances, Tolerances):
+        rule, remedy = "must be Tolerances", 'write Tolerances(mass="1%")'
+        raise SymbalanceError(f"tolerances = {shown(tolerances)}", rule, remedy)
+    own = tolerances.relative(layout)
+    names = own.parameters
+    errors = sensitivities(layout, order, parameters=names, reference=reference) if names else []
+    ideal = balance(layout, order, reference=reference)
+    found, by_order = [], boxes(layout, own, order, reference)
+    made = made_parts(layout, order, reference)
+    for n in sorted({*by_order, *made}):
+        rows = by_order.get(n, [])
+        for quantity in QUANTITIES:
+            pair, fixed = _ideal(ideal, n, quantity), made.get(n, NOTHING)[quantity]
+            for mode in modes:
+                if not names:
+                    found.append(_unchanged(n, quantity, mode, seen(*pair, mode)))
+                    continue
+                single = _statistical([s for s in errors if s.order == n], own.steps, quantity, mode)
+                found.append(_worst(n, quantity, mode, rows, fixed, seen(*pair, mode), single))
+    return found + (_rotating(layout, own, reference) if own.rotating else [])
+
+
+def _rotating(layout: Layout, own: Relative, reference: object) -> list[WorstCase]:
+    """Return what the rotating masses' own errors add up to, in order 1; they turn with the crank."""
+    errors = sensitivities(layout, 1, parameters=["rotating"], reference=reference)
+    found = []
+    for quantity in QUANTITIES:
+        sizes = [(e, float(own.rotating) * abs(e.values[0]) * e.weight(quantity)) for e in errors]
+        sectors = [Sector(-abs(x), abs(x), cmath.phase(e.values[0])) for e, x in sizes]
+        value, angle = largest_sum(sectors)
+        signs = {e.cylinder: _sign(x, cmath.phase(e.values[0]) - angle) for e, x in sizes}
+        reached = abs(sum(signs[e.cylinder] * x * unit(e.values[0]) for e, x in sizes))
+        single = hypot(*(x for _, x in sizes))
+        chosen = {
+            number: (1 + sign * float(own.rotating), 0.0, 0.0, 0.0) for number, sign in signs.items()
+        }
+        bound = max(value * (1 + ROUNDING), reached)
+        found.append(WorstCase(1, f"rotating {quantity}", "forward", 0.0, reached, bound, single, chosen))
+    return found
+
+
+def _sign(weight: float, away: float) -> int:
+    return 1 if weight * cos(away) >= 0 else -1
+
+
+def _ideal(ideal: Balance, n: int, quantity: str) -> tuple[complex, complex]:
+    """Return c_n and c_-n of the engine without errors: what cancels there is exactly 0."""
+    spectrum = ideal.force if quantity == "force" else ideal.couple
+    factor = 1.0
+    if ideal.is_uniform and n > 1:
+        assert ideal.ratio is not None
+        factor = float(acceleration_value(n, ideal.ratio))
+    ahead, against = (spectrum.terms.get(signed, ZERO) for signed in (n, -n))
+    return complex(evaluated_number(ahead)) * factor, complex(evaluated_number(against)) * factor
+
+
+def _statistical(
+    errors: Sequence[Sensitivity], steps: dict[str, float], quantity: str, mode: str
+) -> float:
+    squares = 0.0
+    for one in errors:
+        if one.parameter == "rotating":
+            continue
+        squares += (seen(*one.pair(quantity), mode) * steps[one.parameter]) ** 2
+    return squares**0.5
+
+
+def _unchanged(n: int, quantity: str, mode: str, nominal: float) -> WorstCase:
+    """Return the worst of an engine without tolerances: itself."""
+    return WorstCase(n, quantity, mode, nominal, nominal, nominal, 0.0, {})
+
+
+def _worst(
+    n: int,
+    quantity: str,
+    mode: str,
+    rows: Sequence[Box],
+    made: Made,
+    nominal: float,
+    statistical: float,
+) -> WorstCase:
+    bound, aim = _bounded(rows, made, quantity, mode)
+    chosen = [Errors(box.nominal, box.level, 0.0, 0.0) for box in rows]
+    best = nominal
+    least = TIED * sum(abs(box.nominal) * max(1.0, abs(box.level)) for box in rows)
+    least += TIED * (abs(made.ahead) + abs(made.against))
+    for _ in range(IMPROVEMENTS):
+        tried = [answer(box, quantity, aim) for box in rows]
+        ahead, against = sums_of(rows, quantity, tried)
+        sums = ahead + made.ahead, against + made.against
+        value = seen(*sums, mode)
+        if value <= max(best, least):
+            break
+        best, chosen, aim = value, tried, aim_at(*sums, mode)
+    errors = {box.number: told(box, one) for box, one in zip(rows, chosen, strict=True)}
+    most = max(bound * (1 + ROUNDING), best)
+    return WorstCase(n, quantity, mode, nominal, best, most, statistical, errors)
+
+
+def _bounded(rows: Sequence[Box], made: Made, quantity: str, mode: str) -> tuple[float, Aim]:
+    """Return the proved bound, and the aim to reach it with."""
+
+    def turning(sign: int) -> Largest:
+        sectors = [s for box in rows for s in box.turning(quantity, sign)]
+        return largest_sum(sectors + made.turning(sign))
+
+    def across(direction: float) -> Largest:
+        sectors = [s for box in rows for s in box.seen_from(quantity, direction)]
+        return largest_sum(sectors + made.seen_from(direction))
+
+    if mode in ("forward", "backward"):
+        value, angle = turning(1 if mode == "forward" else -1)
+        aim = cmath.rect(1, -angle)
+        return value, ((aim, 0j) if mode == "forward" else (0j, aim))
+    direction, bound = {"vertical": 0.0, "lateral": pi / 2}.get(mode), None
+    if direction is None:
+        direction = rows[0].axis if rows else 0.0
+        if made or any(box.bank or abs(remainder(box.axis - direction, pi)) > 1e-12 for box in rows):
+            found = farthest(lambda u: across(u).value)
+            # A circle has no farthest direction to halve towards: there both turning parts bound it.
+            direction = found.angle
+            bound = min(found.bound, turning(1).value + turning(-1).value)
+    value, angle = across(direction)
+    aim = cmath.rect(1, -direction - angle), cmath.rect(1, angle - direction)
+    return (value if bound is None else bound), aim

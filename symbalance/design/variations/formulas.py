@@ -1,0 +1,267 @@
+r"""One order of the free force and couple as a formula, with symbols for what cylinders differ in.
+
+Cylinder j pushes along its axis with m_j r_j omega^2 (A_n(j) cos n p_j + B_n(j) sin n p_j), p_j = theta +
+throw - bank, so with s_j its station from the reference plane and f_n = A_n - i B_n
+
+    c_n  = 1/2 sum of w_j f_n(j)  e^(i (bank_j + n (throw_j - bank_j))),
+    c_-n = 1/2 sum of w_j f_n*(j) e^(i (bank_j - n (throw_j - bank_j))),     w_j = m_j r_j or m_j r_j s_j.
+
+These are linear in the masses and bilinear in mass and station. A_n and B_n are one factor A_n where no
+cylinder has a radius, rod or offset of its own; else they are the series in rho = r/l and delta = e/l of
+`symbalance.kinematics.mechanisms.offset_series`, kept to a stated power, and the sums are polynomials in m_j, s_j,
+r_j, e_j and 1/l_j.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from symbalance.design.variations.entries import entries, symbols_in
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.angles import SymbolPart
+from symbalance.exact.phasor import Phasor
+from symbalance.exact.spectrum import SymbolicPhasor
+from symbalance.exact.symbol_sums import (
+    Polynomial,
+    SymbolComponent,
+    SymbolSum,
+    added,
+    multiplied,
+    polynomial,
+    powered,
+)
+from symbalance.forces.resultants import default_power
+from symbalance.kinematics.mechanisms import offset_series
+from symbalance.kinematics.slider_crank import Series, acceleration_series, checked_order
+from symbalance.text.numbers import checked_whole, exact
+
+HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
+UNIT: Polynomial = {(): Fraction(1)}
+
+
+@dataclass(frozen=True, eq=False)
+class SymbolResultant:
+    """One order of a force or couple with symbols left in: c_n as `ahead`, c_-n as `against`."""
+
+    ahead: SymbolSum
+    against: SymbolSum
+
+    def is_zero(self) -> bool:
+        """Tell whether the order vanishes for all values of the symbols: a proof either way."""
+        return self.ahead.is_zero() and self.against.is_zero()
+
+    @cached_property
+    def vertical(self) -> SymbolComponent:
+        """The part along the vertical."""
+        return SymbolComponent(self.ahead.conjugate() + self.against)
+
+    @cached_property
+    def lateral(self) -> SymbolComponent:
+        """The part towards the right, seen from the front."""
+        return SymbolComponent((self.ahead.conjugate() + -self.against).turned(QUARTER))
+
+    @cached_property
+    def forward(self) -> SymbolComponent:
+        """The part that turns with the crank, by its vertical component."""
+        return SymbolComponent(self.ahead.conjugate())
+
+    @cached_property
+    def backward(self) -> SymbolComponent:
+        """The part that turns against the crank, by its vertical component."""
+        return SymbolComponent(self.against)
+
+
+@dataclass(frozen=True, eq=False)
+class SymbolicOrder:
+    """One order with symbols left in.
+
+    With a `coefficient` A_n, force and couple are in units of A_n omega^2 times the units that masses and
+    radii are given in (1 where they are not given); without, they hold the kinematics, exact through the
+    total power `through` of r/l and e/l.
+    """
+
+    order: int
+    coefficient: Series | None
+    through: int | None
+    force: SymbolResultant
+    couple: SymbolResultant
+    given: frozenset[Any] = frozenset()
+    """All symbols that were given, also those that no sum of this order has."""
+
+    def at(self, values: Mapping[Any, object]) -> SymbolicOrder:
+        """Return the order with numbers put in for some of its symbols, by symbol or by name."""
+        if not isinstance(values, Mapping):
+            rule = "must map symbols to numbers"
+            raise SymbalanceError(f"values = {shown(values)}", rule, "write it like {m1: 0.6}")
+        named = {str(s): s for s in self.given}
+        unknown = [key for key in values if str(key) not in named]
+        if unknown:
+            remedy = f"they are {', '.join(sorted(named)) or 'none'}; angles stay symbols"
+            raise SymbalanceError(f"symbol {shown(unknown[0])}", "was not given", remedy)
+        numbers = {named[str(key)]: exact(value, str(key)) for key, value in values.items()}
+        return self._mapped(lambda part: part.at(numbers))
+
+    def symbols(self) -> set[Any]:
+        """Return the symbols that stand for masses, stations and lengths."""
+        parts = (self.force.ahead, self.force.against, self.couple.ahead, self.couple.against)
+        return {symbol for part in parts for monomial in part.terms for symbol, _ in monomial}
+
+    def differentiated(self, symbol: Any) -> SymbolicOrder:
+        """Return the derivative by one of the symbols that stand for masses, stations or lengths."""
+        return self._mapped(lambda part: part.differentiated(symbol))
+
+    def _mapped(self, change: Any) -> SymbolicOrder:
+        force, couple = (
+            SymbolResultant(change(r.ahead), change(r.against)) for r in (self.force, self.couple)
+        )
+        return SymbolicOrder(self.order, self.coefficient, self.through, force, couple, self.given)
+
+
+def symbolic_order(
+    layout: Layout,
+    order: int,
+    *,
+    masses: object = None,
+    stations: object = None,
+    radii: object = None,
+    rods: object = None,
+    offsets: object = None,
+    reference: object = None,
+    through: int | None = None,
+) -> SymbolicOrder:
+    """Return one order of the free force and couple, with symbols for what its cylinders differ in.
+
+    Each of `masses`, `stations`, `radii`, `rods` and `offsets` is a letter ("m" gives m_1, m_2, ... by
+    the cylinders' numbers), a list with one entry a cylinder (a number, or a SymPy polynomial), or None:
+    masses and radii then count 1, stations are the layout's in pitches. Give radii, rods and offsets in
+    one unit of length; any of them brings the kinematics into the sums, `through` being the highest total
+    power of r/l and e/l kept (default: three terms). `reference` is the station couples are taken about
+    (default: the mean of the stations, symbols too).
+
+    >>> from symbalance.engine.builders import inline
+    >>> one = symbolic_order(inline("1-3-4-2"), 1, masses="m")
+    >>> one.force.vertical.cos
+    m_1 - m_2 - m_3 + m_4
+    >>> one.at({"m_1": 1, "m_2": 1, "m_3": 1, "m_4": 1}).force.is_zero()
+    True
+    """
+    n = checked_order(order)
+    if not isinstance(layout, Layout):
+        raise SymbalanceError(
+            f"layout = {shown(layout)}", "must be a Layout", "build one with inline(...)"
+        )
+    mass, radius = (
+        entries(layout, v, k) or [UNIT] * len(layout.cylinders)
+        for v, k in ((masses, "masses"), (radii, "radii"))
+    )
+    weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
+    _check_hung(layout)
+    own, kept = None, None
+    if any(x is not None for x in (radii, rods, offsets)):
+        kept = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
+        own = _kinematics(layout, n, radius, rods, offsets, kept)
+    if own is None:
+        _check_alike(layout)
+    arms = _arms(layout, stations, reference)
+    force = _summed(layout.cylinders, n, weights, own)
+    couple = _summed(
+        layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], own
+    )
+    alike = None if own else acceleration_series(n, default_power(n))
+    sizes = {"masses": masses, "stations": stations, "radii": radii, "rods": rods, "offsets": offsets}
+    given = frozenset(x for key, v in sizes.items() for x in symbols_in(entries(layout, v, key)))
+    return SymbolicOrder(n, alike, kept, force, couple, given)
+
+
+def _check_hung(layout: Layout) -> None:
+    """Refuse link rods: the series of a rod on the pin are not theirs. A forked rod's are."""
+    hung = next((c.number for c in layout.cylinders if c.link and c.link.radius), None)
+    if hung is not None:
+        rule = f"hangs cylinder {hung} on a link rod, which has no such series"
+        remedy = "take balance, or sensitivities, with numbers"
+        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
+
+
+def _check_alike(layout: Layout) -> None:
+    """Refuse cylinders that one A_n and one radius do not fit, where no lengths are given."""
+    trains = [(layout.train_of(c), layout.stroke_of(c)) for c in layout.cylinders]
+    unlike = len({(train.given_ratio, train.rod, stroke) for train, stroke in trains}) > 1
+    if unlike or any(train.offset for train, _ in trains):
+        rule = "has cylinders whose kinematics are not alike"
+        remedy = "give radii, rods and offsets, as numbers or as letters"
+        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
+
+
+def _arms(layout: Layout, stations: object, reference: object) -> list[Polynomial]:
+    """Return every cylinder's station from the reference plane."""
+    given = entries(layout, stations, "stations")
+    if given is None:
+        given = [{(): c.station} if c.station else {} for c in layout.cylinders]
+    if reference is not None:
+        plane = polynomial(reference, "reference")
+    else:
+        plane = {}
+        for one in given:
+            plane = added(plane, one)
+        plane = multiplied(plane, {(): Fraction(1, len(given))})
+    return [added(one, multiplied(plane, {(): Fraction(-1)})) for one in given]
+
+
+Kinematics = tuple[Polynomial, Polynomial]
+"""A_n and B_n of one cylinder."""
+
+
+def _kinematics(
+    layout: Layout, n: int, radius: Sequence[Polynomial], rods: object, offsets: object, through: int
+) -> list[Kinematics]:
+    """Return every cylinder's A_n and B_n as polynomials in r/l and e/l."""
+    rod, offset = entries(layout, rods, "rods"), entries(layout, offsets, "offsets")
+    if rod is None:
+        raise SymbalanceError("rods", "are not given", "give the rods' lengths, or a letter for them")
+    offset = offset or [{}] * len(rod)
+    series = offset_series(n, through)
+    if not (series.cos.terms or series.sin.terms):
+        rule = f"keeps no term of order {n}"
+        raise SymbalanceError(f"through = {through}", rule, f"{max(n - 1, 1)} is the least")
+    found = []
+    for r, l_, e in zip(radius, rod, offset, strict=True):
+        inverse = powered(l_, -1, "rods")
+        rho, delta = multiplied(r, inverse), multiplied(e, inverse)
+        parts = (_at(part.terms, rho, delta) for part in series)
+        found.append(tuple(parts))
+    return found
+
+
+def _at(terms: Mapping[tuple[int, int], Fraction], rho: Polynomial, delta: Polynomial) -> Polynomial:
+    total: Polynomial = {}
+    for (i, j), c in terms.items():
+        power = multiplied(powered(rho, i, "radii"), powered(delta, j, "offsets"))
+        total = added(total, multiplied(power, {(): c}))
+    return total
+
+
+def _summed(
+    cylinders: Sequence[Cylinder], n: int, weights: Sequence[Polynomial], own: list[Kinematics] | None
+) -> SymbolResultant:
+    both = []
+    for signed in (n, -n):
+        total = SymbolSum({})
+        for place, (cylinder, weight) in enumerate(zip(cylinders, weights, strict=True)):
+            turned = cylinder.bank + cylinder.delay.scaled(signed)
+            part: SymbolPart = turned.symbols
+            number = SymbolicPhasor({part: Phasor.root(turned.turns).scaled(HALF)})
+            if own is None:
+                total = total + SymbolSum.of(weight, number)
+                continue
+            cos, sin = own[place]
+            total = total + SymbolSum.of(multiplied(weight, cos), number)
+            quarter = -QUARTER if signed > 0 else QUARTER  # f_n = A_n - i B_n, f_-n its conjugate
+            total = total + SymbolSum.of(multiplied(weight, sin), number.turned(quarter))
+        both.append(total)
+    return SymbolResultant(*both)

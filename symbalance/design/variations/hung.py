@@ -1,0 +1,209 @@
+r"""How master and link rods' forces change with their angles and lengths, on which both may depend.
+
+With the pin r e^(i (theta + throw)), each cylinder's own w as in `symbalance.kinematics.mechanisms` and s = sin phi,
+
+    y = Re w + sqrt(l^2 - (Im w - e)^2),    dy = Re dw - tan phi (Im dw - de) + dl/cos phi,
+    dphi = (Im dw - de - s dl)/(l cos phi).
+
+A turn of the pin (throw) has dw = i w, one of the own axis dw = -i w, a longer radius dw = w/r. A link
+pin is moved by its master, W = pin + L e^(i (bank + psi - phi)) with dW = dpin + i (W - pin)(dbank
+- dphi), of bank, phi and dphi of the master. Then c_n changes by n^2 times the Fourier coefficient of dy,
+times m and e^(i bank), and by i c_n where the axis itself turns. All of that is summed over the cylinders
+that a size moves: of a master's, its own and those hung on it. The pin is the master's, so is its throw.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import ceil, cosh, log, sqrt
+
+from mpmath import mp
+
+from symbalance.design.variations.sensitivity import Sensitivity
+from symbalance.design.variations.shares import Share, first_sizes
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.engine.unlike import mechanism_of
+from symbalance.errors import SymbalanceError
+from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.kinematics.mechanisms import LinkRod, Mechanism
+from symbalance.kinematics.mechanisms.fourier import MOST_POINTS, means
+from symbalance.text.numbers import Real, real
+
+MOVING = ("throw", "bank", "stroke", "rod", "offset")
+"""Sizes that may move other cylinders than their own."""
+GUARD = 12
+NOTHING = mp.mpf(10) ** (10 - DIGITS)
+"""Beside the sum of its parts' sizes: what is no more is rounding."""
+Pair = tuple[Real, Real]
+
+
+def clusters(layout: Layout) -> dict[int, list[Cylinder]]:
+    """Return the cylinders hung on each master, by its number."""
+    found: dict[int, list[Cylinder]] = {}
+    for cylinder in layout.cylinders:
+        if cylinder.link:
+            found.setdefault(cylinder.link.master, []).append(cylinder)
+    return found
+
+
+@dataclass(frozen=True)
+class _Rod:
+    """One rod at one crank angle, lengths over its crank radius: w, tan phi, sin phi, 1/cos phi, l."""
+
+    place: Real
+    tangent: Real
+    sine: Real
+    secant: Real
+    length: Real
+
+    def height(self, moved: Real, length: Real, aside: Real) -> Real:
+        """Return dy for dw, dl and de."""
+        return moved.real - self.tangent * (moved.imag - aside) + length * self.secant
+
+    def turn(self, moved: Real, length: Real, aside: Real) -> Real:
+        """Return dphi for dw, dl and de."""
+        return (moved.imag - aside - self.sine * length) * self.secant / self.length
+
+
+def _rod(place: Real, mechanism: Mechanism) -> _Rod:
+    length = real(mechanism.length)
+    sine = (place.imag - real(mechanism.offset)) / length
+    secant = 1 / mp.sqrt((1 - sine) * (1 + sine))
+    return _Rod(place, sine * secant, sine, secant, length)
+
+
+def _change(name: str, rod: _Rod, pin: Real) -> tuple[Real, Real, Real]:
+    """Return dw, dl and de of a rod whose own size grows by one; `pin` is the crank's part of w."""
+    moved = {"throw": 1j * pin, "bank": -1j * rod.place, "stroke": pin}.get(name, mp.mpc(0))
+    return moved, mp.mpf(name == "rod"), mp.mpf(name == "offset")
+
+
+def _hung_change(name: str, link: LinkRod, pin: Real, of_master: Real) -> Real:
+    """Return dw of a link pin where a size of its master grows by one."""
+    axis = mp.expjpi(2 * real(link.bank_difference))
+    master = _rod(pin * axis, link.master)
+    turn = master.turn(*_change(name, master, pin * axis))
+    moved = {"throw": 1j * pin, "stroke": pin}.get(name, mp.mpc(0))
+    return moved + 1j * of_master * ((name == "bank") - turn)
+
+
+def _samples(mechanism: Mechanism, name: str, own: bool, points: int) -> Iterator[Real]:
+    """Yield dy over the radius at evenly spread angles, for a size of its own or of its master's."""
+    for i in range(points):
+        pin = mp.expjpi(mp.mpf(2 * i) / points)
+        arm = mp.mpc(0)
+        if isinstance(mechanism, LinkRod):
+            axis = mp.expjpi(2 * real(mechanism.bank_difference))
+            sine = _rod(pin * axis, mechanism.master).sine
+            turned = mp.expjpi(2 * real(mechanism.lead)) * mp.mpc(mp.sqrt((1 - sine) * (1 + sine)), -sine)
+            arm = real(mechanism.link_radius) * turned
+        rod = _rod(pin + arm, mechanism)
+        if own:
+            yield rod.height(*_change(name, rod, pin))
+        else:
+            assert isinstance(mechanism, LinkRod)
+            yield rod.height(_hung_change(name, mechanism, pin, arm), mp.mpf(0), mp.mpf(0))
+
+
+def _grid(mechanism: Mechanism, order: int) -> tuple[int, int]:
+    """Return how many points, a power of 2, and how many bits give `order` to `DIGITS` of its own.
+
+    The bounds of `linkages` grow at least by (C' - C)/l as C = cosh a does: in half the strip |sin phi|
+    of both rods stays by that below 1, tan and sec below M, and dy below (3 + 2 L)(1 + M)^3 e^a.
+    """
+    half, arm, length = mechanism.strip / 2, 0.0, float(mechanism.length)
+    if isinstance(mechanism, LinkRod):
+        arm, length = float(mechanism.link_radius), max(length, float(mechanism.master.length))
+    below = max((cosh(2 * half) - cosh(half)) / length, 1e-12)
+    bound = log((3 + 2 * arm) * (1 + 1 / sqrt(below)) ** 3) + half
+    nepers = (DIGITS + GUARD) * log(10) + mechanism.strip * order + bound
+    needed = order + nepers / half if half else float("inf")
+    if needed > MOST_POINTS:
+        what = f"length = {float(mechanism.length):.12g}"
+        rule = "lets the rod lie across so nearly that its slopes are not found"
+        raise SymbalanceError(what, rule, "lengthen the rod, or ask for fewer orders")
+    return 1 << ceil(needed).bit_length(), ceil(nepers / log(2)) + 48
+
+
+def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> list[Real]:
+    """Return the Fourier coefficients of dy, n = 0..order."""
+    points, bits = _grid(mechanism, order)
+    with mp.workprec(bits):
+        scaled = [int(mp.ldexp(x, bits)) for x in _samples(mechanism, name, own, points)]
+        return means(scaled, bits)[: order + 1]
+
+
+def hung_changes(
+    layout: Layout, own: dict[int, list[Share]], order: int, names: Sequence[str]
+) -> Iterator[Sensitivity]:
+    """Yield the derivatives of masters and link rods by the sizes of `MOVING` among `names`.
+
+    `own` holds every cylinder's shares, order by order. A link rod has no throw and no stroke of its own.
+    """
+    hung = clusters(layout)
+    for cylinder in layout.cylinders:
+        if cylinder.link is None and cylinder.number not in hung:
+            continue
+        moved = [cylinder, *hung.get(cylinder.number, [])]
+        for name in names:
+            if name in MOVING and not (cylinder.link and name in ("throw", "stroke")):
+                yield from _derived(layout, own, order, name, moved)
+
+
+def _derived(
+    layout: Layout, own: dict[int, list[Share]], order: int, name: str, moved: Sequence[Cylinder]
+) -> Iterator[Sensitivity]:
+    """Yield one derivative's orders: the sums over the cylinders that the first one's size moves."""
+    first, per = moved[0], [_lengths(layout, c, name) for c in moved]
+    places = [layout.cylinders.index(c) for c in moved]
+    changed = [_coefficients(mechanism_of(layout, c), name, c is first, order) for c in moved]
+    for n in range(1, order + 1):
+        total, arms, size = [mp.mpc(0)] * 2, [mp.mpc(0)] * 2, mp.mpf(0)
+        for place, cylinder, lengths, found in zip(places, moved, per, changed, strict=True):
+            share = own[min(own)][place]
+            with mp.workdps(DIGITS + GUARD):
+                pair = _pair(cylinder, share, n, found[n] * lengths)
+                if name == "bank" and cylinder is first:
+                    pair = _turned(pair, own.get(n), place)
+                total = [t + x for t, x in zip(total, pair, strict=True)]
+                arms = [t + x * real(share.arm) for t, x in zip(arms, pair, strict=True)]
+                size += sum(map(abs, pair)) * (1 + abs(real(share.arm)))
+        force, couple = (_decimals(parts, size) for parts in (total, arms))
+        if any(not x.is_zero() for x in (*force, *couple)):
+            yield Sensitivity(name, first.number, n, force, mp.mpf(1), Fraction(0), couple)
+
+
+def _lengths(layout: Layout, cylinder: Cylinder, name: str) -> Real:
+    """Return what turns dy over its own radius into its share's unit, for one unit of the size."""
+    stroke, (_, radius) = layout.stroke_of(cylinder), first_sizes(layout)
+    if name in ("throw", "bank") or not stroke or not radius:
+        return mp.mpf(1)
+    with mp.workdps(DIGITS + GUARD):
+        return real(2 * radius / stroke)
+
+
+def _pair(cylinder: Cylinder, share: Share, n: int, change: Real) -> Pair:
+    """Return c_n and c_-n of a height's coefficient: the share's size holds mass and radius."""
+    delay, axis = 2 * real(n * cylinder.delay.turns), mp.expjpi(2 * real(cylinder.bank.turns))
+    value = n * n * change * real(share.size) * mp.expjpi(delay)
+    return value * axis, mp.conj(value) * axis
+
+
+def _turned(pair: Pair, rows: Sequence[Share] | None, place: int) -> Pair:
+    """Return a pair, with i c_n added: the force turns with its axis."""
+    if rows is None:
+        return pair
+    share = rows[place]
+    value = share.value * real(share.size) / 2
+    ahead = value * mp.expjpi(2 * real(share.axis + share.lead))
+    against = mp.conj(value) * mp.expjpi(2 * real(share.axis - share.lead))
+    return pair[0] + 1j * ahead, pair[1] + 1j * against
+
+
+def _decimals(parts: Sequence[Real], size: Real) -> tuple[DecimalPhasor, DecimalPhasor]:
+    with mp.workdps(DIGITS):
+        ahead, against = (mp.mpc(0) if abs(x) <= NOTHING * size else +x for x in parts)
+    return DecimalPhasor(ahead), DecimalPhasor(against)

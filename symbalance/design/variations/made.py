@@ -1,0 +1,71 @@
+"""What turns in an engine within tolerances: counterweights, shafts, rotating masses, as they are made.
+
+They have no errors here: a counterweight that was made for a nominal mass stays as it is when a piston is
+heavier, and stands where it stands when a pin is out of place. In every order they add the same to c_n
+and c_-n, whatever the cylinders' errors are.
+"""
+
+from __future__ import annotations
+
+import cmath
+from dataclasses import dataclass
+
+from symbalance.design.variations.sectors import Sector
+from symbalance.design.variations.sensitivity import evaluated_number
+from symbalance.engine.layout import Layout
+from symbalance.engine.rotors import share_unit
+from symbalance.exact.phasor import ZERO
+from symbalance.exact.spectrum import Spectrum
+from symbalance.forces.rotating import rotor_spectrum
+from symbalance.text.numbers import exact
+
+
+@dataclass(frozen=True)
+class Made:
+    """c_n and c_-n of what turns, in m r omega^2 of cylinder 1 (times a)."""
+
+    ahead: complex = 0j
+    against: complex = 0j
+
+    def __bool__(self) -> bool:
+        return bool(self.ahead or self.against)
+
+    def seen_from(self, direction: float) -> list[Sector]:
+        """Return what it adds to the component in a direction, as C + iS would turn: one point."""
+        turned = self.ahead * cmath.rect(1, -direction)
+        return _point(turned + self.against.conjugate() * cmath.rect(1, direction))
+
+    def turning(self, sign: int) -> list[Sector]:
+        """Return what it adds to c_n (sign 1) or c_-n (sign -1)."""
+        return _point(self.ahead if sign > 0 else self.against)
+
+
+def _point(number: complex) -> list[Sector]:
+    return [Sector(abs(number), abs(number), cmath.phase(number))] if number else []
+
+
+def made_parts(layout: Layout, order: int, reference: object = None) -> dict[int, dict[str, Made]]:
+    """Return n -> what turns adds to the "force" and to the "couple", for the orders it has.
+
+    >>> from symbalance.engine.balancers import Counterweight
+    >>> from symbalance.engine.builders import inline
+    >>> single = inline("1", ratio=4).balanced_by(Counterweight(throw=1, overbalance="1/2"))
+    >>> made_parts(single, 4)[1]["force"].ahead
+    (-0.5+0j)
+    """
+    if not layout.balancers:
+        return {}
+    plane = layout.mean_station if reference is None else exact(reference, "reference")
+    found = {kind: rotor_spectrum(layout, order, at) for kind, at in (("force", None), ("couple", plane))}
+    orders = sorted({n for spectrum in found.values() for n in spectrum.orders()})
+    return {n: {kind: _part(layout, s, n) for kind, s in found.items()} for n in orders}
+
+
+def _part(layout: Layout, spectrum: Spectrum, n: int) -> Made:
+    factor = float(share_unit(layout, n)) if layout.is_geometric else 1.0
+    ahead, against = (complex(evaluated_number(spectrum.terms.get(s, ZERO))) for s in (n, -n))
+    return Made(ahead * factor, against * factor)
+
+
+NOTHING = {"force": Made(), "couple": Made()}
+"""What turns where nothing does."""

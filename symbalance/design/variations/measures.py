@@ -1,0 +1,134 @@
+"""What weighed masses shake with: units, the vectors that 1 kg adds, and vectors read back as orders."""
+
+from __future__ import annotations
+
+from cmath import rect
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import pi, sqrt
+
+from symbalance.design.variations.bounds import Vector
+from symbalance.design.variations.made import NOTHING, made_parts
+from symbalance.design.variations.shares import Share, first_sizes
+from symbalance.design.variations.symmetry import Generators
+from symbalance.engine.layout import Layout
+from symbalance.errors import SymbalanceError, shown
+from symbalance.text.numbers import exact
+
+FASTEST = 100_000
+
+
+@dataclass(frozen=True)
+class Shaking:
+    """What one arrangement leaves of one order: largest moduli over a turn, and root mean squares."""
+
+    order: int
+    force: float
+    couple: float
+    mean_force: float
+    mean_couple: float
+
+
+@dataclass(frozen=True)
+class Units:
+    """r omega^2 of cylinder 1 and the pitch, in the units of the result, and the lever in pitches."""
+
+    force: float
+    arm: float
+    lever: float
+    names: tuple[str, str]
+
+
+def units_of(layout: Layout, rpm: object, lever: object, own: Sequence[Share]) -> Units:
+    """Return the units that the sizes given allow, and the lever that couples count at."""
+    _, radius = first_sizes(layout)
+    pitch = layout.crank_train.pitch
+    force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
+    if rpm is not None:
+        speed = exact(rpm, "rpm")
+        if not 0 < speed <= FASTEST:
+            raise SymbalanceError(f"rpm = {shown(rpm)}", f"must lie in (0, {FASTEST}]", "turns a minute")
+        if radius is None:
+            raise SymbalanceError("rpm", "needs the engine's stroke", "give stroke in [crank_train]")
+        force, names = float(radius) / 1000 * (float(speed) * pi / 30) ** 2, ("N", "N a")
+    if pitch is not None and rpm is not None:
+        arm, names = float(pitch) / 1000, (names[0], "N m")
+    spread = sqrt(sum(float(s.arm) ** 2 for s in own) / len(own)) or 1.0
+    if lever is not None:
+        given = exact(lever, "lever")
+        if given <= 0 or pitch is None:
+            rule = "must be positive" if given <= 0 else "needs the engine's pitch"
+            raise SymbalanceError(f"lever = {shown(lever)}", rule, "mm; give pitch in [crank_train]")
+        spread = float(given / pitch)
+    return Units(force, arm, spread, names)
+
+
+def generators(layout: Layout, orders: Sequence[Sequence[Share]], units: Units) -> Generators:
+    """Return, for each cylinder, what 1 kg of reciprocating and of rotating mass adds: real vectors."""
+    found = []
+    own_radius, first = [layout.stroke_of(c) for c in layout.cylinders], layout.stroke_of(layout.first)
+    for place, cylinder in enumerate(layout.cylinders):
+        stroke = own_radius[place]
+        radius = units.force * (float(stroke / first) if stroke and first else 1.0)
+        sliding: list[float] = []
+        turning: list[float] = []
+        for own in orders:
+            share = own[place]
+            f = complex(share.value) * radius / 2
+            axis, lead = (2 * pi * float(x % 1) for x in (share.axis, share.lead))
+            pair = (f * _turn(axis + lead), f.conjugate() * _turn(axis - lead))
+            pin = radius * _turn(2 * pi * float(cylinder.throw.turns)) if share.order == 1 else 0j
+            sliding += _real(pair, float(share.arm), units.lever)
+            turning += _real((pin, 0j), float(share.arm), units.lever)
+        found.append((tuple(sliding), tuple(turning)))
+    return found
+
+
+def made_vector(layout: Layout, orders: Sequence[int], units: Units) -> Vector | None:
+    """Return what counterweights, shafts and rotating masses add, in the form of `generators`.
+
+    None where the engine has no counterweights or shafts.
+    """
+    if not layout.balancers:
+        return None
+    mass, _ = first_sizes(layout)
+    if not mass:
+        rule = "are to be counted beside counterweights or shafts, which are in units of m r"
+        remedy = "give reciprocating_mass, kg, in [crank_train]"
+        raise SymbalanceError("whole masses", rule, remedy)
+    by_order, scale = made_parts(layout, max(orders)), units.force * float(mass)
+    found: list[float] = []
+    for n in orders:
+        kinds = by_order.get(n, NOTHING)
+        for kind, over in (("force", 1.0), ("couple", units.lever)):
+            pair = kinds[kind].ahead * scale / over, kinds[kind].against * scale / over
+            found += [part for z in pair for part in (z.real, z.imag)]
+    return tuple(found)
+
+
+def _turn(angle: float) -> complex:
+    return rect(1, angle)
+
+
+def _real(pair: tuple[complex, complex], arm: float, lever: float) -> list[float]:
+    ahead, against = pair
+    force = [ahead.real, ahead.imag, against.real, against.imag]
+    return force + [x * arm / lever for x in force]
+
+
+def shaking_of(vector: Vector, asked: Sequence[int], units: Units) -> tuple[Shaking, ...]:
+    """Return what a vector of `generators`' kind leaves, order by order."""
+    found = []
+    for i, n in enumerate(asked):
+        part = vector[8 * i : 8 * i + 8]
+        if not part:
+            continue
+        couple = units.lever * units.arm
+        moduli = [sqrt(part[k] ** 2 + part[k + 1] ** 2) for k in (0, 2, 4, 6)]
+        means = [sqrt(moduli[k] ** 2 + moduli[k + 1] ** 2) for k in (0, 2)]
+        found.append(
+            Shaking(
+                n, moduli[0] + moduli[1], (moduli[2] + moduli[3]) * couple, means[0], means[1] * couple
+            )
+        )
+    return tuple(found)

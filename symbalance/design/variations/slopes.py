@@ -1,0 +1,112 @@
+r"""How one cylinder's harmonics change with its lengths: the derivatives of A_n - i B_n, to any digits.
+
+Of y = cos p + lam cos phi, sin phi = (sin p - eps)/lam (lengths over r), the derivatives are
+
+    dy/dlam = 1/cos phi,        dy/deps = tan phi,
+
+so with their Fourier coefficients S_n and T_n
+
+    df_n/dlam = 2 n^2 S_n,      df_n/deps = 2 n^2 T_n,      f_n = A_n - i B_n = 2 n^2 c_n,
+
+and of the force m omega^2 r f_n(l/r, e/r), at fixed m and omega and over m omega^2,
+
+    d/dr = f_n - lam df_n/dlam - eps df_n/deps,     d/dl = df_n/dlam,     d/de = df_n/deps.
+
+The coefficients are means over N points. In the strip |Im p| <= a with (cosh a + |eps|)/lam = s < 1 both
+functions are at most M = 1/sqrt(1 - s^2), so N points alias onto order n at most 2 M e^(-a (N - n))/(1 -
+e^(-a N)) (Trefethen and Weideman, SIAM Review 56 (2014), theorem 3.2, numbered from memory).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from math import acosh, ceil, log, sqrt
+from typing import NamedTuple
+
+from mpmath import mp
+
+from symbalance.errors import SymbalanceError
+from symbalance.exact.decimal_phasor import DIGITS
+from symbalance.kinematics.mechanisms import SliderCrank, force_harmonics
+from symbalance.text.numbers import Real, real
+
+GUARD = 10
+MOST_POINTS = 20_000
+
+
+class Slopes(NamedTuple):
+    """f_n of one cylinder and its derivatives by crank radius, rod and offset, each over r; mpmath."""
+
+    value: Real
+    stroke: Real
+    rod: Real
+    offset: Real
+
+
+def slopes(mechanism: SliderCrank, order: int, digits: int = DIGITS) -> dict[int, Slopes]:
+    """Return n -> (f_n, r df/dr, r df/dl, r df/de), n = 1..order, of m omega^2 r f_n, over m omega^2 r.
+
+    `stroke` is the derivative by the crank radius: half of it is that by the stroke.
+
+    >>> [mp.nstr(x.real, 8) for x in slopes(SliderCrank(4), 2)[2][:3]]
+    ['0.25402504', '0.51634683', '-0.065580447']
+    """
+    return dict(_slopes(mechanism, order, digits))
+
+
+@lru_cache(maxsize=256)
+def _slopes(mechanism: SliderCrank, order: int, digits: int) -> tuple[tuple[int, Slopes], ...]:
+    forces = force_harmonics(mechanism, order, digits)
+    changes = _means(mechanism, range(1, order + 1), digits)
+    found = []
+    with mp.workdps(digits + GUARD):
+        ratio, offset = real(mechanism.ratio), real(mechanism.offset)
+        for n, (by_rod, by_offset) in changes.items():
+            value = mp.mpc(0)
+            if n in forces:
+                value = mp.mpc(forces[n][0], -forces[n][1])
+            radius = value - ratio * by_rod - offset * by_offset
+            found.append((n, Slopes(value, radius, by_rod, by_offset)))
+    return tuple(found)
+
+
+def _means(mechanism: SliderCrank, orders: Sequence[int], digits: int) -> dict[int, tuple[Real, Real]]:
+    """Return n -> (df_n/dlam, df_n/deps); what symmetry makes zero is 0."""
+    points, working = _points(mechanism, max(orders), digits)
+    centred, found = mechanism.offset == 0, {}
+    with mp.workdps(working):
+        roots = [mp.expjpi(mp.mpf(2 * i) / points) for i in range(points)]
+        ratio, offset = real(mechanism.ratio), real(mechanism.offset)
+        sines = [(z.imag - offset) / ratio for z in roots]
+        secants = [1 / mp.sqrt((1 - x) * (1 + x)) for x in sines]
+        tangents = [x * y for x, y in zip(sines, secants, strict=True)]
+        for n in orders:
+            turned = [roots[-n * i % points] for i in range(points)]
+            by_rod = mp.mpc(0) if centred and n % 2 else _mean(secants, turned, n)
+            by_offset = mp.mpc(0) if centred and n % 2 == 0 else _mean(tangents, turned, n)
+            found[n] = (by_rod, by_offset)
+    return found
+
+
+def _mean(samples: Sequence[Real], turned: Sequence[Real], n: int) -> Real:
+    """Return 2 n^2 times a coefficient: real at even n, imaginary at odd n: sin p alone matters."""
+    total = 2 * n * n * mp.fdot(samples, turned) / len(samples)
+    return mp.mpc(0, total.imag) if n % 2 else mp.mpc(total.real)
+
+
+def _points(mechanism: SliderCrank, order: int, digits: int) -> tuple[int, int]:
+    """Return how many points, and how many digits to work with, give order n to `digits` of its own."""
+    reach, lam = float(abs(mechanism.offset)), float(mechanism.ratio)
+    slant = (1 + (1 + reach) / lam) / 2
+    width = acosh(max(slant * lam - reach, 1.0)) if slant < 1 else 0.0
+    bound = 1 / sqrt(1 - slant * slant) if slant < 1 else float("inf")
+    nepers = (digits + GUARD) * log(10) + mechanism.strip * order
+    needed = order + (nepers + log(4 * bound)) / width if width else float("inf")
+    if needed > MOST_POINTS:
+        what, rule = (
+            f"ratio = {lam:.12g}",
+            "lets the rod lie across so nearly that its slopes are not found",
+        )
+        raise SymbalanceError(what, rule, "lengthen the rod, or ask for fewer orders")
+    return ceil(needed), digits + GUARD + ceil(mechanism.strip * order / log(10)) + 12

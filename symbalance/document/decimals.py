@@ -1,0 +1,19 @@
+"""Decimals as tables print them."""
+
+from __future__ import annotations
+
+from symbalance.text.numbers import Real, decimal_text
+
+SHOWN_DIGITS = 6
+
+
+def shown(value: Real, digits: int = SHOWN_DIGITS) -> str:
+    """Return a decimal as tables print it.
+
+    >>> shown(mp.mpf("7.43790327e-5")), shown(mp.mpf(3))
+    ('7.4379e-5', '3')
+    """
+    text = decimal_text(value, digits)
+    mantissa, *exponent = text.split("e")
+    mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    return "e".join([mantissa, *exponent])

@@ -1,0 +1,69 @@
+"""The preset engines: one engine file each, with its source; add a layout by adding a file."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cache
+from pathlib import Path
+
+from symbalance.engine.engine_file import parse_engine, read_engine_file
+from symbalance.engine.layout import Layout
+from symbalance.errors import SymbalanceError, shown
+
+_FOLDER = Path(__file__).parent
+
+
+@dataclass(frozen=True)
+class Preset:
+    """A preset's name, what it is, and where its figures come from."""
+
+    name: str
+    description: str
+    source: str
+
+
+def _natural(name: str) -> list[int | str]:
+    return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
+
+
+@cache
+def preset_names() -> tuple[str, ...]:
+    """Return the names of all presets, in natural order."""
+    return tuple(sorted((path.stem for path in _FOLDER.glob("*.toml")), key=_natural))
+
+
+def presets() -> list[Preset]:
+    """Return every preset with its description and source."""
+    found = []
+    for name in preset_names():
+        table = tomllib.loads(preset_text(name))
+        found.append(Preset(name, table["description"], table["source"]))
+    return found
+
+
+def preset_text(name: str) -> str:
+    """Return a preset's engine file."""
+    if name not in preset_names():
+        raise _unknown(name)
+    return (_FOLDER / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def _unknown(name: str) -> SymbalanceError:
+    near = get_close_matches(name, preset_names(), 3, 0.4)
+    hint = f"did you mean {', '.join(near)}?" if near else "list them with: symbalance engines"
+    return SymbalanceError(f"engine {shown(name)!r}", "is no preset and no .toml file", hint)
+
+
+def load(engine: str | Path) -> Layout:
+    """Return the layout of an engine file (a name ending in .toml or with a path separator) or preset.
+
+    >>> load("v12-60").firing_order()
+    [1, 2, 9, 10, 5, 6, 11, 12, 3, 4, 7, 8]
+    """
+    name = str(engine)
+    if isinstance(engine, Path) or name.endswith(".toml") or "/" in name or "\\" in name:
+        return read_engine_file(engine)
+    return parse_engine(preset_text(name), f"{name}.toml")

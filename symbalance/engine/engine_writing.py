@@ -1,0 +1,166 @@
+"""An engine as an engine file: what `symbalance.engine.engine_file` reads back as the same engine.
+
+Cylinders are written one by one, so that any layout can be. A weight whose size and direction are not
+both fractions is written as the sum of weights that are: every number of the exact fields is one.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any
+
+from mpmath import mp
+
+from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.engine.trains import OWN, CrankTrain
+from symbalance.errors import SymbalanceError
+from symbalance.exact.angles import Angle
+from symbalance.exact.decimal_phasor import DecimalPhasor
+from symbalance.exact.phasor import Phasor
+from symbalance.exact.spectrum import Component, Number
+
+DIGITS = 30
+Row = list[tuple[str, Any]]
+
+
+def engine_text(layout: Layout) -> str:
+    """Return the text of an engine file; symbols, which no file holds, are refused.
+
+    >>> from symbalance.engine.builders import inline
+    >>> print(engine_text(inline("1")).splitlines()[3:6])
+    ['[[cylinder]]', 'number = 1', 'throw = 0']
+    """
+    tables = [
+        ("", [("name", layout.name), ("strokes", layout.strokes)]),
+        ("[crank_train]", _train(layout)),
+    ]
+    tables += [("[[cylinder]]", _cylinder(c)) for c in layout.cylinders]
+    for counterweight in layout.balancers.counterweights:
+        tables += [("[[counterweight]]", row) for row in _counterweight(counterweight)]
+    tables += [("[[balance_shaft]]", _shaft(s)) for s in layout.balancers.shafts]
+    return "\n".join(_table(head, rows) for head, rows in tables if rows)
+
+
+def _table(head: str, rows: Row) -> str:
+    lines = [head] if head else []
+    return "\n".join([*lines, *(f"{key} = {_value(value)}" for key, value in rows)]) + "\n"
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, list):
+        inline = (", ".join(f"{k} = {_value(v)}" for k, v in row) for row in value)
+        return f"[{', '.join(f'{{ {row} }}' for row in inline)}]"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, Fraction) and value.denominator != 1:
+        return _fraction(value)
+    return str(value)
+
+
+def _fraction(value: Fraction) -> str:
+    """Return a fraction as a decimal where it is a short one, else in quotes."""
+    if 10**6 % value.denominator == 0:
+        places = next(k for k in range(1, 7) if 10**k % value.denominator == 0)
+        sign, whole = "-" if value < 0 else "", abs(value.numerator) * (10**places // value.denominator)
+        text = f"{whole:0{places + 1}d}"
+        return f"{sign}{text[:-places]}.{text[-places:]}"
+    return f'"{value}"'
+
+
+def _given(rows: Iterable[tuple[str, Any]]) -> Row:
+    return [(key, value) for key, value in rows if value is not None]
+
+
+def _train(layout: Layout) -> Row:
+    train = layout.crank_train
+    if layout.ratio != train.ratio:
+        changed = {"given_ratio": layout.ratio}
+        if train.stroke is not None and layout.ratio is not None:
+            changed = {"given_ratio": None, "rod": layout.ratio * train.stroke / 2}
+        train = CrankTrain(**{**vars(train), **changed})
+    keys = ("stroke", "rod", "pitch", *OWN[2:])
+    return _given([*((k, getattr(train, k)) for k in keys), ("ratio", train.given_ratio)])
+
+
+def _cylinder(cylinder: Cylinder) -> Row:
+    places = [("throw", cylinder.throw), ("bank", cylinder.bank)]
+    rows: Row = [("number", cylinder.number), *((k, _degrees(a)) for k, a in places)]
+    rows += [("station", cylinder.station), ("fires", cylinder.fires)]
+    rows += [(key, getattr(cylinder.own, key)) for key in OWN]
+    if cylinder.link is not None:
+        link = cylinder.link
+        rows += [("master", link.master), ("link_angle", link.angle * 360), ("link_radius", link.radius)]
+    return _given(rows)
+
+
+def _degrees(angle: Angle) -> Fraction:
+    if angle.symbols:
+        remedy = "give numbers for its symbols first"
+        raise SymbalanceError(f"angle = {angle.as_text()}", "cannot stand in an engine file", remedy)
+    return angle.in_degrees()
+
+
+def _counterweight(counterweight: Counterweight) -> list[Row]:
+    place: Row = _given([("throw", counterweight.throw), ("web", counterweight.web)])
+    place += _given([("station", counterweight.station)])
+    if counterweight.weight is None:
+        angle = _degrees(counterweight.angle)
+        turned: Row = [("angle", angle)] if angle else []
+        return [[*place, *turned, ("overbalance", counterweight.overbalance)]]
+    weight = counterweight.weight
+    return [[*place, ("angle", angle), (_unit(weight), size)] for size, angle in _simple(weight.vector)]
+
+
+def _shaft(shaft: BalanceShaft) -> Row:
+    phase = _degrees(shaft.phase)
+    rows: Row = [("speed", shaft.speed), *([("phase", phase)] if phase else [])]
+    rows += [(key, value) for key, value in (("x", shaft.x), ("y", shaft.y)) if value]
+    weights: list[Row] = [
+        [("station", weight.station), (_unit(weight), size), ("phase", phase)]
+        for weight in shaft.weights
+        for size, phase in _simple(weight.vector)
+    ]
+    return [*rows, ("weights", weights)]
+
+
+def _unit(weight: Weight) -> str:
+    return "unbalance" if weight.in_kg_mm else "share"
+
+
+def _simple(vector: Number) -> list[tuple[Fraction | str, Fraction]]:
+    """Return sizes and degrees of weights that add up to a vector: one, if fractions say it."""
+    if isinstance(vector, DecimalPhasor):
+        rows = zip(vector.parts(), (0, 90), strict=True)
+        return [
+            (str(mp.nstr(x, DIGITS, min_fixed=1, max_fixed=0)), Fraction(degrees))
+            for x, degrees in rows
+            if x
+        ]
+    if not isinstance(vector, Phasor):
+        _degrees(Angle(Fraction(0), next(s for s in vector.parts if s)))
+        raise AssertionError  # every symbol is refused
+    if vector.is_zero():
+        return [(Fraction(0), Fraction(0))]
+    short = min(vector.primitive(), vector, key=lambda p: len(p.terms))
+    if len(short.terms) > 1:
+        part = Component(vector)
+        amplitude: Any = part.amplitude
+        turns: Any = part.phase / 2 / _pi()
+        if amplitude.is_Rational and turns.is_Rational:
+            size, turned = (Fraction(int(x.p), int(x.q)) for x in (amplitude, turns))
+            return [(size, turned * 360)]
+    return [(Fraction(c), Fraction(360 * k, short.modulus)) for k, c in sorted(short.terms.items())]
+
+
+def _decimal(value: Any) -> str:
+    return str(mp.nstr(value, DIGITS, min_fixed=1, max_fixed=0))
+
+
+def _pi() -> Any:
+    import sympy
+
+    return sympy.pi

@@ -1,0 +1,102 @@
+"""The table of cylinders by kind, where they are not all alike: what each kind's rod and axis are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.document.decimals import shown
+from symbalance.engine.layout import Layout
+from symbalance.engine.unlike import kinds
+from symbalance.kinematics.mechanisms import LinkRod, Mechanism
+from symbalance.text.numbers import real
+
+MOST_NAMED = 8
+"""Cylinders of one kind that are named one by one."""
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of the table: its heads in text and LaTeX, and its cells, empty where it says nothing."""
+
+    text: str
+    latex: str
+    cells: tuple[str, ...]
+
+
+def kind_columns(layout: Layout) -> list[Column]:
+    """Return the columns that say something: cylinders, rod, l/r, offset, link pin, m r.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> for column in kind_columns(load("vw-vr6")):
+    ...     print(column.text, *column.cells, sep=" | ")
+    cylinders | 1, 3, 5 | 2, 4, 6
+    l/r | 3.64444 | 3.64444
+    e/r | -0.277778 | 0.277778
+    """
+    found = kinds(layout)
+    rows = [_cells(layout, kind, size, places) for (kind, size), places in found.items()]
+    heads = [
+        ("cylinders", "cylinders"),
+        ("rod on", "rod on"),
+        ("l/r", r"\(l/r\)"),
+        ("e/r", r"\(e/r\)"),
+        ("L/r", r"\(L/r\)"),
+        ("ψ", r"\(\psi\)"),
+        ("m r (first = 1)", r"\(m\,r\) (first = 1)"),
+    ]
+    columns = [Column(*head, cells) for head, cells in zip(heads, zip(*rows, strict=True), strict=True)]
+    return [column for column in columns if any(column.cells)]
+
+
+def kind_legend(layout: Layout) -> list[str]:
+    """Return what the columns' letters mean, those that occur."""
+    used = {column.text for column in kind_columns(layout)}
+    lines = ["l: length of the rod"]
+    if "e/r" in used:
+        lines.append("e: offset of the axis, + towards the side the pin moves to after top dead centre")
+    if "L/r" in used:
+        lines.append("L, ψ: link pin's distance from the crank pin, and angle from the master rod")
+    return lines
+
+
+def kind_lines(layout: Layout) -> list[str]:
+    """Return the same as lines of text, for a heading: which cylinders share what, and what m and r are.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> print(*kind_lines(load("vw-vr6"))[:2], sep="; ")
+    cylinders 1, 3, 5: l/r = 3.64444, e/r = -0.277778; cylinders 2, 4, 6: l/r = 3.64444, e/r = 0.277778
+    """
+    names, *columns = kind_columns(layout)
+    lines = []
+    for i, numbers in enumerate(names.cells):
+        said = [(c.text, c.cells[i]) for c in columns if c.cells[i]]
+        parts = [f"{name} {cell}" if name == "rod on" else f"{name} = {cell}" for name, cell in said]
+        lines.append(f"cylinders {numbers}: {', '.join(parts)}")
+    first = layout.first.number
+    return [
+        *lines,
+        *kind_legend(layout),
+        f"m, r: reciprocating mass and crank radius of cylinder {first}",
+    ]
+
+
+def _cells(layout: Layout, kind: Mechanism, size: Fraction, places: list[int]) -> tuple[str, ...]:
+    cylinders = [layout.cylinders[i] for i in places]
+    numbers = [str(c.number) for c in cylinders]
+    if len(numbers) > MOST_NAMED:
+        numbers = [*numbers[: MOST_NAMED - 1], f"... ({len(numbers)})"]
+    offset = _decimal(kind.offset) if kind.offset else ""
+    length = _decimal(kind.length)
+    share = "" if size == 1 else _decimal(size)
+    if not isinstance(kind, LinkRod):
+        hangs = any(c.link for c in layout.cylinders)
+        return ", ".join(numbers), "crank pin" if hangs else "", length, offset, "", "", share
+    masters = sorted({c.link.master for c in cylinders if c.link})
+    on = "rod of " + (str(masters[0]) if len(masters) == 1 else "its master")
+    radius, angle = _decimal(kind.link_radius), _decimal(kind.link_angle * 360) + "°"
+    return ", ".join(numbers), on, length, offset, radius, angle, share
+
+
+def _decimal(number: Fraction) -> str:
+    return shown(real(number))

@@ -1,0 +1,104 @@
+"""When each piston is at its top dead centre: beside the pin's own angle where the mechanism moves it.
+
+A centred cylinder is at top dead centre at p = theta + throw - bank = 0. An offset axis or a link rod
+moves that by `lead`, the p at which the piston stands highest: sin p = eps/(lambda + 1) of an offset
+slider-crank (`symbalance.kinematics.mechanisms.dead_centres`). A maker who wants even firing turns the pin on by
+as much, and rounds; what the rounding leaves is what the intervals here show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from mpmath import mp
+
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.engine.unlike import mechanism_of
+from symbalance.errors import SymbalanceError, shown
+from symbalance.kinematics.mechanisms import Mechanism, SliderCrank, dead_centres
+from symbalance.text.numbers import exact, real
+
+FINEST = Fraction(1, 1_000_000)
+"""Moved dead centres are irrational: they are given to a millionth of a degree."""
+COARSEST, FINEST_STEP = 10, 10**12
+
+
+def lead(mechanism: Mechanism) -> Fraction:
+    """Return p at the piston's top dead centre, degrees in (-180, 180], to a millionth of a degree.
+
+    >>> float(lead(SliderCrank(4, "1/2")))
+    5.73917
+    >>> lead(SliderCrank(4))
+    Fraction(0, 1)
+    """
+    if isinstance(mechanism, SliderCrank) and not mechanism.offset:
+        return Fraction(0)
+    with mp.workdps(30):  # whatever precision the caller has set
+        return int(mp.nint(mp.degrees(dead_centres(mechanism).top) / real(FINEST))) * FINEST
+
+
+def has_moved(layout: Layout) -> bool:
+    """Tell whether some top dead centre is not where the pin passes the cylinder's axis."""
+    return any(c.link or layout.train_of(c).offset for c in layout.cylinders)
+
+
+def lead_of(layout: Layout, cylinder: Cylinder) -> Fraction:
+    """Return a cylinder's `lead`; 0 for a centred one, whose sizes need not be known."""
+    if cylinder.link is None and not layout.train_of(cylinder).offset:
+        return Fraction(0)
+    return lead(mechanism_of(layout, cylinder))
+
+
+def top_angles(layout: Layout) -> dict[int, Fraction]:
+    """Return the degrees of theta at a top dead centre of each cylinder, less the first-numbered one's.
+
+    >>> from symbalance.engine.builders import radial
+    >>> [str(top) for top in top_angles(radial(3)).values()]
+    ['0', '120', '-120']
+    """
+    leads = dict[object, Fraction]()
+    tops = {}
+    for cylinder in layout.cylinders:
+        kind = (cylinder.own, cylinder.link, cylinder.bank if cylinder.link else None)
+        if kind not in leads:
+            leads[kind] = lead_of(layout, cylinder)
+        tops[cylinder.number] = leads[kind] - cylinder.delay.in_degrees()
+    return {number: top - tops[min(tops)] for number, top in tops.items()}
+
+
+def firing_dead_centres(layout: Layout) -> dict[int, Fraction]:
+    """Return how far after cylinder 1's each cylinder's firing dead centre stands, degrees of theta.
+
+    `fires` of every cylinder says which of its top dead centres that is; the angle itself follows
+    from throw, bank and mechanism. Refused where a cylinder has no `fires`.
+
+    >>> from symbalance.engine.builders import vr
+    >>> six = vr(15, "1-5-3-6-2-4", stroke=90, rod=164, offset=12.5, pin_step="1/2")
+    >>> [float(round(top, 3)) for top in firing_dead_centres(six).values()]
+    [0.0, 240.0, 120.0, 479.858, 599.858, 359.858]
+    """
+    tops, cycle = top_angles(layout), 180 * layout.strokes
+    fires = {c.number: c.fires for c in layout.cylinders if c.fires is not None}
+    if len(fires) < len(tops):
+        what = f"cylinder {next(n for n in tops if n not in fires)} of {layout.name}"
+        raise SymbalanceError(what, "has no firing angle", "give fires")
+    said = {number: fires[number] - fires[min(tops)] for number in tops}
+    return {n: (top + 360 * round((said[n] - top) / 360)) % cycle for n, top in tops.items()}
+
+
+def bank_leads(layout: Layout, banks: Sequence[Sequence[int]], step: object) -> list[Fraction]:
+    """Return the `lead` of each bank, the same for all its cylinders, rounded to `step` degrees."""
+    size = checked_step(step)
+    by_number = {c.number: c for c in layout.cylinders}
+    return [round(lead_of(layout, by_number[bank[0]]) / size) * size for bank in banks]
+
+
+def checked_step(step: object) -> Fraction:
+    """Return the fraction of a degree that pins are rounded to, or refuse."""
+    number = exact(step, "pin_step", FINEST_STEP)
+    if not 0 < number <= COARSEST:
+        remedy = 'write it like "1/2" or 0.01'
+        raise SymbalanceError(f"pin_step = {shown(step)}", f"must lie in (0, {COARSEST}] degrees", remedy)
+    return number

@@ -1,0 +1,325 @@
+"""Two-sided series: a vector in the plane of the cylinders, as one number for each order.
+
+The vector is written vertical + i lateral = sum of c_n e^(i n theta), n of both signs. The part +n
+turns with the crank and -n against it. Turning the vector by an angle, or delaying the crank by one,
+multiplies c_n by one number, so a whole engine is a sum of turned and delayed copies of one cylinder.
+
+From c_n and c_-n follow the real components, C cos n theta + S sin n theta each, held here as the one
+number C + iS (its modulus is the amplitude, its argument the phase):
+
+    vertical  conj(c_n) + c_-n            forward   conj(c_n)
+    lateral   i (conj(c_n) - c_-n)        backward  c_-n
+
+With a symbolic angle in the layout a number is a `SymbolicPhasor`: exponentials of independent symbols
+are linearly independent, so zero is still decided by normal form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from mpmath import mp
+
+from symbalance.exact.angles import Angle, SymbolPart
+from symbalance.exact.decimal_phasor import DecimalPhasor
+from symbalance.exact.phasor import ZERO, Phasor
+from symbalance.exact.radicals import evaluated, exact_form, square_root_form
+from symbalance.text.numbers import Real
+
+if TYPE_CHECKING:
+    import sympy
+
+COMPONENTS = ("vertical", "lateral", "forward", "backward")
+QUARTER = Fraction(1, 4)
+SHOWN = 30
+"""Digits of a number that has no exact form."""
+MOST_IN_A_SQUARE = 60
+"""An amplitude whose square has more terms is written as the root of C^2 + S^2."""
+
+
+@dataclass(frozen=True)
+class SymbolicPhasor:
+    """A sum of e^(i s) times a `Phasor`, over distinct symbolic angles s."""
+
+    parts: Mapping[SymbolPart, Phasor] = field(hash=False)
+
+    @staticmethod
+    def of(parts: Mapping[SymbolPart, Phasor]) -> SymbolicPhasor:
+        """Return the sum with its zero parts dropped."""
+        return SymbolicPhasor({s: p for s, p in parts.items() if not p.is_zero()})
+
+    def is_zero(self) -> bool:
+        """Tell whether the number is zero for all values of the symbols: a proof either way."""
+        return not self.parts
+
+    def __add__(self, other: SymbolicPhasor) -> SymbolicPhasor:
+        total = dict(self.parts)
+        for symbols, phasor in other.parts.items():
+            total[symbols] = total.get(symbols, ZERO) + phasor
+        return SymbolicPhasor.of(total)
+
+    def __neg__(self) -> SymbolicPhasor:
+        return SymbolicPhasor({s: -p for s, p in self.parts.items()})
+
+    def __sub__(self, other: SymbolicPhasor) -> SymbolicPhasor:
+        return self + -other
+
+    def scaled(self, factor: int | Fraction) -> SymbolicPhasor:
+        """Return the number times a rational."""
+        return SymbolicPhasor.of({s: p.scaled(factor) for s, p in self.parts.items()})
+
+    def turned(self, turns: Fraction) -> SymbolicPhasor:
+        """Return the number times e^(2 pi i turns)."""
+        return SymbolicPhasor({s: p.turned(turns) for s, p in self.parts.items()})
+
+    def norm(self) -> SymbolicPhasor:
+        """Return the number times its conjugate."""
+        total = SymbolicPhasor({})
+        for left, p in self.parts.items():
+            for right, q in self.parts.items():
+                between = Angle(Fraction(0), left) - Angle(Fraction(0), right)
+                total = total + SymbolicPhasor.of({between.symbols: p.times(q.conjugate())})
+        return total
+
+    def conjugate(self) -> SymbolicPhasor:
+        """Return the complex conjugate, the symbols being real."""
+        parts = {tuple((x, -f) for x, f in s): p.conjugate() for s, p in self.parts.items()}
+        return SymbolicPhasor(parts)
+
+
+Number = Phasor | SymbolicPhasor | DecimalPhasor
+
+
+@dataclass(frozen=True, eq=False)
+class Component:
+    """One order of one component: C cos n theta + S sin n theta = amplitude cos(n theta - phase).
+
+    `number` is C + iS; the properties are exact SymPy expressions, made when first asked for.
+
+    >>> c = Component(Phasor.root(Fraction(1, 3)).scaled(2))
+    >>> c.cos, c.sin, c.amplitude, c.phase
+    (-1, sqrt(3), 2, 2*pi/3)
+    """
+
+    number: Number
+
+    def __getstate__(self) -> dict[str, Number]:
+        """Leave out the expressions: SymPy evaluates on unpickling what stands here unevaluated."""
+        return {"number": self.number}
+
+    def is_zero(self) -> bool:
+        """Tell whether the component is exactly zero."""
+        return self.number.is_zero()
+
+    @cached_property
+    def cos(self) -> sympy.Expr:
+        """The coefficient of cos n theta."""
+        return _real_form(self.number)
+
+    @cached_property
+    def sin(self) -> sympy.Expr:
+        """The coefficient of sin n theta."""
+        return _real_form(self.number.turned(-QUARTER))
+
+    @cached_property
+    def amplitude(self) -> sympy.Expr:
+        """The amplitude, zero or positive; with symbols in it and a fixed phase, of either sign."""
+        import sympy
+
+        if isinstance(self.number, SymbolicPhasor):
+            return _symbolic_amplitude(self.number)
+        if isinstance(self.number, DecimalPhasor):
+            with mp.workdps(SHOWN + 5):
+                return _float(mp.hypot(*self.number.parts()))
+        aligned = self._aligned
+        if aligned is not None:
+            return exact_form(aligned[1])
+        square = self.number.times(self.number.conjugate())
+        if len(square.terms) > MOST_IN_A_SQUARE:
+            # SymPy would ask both squares whether they are infinite, and take seconds to know.
+            return sympy.Pow(self.cos**2 + self.sin**2, sympy.S.Half, evaluate=False)
+        return square_root_form(square)
+
+    @cached_property
+    def phase(self) -> sympy.Expr:
+        """The phase in (-pi, pi], a fraction of pi or else an unevaluated atan2."""
+        import sympy
+
+        if isinstance(self.number, DecimalPhasor):
+            return _decimal_phase(self.number)
+        if self.is_zero() or (self.sin == 0 and isinstance(self.number, SymbolicPhasor)):
+            return sympy.S.Zero
+        if self.cos == 0 and isinstance(self.number, SymbolicPhasor):
+            return sympy.pi / 2
+        aligned = self._aligned
+        if aligned is None:
+            return sympy.atan2(self.sin, self.cos, evaluate=False)
+        return 2 * sympy.pi * sympy.Rational(aligned[0].numerator, aligned[0].denominator)
+
+    @cached_property
+    def _aligned(self) -> tuple[Fraction, Phasor] | None:
+        """The phase in turns and the amplitude, where the phase is a fraction of a turn."""
+        if not isinstance(self.number, Phasor):
+            return None
+        return _polar(self.number)
+
+    def decimal(self, digits: int = 30) -> tuple[Real, Real]:
+        """Return the two coefficients to `digits` significant digits each."""
+        if isinstance(self.number, SymbolicPhasor) and self.number.parts:
+            raise TypeError("a component with symbols has no decimal value")
+        if isinstance(self.number, DecimalPhasor):
+            return self.number.parts()
+        if not isinstance(self.number, Phasor):
+            return mp.mpf(0), mp.mpf(0)
+        return evaluated(self.number.real(), digits), evaluated(self.number.imaginary(), digits)
+
+
+def _real_form(number: Number) -> sympy.Expr:
+    """Return the real part as a SymPy expression."""
+    if isinstance(number, Phasor):
+        return exact_form(number.real())
+    if isinstance(number, DecimalPhasor):
+        return _float(number.parts()[0])
+    import sympy
+
+    terms = []
+    for symbols, phasor in number.parts.items():
+        angle = Angle(Fraction(0), symbols).expression()
+        terms.append(exact_form(phasor.real()) * sympy.cos(angle))
+        terms.append(-exact_form(phasor.imaginary()) * sympy.sin(angle))
+    return sympy.Add(*terms)
+
+
+def _float(value: Real) -> sympy.Expr:
+    """Return a number of 40 digits as SymPy writes it, to `SHOWN`; 0 stays a plain 0."""
+    import sympy
+
+    return sympy.Float(value, SHOWN) if value else sympy.S.Zero
+
+
+def _decimal_phase(number: DecimalPhasor) -> sympy.Expr:
+    import sympy
+
+    cos, sin = number.parts()
+    if not sin:
+        return sympy.S.Zero if cos >= 0 else sympy.pi
+    if not cos:
+        return sympy.pi / 2 if sin > 0 else -sympy.pi / 2
+    with mp.workdps(SHOWN + 5):
+        return _float(mp.atan2(sin, cos))
+
+
+def _symbolic_amplitude(number: SymbolicPhasor) -> sympy.Expr:
+    """Return C where S is 0 and S where C is 0, else the root of C^2 + S^2."""
+    import sympy
+
+    cos, sin = _real_form(number), _real_form(number.turned(-QUARTER))
+    return sympy.sqrt(_real_form(number.norm())) if cos != 0 and sin != 0 else cos + sin
+
+
+def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:
+    """Return (turns, amplitude) if the number is a positive real times a root of unity.
+
+    The argument then is a multiple of 1/(4m) turns: the nearest one is tried, and proved or not.
+    """
+    if number.is_zero():
+        return Fraction(0), ZERO
+    steps = 4 * number.modulus
+    real, imaginary = evaluated(number.real(), 15), evaluated(number.imaginary(), 15)
+    with mp.workdps(30):  # whatever precision the caller has set
+        argument = mp.atan2(imaginary, real) / (2 * mp.pi)
+        turns = Fraction(int(mp.nint(argument * steps)), steps)
+    amplitude = number.turned(-turns)
+    if not amplitude.imaginary().is_zero():
+        return None
+    return (turns + 1 if turns <= Fraction(-1, 2) else turns), amplitude.real()
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """The orders of one planar vector: `terms` maps +n and -n to c_n; orders that vanish are absent."""
+
+    terms: Mapping[int, Number] = field(hash=False)
+    _made: dict[tuple[int, str], Component] = field(
+        default_factory=dict, init=False, compare=False, repr=False
+    )
+
+    @staticmethod
+    def of(terms: Mapping[int, Number]) -> Spectrum:
+        """Return the spectrum of the terms that are not zero."""
+        return Spectrum({n: c for n, c in terms.items() if not c.is_zero()})
+
+    def orders(self) -> list[int]:
+        """Return the orders n > 0 present with either sign."""
+        return sorted({abs(n) for n in self.terms})
+
+    def turned(self, turns: Fraction) -> Spectrum:
+        """Return the vector turned by so many turns, in the sense of rotation."""
+        return Spectrum({n: c.turned(turns) for n, c in self.terms.items()})
+
+    def delayed(self, turns: Fraction) -> Spectrum:
+        """Return the vector delayed by so many turns of the crank."""
+        return Spectrum({n: c.turned(-n * turns) for n, c in self.terms.items()})
+
+    def scaled(self, factor: int | Fraction) -> Spectrum:
+        """Return the vector times a rational."""
+        return Spectrum.of({n: c.scaled(factor) for n, c in self.terms.items()})
+
+    def __add__(self, other: Spectrum) -> Spectrum:
+        total = dict(self.terms)
+        for n, number in other.terms.items():
+            total[n] = _sum(total[n], number) if n in total else number
+        return Spectrum.of(total)
+
+    def component(self, order: int, name: str) -> Component:
+        """Return the vertical, lateral, forward or backward component of an order.
+
+        Orders that share their numbers (n and n + m do) share their components, and the work in them.
+        """
+        key = (self._alike.get(order, 0), name)
+        if key not in self._made:
+            ahead, against = self.terms.get(order, ZERO), self.terms.get(-order, ZERO)
+            self._made[key] = _component(ahead, against, name)
+        return self._made[key]
+
+    @cached_property
+    def _alike(self) -> dict[int, int]:
+        """The lowest order that has an order's two numbers: the same objects, which a copy keeps so."""
+        lowest: dict[tuple[int, int], int] = {}  # by id, while `terms` holds the objects; kept nowhere
+        return {
+            n: lowest.setdefault((id(self.terms.get(n, ZERO)), id(self.terms.get(-n, ZERO))), n)
+            for n in self.orders()
+        }
+
+
+def _component(ahead: Number, against: Number, name: str) -> Component:
+    ahead = ahead.conjugate()
+    match name:
+        case "vertical":
+            return Component(_sum(ahead, against))
+        case "lateral":
+            return Component(_sum(ahead, -against).turned(QUARTER))
+        case "forward":
+            return Component(ahead)
+        case "backward":
+            return Component(against)
+    raise KeyError(name)
+
+
+def _sum(left: Number, right: Number) -> Number:
+    """Return the sum of two numbers, of one kind or of both."""
+    if isinstance(left, Phasor) and isinstance(right, Phasor):
+        return left + right
+    if isinstance(left, DecimalPhasor) and isinstance(right, DecimalPhasor):
+        return left + right
+    if isinstance(left, DecimalPhasor) or isinstance(right, DecimalPhasor):
+        return left if right.is_zero() else right  # an absent order is a Phasor's zero
+    return _symbolic(left) + _symbolic(right)
+
+
+def _symbolic(number: Phasor | SymbolicPhasor) -> SymbolicPhasor:
+    return number if isinstance(number, SymbolicPhasor) else SymbolicPhasor.of({(): number})

@@ -1,0 +1,45 @@
+"""What turns, as a spectrum: what counterweights, shafts and rotating masses add to force and couple."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.engine.layout import Layout
+from symbalance.engine.rotors import rotors
+from symbalance.exact.arithmetic import added, decimal
+from symbalance.exact.decimal_phasor import DecimalPhasor
+from symbalance.exact.spectrum import Number, Spectrum
+
+
+def rotor_spectrum(layout: Layout, highest: int, plane: Fraction | None) -> Spectrum:
+    """Return what the rotors add to the force, or to the couple about `plane`, up to an order.
+
+    >>> from symbalance.engine.balancers import Counterweight
+    >>> from symbalance.engine.builders import inline
+    >>> single = inline("1").balanced_by(Counterweight(throw=1, overbalance="1/2"))
+    >>> rotor_spectrum(single, 12, None).component(1, "vertical").cos
+    -1/2
+    """
+    total: dict[int, Number] = {}
+    for rotor in rotors(layout):
+        if abs(rotor.speed) <= highest:
+            arm = Fraction(1) if plane is None else rotor.station - plane
+            part = rotor.vector.scaled(arm)
+            total[rotor.speed] = added(total[rotor.speed], part) if rotor.speed in total else part
+    return Spectrum.of(total)
+
+
+def with_rotors(layout: Layout, vector: Spectrum, highest: int, plane: Fraction | None) -> Spectrum:
+    """Return a force, or a couple about `plane`, with that of the rotors added to it."""
+    if not layout.balancers:
+        return vector
+    total = dict(vector.terms)
+    for n, number in rotor_spectrum(layout, highest, plane).terms.items():
+        total[n] = added(total[n], number) if n in total else number
+    if not layout.is_geometric:
+        total = {n: _decimal(number) for n, number in total.items()}
+    return Spectrum.of(total)
+
+
+def _decimal(number: Number) -> DecimalPhasor:
+    return number if isinstance(number, DecimalPhasor) else DecimalPhasor(decimal(number))

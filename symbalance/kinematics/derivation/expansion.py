@@ -1,0 +1,238 @@
+"""The steps of a derivation from the geometry to the collected and differentiated harmonics."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import comb
+
+from symbalance.document.formula import (
+    DOTS,
+    Applied,
+    Binomial,
+    Equation,
+    Formula,
+    Monomial,
+    Name,
+    Number,
+    Over,
+    Power,
+    Root,
+    Sum,
+    Total,
+    alternating,
+    cos,
+    equal,
+    sin,
+)
+from symbalance.kinematics.derivation.setting import (
+    INDEX_I,
+    PHI,
+    THETA,
+    J,
+    K,
+    L,
+    Prose,
+    R,
+    S,
+    Setting,
+    Step,
+    X,
+    closed,
+    harmonic,
+    prose,
+)
+
+ROOT_TERMS = 5
+"""How many terms of the binomial series a derivation shows at least."""
+BIG_X = Name("X")
+
+
+def geometry(setting: Setting) -> Step:
+    """Return step 1: the crank, the rod, and where everything is measured from."""
+    letters = setting.letters
+    about = [
+        "The crank pin turns at ", *_crank(setting), " about the crankshaft; ", THETA,
+        " is the crank angle, ", equal(THETA, Number(0)), " at top dead centre. The rod, of length ", L,
+        " between centres, joins the pin to a piston whose axis passes through the crankshaft, and makes"
+        " the angle ", PHI, " with that axis",
+    ]  # fmt: skip
+    pin = equal(L * sin(PHI), letters.radius * sin(THETA))
+    ratio = prose("With ", letters.ratio, " (", letters.meaning, ")")
+    slope = equal(sin(PHI), letters.sine)
+    if setting.rod_angle:
+        side = " (positive towards the side of the pin after top dead centre)."
+        return Step("Geometry", (Prose((*about, side)), pin, ratio, slope))
+    measured = prose(
+        "The piston's displacement ", X, " is measured from top dead centre towards the crank;"
+        " velocity and acceleration are positive in the same direction."
+    )  # fmt: skip
+    radius = letters.radius
+    whole = radius + L - Sum(((1, radius * cos(THETA)), (1, L * cos(PHI))))
+    position = equal(X, whole, radius * (1 - cos(THETA)) + L * (1 - cos(PHI)))
+    return Step("Geometry", (Prose((*about, ".")), measured, pin, position, ratio, slope))
+
+
+def _crank(setting: Setting) -> tuple[str | Formula | Equation, ...]:
+    if setting.convention == "l/s":
+        return ("the radius ", S / Number(2), ", half the stroke ", S, ",")
+    return ("the radius ", R)
+
+
+def root(setting: Setting) -> Step:
+    """Return step 2: cos phi as a root, positive since the rod is longer than the crank."""
+    letters = setting.letters
+    value = Root(1 - _square(setting))
+    piston = letters.radius * (1 - cos(THETA)) + letters.rod * (1 - value)
+    words = prose(
+        "The rod is longer than the crank, so ", PHI, " stays within a right angle and ", cos(PHI),
+        " is the positive root:",
+    )  # fmt: skip
+    return Step("The root", (words, equal(cos(PHI), Root(1 - sin(PHI, 2)), value), equal(X, piston)))
+
+
+def _square(setting: Setting) -> Formula:
+    """Return sin^2 phi in the crank angle."""
+    return setting.rho_power(2, of=sin(THETA, 2))
+
+
+def root_series(setting: Setting) -> Step:
+    """Return step 3: sqrt(1 - X) = 1 - sum of C(2m, m)/(2m - 1) (X/4)^m, and what is kept of it."""
+    shown = ROOT_TERMS if setting.long else max(ROOT_TERMS, setting.last // 2)
+    terms = [(-1, _power_of_x(_root_term(m), m)) for m in range(1, shown + 1)]
+    general = Binomial(2 * J, J) / (2 * J - 1) * Power(BIG_X / Number(4), J)
+    series = Equation(
+        Root(1 - BIG_X),
+        (("=", Sum(((1, Number(1)), *terms, (-1, DOTS)))), ("=", 1 - Total(J, Number(1), None, general))),
+    )
+    words = prose(
+        "The binomial series, which converges as ", equal(BIG_X, _square(setting)), " stays below 1:"
+    )
+    rod = setting.letters.rod * (1 - Root(1 - BIG_X))
+    if setting.last == 0:
+        kept = prose("Order 1 keeps none of its powers: the root is replaced by 1, so that ",
+                     Equation(rod, (("≈", Number(0)),)), ".")  # fmt: skip
+        return Step("The root as a series", (words, series, kept))
+    rows = [setting.rho_power(p - 1, _root_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()]
+    m = setting.last // 2
+    end = closed(
+        setting, [_central(m), sin(THETA, 2 * m)], [Number(2 * m - 1), Number(4) ** m], 2 * m - 1
+    )
+    kept = Equation(rod, (("≈", setting.letters.radius * _elided(setting, rows, end)),))
+    return Step("The root as a series", (words, series, _kept_to(setting), kept))
+
+
+def _root_term(m: int) -> Fraction:
+    """Return the coefficient of X^m in 1 - sqrt(1 - X)."""
+    return Fraction(comb(2 * m, m), (2 * m - 1) * 4**m)
+
+
+def _power_of_x(coefficient: Fraction, exponent: int) -> Monomial:
+    return Monomial(coefficient, "X", exponent)
+
+
+def _kept_to(setting: Setting) -> Prose:
+    also = ""
+    if setting.long:
+        also = " (the derivation being long, only the first and the last are written out)"
+    return prose("Kept to ", sin(THETA, setting.last), also, ":")
+
+
+def _elided(setting: Setting, rows: list[Monomial], end: Formula) -> Sum:
+    """Return the rows as a sum: of a long derivation the first three, dots and the last as `end`."""
+    terms: list[Formula] = [*rows[:3], DOTS, end] if setting.long and len(rows) > 4 else [*rows]
+    return Sum(tuple((1, term) for term in terms))
+
+
+def _central(j: int) -> Binomial:
+    return Binomial(Number(2 * j), Number(j))
+
+
+def inverse_sine(setting: Setting) -> Step:
+    """Return step 2 of the rod's angle."""
+    words = prose("The rod is longer than the crank, so ", PHI, " stays within a right angle:")
+    return Step("The inverse sine", (words, equal(PHI, Applied("asin", setting.letters.sine))))
+
+
+def inverse_sine_series(setting: Setting) -> Step:
+    """Return step 3 of the rod's angle: asin X = sum of C(2j, j) X^(2j+1)/(4^j (2j + 1))."""
+    shown = ROOT_TERMS if setting.long else max(ROOT_TERMS, setting.last // 2 + 1)
+    terms = [(1, _power_of_x(_inverse_sine_term(j), 2 * j + 1)) for j in range(shown)]
+    general = Over(Binomial(2 * J, J), Power(Number(4), J) * (2 * J + 1)) * Power(BIG_X, 2 * J + 1)
+    left = Applied("asin", BIG_X)
+    series = equal(left, Sum((*terms, (1, DOTS))), Total(J, Number(0), None, general))
+    words = prose(
+        "The series, which converges as ", equal(BIG_X, setting.letters.sine), " stays below 1:"
+    )
+    rows = [
+        setting.rho_power(p, _inverse_sine_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()
+    ]
+    p, j = setting.last, setting.last // 2
+    end = closed(setting, [_central(j), sin(THETA, p)], [Number(p), Number(4) ** j], p)
+    kept = Equation(PHI, (("≈", _elided(setting, rows, end)),))
+    return Step("The inverse sine as a series", (words, series, _kept_to(setting), kept))
+
+
+def _inverse_sine_term(j: int) -> Fraction:
+    return Fraction(comb(2 * j, j), (2 * j + 1) * 4**j)
+
+
+def even_powers(setting: Setting) -> Step:
+    """Return step 4: sin^2m theta = (C(2m, m)/2 + sum of (-1)^k C(2m, m-k) cos 2k theta) / 2^(2m-1)."""
+    if setting.last == 0:
+        return Step(
+            "Multiple angles", (prose("At order 1 no power of ", sin(THETA), " is left to resolve."),)
+        )
+    lines = [_even_power(power // 2) for power in _shown(setting)]
+    body = alternating(K) * Binomial(2 * J, J - K) * cos(2 * K * THETA)
+    general = equal(
+        sin(THETA, 2 * J),
+        1 / Power(Number(4), J) * (Binomial(2 * J, J) + 2 * Total(K, Number(1), J, body)),
+    )
+    return _multiple_angles(setting, lines, general)
+
+
+def _even_power(m: int) -> Equation:
+    terms: list[tuple[int, Formula]] = [(1, Number(comb(2 * m, m) // 2))]
+    terms += [((-1) ** k, _times(comb(2 * m, m - k), harmonic("cos", 2 * k))) for k in range(1, m + 1)]
+    return equal(sin(THETA, 2 * m), _shared(Sum(tuple(terms)), 2 ** (2 * m - 1)))
+
+
+def odd_powers(setting: Setting) -> Step:
+    """Return step 4 of the rod's angle.
+
+    sin^(2j+1) theta = sum of (-1)^i C(2j+1, j-i) sin (2i+1) theta / 4^j.
+    """
+    lines = [_odd_power(power // 2) for power in _shown(setting) if power > 1]
+    body = alternating(INDEX_I) * Binomial(2 * J + 1, J - INDEX_I) * sin((2 * INDEX_I + 1) * THETA)
+    general = equal(sin(THETA, 2 * J + 1), 1 / Power(Number(4), J) * Total(INDEX_I, Number(0), J, body))
+    if not lines:
+        return Step(
+            "Multiple angles", (prose("The first power of ", sin(THETA), " is a harmonic already."),)
+        )
+    return _multiple_angles(setting, lines, general)
+
+
+def _odd_power(j: int) -> Equation:
+    terms = [
+        ((-1) ** i, _times(comb(2 * j + 1, j - i), harmonic("sin", 2 * i + 1))) for i in range(j + 1)
+    ]
+    return equal(sin(THETA, 2 * j + 1), _shared(Sum(tuple(terms)), 4**j))
+
+
+def _times(number: int, value: Formula) -> Formula:
+    return value if number == 1 else number * value
+
+
+def _shared(terms: Sum, under: int) -> Formula:
+    """Return terms over a common denominator: as a fraction, or where that grows long times one."""
+    return terms / Number(under) if len(terms.terms) < 5 else 1 / Number(under) * terms
+
+
+def _shown(setting: Setting) -> list[int]:
+    powers = list(setting.sine_powers())
+    return powers[:4] if setting.long else powers
+
+
+def _multiple_angles(setting: Setting, lines: list[Equation], general: Equation) -> Step:
+    goes_on = (prose("and so on: in general"),) if setting.long else (prose("These are cases of"),)
+    return Step("Multiple angles", (*lines, *goes_on, general))

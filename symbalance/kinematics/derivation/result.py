@@ -1,0 +1,122 @@
+"""The derivation of one slider-crank's harmonics, step by step, as a person would write it.
+
+    geometry -> root -> its series -> multiple angles -> harmonics -> derivatives -> what is left out
+
+Every coefficient comes from the integers of `symbalance.kinematics.slider_crank`. To order N the powers of sin theta
+are kept to the N-th, and with them the powers of 1/lambda to the (N-1)-th (rod angle: the N-th).
+The steps are data; `symbalance.kinematics.derivation.document` prints them as text or LaTeX.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symbalance.document.notation import convention_named
+from symbalance.errors import SymbalanceError, shown
+from symbalance.kinematics.derivation import expansion
+from symbalance.kinematics.derivation.collection import collection_steps
+from symbalance.kinematics.derivation.remainder import left_out_step
+from symbalance.kinematics.derivation.setting import SHORTENED, Setting, Step
+from symbalance.kinematics.slider_crank import (
+    HIGHEST_ORDER,
+    QUANTITIES,
+    Harmonics,
+    Series,
+    acceleration_series,
+    checked_order,
+    integrated,
+    rod_angle_series,
+)
+from symbalance.kinematics.slider_crank import harmonics as all_harmonics
+from symbalance.text.numbers import checked_whole
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """A quantity's harmonics to `order`, with the steps that lead there.
+
+    `power` is the highest power of 1/lambda kept; `harmonics` the result, in powers of 1/lambda with
+    lambda = l/r whatever the convention (above order 40 two terms of each coefficient).
+    """
+
+    quantity: str
+    convention: str
+    order: int
+    power: int
+    harmonics: Harmonics
+    steps: tuple[Step, ...]
+
+
+def derive(
+    quantity: str = "force", order: int = 6, convention: str = "l/r", power: int | None = None
+) -> Derivation:
+    """Return the derivation of a quantity of `slider_crank.QUANTITIES` to `order`, 1 to 1000.
+
+    `power` keeps powers of 1/lambda to it; it must leave every harmonic at least one term.
+
+    >>> [step.title for step in derive("displacement", 2).steps][:3]
+    ['Geometry', 'The root', 'The root as a series']
+    >>> derive("force", 6, power=3)
+    Traceback (most recent call last):
+    symbalance.errors.SymbalanceError: power = 3: leaves order 6 no term; keep at least 5
+    """
+    if quantity not in QUANTITIES:
+        raise SymbalanceError(f"quantity = {shown(quantity)}", f"must be one of {', '.join(QUANTITIES)}")
+    convention_named(convention)
+    kept = _checked_power(power, quantity, checked_order(order))
+    setting = Setting(quantity, order, kept, convention)
+    found = _harmonics(setting)
+    return Derivation(quantity, convention, order, kept, found, _steps(setting, found))
+
+
+def _steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:
+    """Return the steps; the rod's angle needs no root and no derivative."""
+    if setting.quantity == "rod-angle":
+        before = (
+            expansion.geometry,
+            expansion.inverse_sine,
+            expansion.inverse_sine_series,
+            expansion.odd_powers,
+        )
+    else:
+        before = (expansion.geometry, expansion.root, expansion.root_series, expansion.even_powers)
+    return (
+        *(step(setting) for step in before),
+        *collection_steps(setting, found),
+        left_out_step(setting, found),
+    )
+
+
+def _checked_power(power: int | None, quantity: str, order: int) -> int:
+    """Return the highest power of 1/lambda to keep, refusing one that leaves a harmonic no term."""
+    if quantity == "rod-angle":
+        highest = order - 1 + order % 2
+        least, usual = highest, order
+    else:
+        highest = order - order % 2
+        least, usual = max(highest - 1, 0), order - 1
+    if power is None:
+        return usual
+    power = checked_whole(power, "power", 0, HIGHEST_ORDER, "leave it out for the usual powers")
+    if power < least:
+        rule = f"leaves order {highest} no term"
+        raise SymbalanceError(f"power = {power}", rule, f"keep at least {least}")
+    return power
+
+
+def _harmonics(setting: Setting) -> Harmonics:
+    """Return the harmonics; of a long derivation two terms of each."""
+    if not setting.long:
+        return all_harmonics(setting.quantity, setting.order, setting.power)
+    first = all_harmonics(setting.quantity, 1, min(setting.power, 3))
+    if setting.quantity == "rod-angle":
+        rows = {n: rod_angle_series(n, min(setting.power, n + 2)) for n in setting.orders()}
+    else:
+        rows = {n: _shortened(setting, n) for n in setting.orders()}
+    return Harmonics(setting.quantity, first.function, first.constant, rows)
+
+
+def _shortened(setting: Setting, n: int) -> Series:
+    """Return the leading terms of one coefficient of a piston quantity."""
+    through = min(setting.power, n - 1 + 2 * (SHORTENED - 1)) if n > 1 else 0
+    return acceleration_series(n, through).scaled(integrated(setting.quantity, n))

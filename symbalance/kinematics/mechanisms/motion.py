@@ -1,0 +1,111 @@
+"""Where the piston and the rod are at a crank angle, how fast they move and how they accelerate.
+
+Values are mpmath numbers at the working precision (`mp.dps`); every derivative is in closed form, by
+d/dp of the formulas in the package's head. Times r, r omega, r omega^2; the rod's in rad, omega, omega^2.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from mpmath import mp
+
+from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank
+from symbalance.text.numbers import Real, real
+
+
+class Motion(NamedTuple):
+    """A quantity and its first and second derivative by the crank angle."""
+
+    value: Real
+    first: Real
+    second: Real
+
+
+def height(mechanism: Mechanism, p: Real) -> Real:
+    """Return the piston's height y(p) along its axis from the crank's axis, over r.
+
+    `p` is the cylinder's own crank angle in radians.
+
+    >>> mp.nstr(height(SliderCrank(4, "1/4"), mp.mpf(0)), 15)
+    '4.99217985566783'
+    """
+    place = _pin_place(mechanism, p)
+    return place.real + real(mechanism.length) * _cosine(_slant(mechanism, place))
+
+
+def rod_angle(mechanism: Mechanism, p: Real) -> Real:
+    """Return phi(p) in radians, sin phi = (lateral place of the rod's pin - offset)/length.
+
+    Of a `LinkRod` it is the link rod's own angle to its own cylinder's axis.
+    """
+    return mp.asin(_slant(mechanism, _pin_place(mechanism, p)))
+
+
+def rod_motion(mechanism: Mechanism, p: Real) -> Motion:
+    """Return phi(p), phi' = v'/(l cos phi) and phi'' = (v''/l + phi'^2 sin phi)/cos phi, v = Im w."""
+    return _rod_motion(mechanism, _pin_motion(mechanism, p))
+
+
+def height_motion(mechanism: Mechanism, p: Real) -> Motion:
+    """Return y(p), y' = u' - l phi' sin phi and y'' = u'' - l (phi'' sin phi + phi'^2 cos phi), u = Re w.
+
+    The inertia force over m r omega^2 is -y''.
+
+    >>> mp.nstr(height_motion(SliderCrank(4), mp.mpf(0)).second, 15)  # -(1 + 1/lambda)
+    '-1.25'
+    """
+    pin = _pin_motion(mechanism, p)
+    rod = _rod_motion(mechanism, pin)
+    length, sine = real(mechanism.length), _slant(mechanism, pin.value)
+    cosine = _cosine(sine)
+    return Motion(
+        pin.value.real + length * cosine,
+        pin.first.real - length * sine * rod.first,
+        pin.second.real - length * (sine * rod.second + cosine * rod.first**2),
+    )
+
+
+def _slant(mechanism: Mechanism, place: Real) -> Real:
+    """Return sin phi."""
+    return (place.imag - real(mechanism.offset)) / real(mechanism.length)
+
+
+def _cosine(sine: Real) -> Real:
+    return mp.sqrt((1 - sine) * (1 + sine))
+
+
+def _arm(link: LinkRod) -> Real:
+    """Return L e^(i chi)."""
+    return real(link.link_radius) * mp.expjpi(2 * real(link.lead))
+
+
+def _master_angle(link: LinkRod, p: Real) -> Real:
+    return p + 2 * mp.pi * real(link.bank_difference)
+
+
+def _pin_place(mechanism: Mechanism, p: Real) -> Real:
+    """Return w, the place of the pin that the rod turns on."""
+    turn = mp.expj(p)
+    if isinstance(mechanism, SliderCrank):
+        return turn
+    sine = _slant(mechanism.master, mp.expj(_master_angle(mechanism, p)))
+    return turn + _arm(mechanism) * mp.mpc(_cosine(sine), -sine)
+
+
+def _pin_motion(mechanism: Mechanism, p: Real) -> Motion:
+    turn = mp.expj(p)
+    if isinstance(mechanism, SliderCrank):
+        return Motion(turn, 1j * turn, -turn)
+    rod = rod_motion(mechanism.master, _master_angle(mechanism, p))
+    arm = _arm(mechanism) * mp.expj(-rod.value)
+    return Motion(
+        turn + arm, 1j * (turn - arm * rod.first), -turn - arm * (1j * rod.second + rod.first**2)
+    )
+
+
+def _rod_motion(mechanism: Mechanism, pin: Motion) -> Motion:
+    length, sine = real(mechanism.length), _slant(mechanism, pin.value)
+    cosine = _cosine(sine)
+    first = pin.first.imag / (length * cosine)
+    return Motion(mp.asin(sine), first, (pin.second.imag / length + sine * first**2) / cosine)

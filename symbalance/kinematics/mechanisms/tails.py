@@ -1,0 +1,47 @@
+r"""A proved bound on the harmonics of a mechanism's force above an order: offset axes and link rods too.
+
+In the strip |Im p| <= a of `linkages` y - cos p is analytic and at most M (`fourier`), so that its
+coefficients obey |c_n| <= M e^(-a n). With A_n - i B_n = 2 n^2 c_n and x = e^(-a), all orders n >= N >= 2
+together are at most, at whatever crank angle,
+
+    sum of |A_n - i B_n| <= 2 M sum of n^2 x^n = 2 M x^N (N^2/(1-x) + 2 N x/(1-x)^2 + x (1+x)/(1-x)^3).
+
+M e^(-a n) has the true rate e^(-a n) of a slider-crank, whose nearest branch point lies on the strip's
+edge, but not its n^(-3/2): the bound is some 10 n^(3/2) too large. So whoever needs it sharp adds up
+known harmonics first and bounds only those far out, where all of it is nothing.
+"""
+
+from __future__ import annotations
+
+from mpmath import mp
+
+from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, plain
+from symbalance.kinematics.slider_crank import checked_order
+from symbalance.text.numbers import Real, real
+
+ROUNDING = 1 + 2.0**-26
+"""Covers the rounding of this module's few operations, which carry more digits."""
+
+
+def force_tail(mechanism: Mechanism, order: int) -> Real:
+    """Return a proved bound on the sum of the force's harmonics above `order`, over m r omega^2.
+
+    >>> from symbalance.kinematics.mechanisms import SliderCrank, force_harmonics
+    >>> offset = SliderCrank(4, "1/2")
+    >>> mp.nstr(force_tail(offset, 12), 3)
+    '3.12e-8'
+    >>> found = force_harmonics(offset, 40)
+    >>> mp.nstr(mp.fsum(mp.hypot(*found[n]) for n in found if n > 12), 3)
+    '1.73e-10'
+    """
+    checked_order(order)
+    mechanism = plain(mechanism)
+    first = order + 1
+    with mp.workdps(30):  # whatever precision the caller has set
+        size = mp.sqrt(2) * real(mechanism.length)
+        if isinstance(mechanism, LinkRod):
+            size += mp.sqrt(3) * real(mechanism.link_radius)
+        x = mp.exp(-mp.mpf(mechanism.strip))
+        rest = 1 - x
+        total = first**2 / rest + 2 * first * x / rest**2 + x * (1 + x) / rest**3
+        return 2 * size * x**first * total * ROUNDING

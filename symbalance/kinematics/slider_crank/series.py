@@ -1,0 +1,60 @@
+"""A polynomial in 1/lambda that knows how far it is kept."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from symbalance.document.symbols import symbol
+
+if TYPE_CHECKING:
+    import sympy
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """A polynomial in 1/lambda, exact through the power `through`; higher powers are left out.
+
+    `terms` maps a power of 1/lambda to its coefficient. `complete` says that nothing is left out at all.
+
+    >>> from symbalance.kinematics.slider_crank import acceleration_series
+    >>> acceleration_series(2, through=5)
+    Series(terms={1: Fraction(1, 1), 3: Fraction(1, 4), 5: Fraction(15, 128)}, through=5, complete=False)
+    """
+
+    terms: dict[int, Fraction]
+    through: int
+    complete: bool = False
+
+    def at(self, ratio: Fraction) -> Fraction:
+        """Return the kept terms' sum for a rod ratio lambda, exactly."""
+        return sum((c / ratio**p for p, c in self.terms.items()), Fraction(0))
+
+    def scaled(self, factor: Fraction | int) -> Series:
+        """Return the series times a rational."""
+        terms = {p: c * factor for p, c in self.terms.items()}
+        return Series(terms, self.through, self.complete)
+
+    def in_powers_of_rho(self) -> sympy.Expr:
+        """Return the kept terms as a SymPy expression in rho = r/l."""
+        return self._expression(symbol("rho"), 1)
+
+    def in_lam(self) -> sympy.Expr:
+        """Return the kept terms as a SymPy expression in lam = l/r.
+
+        >>> from symbalance.kinematics.slider_crank import acceleration_series
+        >>> acceleration_series(6, through=7).in_lam()
+        9/(128*lam**5) + 45/(512*lam**7)
+        """
+        return self._expression(symbol("lam"), -1)
+
+    def _expression(self, of: sympy.Symbol, sign: int) -> sympy.Expr:
+        import sympy
+
+        return sympy.Add(
+            *(
+                sympy.Rational(c.numerator, c.denominator) * of ** (sign * p)
+                for p, c in self.terms.items()
+            )
+        )

@@ -1,0 +1,247 @@
+"""From a formula's tree to its form, with letters replaced by what they stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from symbalance.document import syntax
+from symbalance.notes.algebra import functions, named
+from symbalance.notes.algebra.derivatives import differentiated
+from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.polynomials import MOST_WORK
+from symbalance.notes.algebra.roots import root, unit
+
+DEEPEST = 40
+DEEPEST_TREE = 150
+LONGEST_SUM = 400
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """What the letters of a formula stand for.
+
+    `values` replaces letters by formulas; `rates` gives, for a variable of differentiation, the letters
+    that change with it and how fast; `positive` and `integer` restrict letters.
+    """
+
+    values: Mapping[str, syntax.Node] = field(default_factory=dict)
+    rates: Mapping[str, Mapping[str, syntax.Node]] = field(default_factory=dict)
+    positive: frozenset[str] = frozenset()
+    integer: frozenset[str] = frozenset()
+    ranges: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    """Where a letter's values are tried, in hundredths: a rod ratio l/r from 300 to 500."""
+
+    def domain(self) -> Domain:
+        """Return a fresh domain for formulas of this meaning."""
+        return Domain(self.positive, self.integer, self.ranges)
+
+
+class Evaluator:
+    """Turns trees into forms of one domain.
+
+    >>> half = syntax.Quotient(syntax.Name("s"), syntax.Number(Fraction(2)))
+    >>> evaluator = Evaluator(Domain(), Meaning({"s": syntax.Name("d")}))
+    >>> evaluator.form(half).numerator
+    {((1, 1),): Fraction(1, 2)}
+    """
+
+    def __init__(self, domain: Domain, meaning: Meaning | None = None) -> None:
+        self.domain, self.meaning = domain, meaning or Meaning()
+        self._known: dict[str, Form] = {}
+        self._open: list[str] = []
+        self._depth = 0
+
+    def form(self, node: syntax.Node) -> Form:
+        """Return the form of a formula; raises NoFormError without one, TooLargeError past the limits."""
+        self._depth += 1
+        try:
+            if self._depth > DEEPEST_TREE:
+                raise TooLargeError("parts within parts without end")
+            return _RULES[type(node)](self, node)
+        finally:
+            self._depth -= 1
+
+    def letter(self, name: str) -> Form:
+        """Return what a letter stands for, or the letter itself."""
+        if name not in self.meaning.values or name in self._open:
+            return Form.letter(self.domain, name)
+        if name not in self._known:
+            if len(self._open) > DEEPEST:
+                raise NoFormError("definitions nested too deep")
+            self._open.append(name)
+            try:
+                self._known[name] = self.form(self.meaning.values[name])
+            finally:
+                self._open.pop()
+        return self._known[name]
+
+    def replacing(self, name: str, value: syntax.Node) -> Evaluator:
+        """Return an evaluator to which one more letter stands for a value: the index of a sum."""
+        values = dict(self.meaning.values) | {name: value}
+        inner = Evaluator(self.domain, replace(self.meaning, values=values))
+        inner._open, inner._depth = [known for known in self._open if known != name], self._depth
+        return inner
+
+    def rates(self, variable: str) -> dict[int, Polynomial]:
+        """Return the letters that change with `variable`, and their rates."""
+        own: dict[int, Polynomial] = {self.domain.symbol(variable): {(): Fraction(1)}}
+        for name, rate in self.meaning.rates.get(variable, {}).items():
+            form = self.form(rate)
+            if not form.is_polynomial:
+                raise NoFormError("a rate that is a quotient")
+            own[self.domain.symbol(name)] = form.numerator
+        return own
+
+
+def _number(evaluator: Evaluator, node: syntax.Number) -> Form:
+    return Form.number(evaluator.domain, node.value)
+
+
+def _name(evaluator: Evaluator, node: syntax.Name) -> Form:
+    return evaluator.letter(node.name)
+
+
+def _constant(evaluator: Evaluator, node: syntax.Constant) -> Form:
+    if node.name == "i":
+        return unit(evaluator.domain)
+    if node.name == "infinity":
+        raise NoFormError("infinity")
+    return Form.letter(evaluator.domain, node.name)
+
+
+def _sum(evaluator: Evaluator, node: syntax.Sum) -> Form:
+    total = Form.number(evaluator.domain, 0)
+    for term in node.terms:
+        if not isinstance(term, syntax.Dots):
+            total = total.plus(evaluator.form(term))
+    return total
+
+
+def _product(evaluator: Evaluator, node: syntax.Product) -> Form:
+    total = Form.number(evaluator.domain, 1)
+    for factor in node.factors:
+        total = total.times(evaluator.form(factor))
+    return total
+
+
+def _quotient(evaluator: Evaluator, node: syntax.Quotient) -> Form:
+    return evaluator.form(node.numerator).over(evaluator.form(node.denominator))
+
+
+def _negative(evaluator: Evaluator, node: syntax.Negative) -> Form:
+    return evaluator.form(node.operand).scaled(-1)
+
+
+def _power(evaluator: Evaluator, node: syntax.Power) -> Form:
+    exponent = evaluator.form(node.exponent)
+    if isinstance(node.base, syntax.Constant) and node.base.name == "e":
+        return functions.exponential(exponent)
+    base, value = evaluator.form(node.base), exponent.rational()
+    if value is not None:
+        return rational_power(base, value)
+    if base.rational() == -1:
+        turned = unit(evaluator.domain).times(exponent)
+        return functions.exponential(turned.times(Form.letter(evaluator.domain, "pi")))
+    phase = functions.exponent_of(base)
+    if phase is not None:
+        functions.assume_whole(exponent, base)
+        return functions.exponential(exponent.times(phase))
+    return functions.exponential(exponent.times(named.logarithm(base)))
+
+
+def rational_power(base: Form, exponent: Fraction) -> Form:
+    """Return base^exponent; roots other than square ones only of a single term."""
+    if exponent.denominator == 1:
+        return base.raised(int(exponent))
+    if exponent.denominator == 2:
+        return root(base).raised(exponent.numerator)
+    if exponent.denominator > 60 or not base.is_polynomial or len(base.numerator) != 1:
+        raise NoFormError("a root of a sum that is no square root")
+    ((monomial, coefficient),) = base.numerator.items()
+    if coefficient != 1 or any(not base.domain.generators[g].positive for g, _ in monomial):
+        raise NoFormError("a root that is no square root")
+    factor, raised = base.domain.raised(monomial, exponent)
+    return Form.of(base.domain, {raised: Fraction(factor)})
+
+
+def _call(evaluator: Evaluator, node: syntax.Call) -> Form:
+    argument = evaluator.form(node.argument)
+    return named.apply(node.function, argument)
+
+
+def _derivative(evaluator: Evaluator, node: syntax.Derivative) -> Form:
+    inner, variable = node.expression, node.variable.name
+    meaning = evaluator.meaning
+    known = {*meaning.values, *meaning.rates.get(variable, ()), variable}
+    if isinstance(inner, syntax.Name) and inner.name not in known:
+        if inner.name in meaning.positive and meaning.rates:  # a size, such as ω: constant
+            return Form.number(evaluator.domain, 0)
+        return Form.letter(evaluator.domain, derivative_name(node))
+    if variable in meaning.values and meaning.rates:
+        return _by_chain_rule(evaluator, evaluator.form(inner), node)
+    form, rates = evaluator.form(inner), evaluator.rates(variable)
+    for _ in range(node.order):
+        form = differentiated(form, rates)
+    return form
+
+
+def _by_chain_rule(evaluator: Evaluator, form: Form, node: syntax.Derivative) -> Form:
+    """Return df/dx = (df/dt)/(dx/dt) where x itself is a motion."""
+    time = next(iter(evaluator.meaning.rates))
+    rates = evaluator.rates(time)
+    below = differentiated(evaluator.letter(node.variable.name), rates)
+    for _ in range(node.order):
+        form = differentiated(form, rates).over(below)
+    return form
+
+
+def derivative_name(node: syntax.Derivative) -> str:
+    """Return the letter that stands for the derivative of an unknown letter.
+
+    >>> derivative_name(syntax.Derivative(syntax.Name("S"), syntax.Name("t"), 2))
+    'd2S/dt2'
+    """
+    order = "" if node.order == 1 else str(node.order)
+    inner = node.expression.name if isinstance(node.expression, syntax.Name) else "(...)"
+    return f"d{order}{inner}/d{node.variable.name}{order}"
+
+
+def _summation(evaluator: Evaluator, node: syntax.Summation) -> Form:
+    if node.index is None or node.lower is None or node.upper is None:
+        return functions.opaque("sum", evaluator.form(node.body))
+    lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))
+    if lower is None or upper is None or not lower.denominator == upper.denominator == 1:
+        raise NoFormError("a sum without bounds in whole numbers")
+    if upper - lower > LONGEST_SUM:
+        raise NoFormError("a sum of very many terms")
+    evaluator.domain.work += 100 * int(upper - lower)
+    if evaluator.domain.work > MOST_WORK:
+        raise TooLargeError("sums of very many terms")
+    total = Form.number(evaluator.domain, 0)
+    for value in range(int(lower), int(upper) + 1):
+        inner = evaluator.replacing(node.index.name, syntax.Number(Fraction(value)))
+        total = total.plus(inner.form(node.body))
+    return total
+
+
+def _dots(evaluator: Evaluator, node: syntax.Dots) -> Form:
+    raise NoFormError("dots alone")
+
+
+_RULES: dict[type, Callable[[Evaluator, syntax.Node], Form]] = {
+    syntax.Number: _number,
+    syntax.Name: _name,
+    syntax.Constant: _constant,
+    syntax.Sum: _sum,
+    syntax.Product: _product,
+    syntax.Quotient: _quotient,
+    syntax.Negative: _negative,
+    syntax.Power: _power,
+    syntax.Call: _call,
+    syntax.Derivative: _derivative,
+    syntax.Summation: _summation,
+    syntax.Dots: _dots,
+}  # type: ignore[assignment]

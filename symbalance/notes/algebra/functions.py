@@ -1,0 +1,135 @@
+"""Exponentials and circular functions of forms.
+
+cos x and sin x are (e^(ix) ± e^(-ix))/2: an argument is split into monomials, each with its own
+generator e^(i m), and multiples of pi become turns. e^(i asin v) = √(1-v²) + i v, and the like.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.notes.algebra.domain import HALF, ONE, QUARTER, TURN, Domain, Monomial, NoFormError
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.roots import root, unit
+
+INVERSES = ("asin", "acos", "atan")
+
+
+def exponential(argument: Form) -> Form:
+    """Return e^argument: real parts become growth, imaginary ones turns and angles."""
+    domain = argument.domain
+    if not argument.is_polynomial:
+        below = opaque("over", Form.of(domain, argument.denominator))
+        argument = Form.of(domain, argument.numerator).times(below)
+    result = Form.number(domain, 1)
+    for monomial, coefficient in argument.numerator.items():
+        result = result.times(_exponential_of_term(domain, monomial, coefficient))
+    return result
+
+
+def _exponential_of_term(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
+    turns = dict(monomial).get(TURN, 0)
+    rest = tuple((g, e) for g, e in monomial if g != TURN)
+    if turns == 0:
+        if rest == ONE:
+            return Form.of(domain, {((domain.symbol("e"), coefficient),): Fraction(1)})
+        return Form.of(domain, {((domain.growth(rest), coefficient),): Fraction(1)})
+    if turns != QUARTER:
+        raise NoFormError("a power of e that is neither real nor imaginary")
+    return _phase(domain, rest, coefficient)
+
+
+def _phase(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
+    """Return e^(i coefficient monomial)."""
+    if monomial == ((domain.symbol("pi"), 1),):
+        factor, turn = domain.times(((TURN, coefficient * HALF),), ((TURN, Fraction(0)),))
+        return Form.of(domain, {turn: Fraction(factor)})
+    inverse = _inverse_function(domain, monomial)
+    if inverse is not None and coefficient.denominator == 1:
+        return _phase_of_inverse(*inverse, int(coefficient))
+    generator = domain.exponential(monomial)
+    factor, made = domain.raised(((generator, 1),), coefficient)
+    return Form.of(domain, {made: Fraction(factor)})
+
+
+def exponent_of(form: Form) -> Form | None:
+    """Return x where a form is e^x, one product of exponentials and turns; None where it is not."""
+    if not form.is_polynomial or len(form.numerator) != 1:
+        return None
+    domain = form.domain
+    ((monomial, coefficient),) = form.numerator.items()
+    total = Form.number(domain, 0)
+    if coefficient != 1:
+        return None
+    for number, exponent in monomial:
+        generator = domain.generators[number]
+        if generator.kind == "turn":
+            inner = Form.letter(domain, "pi").scaled(2).times(unit(domain))
+        elif generator.kind in ("exponential", "growth"):
+            inner = Form.of(domain, {generator.content: Fraction(1)})
+            inner = inner.times(unit(domain)) if generator.kind == "exponential" else inner
+        else:
+            return None
+        total = total.plus(inner.scaled(exponent))
+    return total
+
+
+def assume_whole(exponent: Form, base: Form) -> None:
+    """Note that the letters of an exponent are whole: (e^(ix))^n = e^(inx) needs it."""
+    domain = base.domain
+    turning = {"turn", "exponential"} & {domain.generators[g].kind for m in base.numerator for g, _ in m}
+    for monomial in exponent.numerator if turning else ():
+        for number, _ in monomial:
+            generator = domain.generators[number]
+            if generator.kind == "symbol" and generator.content not in domain.integer:
+                domain.assumptions[f"{generator.content} ∈ ℤ"] = None
+
+
+def _inverse_function(domain: Domain, monomial: Monomial) -> tuple[str, Form] | None:
+    if len(monomial) != 1 or monomial[0][1] != 1:
+        return None
+    generator = domain.generators[monomial[0][0]]
+    if generator.kind == "opaque" and generator.content[0] in INVERSES:
+        return generator.content
+    return None
+
+
+def _phase_of_inverse(function: str, value: Form, multiple: int) -> Form:
+    """Return e^(i multiple f(value)) for f = asin, acos or atan, from cosine and sine of f(value)."""
+    one = Form.number(value.domain, 1)
+    if function == "atan":
+        cosine = one.over(root(one.plus(value.times(value))))
+        sine = value.times(cosine)
+    else:
+        other = root(one.minus(value.times(value)))
+        cosine, sine = (other, value) if function == "asin" else (value, other)
+    sign = 1 if multiple >= 0 else -1
+    return cosine.plus(unit(value.domain).times(sine).scaled(sign)).raised(abs(multiple))
+
+
+def cosine(argument: Form) -> Form:
+    """Return cos x = (e^(ix) + e^(-ix))/2."""
+    forward, backward = _both_ways(argument)
+    return forward.plus(backward).scaled(HALF)
+
+
+def sine(argument: Form) -> Form:
+    """Return sin x = (e^(ix) - e^(-ix))/(2i)."""
+    forward, backward = _both_ways(argument)
+    return forward.minus(backward).times(unit(argument.domain)).scaled(-HALF)
+
+
+def _both_ways(argument: Form) -> tuple[Form, Form]:
+    turned = unit(argument.domain).times(argument)
+    return exponential(turned), exponential(turned.scaled(-1))
+
+
+def opaque(function: str, argument: Form) -> Form:
+    """Return a function that has no rule here, as a generator; equal arguments share one."""
+    domain = argument.domain
+    for number in domain.opaque:
+        name, known = domain.generators[number].content
+        if name == function and known.equals(argument):
+            return Form.of(domain, {((number, 1),): Fraction(1)})
+    number = domain.opaque_function((function, argument))
+    return Form.of(domain, {((number, 1),): Fraction(1)})

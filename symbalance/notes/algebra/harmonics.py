@@ -1,0 +1,196 @@
+"""Polynomials sorted into harmonics: what stands before cos nθ, sin nθ and each product of letters.
+
+C cos x + S sin x = c_+ e^(ix) + c_- e^(-ix) with C = c_+ + c_- and S = i (c_+ - c_-). The numbers C and S
+are polynomials in turns and primes only.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.document import syntax
+from symbalance.notes.algebra import polynomials as poly
+from symbalance.notes.algebra.domain import QUARTER, TURN, Domain, Monomial, Polynomial
+from symbalance.notes.algebra.numbers import number_node, rational_node
+from symbalance.notes.algebra.zero import is_zero
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a number stands: before `function` of an angle, and before a product of letters."""
+
+    function: str
+    angle: Monomial
+    letters: Monomial
+
+
+Components = dict[Place, Polynomial]
+
+
+def components(domain: Domain, polynomial: Polynomial) -> Components:
+    """Return the numbers of a polynomial by their places; those that are zero are left out."""
+    sides: dict[tuple[Monomial, Monomial], list[Polynomial]] = defaultdict(lambda: [{}, {}])
+    for monomial, coefficient in polynomial.items():
+        number, angle, letters = split(domain, monomial)
+        backward = bool(angle) and angle[0][1] < 0
+        if backward:
+            angle = tuple((g, -e) for g, e in angle)
+        pair = sides[angle, letters]
+        pair[backward] = poly.plus(pair[backward], {number: coefficient})
+    found: Components = {}
+    for (angle, letters), (ahead, back) in sides.items():
+        parts = {"cos": poly.plus(ahead, back), "sin": _turned(domain, poly.minus(ahead, back))}
+        if not angle:
+            parts = {"1": ahead}
+        for function, number in parts.items():
+            if is_zero(domain, number) is not True:
+                found[Place(function, angle, letters)] = number
+    return found
+
+
+def split(domain: Domain, monomial: Monomial) -> tuple[Monomial, Monomial, Monomial]:
+    """Return a monomial's number, its angles and its letters."""
+    number, angle, letters = [], [], []
+    for entry in monomial:
+        kind = domain.generators[entry[0]].kind
+        if kind in ("turn", "prime"):
+            number.append(entry)
+        else:
+            (angle if kind == "exponential" else letters).append(entry)
+    return tuple(number), tuple(angle), tuple(letters)
+
+
+def _turned(domain: Domain, polynomial: Polynomial) -> Polynomial:
+    return poly.times(domain, polynomial, {((TURN, QUARTER),): Fraction(1)})
+
+
+def place_node(domain: Domain, place: Place) -> syntax.Node | None:
+    """Return the product of letters and the function of the angle; None for the constant place."""
+    factors = letter_nodes(domain, place.letters)
+    if place.function != "1":
+        factors.append(syntax.Call(place.function, angle_node(domain, place.angle)))
+    return _product(factors)
+
+
+def angle_node(domain: Domain, angle: Monomial) -> syntax.Node:
+    """Return the argument an angle stands for: 2θ for the square of e^(iθ)."""
+    terms: list[syntax.Node] = []
+    for number, exponent in angle:
+        inner = letter_nodes(domain, domain.generators[number].content)
+        term = _product(
+            [*([] if abs(exponent) == 1 else [rational_node(Fraction(abs(exponent)))]), *inner]
+        )
+        term = term or rational_node(Fraction(1))  # an angle of 1 rad
+        terms.append(syntax.Negative(term) if exponent < 0 else term)
+    return terms[0] if len(terms) == 1 else syntax.Sum(tuple(terms))
+
+
+def letter_nodes(domain: Domain, letters: Monomial) -> list[syntax.Node]:
+    """Return the factors of a product of letters, roots and functions, negative powers as a quotient."""
+    above = [_power(domain, g, e) for g, e in letters if e > 0]
+    below = [_power(domain, g, -e) for g, e in letters if e < 0]
+    if not below:
+        return above
+    return [syntax.Quotient(_product(above) or rational_node(Fraction(1)), _product(below))]  # type: ignore[arg-type]
+
+
+def _power(domain: Domain, number: int, exponent: int | Fraction) -> syntax.Node:
+    generator = domain.generators[number]
+    base: syntax.Node
+    if generator.kind == "symbol":
+        known = generator.content in ("pi", "e")
+        base = syntax.Constant(generator.content) if known else syntax.Name(generator.content)
+    elif generator.kind == "radical":
+        base = syntax.Call("sqrt", polynomial_node(domain, generator.content))
+    elif generator.kind == "prime":
+        base = rational_node(Fraction(generator.content))
+    elif generator.kind == "exponential":
+        inner = [rational_node(Fraction(exponent)), *letter_nodes(domain, generator.content)]
+        return syntax.Call("exp", _product([syntax.Constant("i"), *inner]))  # type: ignore[arg-type]
+    elif generator.kind == "growth":
+        inner = _product([rational_node(Fraction(exponent)), *letter_nodes(domain, generator.content)])
+        return syntax.Call("exp", inner)  # type: ignore[arg-type]
+    else:
+        function, argument = generator.content
+        inside = polynomial_node(domain, argument.numerator)
+        if not argument.is_polynomial:
+            inside = syntax.Quotient(inside, polynomial_node(domain, argument.denominator))
+        base = _function_node(function, inside)
+    return base if exponent == 1 else syntax.Power(base, rational_node(Fraction(exponent)))
+
+
+def _function_node(function: str, inside: syntax.Node) -> syntax.Node:
+    if function == "sum":
+        return syntax.Summation(inside)
+    if function == "over":
+        return syntax.Quotient(rational_node(Fraction(1)), inside)
+    return syntax.Call(function, inside)
+
+
+def polynomial_node(domain: Domain, polynomial: Polynomial) -> syntax.Node:
+    """Return a polynomial as a sum over its places, lowest harmonics first."""
+    found = components(domain, polynomial)
+    terms = [term_node(domain, place, found[place]) for place in ordered(found)]
+    if not terms:
+        return rational_node(Fraction(0))
+    return terms[0] if len(terms) == 1 else syntax.Sum(tuple(terms))
+
+
+def ordered(found: Components) -> list[Place]:
+    """Return the places by harmonic, then by letters."""
+    return sorted(
+        found,
+        key=lambda p: ([abs(e) for _, e in p.angle], p.function, [(g, abs(e)) for g, e in p.letters]),
+    )
+
+
+def term_node(domain: Domain, place: Place, number: Polynomial) -> syntax.Node:
+    """Return number times place, the sign outside and whole denominators below."""
+    coefficient, rest = number_node(domain, number), place_node(domain, place)
+    if rest is None:
+        return coefficient
+    if isinstance(coefficient, syntax.Negative):
+        return syntax.Negative(joined(coefficient.operand, rest))
+    return joined(coefficient, rest)
+
+
+def joined(coefficient: syntax.Node, rest: syntax.Node) -> syntax.Node:
+    """Return coefficient times rest as it would be written by hand.
+
+    >>> joined(syntax.Number(Fraction(1)), syntax.Name("s")).name
+    's'
+    """
+    if coefficient == syntax.Number(Fraction(1)):
+        return rest
+    top, bottom = _halves(coefficient)
+    factors = rest.factors if isinstance(rest, syntax.Product) else (rest,)
+    first = factors[0]
+    if isinstance(first, syntax.Quotient):
+        above, below = _halves(first)
+        head = syntax.Quotient(_times(top, above), _times(bottom, below))
+        return _product([head, *factors[1:]])  # type: ignore[return-value]
+    return _product([coefficient, *factors])  # type: ignore[return-value]
+
+
+def _halves(node: syntax.Node) -> tuple[syntax.Node, syntax.Node]:
+    if isinstance(node, syntax.Quotient):
+        return node.numerator, node.denominator
+    return node, rational_node(Fraction(1))
+
+
+def _times(left: syntax.Node, right: syntax.Node) -> syntax.Node:
+    one = rational_node(Fraction(1))
+    parts = [
+        p
+        for node in (left, right)
+        for p in (node.factors if isinstance(node, syntax.Product) else (node,))
+    ]
+    return _product([p for p in parts if p != one]) or one
+
+
+def _product(factors: list[syntax.Node]) -> syntax.Node | None:
+    if not factors:
+        return None
+    return factors[0] if len(factors) == 1 else syntax.Product(tuple(factors))

@@ -1,0 +1,239 @@
+"""Power series of a form in one small letter (ρ, or 1/λ), exact, with the order they go through.
+
+A series is a map from exponents to forms together with the exponent through which it is known. A form is
+expanded generator by generator: powers of the letter as they stand, roots by the binomial recurrence,
+angles and logarithms by Taylor's series where the letter stands inside them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.notes.algebra import functions
+from symbalance.notes.algebra.domain import HALF, Domain, Monomial, NoFormError, Polynomial
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.roots import root, unit
+
+SLACK = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """The sum of terms[k] e^k, all k up to `through`; what lies beyond is not known."""
+
+    domain: Domain
+    terms: dict[int, Form]
+    through: int
+
+    @property
+    def start(self) -> int:
+        """The lowest exponent present (`through` + 1 where nothing is)."""
+        return min(self.terms, default=self.through + 1)
+
+    def cut(self, through: int) -> Series:
+        """Return the series known only through a lower order, zeros dropped."""
+        kept = {k: f for k, f in self.terms.items() if k <= through and f.is_zero() is not True}
+        return Series(self.domain, kept, min(through, self.through))
+
+    def settled(self) -> Series:
+        """Return the series without the terms that are zero."""
+        return self.cut(self.through)
+
+    def plus(self, other: Series) -> Series:
+        """Return the sum."""
+        total = dict(self.terms)
+        for k, form in other.terms.items():
+            total[k] = total[k].plus(form) if k in total else form
+        return Series(self.domain, total, min(self.through, other.through)).cut(
+            min(self.through, other.through)
+        )
+
+    def scaled(self, factor: Form) -> Series:
+        """Return the series times a form free of the small letter."""
+        return Series(self.domain, {k: f.times(factor) for k, f in self.terms.items()}, self.through)
+
+    def times(self, other: Series, limit: int) -> Series:
+        """Return the product, through at most `limit`."""
+        through = min(self.through + other.start, other.through + self.start, limit)
+        total: dict[int, Form] = {}
+        for j, a in self.terms.items():
+            for k, b in other.terms.items():
+                if j + k <= through:
+                    product = a.times(b)
+                    total[j + k] = total[j + k].plus(product) if j + k in total else product
+        return Series(self.domain, total, through).cut(through)
+
+    def shifted(self, by: int) -> Series:
+        """Return the series times e^by."""
+        return Series(self.domain, {k + by: f for k, f in self.terms.items()}, self.through + by)
+
+
+class Expansion:
+    """Expands forms of one domain in one letter; `sign` is -1 where the letter is large (1/λ small)."""
+
+    def __init__(self, domain: Domain, letter: str, sign: int, through: int) -> None:
+        self.domain, self.sign, self.limit = domain, sign, through + SLACK
+        self.number = domain.symbol(letter)
+        self._known: dict[tuple[int, Fraction | int], Series] = {}
+        self._halved: set[int] = set()
+
+    def of(self, form: Form) -> Series:
+        """Return the series of a form; raises NoFormError where there is none in whole powers."""
+        above, below = self.polynomial(form.numerator), self.polynomial(form.denominator)
+        return above if form.is_polynomial else above.times(self.reciprocal(below), self.limit)
+
+    def constant(self, form: Form) -> Series:
+        """Return a form free of the letter."""
+        return Series(self.domain, {0: form}, self.limit + 4 * SLACK).cut(self.limit + 4 * SLACK)
+
+    def polynomial(self, polynomial: Polynomial) -> Series:
+        """Return the series of a polynomial."""
+        total = Series(self.domain, {}, self.limit + 4 * SLACK)
+        for monomial, coefficient in polynomial.items():
+            total = total.plus(self._term(monomial, coefficient))
+        return total
+
+    def _term(self, monomial: Monomial, coefficient: Fraction) -> Series:
+        free = [(g, e) for g, e in monomial if not self.depends(g)]
+        result = self.constant(Form.of(self.domain, {tuple(free): coefficient}))
+        shift: Fraction | int = 0
+        for number, exponent in monomial:
+            if number == self.number:
+                shift += exponent * self.sign
+            elif self.depends(number):
+                result = result.times(self.power(number, exponent), self.limit)
+                shift -= HALF if number in self._halved else 0
+        return result.shifted(_whole(shift))
+
+    def depends(self, number: int) -> bool:
+        """Tell whether a generator holds the letter."""
+        generator = self.domain.generators[number]
+        if number == self.number:
+            return True
+        if generator.kind in ("exponential", "growth"):
+            return any(self.depends(g) for g, _ in generator.content)
+        if generator.kind == "radical":
+            return any(self.depends(g) for m in generator.content for g, _ in m)
+        if generator.kind == "opaque":
+            argument = generator.content[1]
+            return any(
+                self.depends(g)
+                for p in (argument.numerator, argument.denominator)
+                for m in p
+                for g, _ in m
+            )
+        return False
+
+    def power(self, number: int, exponent: Fraction | int) -> Series:
+        """Return the series of a generator to a power; of a root in `_halved`, times the letter^(1/2)."""
+        key = (number, exponent)
+        if key not in self._known:
+            self._known[key] = self._expand(number, exponent)
+        return self._known[key]
+
+    def _expand(self, number: int, exponent: Fraction | int) -> Series:
+        generator = self.domain.generators[number]
+        if generator.kind == "radical" and exponent == 1:
+            square = self.polynomial(generator.content).settled()
+            if square.start % 2:
+                self._halved.add(number)
+                square = square.shifted(1)
+            return self.root(square)
+        if generator.kind in ("exponential", "growth"):
+            inner = self._term(generator.content, Fraction(exponent))
+            if generator.kind == "exponential":
+                inner = inner.scaled(unit(self.domain))
+            return self._exponential(inner)
+        if generator.kind == "opaque" and exponent == int(exponent) and 0 < exponent <= self.limit:
+            function, argument = generator.content
+            once = total = self._function(function, self.of(argument))
+            for _ in range(int(exponent) - 1):
+                total = total.times(once, self.limit)
+            return total
+        raise NoFormError("a part that has no power series here")
+
+    def _composed(self, coefficients: list[Fraction], inner: Series) -> Series:
+        """Return the sum of coefficients[k] inner^k; `inner` starts at order 1 or higher."""
+        if inner.start < 1:
+            raise NoFormError("a function expanded where it is not small")
+        total = self.constant(Form.number(self.domain, coefficients[0]))
+        power = self.constant(Form.number(self.domain, 1))
+        for coefficient in coefficients[1 : self.limit + 2]:
+            power = power.times(inner, self.limit)
+            if coefficient:
+                total = total.plus(power.scaled(Form.number(self.domain, coefficient)))
+        return total.cut(min(inner.through, self.limit))
+
+    def _exponential(self, inner: Series) -> Series:
+        coefficients, value = [Fraction(1)], Fraction(1)
+        for k in range(1, self.limit + 2):
+            value /= k
+            coefficients.append(value)
+        if 0 in inner.terms:
+            steady = functions.exponential(inner.terms[0])
+            moving = Series(self.domain, {k: f for k, f in inner.terms.items() if k}, inner.through)
+            return self._composed(coefficients, moving).scaled(steady)
+        return self._composed(coefficients, inner)
+
+    def _function(self, function: str, inner: Series) -> Series:
+        size = self.limit + 2
+        if function == "over":
+            return self.reciprocal(inner)
+        if function == "asin":
+            return self._composed(_asin(size), inner)
+        if function == "atan":
+            return self._composed(
+                [Fraction((-1) ** (k // 2), k) if k % 2 else Fraction(0) for k in range(size)], inner
+            )
+        if function == "ln" and 0 in inner.terms and inner.terms[0].rational() == 1:
+            rest = Series(self.domain, {k: f for k, f in inner.terms.items() if k}, inner.through)
+            return self._composed(
+                [Fraction(0)] + [Fraction(-((-1) ** k), k) for k in range(1, size)], rest
+            )
+        raise NoFormError(f"the series of {function}")
+
+    def _normalised(self, series: Series) -> tuple[Form, int, Series]:
+        """Return (c, k, u) with series = c e^k (1 + u) and u of order 1 or higher."""
+        first = series.settled()
+        if not first.terms:
+            raise NoFormError("a series with no leading term")
+        start = first.start
+        leading = first.terms[start]
+        inverse = Form.number(self.domain, 1).over(leading)
+        rest = Series(self.domain, {k: f for k, f in first.terms.items() if k != start}, first.through)
+        return leading, start, rest.scaled(inverse).shifted(-start)
+
+    def reciprocal(self, series: Series) -> Series:
+        """Return 1/series."""
+        leading, start, rest = self._normalised(series)
+        one = Form.number(self.domain, 1)
+        signs = [Fraction((-1) ** k) for k in range(self.limit + 2 + 4 * SLACK)]
+        return self._composed(signs, rest).scaled(one.over(leading)).shifted(-start)
+
+    def root(self, series: Series) -> Series:
+        """Return the positive square root: the binomial series with exponent 1/2."""
+        leading, start, rest = self._normalised(series)
+        if start % 2:
+            raise NoFormError("a root with half powers")
+        coefficients, value = [Fraction(1)], Fraction(1)
+        for k in range(1, self.limit + 2):
+            value *= (Fraction(1, 2) - (k - 1)) / k
+            coefficients.append(value)
+        return self._composed(coefficients, rest).scaled(root(leading)).shifted(start // 2)
+
+
+def _whole(exponent: Fraction | int) -> int:
+    if exponent != int(exponent):
+        raise NoFormError("half powers of the small letter")
+    return int(exponent)
+
+
+def _asin(size: int) -> list[Fraction]:
+    """Return the coefficients of asin x: C(2k, k)/(4^k (2k+1)) at x^(2k+1)."""
+    result, value = [Fraction(0)] * size, Fraction(1)
+    for k in range((size - 1) // 2 + 1):
+        if 2 * k + 1 < size:
+            result[2 * k + 1] = value / (2 * k + 1)
+        value *= Fraction(2 * k + 1, 2 * k + 2)
+    return result

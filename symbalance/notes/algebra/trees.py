@@ -1,0 +1,163 @@
+"""Formulas in numbers straight from their trees: where there is no normal form, or it is too large."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document import syntax
+from symbalance.document.syntax import Node
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
+
+DEEPEST = 40
+MOST_TERMS = 2000
+
+
+def letters_behind(node: Node, values: Mapping[str, Node]) -> list[str]:
+    """Return the letters a formula comes down to once all that have values are replaced."""
+    found: dict[str, None] = {}
+    seen: set[str] = set()
+    waiting = [node]
+    while waiting:
+        for name in sorted(syntax.names(waiting.pop())):
+            if name in values and name not in seen:
+                waiting.append(values[name])
+            elif name not in values:
+                found[name] = None
+            seen.add(name)
+    return list(found)
+
+
+def sample_trees(
+    nodes: list[Node], meaning: Meaning, wanted: int = 3, tries: int = 24
+) -> list[tuple[Point, list[Any]]]:
+    """Return up to three points where all formulas are real, with their values to `DIGITS` digits."""
+    names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
+    found: list[tuple[Point, list[Any]]] = []
+    for seed in range(tries):
+        point = random_point(names, meaning.domain(), seed)
+        at = TreeValues(meaning, point)
+        try:
+            row = [at.value(node) for node in nodes]
+        except (
+            NoFormError,
+            TooLargeError,
+            ZeroDivisionError,
+            ValueError,
+            KeyError,
+            OverflowError,
+            TypeError,
+        ):
+            continue
+        if all(abs(v.imag) <= abs(v) * context().mpf(10) ** (-DIGITS // 2) for v in row):
+            found.append((point, row))
+        if len(found) == wanted:
+            break
+    return found
+
+
+class TreeValues:
+    """The values of formulas at one point."""
+
+    def __init__(self, meaning: Meaning, point: Point) -> None:
+        self.meaning, self.point, self.mp = meaning, point, context()
+        self._known: dict[str, Any] = {}
+        self._depth = 0
+        self.terms = 0
+
+    def value(self, node: Node) -> Any:
+        """Return a formula's value; what has none raises NoFormError or ZeroDivisionError."""
+        return self.mp.mpc(_RULES[type(node)](self, node))
+
+    def letter(self, name: str) -> Any:
+        """Return a letter's value."""
+        if name not in self._known:
+            if name in self.meaning.values:
+                self._depth += 1
+                if self._depth > DEEPEST:
+                    raise NoFormError("definitions nested too deep")
+                self._known[name] = self.value(self.meaning.values[name])
+                self._depth -= 1
+            else:
+                exact = self.point[name]
+                self._known[name] = self.mp.mpf(exact.numerator) / exact.denominator
+        return self._known[name]
+
+    def derivative(self, node: Node) -> Any:
+        """Return the value of a derivative, by way of its form."""
+        evaluator = Evaluator(self.meaning.domain(), self.meaning)
+        return Valuation(evaluator.domain, self.point).of(evaluator.form(node))
+
+
+def _number(at: TreeValues, node: syntax.Number) -> Any:
+    return at.mp.mpf(node.value.numerator) / node.value.denominator
+
+
+def _constant(at: TreeValues, node: syntax.Constant) -> Any:
+    if node.name == "infinity":
+        raise NoFormError("infinity")
+    return 1j if node.name == "i" else +getattr(at.mp, node.name)
+
+
+def _sum(at: TreeValues, node: syntax.Sum) -> Any:
+    return at.mp.fsum(at.value(t) for t in node.terms if not isinstance(t, syntax.Dots))
+
+
+def _product(at: TreeValues, node: syntax.Product) -> Any:
+    return at.mp.fprod(at.value(f) for f in node.factors)
+
+
+def _power(at: TreeValues, node: syntax.Power) -> Any:
+    exponent = at.value(node.exponent)
+    if abs(exponent) > 10_000:
+        raise NoFormError("a power beyond all bounds")
+    whole = exponent.real == int(exponent.real) and not exponent.imag
+    return at.value(node.base) ** (int(exponent.real) if whole else exponent)
+
+
+def _call(at: TreeValues, node: syntax.Call) -> Any:
+    argument, mp = at.value(node.argument), at.mp
+    if abs(argument) > 10**9:
+        raise NoFormError("a function of a huge number")
+    if node.function == "abs":
+        return abs(argument)
+    return getattr(mp, {"ln": "log"}.get(node.function, node.function))(argument)
+
+
+def _summation(at: TreeValues, node: syntax.Summation) -> Any:
+    if node.index is None or node.lower is None or node.upper is None:
+        raise NoFormError("a sum without bounds")
+    lower, upper = (int(at.value(bound).real) for bound in (node.lower, node.upper))
+    at.terms += max(upper - lower, 0)
+    if at.terms > MOST_TERMS:
+        raise NoFormError("a long sum")
+    total = at.mp.mpc(0)
+    for k in range(lower, upper + 1):
+        inner = TreeValues(at.meaning, {**at.point, node.index.name: Fraction(k)})
+        inner.terms = at.terms
+        total += inner.value(node.body)
+        at.terms = inner.terms
+    return total
+
+
+def _dots(at: TreeValues, node: syntax.Dots) -> Any:
+    raise NoFormError("dots")
+
+
+_RULES: dict[type, Callable[[TreeValues, Any], Any]] = {
+    syntax.Number: _number,
+    syntax.Name: lambda at, node: at.letter(node.name),
+    syntax.Constant: _constant,
+    syntax.Sum: _sum,
+    syntax.Product: _product,
+    syntax.Quotient: lambda at, node: at.value(node.numerator) / at.value(node.denominator),
+    syntax.Negative: lambda at, node: -at.value(node.operand),
+    syntax.Power: _power,
+    syntax.Call: _call,
+    syntax.Derivative: lambda at, node: at.derivative(node),
+    syntax.Summation: _summation,
+    syntax.Dots: _dots,
+}

@@ -1,0 +1,177 @@
+"""Forms in numbers: witnesses of a difference, at random exact points and with many digits."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial
+from symbalance.notes.algebra.forms import Form
+
+DIGITS = 40
+Point = dict[str, Fraction]
+
+_RANGES = {"lambda": (300, 500), "rho": (15, 40), "theta": (10, 620), "phi": (10, 150), "beta": (5, 40)}
+
+
+@cache
+def context() -> Any:
+    """Return an mpmath context of our own: nobody else's precision counts, nor ours for others."""
+    from mpmath.ctx_mp import MPContext
+
+    made = MPContext()
+    made.dps = DIGITS
+    return made
+
+
+def letters(form: Form) -> list[str]:
+    """Return the letters a form depends on, those inside roots, angles and functions included."""
+    found: dict[str, None] = {}
+    _collect(form.domain, form.numerator, found)
+    _collect(form.domain, form.denominator, found)
+    return [name for name in found if name not in ("pi", "e")]
+
+
+def _collect(domain: Domain, polynomial: Polynomial, found: dict[str, None]) -> None:
+    for number in sorted({g for monomial in polynomial for g, _ in monomial}):
+        generator = domain.generators[number]
+        if generator.kind == "symbol":
+            found[generator.content] = None
+        elif generator.kind in ("exponential", "growth"):
+            _collect(domain, {generator.content: Fraction(1)}, found)
+        elif generator.kind == "radical":
+            _collect(domain, generator.content, found)
+        elif generator.kind == "opaque":
+            found |= dict.fromkeys(letters(generator.content[1]))
+
+
+def random_point(names: list[str], domain: Domain, seed: int) -> Point:
+    """Return a point with two decimals a letter; whole numbers where the letter is one."""
+    chance = random.Random(f"{seed}")
+    point: Point = {}
+    for name in sorted(names):
+        if name in domain.integer:
+            point[name] = Fraction(chance.randint(2, 7))
+            continue
+        low, high = domain.ranges.get(name) or _RANGES.get(name, (50, 300))
+        value = Fraction(chance.randint(low, high), 100)
+        signed = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
+        assumed = f"{name} ≥ 0" in domain.assumptions
+        point[name] = -value if signed and not assumed else value
+    return point
+
+
+def value(form: Form, point: Mapping[str, Fraction]) -> Any:
+    """Return the form at a point as an mpmath complex number; a pole raises NoFormError."""
+    return Valuation(form.domain, point).of(form)
+
+
+class Valuation:
+    """The values of forms at one point, each generator found once."""
+
+    def __init__(self, domain: Domain, point: Mapping[str, Fraction]) -> None:
+        self.domain, self.point, self.mp = domain, point, context()
+        self._powers: dict[tuple[int, int | Fraction], Any] = {}
+        self._values: dict[int, Any] = {}
+        self._checked = 0
+
+    def of(self, form: Form) -> Any:
+        """Return the value of a form."""
+        self._check_assumptions()
+        below = self.polynomial(form.denominator)
+        if abs(below) < self.mp.mpf(10) ** (-DIGITS // 2):
+            raise NoFormError("a division by nearly zero at this point")
+        return self.polynomial(form.numerator) / below
+
+    def _check_assumptions(self) -> None:
+        waiting = self.domain.positive_polynomials[self._checked :]
+        self._checked += len(waiting)
+        for polynomial in waiting:
+            found: dict[str, None] = {}
+            _collect(self.domain, polynomial, found)
+            if found.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
+                raise NoFormError("a denominator under a root is negative at this point")
+
+    def polynomial(self, polynomial: Polynomial) -> Any:
+        """Return the value of a polynomial."""
+        total = self.mp.mpc(0)
+        for monomial, coefficient in polynomial.items():
+            total += (
+                self.mp.mpf(coefficient.numerator) / coefficient.denominator * self.monomial(monomial)
+            )
+        return total
+
+    def monomial(self, monomial: Monomial) -> Any:
+        """Return the value of a monomial."""
+        result = self.mp.mpf(1)
+        for number, exponent in monomial:
+            result = result * self._power(number, exponent)
+        return result
+
+    def _power(self, number: int, exponent: int | Fraction) -> Any:
+        key = (number, exponent)
+        if key not in self._powers:
+            self._powers[key] = self._find_power(number, exponent)
+        return self._powers[key]
+
+    def _find_power(self, number: int, exponent: int | Fraction) -> Any:
+        mp, generator = self.mp, self.domain.generators[number]
+        power = mp.mpf(exponent.numerator) / exponent.denominator
+        if generator.kind == "turn":
+            return mp.expjpi(2 * power)
+        if generator.kind in ("exponential", "growth"):
+            inner = self.monomial(generator.content) * power
+            return mp.exp(1j * inner if generator.kind == "exponential" else inner)
+        base = self._base(number)
+        return base ** int(exponent) if power == int(power) else base**power
+
+    def _base(self, number: int) -> Any:
+        if number not in self._values:
+            self._values[number] = self._find_base(number)
+        return self._values[number]
+
+    def _find_base(self, number: int) -> Any:
+        mp, generator = self.mp, self.domain.generators[number]
+        if generator.kind == "symbol":
+            if generator.content in ("pi", "e"):
+                return +getattr(mp, generator.content)
+            exact = self.point[generator.content]
+            return mp.mpf(exact.numerator) / exact.denominator
+        if generator.kind == "prime":
+            return mp.mpf(generator.content)
+        if generator.kind == "radical":
+            square = self.polynomial(generator.content)
+            if square.real < 0 or abs(square.imag) > mp.mpf(10) ** (-DIGITS // 2):
+                raise NoFormError("the root of a negative number at this point")
+            return mp.sqrt(square.real)
+        function, argument = generator.content
+        return self._function(function, self.of(argument))
+
+    def _function(self, function: str, argument: Any) -> Any:
+        if function == "sum":
+            raise NoFormError("a sum without bounds")
+        if function == "over":
+            return 1 / argument
+        result = getattr(self.mp, {"ln": "log"}.get(function, function))(argument)
+        if abs(result.imag) > self.mp.mpf(10) ** (-DIGITS // 2):
+            raise NoFormError("a function outside its range at this point")
+        return result
+
+
+def sample(forms: list[Form], tries: int = 24) -> list[tuple[Point, list[Any]]]:
+    """Return up to three points where all forms are defined and real, with their values."""
+    names = sorted({name for form in forms for name in letters(form)})
+    found = []
+    for seed in range(tries):
+        point = random_point(names, forms[0].domain, seed)
+        valuation = Valuation(forms[0].domain, point)
+        try:
+            found.append((point, [valuation.of(form) for form in forms]))
+        except (NoFormError, KeyError, ZeroDivisionError, TypeError, OverflowError):
+            continue
+        if len(found) == 3:
+            break
+    return found

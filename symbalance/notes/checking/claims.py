@@ -1,0 +1,229 @@
+"""Claims: lines, and pieces of lines, bound to a quantity the library knows."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+
+from symbalance.document.syntax import Node, Product, Span, names
+from symbalance.document.syntax_text import render
+from symbalance.errors import SymbalanceError
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.harmonics import components
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.relations import judged
+from symbalance.notes.checking.deciding.rounding import decimals
+from symbalance.notes.checking.deciding.steps import PROVED, REFUTED, UNDECIDED, Answer
+from symbalance.notes.checking.describing import lines_of, word_for
+from symbalance.notes.checking.differences import differences, exact_text
+from symbalance.notes.checking.quantities import quantity
+from symbalance.notes.checking.repair.mending import mended, repaired
+from symbalance.notes.checking.sidecar import Bind
+from symbalance.notes.checking.verdicts import UNREADABLE, Verdict
+from symbalance.notes.reading import ReadingError, read_expression
+from symbalance.notes.reading.equations import Chain, Document, Side
+
+
+def by_line(binds: Iterable[Bind]) -> dict[int, list[Bind]]:
+    """Return the binds of whole lines, by line."""
+    found: dict[int, list[Bind]] = defaultdict(list)
+    for bind in binds:
+        if not bind.text:
+            found[bind.line].append(bind)
+    return found
+
+
+def side_of(document: Document, chain: Chain, bind: Bind) -> int:
+    """Return which side of a chain a bind means: the last that stands on its line."""
+    touching = [
+        k
+        for k, side in enumerate(chain.sides)
+        if document.line_of(side.span[0]) <= bind.line <= document.line_of(max(side.span[1] - 1, 0))
+    ]
+    return touching[-1] if touching else len(chain.sides) - 1
+
+
+def side(
+    document: Document,
+    chain: Chain,
+    index: int,
+    bind: Bind,
+    knowledge: Knowledge,
+    folder: Path,
+    step: Verdict | None,
+    excused: bool = False,
+) -> Verdict:
+    """Return the verdict on a bound side; where its relation was judged too, the claim decides."""
+    claimed = chain.sides[index]
+    line = chain.relations[index - 1].line if index else document.line_of(claimed.span[0])
+    answer = answered(claimed, bind, knowledge, folder)
+    base = Verdict(
+        line=line,
+        link=1,
+        source=document.source(claimed.span).strip(),
+        verdict=word_for(answer),
+        lines=lines_of(document, claimed, line),
+        column=document.column_of(claimed.span[0]),
+        notes=chain.notes,
+        tag=chain.tag,
+        inline=chain.inline,
+        span=claimed.span,
+        claimed=render(claimed.node),
+        node=claimed.node,
+    )
+    if answer.status == REFUTED and knowledge.crank is not None and bind.quantity != "harmonic":
+        base = _mended(base, document, claimed, answer, bind, knowledge, folder)
+    reason = ""
+    if step is not None and step.verdict == REFUTED and answer.proved and not excused:
+        return replace(
+            step, bind=bind.title, reason="the right side is what it claims to be, the left is not"
+        )
+    if step is not None and step.verdict == REFUTED and answer.proved:
+        reason = "right as it stands, though it does not follow from the side before"
+    elif step is not None and step.fix is not None and base.fix is not None:
+        base = replace(base, notes=(*base.notes, f"as a step: {step.fix.kind}, {step.fix.text}"))
+    return with_answer(base, answer, bind, reason)
+
+
+def _mended(
+    base: Verdict,
+    document: Document,
+    claimed: Side,
+    answer: Answer,
+    bind: Bind,
+    knowledge: Knowledge,
+    folder: Path,
+) -> Verdict:
+    def proves(node: Node) -> bool:
+        return repaired(answered(Side((node,), claimed.span), bind, knowledge, folder), answer)
+
+    return mended(base, document, claimed, answer, knowledge, proves)
+
+
+def with_answer(base: Verdict, answer: Answer, bind: Bind, reason: str = "") -> Verdict:
+    """Return a verdict filled from the answer of a claim."""
+    bad = not answer.proved
+    return replace(
+        base,
+        verdict=word_for(answer),
+        bind=bind.title,
+        reason=reason or answer.reason,
+        order=answer.order if answer.proved else "",
+        assumption=", ".join(answer.assumptions) if answer.proved else "",
+        exact=exact_text(answer) if bad else "",
+        witness=answer.witness if bad else {},
+        differences=differences(answer) if bad else (),
+    )
+
+
+def answered(claimed: Side, bind: Bind, knowledge: Knowledge, folder: Path) -> Answer:
+    """Decide whether a side is the quantity it is bound to."""
+    if bind.quantity == "harmonic":
+        return _harmonic(claimed, bind, knowledge)
+    if knowledge.crank is None:
+        return Answer(UNDECIDED, "no geometry")
+    exact = expected(claimed.node, bind, knowledge, folder)
+    plain = decimals(claimed.node) or not names(claimed.node)
+    return judged(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, bind.through)
+
+
+def expected(claimed: Node, bind: Bind, knowledge: Knowledge, folder: Path) -> Node:
+    """Return what a bound side ought to be, in the document's letters."""
+    assert knowledge.crank is not None
+    exact = quantity(bind, knowledge.crank, folder, bool(decimals(claimed)) and not names(claimed))
+    if bind.scale:
+        try:
+            scale = read_expression(bind.scale, knowledge.letters)[0]
+        except ReadingError as problem:
+            raise SymbalanceError(
+                f"scale = {bind.scale}", problem.what, problem.remedy, f"{bind.place}: bind"
+            ) from None
+        exact = Product((scale, exact))
+    return exact
+
+
+def _harmonic(claimed: Side, bind: Bind, knowledge: Knowledge) -> Answer:
+    """Decide whether a side holds the bound order only."""
+    order = Fraction(bind.order or 1)
+    for level in list(knowledge.levels(claimed.node))[-1:]:
+        try:
+            form = knowledge.evaluator(level).form(claimed.node)
+        except (NoFormError, TooLargeError) as problem:
+            return Answer(UNDECIDED, str(problem))
+        found = {
+            max((abs(e) for _, e in place.angle), default=0)
+            for place in components(form.domain, form.numerator)
+        }
+        if found == {order}:
+            return Answer(PROVED, "", "", (), level, form, form)
+        has = ", ".join(str(n) for n in sorted(found)) or "none"
+        return Answer(REFUTED, f"holds order {has}, not {order}", level=level)
+    return Answer(UNDECIDED, "nothing known")
+
+
+def piece(
+    document: Document, bind: Bind, knowledge: Knowledge, letters: frozenset[str], folder: Path
+) -> Verdict:
+    """Return the verdict on a piece of a line: a table's cell, or a number in prose."""
+    span = span_of(document, bind)
+    base = Verdict(
+        bind.line,
+        1,
+        bind.text,
+        UNREADABLE,
+        lines=(bind.line,),
+        column=document.column_of(span[0]),
+        piece=True,
+        span=span,
+        claimed=bind.text,
+    )
+    try:
+        readings = read_expression(bind.text, letters, span[0])
+    except ReadingError as problem:
+        return replace(base, reason=f"{problem.what}; {problem.remedy}", bind=bind.title)
+    claimed = Side(readings, span)
+    answer = answered(claimed, bind, knowledge, folder)
+    base = replace(base, claimed=render(claimed.node), node=claimed.node, verdict=word_for(answer))
+    if answer.status == REFUTED and bind.quantity != "harmonic":
+        base = _mended(base, document, claimed, answer, bind, knowledge, folder)
+    return with_answer(base, answer, bind)
+
+
+def span_of(document: Document, bind: Bind) -> Span:
+    """Return where the piece of a line stands that a bind means."""
+    start = _line_start(document, bind)
+    line_text = document.text[start:].split("\n", 1)[0]
+    at = (bind.column - 1) if bind.column else line_text.find(bind.text)
+    if at < 0 or not line_text.startswith(bind.text, at):
+        raise SymbalanceError(
+            f"text = {bind.text}",
+            f"does not stand on line {bind.line}",
+            "copy it from the line",
+            bind.place,
+        )
+    return start + at, start + at + len(bind.text)
+
+
+def _line_start(document: Document, bind: Bind) -> int:
+    starts = [0] + [k + 1 for k, c in enumerate(document.text) if c == "\n"]
+    if bind.line > len(starts):
+        raise SymbalanceError(
+            f"line = {bind.line}", f"the document has {len(starts)} lines", "name one of them", bind.place
+        )
+    return starts[bind.line - 1]
+
+
+def unfound(document: Document, bind: Bind) -> Verdict:
+    """Return the verdict on a bind whose line holds no equation that could be read."""
+    start = _line_start(document, bind)
+    source = document.text[start:].split("\n", 1)[0].strip()
+    unread = [u for u in document.unreadable if u.line == bind.line]
+    reason = (
+        unread[0].what if unread else "no equation was found on this line; bind a piece of it with text"
+    )
+    return Verdict(
+        bind.line, 1, source, UNREADABLE, reason, lines=(bind.line,), bind=bind.title, span=(start, start)
+    )

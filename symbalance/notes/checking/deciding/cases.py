@@ -1,0 +1,97 @@
+"""Cases: numbers put in for letters, and conditions on an angle. They state something, and accuse nobody.
+
+F = m r ω² = 0.5·0.04·628² = 7888       the second = puts numbers in, the third is arithmetic
+cos θ = 0,  2θ = 180°                   a condition
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from symbalance.document.syntax import Call, Name, Negative, Node, Number, Product, names
+from symbalance.document.syntax_text import render
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.series import Expansion
+from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.deciding.changing import substituted
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.orders import Small, summed
+from symbalance.notes.checking.deciding.steps import PROVED, Answer, equal
+from symbalance.notes.checking.verdicts import DEFINITION
+from symbalance.notes.reading.equations import Chain
+
+HIGHEST = 8
+
+
+def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) -> Answer | None:
+    """Return the answer for a refuted relation that only puts numbers in, or states a condition."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if names(right) or not names(left) or refuted.left is None:
+        return None
+    free = set(letters(refuted.left))
+    if not free:
+        return None
+    if free & knowledge.angles:
+        alone = k == 0 and len(chain.relations) == 1
+        simple = alone and (is_simple(left) or _is_product(left, right, knowledge))
+        return Answer(DEFINITION, "a condition") if simple else None
+    if right == Number(Fraction(0)):
+        return None
+    known = {n for n, d in knowledge.definitions.items() if d.numeric}
+    return None if names(left) <= known else Answer(DEFINITION, "numbers put in")
+
+
+def states_a_case(chain: Chain) -> bool:
+    """Tell whether a chain gives one letter, or a function of it, a number: α = 45°, tan δ = 1/3.
+
+    Such a chain is taken first of those on its line: a condition often stands behind what it holds for.
+    """
+    if len(chain.sides) != 2 or names(chain.sides[1].node):
+        return False
+    left = chain.sides[0].node
+    return isinstance(left, Name) or (isinstance(left, Call) and isinstance(left.argument, Name))
+
+
+def with_ratio_put_in(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
+    """Return the answer for a ≈ r ω²(cos θ + ¼ cos 2θ) after λ = 4: cut off at an order, then put in.
+
+    None unless the ratio has a number, does not stand on the right, and some order agrees.
+    """
+    small = knowledge.crank.small if knowledge.crank else None
+    known = knowledge.definitions.get(small[0]) if small else None
+    if small is None or known is None or not known.numeric or small[0] in names(right):
+        return None
+    level = list(knowledge.levels(left, right))[-1]
+    evaluator = knowledge.evaluator(level)
+    try:
+        exact = Expansion(evaluator.domain, *small, HIGHEST).of(evaluator.form(left))
+        for order in range(HIGHEST + 1):
+            cut_off = summed(exact.cut(order), Small(*small, order))
+            node = substituted(polynomial_node(evaluator.domain, cut_off.numerator), small[0], known.node)
+            if equal(node, right, knowledge).proved:
+                name = Small(*small, order).text
+                return Answer(PROVED, f"with {render(Name(small[0]))} of line {known.line}", name)
+    except (NoFormError, TooLargeError):
+        return None
+    return None
+
+
+def _is_product(left: Node, right: Node, knowledge: Knowledge) -> bool:
+    """Tell whether sin θ (1 + 2ρ cos θ) = 0 is stated: a product of functions of an angle is to be 0."""
+    if right != Number(Fraction(0)) or not isinstance(left, Product):
+        return False
+    return sum(bool(names(factor) & knowledge.angles) for factor in left.factors) > 1
+
+
+def is_simple(node: Node) -> bool:
+    """Tell whether a side is a function of an angle, or a multiple of a letter, as in a condition."""
+    if isinstance(node, Negative):
+        return is_simple(node.operand)
+    if isinstance(node, Product):
+        return (
+            len(node.factors) == 2 and isinstance(node.factors[0], Number) and is_simple(node.factors[1])
+        )
+    if isinstance(node, Call):
+        return node.function in ("sin", "cos", "tan") and is_simple(node.argument)
+    return isinstance(node, Name)

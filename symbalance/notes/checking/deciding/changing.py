@@ -1,0 +1,74 @@
+"""Changed copies of formulas: a letter, or one part, replaced."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document import syntax
+from symbalance.document.syntax import Derivative, Name, Node, Number, Product, Quotient, Summation
+from symbalance.notes.algebra.domain import NoFormError
+
+
+def substituted(node: Node, name: str, value: Node) -> Node:
+    """Return a formula with a letter replaced; a sum's own index is another letter of the same name.
+
+    Raises NoFormError for a derivative by the letter: d/dx of a value at one x is no formula.
+    """
+    if isinstance(node, Name) and node.name == name:
+        return value
+    if isinstance(node, Derivative) and node.variable.name == name:
+        raise NoFormError(f"a derivative by {name}, which is given a value")
+    if isinstance(node, Summation) and node.index is not None and node.index.name == name:
+        bounds = {"lower": node.lower, "upper": node.upper}
+        return replace(
+            node, **{key: part and substituted(part, name, value) for key, part in bounds.items()}
+        )
+    parts = syntax.children(node)
+    changed = tuple(substituted(part, name, value) for part in parts)
+    return (
+        node
+        if all(a is b for a, b in zip(parts, changed, strict=True))
+        else syntax.with_children(node, changed)
+    )
+
+
+def replaced(node: Node, old: Node, new: Node) -> Node:
+    """Return a formula with one of its parts (that very object) replaced."""
+    if node is old:
+        return new
+    parts = syntax.children(node)
+    changed = tuple(replaced(part, old, new) for part in parts)
+    return (
+        node
+        if all(a is b for a, b in zip(parts, changed, strict=True))
+        else syntax.with_children(node, changed)
+    )
+
+
+def upright(node: Node) -> Node:
+    """Return a formula without fractions below a fraction: a/(b/c) is a c/b.
+
+    >>> from symbalance.document.syntax_text import render
+    >>> from symbalance.document.syntax import Number
+    >>> one = Number(Fraction(1))
+    >>> render(upright(Quotient(one, Product((Number(Fraction(4)), Quotient(one, Name("l")))))))
+    'l/4'
+    """
+    parts = tuple(upright(part) for part in syntax.children(node))
+    if parts != syntax.children(node):
+        node = syntax.with_children(node, parts)
+    if not isinstance(node, Quotient):
+        return node
+    factors = node.denominator.factors if isinstance(node.denominator, Product) else (node.denominator,)
+    raised = [f.denominator for f in factors if isinstance(f, Quotient)]
+    if not raised:
+        return node
+    below = [f.numerator if isinstance(f, Quotient) else f for f in factors]
+    above, under = _product([node.numerator, *raised]), _product(below)
+    return above if under == Number(Fraction(1)) else Quotient(above, under)
+
+
+def _product(factors: list[Node]) -> Node:
+    kept = [f for f in factors if f != Number(Fraction(1))] or [Number(Fraction(1))]
+    return kept[0] if len(kept) == 1 else Product(tuple(kept))

@@ -1,0 +1,105 @@
+"""What is known at a line: meanings, the document's own definitions, and what is given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+from symbalance.document.syntax import Node, names
+from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.checking.geometry import Geometry
+
+
+@dataclass(frozen=True, slots=True)
+class Definition:
+    """A letter's value by the document, and the line that says so."""
+
+    node: Node
+    line: int
+    numeric: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """An assumption of the sidecar, solved for a letter."""
+
+    text: str
+    name: str
+    node: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """One choice of what to use: the letters' values, and the assumptions that this rests on."""
+
+    values: Mapping[str, Node]
+    assumptions: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Knowledge:
+    """Everything a step may use at its line."""
+
+    meaning: Meaning = field(default_factory=Meaning)
+    crank: Geometry | None = None
+    definitions: Mapping[str, Definition] = field(default_factory=dict)
+    given: tuple[Given, ...] = ()
+    letters: frozenset[str] = frozenset()
+    moving: frozenset[str] = frozenset()
+    """Letters whose meaning is a motion or a force: left alone where a step holds without."""
+    angles: frozenset[str] = frozenset()
+    universal: frozenset[str] = frozenset()
+    """Letters that stay free although a line gives them a number: crank angle, rod angle, time."""
+
+    def levels(self, *nodes: Node) -> Iterator[Level]:
+        """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""
+        yield Level({})
+        number = any(not names(node) for node in nodes)
+        own = {
+            name: d.node
+            for name, d in self.definitions.items()
+            if not (d.numeric and name in self.universal and not number)
+        }
+        values = {**own, **self.meaning.values}
+        if number:  # a numeric example: the numbers of the letters in which the geometry is written
+            values |= {name: d.node for name, d in self.definitions.items() if d.numeric}
+        light = {name: node for name, node in values.items() if name not in self.moving}
+        if own and len(light) < len(values):
+            yield Level(light)
+        if values:
+            yield Level(values)
+        for given in self.given:
+            yield Level({**values, given.name: given.node}, (given.text,))
+        if len(self.given) > 1:
+            together = {given.name: given.node for given in self.given}
+            yield Level({**values, **together}, tuple(g.text for g in self.given))
+
+    def evaluator(self, level: Level) -> Evaluator:
+        """Return an evaluator in a fresh domain for a level."""
+        meaning = replace(self.meaning, values=level.values)
+        return Evaluator(meaning.domain(), meaning)
+
+    def knows(self, name: str) -> bool:
+        """Tell whether a letter has a value."""
+        return name in self.meaning.values or name in self.definitions or self.assumes(name)
+
+    def assumes(self, name: str) -> bool:
+        """Tell whether an assumption gives a letter its value."""
+        return any(given.name == name for given in self.given)
+
+    def has_meaning(self, name: str) -> bool:
+        """Tell whether a letter has a value, or a meaning that relates it to others."""
+        return self.knows(name) or self.measures(name) or name in self.universal
+
+    def measures(self, name: str) -> bool:
+        """Tell whether the geometry is written in this letter."""
+        if self.crank is None:
+            return False
+        parts = (
+            self.crank.theta,
+            self.crank.radius,
+            self.crank.length,
+            self.crank.omega,
+            self.crank.mass,
+        )
+        return any(name in names(part) for part in parts)

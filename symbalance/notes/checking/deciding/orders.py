@@ -1,0 +1,213 @@
+"""Agreement through an order: what ≈, and a sum that ends in dots, claim.
+
+The small letter is the rod ratio where it occurs (ρ small, λ large), else a letter in which the line is
+a polynomial. The order a line keeps is the highest power of it there; both sides must agree through it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.document.notation import raised
+from symbalance.document.syntax import Name, Node
+from symbalance.document.syntax_text import render
+from symbalance.notes.algebra import values
+from symbalance.notes.algebra.domain import NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.evaluation import Evaluator
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.harmonics import components
+from symbalance.notes.algebra.series import Expansion, Series
+from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
+from symbalance.notes.checking.deciding.steps import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Answer,
+    digits,
+    equal,
+    text,
+    without_dots,
+)
+
+HIGHEST = 40
+HIGHEST_SHOWN = 26
+NO_LETTER = "no letter in which one side is a cut-off series"
+ROUGH = Fraction(1, 20)
+
+
+@dataclass(frozen=True, slots=True)
+class Small:
+    """A letter to expand in: `sign` -1 where it is large, and the order a line keeps of it."""
+
+    letter: str
+    sign: int
+    kept: int
+
+    @property
+    def text(self) -> str:
+        """The order kept, as a power of the letter."""
+        if not self.kept:
+            return "leading term"
+        if self.kept > HIGHEST_SHOWN:
+            return "all powers written"
+        return render(Name(self.letter)) + raised(str(self.sign * self.kept).replace("-", "−"))
+
+
+def agree(
+    left: Node, right: Node, knowledge: Knowledge, *, through: int | None = None, loose: bool = False
+) -> Answer:
+    """Decide whether two sides agree through the order the right one keeps.
+
+    `through` overrides that order. `loose` leaves out harmonics above the highest that the right side
+    has: what dots after the last harmonic stand for.
+    """
+    left, cut = without_dots(left)
+    right, dots = without_dots(right)
+    exact = equal(left, right, knowledge)
+    if exact.proved and through is None:
+        return exact
+    best = exact
+    for level in knowledge.levels(left, right):
+        found = _at_level(left, right, knowledge, level, through, loose or dots or cut)
+        if found.proved:
+            return found
+        best = found
+    return exact if best.reason == NO_LETTER and exact.status == REFUTED else best
+
+
+def _at_level(
+    left: Node, right: Node, knowledge: Knowledge, level: Level, through: int | None, loose: bool
+) -> Answer:
+    evaluator = knowledge.evaluator(level)
+    try:
+        first, second = evaluator.form(left), evaluator.form(right)
+        if not values.letters(first) and not values.letters(second):
+            return _as_numbers(left, right, evaluator, (first, second), level)
+    except (NoFormError, TooLargeError) as problem:
+        return Answer(UNDECIDED, f"no normal form: {problem}", level=level)
+    best = Answer(
+        UNDECIDED, "no letter in which one side is a cut-off series", "", (), level, first, second
+    )
+    for small in _candidates(first, second, knowledge, through):
+        try:
+            found = _through(first, second, small, level, loose)
+        except (NoFormError, TooLargeError) as problem:
+            found = Answer(UNDECIDED, f"no power series in {small.letter}: {problem}", level=level)
+        if found.proved:
+            return found
+        best = found if best.status != REFUTED else best
+    return best
+
+
+def _as_numbers(
+    left: Node, right: Node, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
+) -> Answer:
+    """Compare two numbers: to the digits printed where there are any, else saying how closely."""
+    first, second = forms
+    points = values.sample([first, second])
+    if not points:
+        return Answer(UNDECIDED, "no value", level=level)
+    one, other = points[0][1]
+    apart = abs(one - other) / max(abs(one), abs(other), values.context().mpf(10) ** -300)
+    if decimals(left) or decimals(right):
+        fits, order = agrees_as_printed(left, right, evaluator.form, generous=True), "the digits printed"
+    else:
+        fits, order = apart <= float(ROUGH), f"relative error {digits(apart, 2)}"
+    if fits:
+        return Answer(PROVED, "", order, level.assumptions, level, first, second)
+    witness = {"left": digits(one), "right": digits(other)}
+    return Answer(REFUTED, "", "", (), level, first, second, witness)
+
+
+def _candidates(first: Form, second: Form, knowledge: Knowledge, through: int | None) -> Iterator[Small]:
+    known = values.letters(first) + values.letters(second)
+    usual = knowledge.crank.small if knowledge.crank else None
+    if usual is not None and usual[0] in known:
+        kept = _kept(first, second, *usual)
+        if kept is not None or through is not None:
+            yield Small(*usual, kept if through is None else through)  # type: ignore[arg-type]
+    for letter in dict.fromkeys(known):
+        for sign in (1, -1):
+            kept = _kept(first, second, letter, sign)
+            if kept and (usual is None or letter != usual[0]):
+                yield Small(letter, sign, kept)
+
+
+def _kept(first: Form, second: Form, letter: str, sign: int) -> int | None:
+    """Return the order kept: the degree of the side that is a polynomial in the letter."""
+    degrees = [degree(form, letter, sign) for form in (first, second) if form.numerator]
+    found = [d for d in degrees if d is not None]
+    return min(found) if found and min(found) <= HIGHEST else None
+
+
+def degree(form: Form, letter: str, sign: int) -> int | None:
+    """Return the highest power of letter^sign in a form that is a polynomial in it, else None."""
+    if not form.is_polynomial:
+        return None
+    number = form.domain.symbol(letter)
+    series = Expansion(form.domain, letter, sign, 0)
+    exponents = [Fraction(0)]
+    for monomial in form.numerator:
+        for generator, exponent in monomial:
+            if generator == number:
+                exponents.append(Fraction(exponent * sign))
+            elif series.depends(generator):
+                return None
+    top = max(exponents)
+    return int(top) if top.denominator == 1 else None
+
+
+def _through(first: Form, second: Form, small: Small, level: Level, loose: bool) -> Answer:
+    expansion = Expansion(first.domain, small.letter, small.sign, small.kept)
+    left = expansion.of(first).cut(small.kept)
+    right = expansion.of(second).cut(small.kept)
+    if min(left.through, right.through) < small.kept:
+        raise NoFormError("the series does not reach that order")
+    if not left.terms and not right.terms:
+        raise NoFormError("nothing of either side is kept")
+    difference = left.plus(right.scaled(Form.number(first.domain, -1)))
+    if not difference.terms:
+        return Answer(PROVED, "", small.text, level.assumptions, level, first, second, kept=small.kept)
+    kept_left, kept_right = summed(left, small), summed(right, small)
+    if loose and _only_higher(kept_left, kept_right):
+        order = f"{small.text}, harmonics to {_highest(kept_right)}"
+        return Answer(PROVED, "", order, level.assumptions, level, kept_left, kept_right, kept=small.kept)
+    order = f"{small.text}"
+    points = values.sample([kept_left, kept_right])
+    witness: dict[str, str] = {}
+    if points:
+        point, pair = points[0]
+        witness = {n: text(v) for n, v in point.items()}
+        witness |= {"left": digits(pair[0]), "right": digits(pair[1])}
+    further = tuple(summed(expansion.of(first).cut(small.kept + n), small) for n in (1, 2))
+    return Answer(REFUTED, "", order, (), level, kept_left, kept_right, witness, small.kept, further)
+
+
+def summed(series: Series, small: Small) -> Form:
+    """Return a series as a form again, cut off at its order."""
+    number = series.domain.symbol(small.letter)
+    total = Form.number(series.domain, 0)
+    for k, form in series.terms.items():
+        power: Polynomial = {((number, k * small.sign),): Fraction(1)} if k else {(): Fraction(1)}
+        total = total.plus(form.times(Form.of(series.domain, power)))
+    return total
+
+
+def _only_higher(left: Form, right: Form) -> bool:
+    """Tell whether two polynomials differ only in harmonics above the highest of the right one."""
+    difference = left.minus(right)
+    if not difference.is_polynomial or not right.is_polynomial:
+        return False
+    top = _highest(right)
+    if not top:
+        return False
+    places = components(left.domain, difference.numerator)
+    return all(max((abs(e) for _, e in p.angle), default=0) > top for p in places)
+
+
+def _highest(form: Form) -> Fraction:
+    places = components(form.domain, form.numerator) if form.is_polynomial else {}
+    return max((Fraction(abs(e)) for p in places for _, e in p.angle), default=Fraction(0))

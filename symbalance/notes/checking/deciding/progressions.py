@@ -1,0 +1,123 @@
+"""Sums with a letter in their bounds, proved by induction.
+
+To show that T(1) + T(2) + ⋯ + T(N) equals C(N), with T(N) the last term as written, it suffices that
+
+    C(1) = T(1)    and    C(N) - C(N-1) = T(N)
+
+and both are identities without a sum. The same holds for Σ from k = a to U(N). The letter N stays free:
+definitions that hold it (h = 4π/N) are not used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from symbalance.document import syntax
+from symbalance.document.syntax import Dots, Name, Negative, Node, Sum, Summation, names
+from symbalance.notes.algebra.domain import NoFormError
+from symbalance.notes.algebra.numbers import rational_node
+from symbalance.notes.checking.deciding.changing import replaced, substituted
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.steps import PROVED, UNDECIDED, Answer, equal
+
+
+@dataclass(frozen=True, slots=True)
+class Progression:
+    """A sum over a letter: its last term as a function of `letter`, and where it starts."""
+
+    part: Node
+    letter: str
+    first_value: Node
+    first: Node
+    second: Node | None
+    last: Node
+
+
+def progressions(node: Node) -> Iterator[Progression]:
+    """Yield the ways a formula's one sum with open bounds may be read as a progression in a letter."""
+    for part in syntax.walk(node):
+        if isinstance(part, Summation) and part.index and part.lower and part.upper:
+            yield from _of_summation(part)
+        if isinstance(part, Sum) and any(isinstance(t, Dots) for t in part.terms[:-1]):
+            yield from _of_dots(part)
+
+
+def _of_summation(part: Summation) -> Iterator[Progression]:
+    assert part.index
+    assert part.lower
+    assert part.upper
+    for letter in sorted(names(part.upper)):
+        gap = Sum((Name(letter), Negative(part.upper), part.lower))  # N - U(N) + a
+        first = substituted(part.body, part.index.name, part.lower)
+        yield Progression(
+            part, letter, gap, first, None, substituted(part.body, part.index.name, part.upper)
+        )
+
+
+def _of_dots(part: Sum) -> Iterator[Progression]:
+    place = next(k for k, t in enumerate(part.terms) if isinstance(t, Dots))
+    before, after = part.terms[:place], part.terms[place + 1 :]
+    if not before or len(after) != 1:
+        return
+    first, *others = before
+    for letter in sorted(names(after[0]) - names(first)):
+        yield Progression(
+            part, letter, rational_node(Fraction(1)), first, others[0] if others else None, after[0]
+        )
+
+
+def by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
+    """Decide left = right where one side holds one sum with open bounds; None if there is none."""
+    try:
+        return _by_induction(left, right, knowledge)
+    except NoFormError as problem:
+        return Answer(UNDECIDED, str(problem))
+
+
+def _by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
+    left, right = _spelled_out(left, knowledge), _spelled_out(right, knowledge)
+    found = list(progressions(left))
+    if not found:
+        found, left, right = list(progressions(right)), right, left
+    if not found:
+        return None
+    for progression in found:
+        if _proved(progression, left, right, _without(knowledge, progression.letter)):
+            return Answer(PROVED, f"by induction over {progression.letter}")
+    return Answer(UNDECIDED, "the sum was not brought to that form by induction")
+
+
+def _spelled_out(node: Node, knowledge: Knowledge) -> Node:
+    """Return a formula with the letters that stand for sums replaced by those."""
+    for name in names(node):
+        known = knowledge.definitions.get(name)
+        if known is not None and next(progressions(known.node), None) is not None:
+            node = substituted(node, name, known.node)
+    return node
+
+
+def _without(knowledge: Knowledge, letter: str) -> Knowledge:
+    kept = {n: d for n, d in knowledge.definitions.items() if letter not in names(d.node) and n != letter}
+    return replace(knowledge, definitions=kept)
+
+
+def _proved(p: Progression, left: Node, right: Node, knowledge: Knowledge) -> bool:
+    before = Sum((Name(p.letter), Negative(rational_node(Fraction(1)))))
+    around = lambda term: replaced(left, p.part, term)  # noqa: E731
+    if p.letter in names(around(rational_node(Fraction(0)))):
+        return False
+    if isinstance(p.part, Sum):
+        for k, term in ((1, p.first), (2, p.second)):
+            if (
+                term is not None
+                and not equal(
+                    substituted(p.last, p.letter, rational_node(Fraction(k))), term, knowledge
+                ).proved
+            ):
+                return False
+    start = equal(around(p.first), substituted(right, p.letter, p.first_value), knowledge)
+    difference = Sum((right, Negative(substituted(right, p.letter, before))))
+    added = Sum((around(p.last), Negative(around(rational_node(Fraction(0))))))
+    return start.proved and equal(added, difference, knowledge).proved

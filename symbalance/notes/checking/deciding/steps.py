@@ -1,0 +1,192 @@
+"""One step of a chain: are two sides equal, exactly or through an order? Proved, refuted or undecided."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document import syntax
+from symbalance.document.syntax import Node
+from symbalance.document.syntax_text import render
+from symbalance.notes.algebra import values
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.trees import sample_trees
+from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
+
+PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What is known of a step, and on what it rests."""
+
+    status: str
+    reason: str = ""
+    order: str = ""
+    assumptions: tuple[str, ...] = ()
+    level: Level | None = None
+    left: Form | None = None
+    right: Form | None = None
+    witness: Mapping[str, str] = field(default_factory=dict)
+    kept: int | None = None
+    """The order through which two sides were compared, None for an exact comparison."""
+    further: tuple[Form, ...] = ()
+    """The exact side cut off one and two orders later: what a repaired side may come to."""
+
+    @property
+    def proved(self) -> bool:
+        """Tell whether the step is proved."""
+        return self.status == PROVED
+
+
+def equal(left: Node, right: Node, knowledge: Knowledge) -> Answer:
+    """Decide left = right exactly, with as little knowledge as it takes."""
+    last = Answer(UNDECIDED, "nothing to compare")
+    levels = list(knowledge.levels(left, right))
+    for level in levels:
+        if level is not levels[-1] and _apart(left, right, knowledge, level):
+            continue
+        last = _at_level(left, right, knowledge, level)
+        if last.proved:
+            return last
+    return last
+
+
+def _apart(left: Node, right: Node, knowledge: Knowledge, level: Level) -> bool:
+    """Tell at one point, quickly, that two sides differ by more than any rounding: no proof is tried."""
+    meaning = replace(knowledge.meaning, values=level.values)
+    if any(not number.value for number in (*decimals(left), *decimals(right))):
+        return False  # beside a printed 0.000 every value is far off, measured by the larger of the two
+    points = sample_trees([left, right], meaning, 1)
+    if not points:
+        return False
+    one, other = points[0][1]
+    return abs(abs(one) - abs(other)) > 0.2 * max(abs(one), abs(other)) or (
+        not decimals(left) and not decimals(right) and not _close(abs(one), abs(other))
+    )
+
+
+def _at_level(left: Node, right: Node, knowledge: Knowledge, level: Level) -> Answer:
+    evaluator = knowledge.evaluator(level)
+    try:
+        first, second = evaluator.form(left), evaluator.form(right)
+        if first.equals(second):
+            noted = tuple(evaluator.domain.assumptions)
+            return Answer(PROVED, "", "", level.assumptions + noted, level, first, second)
+        return _by_numbers(left, right, evaluator, (first, second), level)
+    except NoFormError as problem:
+        return _by_trees(left, right, evaluator.meaning, level, f"no normal form: {problem}")
+    except TooLargeError as problem:
+        return _by_trees(left, right, evaluator.meaning, level, f"too large for a normal form: {problem}")
+
+
+def _by_trees(left: Node, right: Node, meaning: Meaning, level: Level, reason: str) -> Answer:
+    """Return what points in numbers say of two formulas that have no forms: refuted or undecided."""
+    points = sample_trees([left, right], meaning)
+    for point, pair in points:
+        if not _close(*pair):
+            return Answer(REFUTED, reason, level=level, witness=_witness(point, pair))
+    if points:
+        return Answer(UNDECIDED, f"equal at {len(points)} points tried; {reason}", level=level)
+    return Answer(UNDECIDED, reason, level=level)
+
+
+def _by_numbers(
+    left: Node, right: Node, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
+) -> Answer:
+    """Return what points in numbers say of two forms that are not identical."""
+    first, second = forms
+    points = values.sample([first, second])
+    if not points:
+        return Answer(
+            UNDECIDED, "no point where both sides are real", "", level.assumptions, level, first, second
+        )
+    same = [_close(*pair) for _, pair in points]
+    if all(same) and (signed := _same_square(left, right, first, second)) is not None:
+        return Answer(PROVED, "", "", (*level.assumptions, *signed), level, first, second)
+    if agrees_as_printed(left, right, evaluator.form):
+        order = "the digits printed"
+        return Answer(PROVED, "", order, level.assumptions, level, first, second)
+    if all(same):
+        return Answer(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
+    signed = _up_to_sign(left, right, first, second) if any(same) else ""
+    if signed:
+        return Answer(PROVED, "", "", (*level.assumptions, signed), level, first, second)
+    point, pair = points[same.index(False)]
+    witness = _witness(point, pair)
+    return Answer(REFUTED, "", "", (), level, first, second, witness)
+
+
+def _close(left: Any, right: Any) -> bool:
+    scale = max(abs(left), abs(right), 1e-300)
+    return abs(left - right) <= scale * values.context().mpf(10) ** -25
+
+
+def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:
+    shown = {name: text(value) for name, value in point.items()}
+    return shown | {"left": digits(pair[0]), "right": digits(pair[1])}
+
+
+def text(value: Fraction) -> str:
+    """Return a sample's coordinate as a short decimal."""
+    return str(value.numerator) if value.denominator == 1 else f"{float(value):.6g}"
+
+
+def digits(value: Any, count: int = 12) -> str:
+    """Return an mpmath number with a few digits, its imaginary part only where there is one."""
+    mp = values.context()
+    if abs(value.imag) <= abs(value) * mp.mpf(10) ** -20:
+        return mp.nstr(value.real, count)
+    return mp.nstr(value, count)
+
+
+def _same_square(left: Node, right: Node, first: Form, second: Form) -> tuple[str, ...] | None:
+    """Return the assumptions under which two sides of equal squares are equal, as at the points tried.
+
+    None if their squares are not proved equal. Two numbers need none, nor do two roots.
+    """
+    try:
+        if not first.times(first).equals(second.times(second)):
+            return None
+    except (NoFormError, TooLargeError):
+        return None
+    numbers = not values.letters(first) and not values.letters(second)
+    bare = [node for node in (left, right) if not _is_root(node)]
+    if numbers or not bare:
+        return ()
+    return (f"{render(bare[0])} ≥ 0",)
+
+
+def _is_root(node: Node) -> bool:
+    """Tell whether a formula is a square root or an absolute value, perhaps times a positive number."""
+    if isinstance(node, syntax.Product | syntax.Quotient):
+        parts = syntax.children(node)
+        roots = [part for part in parts if _is_root(part)]
+        return bool(roots) and all(p in roots or isinstance(p, syntax.Number) for p in parts)
+    return isinstance(node, syntax.Call) and node.function in ("sqrt", "abs")
+
+
+def _up_to_sign(left: Node, right: Node, first: Form, second: Form) -> str:
+    """Return the assumption under which a root equals the other side, or nothing."""
+    for node, other in ((right, left), (left, right)):
+        if _is_root(node) and first.times(first).equals(second.times(second)):
+            return f"{render(other)} ≥ 0"
+    return ""
+
+
+def without_dots(node: Node) -> tuple[Node, bool]:
+    """Return a formula without the dots at the end of its sums, and whether there were any."""
+    if isinstance(node, syntax.Sum):
+        kept = tuple(t for t in node.terms if not isinstance(t, syntax.Dots))
+        parts = [without_dots(t) for t in kept]
+        found = len(kept) < len(node.terms) or any(cut for _, cut in parts)
+        return replace(node, terms=tuple(p for p, _ in parts)), found
+    pairs = [without_dots(part) for part in syntax.children(node)]
+    if not any(cut for _, cut in pairs):
+        return node, False
+    return syntax.with_children(node, tuple(p for p, _ in pairs)), True

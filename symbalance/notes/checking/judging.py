@@ -1,0 +1,215 @@
+"""A document's chains, judged in order: definitions are kept, steps decided, claims compared."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+from symbalance.document.syntax import Name, Node, Span
+from symbalance.errors import SymbalanceError
+from symbalance.notes.checking import claims, premises
+from symbalance.notes.checking.deciding.cases import numbers_put_in, states_a_case, with_ratio_put_in
+from symbalance.notes.checking.deciding.knowledge import Given, Knowledge
+from symbalance.notes.checking.deciding.relations import judged, ordering
+from symbalance.notes.checking.deciding.steps import Answer
+from symbalance.notes.checking.definitions import Definitions
+from symbalance.notes.checking.describing import described, unjudged, unreadable
+from symbalance.notes.checking.letters import meaning_of
+from symbalance.notes.checking.meanings import MOVING, by_meaning
+from symbalance.notes.checking.repair.mending import mended, repaired
+from symbalance.notes.checking.sidecar import Bind, Declarations
+from symbalance.notes.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked, Verdict
+from symbalance.notes.reading import ReadingError, read_equation
+from symbalance.notes.reading.equations import Chain, Document, Side
+
+FOLLOWS = "follows from the side before, which is refuted"
+ANGLES = ("crank angle", "rod angle", "time", "integer")
+UNIVERSAL = (
+    "crank angle",
+    "rod angle",
+    "time",
+    "rod ratio l/r",
+    "rod ratio l/s",
+    "crank ratio r/l",
+    "integer",
+)
+
+
+@dataclass
+class Judge:
+    """Judges one document; what it has learnt so far is its state."""
+
+    document: Document
+    declarations: Declarations
+    folder: Path = Path()
+
+    def __post_init__(self) -> None:
+        self.learnt = Definitions(self.declarations)
+
+    def checked(self) -> Checked:
+        """Return the document with its verdicts."""
+        binds = claims.by_line(self.declarations.binds)
+        found: list[Verdict] = [unreadable(self.document, u) for u in self.document.unreadable]
+        for chain in sorted(self.document.chains, key=lambda c: (c.lines[0], not states_a_case(c))):
+            own = [b for line in chain.lines for b in binds.pop(line, [])]
+            found += self.chain(chain, own)
+        for bind in (b for rest in binds.values() for b in rest):
+            found.append(claims.unfound(self.document, bind))
+        for bind in self.declarations.binds:
+            if bind.text:
+                span = claims.span_of(self.document, bind)
+                found.append(self.guarded(partial(self.piece, bind), span, bind.line))
+        return Checked(self.document, tuple(numbered(found)))
+
+    def guarded(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
+        """Return a verdict; a fault of ours leaves its relation undecided, and the report whole."""
+        try:
+            return verdict()
+        except SymbalanceError:
+            raise  # a declaration that cannot be used
+        except Exception as problem:
+            return unjudged(self.document, span, line or self.document.line_of(span[0]), problem)
+
+    def piece(self, bind: Bind) -> Verdict:
+        """Return the verdict on a piece of a line that is bound to a quantity."""
+        known = self.knowledge(bind.line, bind.convention)
+        names_here = frozenset(self.declarations.symbols_at(bind.line))
+        return claims.piece(self.document, bind, known, names_here, self.folder)
+
+    def knowledge(self, line: int, convention: str = "") -> Knowledge:
+        """Return what is known at a line."""
+        symbols = self.declarations.symbols_at(line)
+        meaning, crank = meaning_of(symbols, convention)
+        kept = self.learnt.at(line)
+        letters = by_meaning(symbols)
+        universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
+        moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
+        angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
+        declared = frozenset(symbols)
+        return Knowledge(
+            meaning, crank, kept, self.given(line, declared), declared, moving, angles, universal
+        )
+
+    def given(self, line: int, known: frozenset[str]) -> tuple[Given, ...]:
+        """Return the assumptions at a line, each solved for a letter."""
+        return tuple(
+            read_given(text, known, self.declarations.place) for text in self.declarations.given_at(line)
+        )
+
+    def chain(self, chain: Chain, binds: list[Bind]) -> list[Verdict]:
+        """Return the verdicts on a chain's relations, in order."""
+        found: list[Verdict] = []
+        sound, bad = 0, False
+        bound = {claims.side_of(self.document, chain, b): b for b in binds if not b.text}
+        if not chain.relations:
+            return [self.claim(chain, 0, b, None) for b in bound.values()]
+        for k, relation in enumerate(chain.relations):
+            if k == 0 and 0 in bound:
+                found.append(self.claim(chain, 0, bound[0], None))
+            span = chain.sides[k + 1].span
+            verdict = self.guarded(partial(self.link, chain, k, sound, bad), span, relation.line)
+            if k + 1 in bound:
+                excused = bad or isinstance(chain.sides[k].node, Name)
+                verdict = self.claim(chain, k + 1, bound[k + 1], verdict, excused)
+            found.append(verdict)
+            bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
+            if not bad:
+                sound = k + 1
+        self.learnt.use(chain)
+        return found
+
+    def claim(
+        self, chain: Chain, index: int, bind: Bind, step: Verdict | None, excused: bool = False
+    ) -> Verdict:
+        """Return the verdict on a side that is bound to a quantity; `step` is that of its relation.
+
+        `excused` tells that the side before is known to be wrong, or only a name.
+        """
+
+        def verdict() -> Verdict:
+            known = self.knowledge(chain.lines[0], bind.convention)
+            return claims.side(self.document, chain, index, bind, known, self.folder, step, excused)
+
+        line = chain.relations[index - 1].line if index else 0
+        return self.guarded(verdict, chain.sides[index].span, line)
+
+    def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
+        """Return the verdict on the k-th relation of a chain."""
+        knowledge = self.knowledge(chain.lines[0])
+        relation = chain.relations[k]
+        left, right = chain.sides[k], chain.sides[k + 1]
+        if relation.sign in ("<", ">", "≤", "≥", "≠"):
+            return described(self.document, chain, k, ordering(chain, k, knowledge))
+        defined = self.learnt.stated(chain, k, knowledge)
+        if defined is not None:
+            return described(self.document, chain, k, defined)
+        answer, against = judged(left, right, relation.sign, knowledge), left
+        if bad and not answer.proved:
+            other = judged(chain.sides[sound], right, relation.sign, knowledge)
+            if other.proved or answer.status == REFUTED:
+                answer, against = other, chain.sides[sound]
+        elif bad:
+            answer = replace(answer, reason=FOLLOWS)
+        head = chain.sides[0].node
+        valued = k and isinstance(head, Name) and head.name in knowledge.meaning.values
+        if valued and (relation.sign == "≈" or not answer.proved):
+            answer, against = judged(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+        if answer.status in (REFUTED, UNDECIDED):
+            stated = premises.stated(chain, k, self.learnt.seen, knowledge)
+            if stated is not None:
+                self.learnt.learn(stated.name, stated.node, chain.lines[0])
+                reason = f"read as what fixes {stated.name}"
+                return described(self.document, chain, k, Answer(DEFINITION, reason))
+        if answer.status == REFUTED:
+            case = numbers_put_in(chain, k, answer, knowledge)
+            answer = case or with_ratio_put_in(against.node, right.node, knowledge) or answer
+        condition = self.learnt.condition_behind(answer, chain.lines[0])
+        if answer.status == REFUTED and condition is not None:
+            reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
+            answer = replace(answer, status=UNDECIDED, reason=reason)
+        return self.mended(
+            described(self.document, chain, k, answer), chain, k, against, answer, knowledge
+        )
+
+    def mended(
+        self, verdict: Verdict, chain: Chain, k: int, left: Side, answer: Answer, knowledge: Knowledge
+    ) -> Verdict:
+        """Return the verdict with the change that would make its relation true, on either side."""
+        right, sign = chain.sides[k + 1], chain.relations[k].sign
+        as_written = "≈" if left is not chain.sides[k] else sign
+
+        def proves_right(node: Node) -> bool:
+            return repaired(judged(left, Side((node,), right.span), as_written, knowledge), answer)
+
+        def proves_left(node: Node) -> bool:
+            return repaired(judged(Side((node,), left.span), right, as_written, knowledge), answer)
+
+        lone = isinstance(left.node, Name)
+        other = None if lone else (left, proves_left)
+        return mended(verdict, self.document, right, answer, knowledge, proves_right, other)
+
+
+def numbered(verdicts: list[Verdict]) -> Iterator[Verdict]:
+    """Yield the verdicts in the order of the text; `link` counts those on one line."""
+    count, line = 0, 0
+    for verdict in sorted(verdicts, key=lambda v: (v.line, bool(v.piece), v.span, v.link)):
+        count = count + 1 if verdict.line == line else 1
+        line = verdict.line
+        yield replace(verdict, link=count)
+
+
+def read_given(text: str, known: frozenset[str], place: str) -> Given:
+    """Return an assumption of the sidecar, solved for a letter."""
+    try:
+        chain = read_equation(text, known)
+    except ReadingError as problem:
+        raise SymbalanceError(f"given = {text}", problem.what, problem.remedy, place) from None
+    if len(chain.sides) == 2 and chain.relations[0].sign == "=":
+        solved = premises.solved(chain.sides[0].node, chain.sides[1].node)
+        if solved is not None:
+            return Given(text, *solved)
+    raise SymbalanceError(
+        f"given = {text}", "must be an equality that fixes a letter", 'write "α = π/6"', place
+    )

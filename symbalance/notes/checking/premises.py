@@ -1,0 +1,182 @@
+"""Premises: relations that state something rather than follow, such as l sin β = r sin θ.
+
+A relation fixes a letter if the letter is new in the document, stands in it once, and can be reached by
+undoing sums, products, powers and functions. Both sides must hold letters of their own: in
+r sin²θ + r cos²θ = 2r nothing is stated, it is just false.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document import syntax
+from symbalance.document.syntax import (
+    Call,
+    Derivative,
+    Name,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+)
+from symbalance.notes.algebra.evaluation import derivative_name
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.reading.equations import Chain
+
+_INVERSE = {
+    "sin": "asin",
+    "cos": "acos",
+    "tan": "atan",
+    "asin": "sin",
+    "acos": "cos",
+    "atan": "tan",
+    "exp": "ln",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """A letter and the formula a premise gives it."""
+
+    name: str
+    node: Node
+
+
+def counts(node: Node) -> Counter[str]:
+    """Return how often each letter stands in a formula."""
+    return Counter(part.name for part in syntax.walk(node) if isinstance(part, Name))
+
+
+def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated | None:
+    """Return what the k-th relation of a chain states, or None where it must be a step."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
+        return None
+    if chain.relations[k].sign != "=" or any(isinstance(p, syntax.Dots) for p in _parts(left, right)):
+        return None
+    first, second = counts(left), counts(right)
+    earlier = seen | {n for side in chain.sides[:k] for n in syntax.names(side.node)}
+    if right == Number(Fraction(0)):
+        pairs = [(_apart_from_others(left), left, right)] if k == 0 else []
+    elif set(first) - set(second) and set(second) - set(first):
+        own = [(set(first) - set(second), left, right), (set(second) - set(first), right, left)]
+        pairs = own if k == 0 else own[:1]
+    elif k == 0 and not second and len(first) == 1:
+        pairs = [(set(first), left, right)]  # tan δ = 1/3
+    else:
+        return None
+    for mine, node, other in pairs:
+        for name in sorted(mine):
+            free = not (name in earlier or knowledge.has_meaning(name))
+            if free and (first + second)[name] == 1 and not _inside_derivative(node, name):
+                found = undone(node, other, name)
+                if found is not None:
+                    return Stated(name, found)
+    derivative = _lone_derivative(left, right, knowledge)
+    return Stated(derivative, right) if derivative else None
+
+
+def _parts(*nodes: Node) -> Iterator[Node]:
+    for node in nodes:
+        yield from syntax.walk(node)
+
+
+def _apart_from_others(node: Node) -> set[str]:
+    """Return the letters of F_1 + F_2 = 0: each in a term of its own beside terms with other letters."""
+    terms = node.terms if isinstance(node, Sum) else (node,)
+    found = [syntax.names(term) for term in terms]
+    if len(found) < 2:
+        return set()
+    return {
+        n
+        for k, mine in enumerate(found)
+        for n in mine
+        if all(mine - o and o - mine for o in found[:k] + found[k + 1 :])
+    }
+
+
+def _inside_derivative(node: Node, name: str) -> bool:
+    return any(isinstance(p, Derivative) and name in syntax.names(p) for p in syntax.walk(node))
+
+
+def _lone_derivative(left: Node, right: Node, knowledge: Knowledge) -> str:
+    """Return a name for the derivative of an unknown letter, which a relation states."""
+    if not (isinstance(left, Derivative) and isinstance(left.expression, Name)):
+        return ""
+    name = left.expression.name
+    known = knowledge.has_meaning(name) or name in syntax.names(right)
+    return "" if known else derivative_name(left)
+
+
+def solved(left: Node, right: Node) -> tuple[str, Node] | None:
+    """Return (letter, formula) from an equality, the left side's letters first."""
+    for node, other in ((left, right), (right, left)):
+        for name, count in counts(node).items():
+            if count == 1 and name not in syntax.names(other):
+                found = undone(node, other, name)
+                if found is not None:
+                    return name, found
+    return None
+
+
+def undone(node: Node, other: Node, name: str) -> Node | None:
+    """Return what `name` equals if node = other, where it stands once in node; None if not reachable."""
+    if isinstance(node, Name):
+        return other
+    parts = [p for p in syntax.children(node) if name in syntax.names(p)]
+    if len(parts) != 1:
+        return None
+    inner = parts[0]
+    outside = _outside(node, inner, other)
+    return None if outside is None else undone(inner, outside, name)
+
+
+def _outside(node: Node, inner: Node, other: Node) -> Node | None:
+    """Return what the part `inner` of `node` equals if node = other."""
+    rule = _UNDONE.get(type(node))
+    return None if rule is None else rule(node, inner, other)
+
+
+def _sum_undone(node: Sum, inner: Node, other: Node) -> Node | None:
+    if any(isinstance(t, syntax.Dots) for t in node.terms):
+        return None
+    return Sum((other, *(Negative(t) for t in node.terms if t is not inner)))
+
+
+def _product_undone(node: Product, inner: Node, other: Node) -> Node | None:
+    rest = tuple(f for f in node.factors if f is not inner)
+    return Quotient(other, rest[0] if len(rest) == 1 else Product(rest))
+
+
+def _quotient_undone(node: Quotient, inner: Node, other: Node) -> Node | None:
+    return (
+        Product((other, node.denominator)) if inner is node.numerator else Quotient(node.numerator, other)
+    )
+
+
+def _call_undone(node: Call, inner: Node, other: Node) -> Node | None:
+    if node.function == "sqrt":
+        return Power(other, Number(Fraction(2)))
+    return Call(_INVERSE[node.function], other) if node.function in _INVERSE else None
+
+
+def _power_undone(node: Power, inner: Node, other: Node) -> Node | None:
+    square = inner is node.base and node.exponent == Number(Fraction(2))
+    return Call("sqrt", other) if square else None
+
+
+_UNDONE: dict[type[Node], Callable[[Any, Node, Node], Node | None]] = {
+    Negative: lambda node, inner, other: Negative(other),
+    Sum: _sum_undone,
+    Product: _product_undone,
+    Quotient: _quotient_undone,
+    Call: _call_undone,
+    Power: _power_undone,
+}

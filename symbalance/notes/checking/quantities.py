@@ -1,0 +1,149 @@
+"""The quantities a line can be bound to, as formulas in the document's own letters.
+
+One cylinder: displacement, position, velocity, acceleration, force. An engine: force and couple of an
+order, of the whole engine, of one bank or of one cylinder. The sum over cylinders of
+weight cos n(θ + delay), with weight 1 (force), station (couple), times the cosine or sine of the bank, is
+written out and left to the algebra: it is exact, and short enough.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+
+from symbalance.document.syntax import (
+    Call,
+    Constant,
+    Negative,
+    Node,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+)
+from symbalance.engine.catalogue import load
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.layout import Layout
+from symbalance.errors import SymbalanceError
+from symbalance.kinematics.slider_crank import acceleration_value, surviving
+from symbalance.notes.algebra.numbers import rational_node
+from symbalance.notes.checking.geometry import Geometry
+from symbalance.notes.checking.letters import far_power, series_node
+from symbalance.notes.checking.sidecar import Bind
+
+UNITS = ("", "F", "F_n")
+
+ONE_CYLINDER: dict[str, Callable[[Geometry], Node]] = {
+    "displacement": lambda crank: crank.displacement,
+    "position": lambda crank: crank.position,
+    "velocity": lambda crank: crank.velocity,
+    "acceleration": lambda crank: crank.acceleration,
+    "force": lambda crank: crank.force,
+}
+_COMPONENTS = ("force.vertical", "force.lateral", "couple.vertical", "couple.lateral")
+OF_AN_ENGINE = (
+    "force",
+    "couple",
+    *_COMPONENTS,
+    *(f"{c}.{f}" for c in _COMPONENTS for f in ("cos", "sin")),
+)
+QUANTITIES = (*ONE_CYLINDER, *OF_AN_ENGINE[1:], "coefficient", "harmonic", "value")
+
+
+def quantity(bind: Bind, crank: Geometry, folder: Path, in_numbers: bool) -> Node:
+    """Return what a bound line claims to be; `in_numbers` puts in the engine's own rod ratio."""
+    if bind.quantity not in QUANTITIES:
+        raise _refusal(bind, "quantity", bind.quantity, "known are " + ", ".join(QUANTITIES))
+    if bind.unit not in UNITS:
+        raise _refusal(bind, "unit", bind.unit, 'write "F" (m r ω² = 1) or "F_n" (A_n m r ω² = 1)')
+    if bind.quantity == "value":
+        if not bind.scale:
+            raise _refusal(bind, "scale", "", 'add what the line should be: scale = "L sin α"')
+        return Number(Fraction(1))
+    if bind.engine == "" and bind.quantity in ONE_CYLINDER and bind.order is None:
+        return ONE_CYLINDER[bind.quantity](crank)
+    if bind.order is None:
+        raise _refusal(bind, "order", None, "add order = 2")
+    engine = _engine(bind, folder) if bind.engine else None
+    coefficient = _coefficient(bind, crank, engine, in_numbers)
+    if bind.quantity == "coefficient":
+        return coefficient
+    if engine is None:
+        raise _refusal(bind, "engine", "", 'add engine = "v12-60"')
+    parts: list[Node] = [geometry(bind, engine, crank.theta)]
+    if bind.unit != "F_n":
+        parts.append(coefficient)
+    if bind.unit == "":
+        parts += [crank.mass, crank.radius, Power(crank.omega, Number(Fraction(2)))]
+        parts += [crank.pitch] if bind.quantity.startswith("couple") and crank.pitch is not None else []
+    return Product(tuple(parts))
+
+
+def _refusal(bind: Bind, key: str, value: object, remedy: str) -> SymbalanceError:
+    return SymbalanceError(f"{key} = {value}", "is not usable here", remedy, f"{bind.place}: bind")
+
+
+def _engine(bind: Bind, folder: Path) -> Layout:
+    as_file = folder / bind.engine
+    is_file = bind.engine.endswith(".toml") and as_file.exists()
+    try:
+        return load(str(as_file) if is_file else bind.engine)
+    except SymbalanceError as problem:
+        raise problem.within(f"{bind.place}: bind") from None
+
+
+def _coefficient(bind: Bind, crank: Geometry, engine: Layout | None, in_numbers: bool) -> Node:
+    """Return A_n as a series in the document's letter, or its value for the engine's rod ratio."""
+    order = bind.order or 1
+    if not surviving(order):
+        return Number(Fraction(0))
+    if in_numbers:
+        if engine is None or engine.ratio is None:
+            raise _refusal(bind, "engine", bind.engine, "name an engine with a rod ratio")
+        return Number(Fraction(str(acceleration_value(order, engine.ratio, 30))))
+    power = bind.power if bind.power is not None else far_power(order)
+    return series_node(order, power, crank.ratio)
+
+
+def geometry(bind: Bind, engine: Layout, theta: Node) -> Node:
+    """Return the sum over the bound cylinders of weight cos n(θ + delay)."""
+    kind, component, function = (*bind.quantity.split("."), "", "")[:3]
+    chosen = [c for c in engine.cylinders if _is_meant(bind, c, engine)]
+    if not chosen:
+        raise _refusal(bind, "cylinder", bind.cylinder, "name a cylinder or bank the engine has")
+    if not component and bind.cylinder is None and len({c.bank for c in chosen}) > 1:
+        raise _refusal(bind, "quantity", bind.quantity, f"write {kind}.vertical or {kind}.lateral")
+    order, plane = Number(Fraction(bind.order or 1)), engine.mean_station
+    wave = Product((order, theta))
+    if function:  # the coefficient of cos nθ or sin nθ alone
+        wave = Number(Fraction(0)) if function == "cos" else Quotient(Constant("pi"), Number(Fraction(2)))
+    terms: list[Node] = []
+    for cylinder in chosen:
+        weight = cylinder.station - plane if kind == "couple" else Fraction(1)
+        terms.append(_of_cylinder(cylinder, bind.order or 1, weight, component, wave))
+    return Sum(tuple(terms))
+
+
+def _is_meant(bind: Bind, cylinder: Cylinder, engine: Layout) -> bool:
+    if bind.cylinder is not None:
+        return cylinder.number == bind.cylinder
+    if bind.bank is not None:
+        banks = list(dict.fromkeys(c.bank for c in engine.cylinders))
+        return 1 <= bind.bank <= len(banks) and cylinder.bank == banks[bind.bank - 1]
+    return True
+
+
+def _of_cylinder(cylinder: Cylinder, order: int, weight: Fraction, component: str, wave: Node) -> Node:
+    shifted = Call("cos", Sum((wave, _turned(cylinder.delay.turns * order))))
+    parts: list[Node] = [rational_node(weight), shifted]
+    if component:
+        function = "cos" if component == "vertical" else "sin"
+        parts.append(Call(function, _turned(cylinder.bank.turns)))
+    return Product(tuple(parts))
+
+
+def _turned(turns: Fraction) -> Node:
+    angle = Product((rational_node(abs(turns) * 2), Constant("pi")))
+    return Negative(angle) if turns < 0 else angle

@@ -1,0 +1,221 @@
+"""Wrong terms by their exact values: the difference of two sides, handed out to its terms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from symbalance.document import syntax
+from symbalance.document.syntax import Negative, Node, Number, Product, Quotient, Sum
+from symbalance.notes.algebra import polynomials as poly
+from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.evaluation import Evaluator
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.harmonics import Components, Place, components, polynomial_node
+from symbalance.notes.checking.deciding.changing import replaced
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.steps import Answer
+
+Changes = tuple[tuple[Node, Node], ...]
+MOST_TERMS = 80
+
+
+@dataclass
+class Leaf:
+    """A term of a side, with what multiplies it, what it contributes, and what is still missing."""
+
+    node: Node
+    multiplier: Form
+    places: Components
+    missing: Polynomial = field(default_factory=dict)
+    own: Form | None = None
+
+
+def repaired(node: Node, answer: Answer, knowledge: Knowledge) -> tuple[Node, Changes] | None:
+    """Return the side with its wrong terms corrected, and the pairs (old, new), or None."""
+    left, right, level = answer.left, answer.right, answer.level
+    if left is None or right is None or level is None:
+        return None
+    difference = left.minus(right)
+    if not difference.is_polynomial or len(difference.numerator) > 200:
+        return None
+    evaluator = knowledge.evaluator(level)
+    evaluator.domain = left.domain
+    leaves = list(_leaves(node, Form.number(left.domain, 1), evaluator))
+    if not 0 < len(leaves) <= MOST_TERMS:
+        return None
+    usual = knowledge.crank.small if knowledge.crank else None
+    extra = _handed_out(difference, leaves, left.domain.symbol(usual[0]) if usual else None)
+    return _rebuilt(node, leaves, extra, left)
+
+
+def _leaves(node: Node, multiplier: Form, evaluator: Evaluator) -> list[Leaf]:
+    """Return the terms of a side: sums are entered, also inside a product, a quotient or a sign."""
+    if isinstance(node, Sum):
+        terms = [t for t in node.terms if not isinstance(t, syntax.Dots)]
+        return [leaf for t in terms for leaf in _leaves(t, multiplier, evaluator)]
+    inner, outside = _one_sum(node)
+    if inner is not None and outside is not None:
+        return _leaves(inner, multiplier.times(evaluator.form(outside)), evaluator)
+    own = evaluator.form(node)
+    form = own.times(multiplier)
+    if not form.is_polynomial:
+        raise NoFormError("a term that is a quotient")
+    return [Leaf(node, multiplier, components(form.domain, form.numerator), own=own)]
+
+
+def _one_sum(node: Node) -> tuple[Node | None, Node | None]:
+    """Return (the sum within a term, what multiplies it) if the term holds one sum as a factor."""
+    one = Number(Fraction(1))
+    if isinstance(node, Negative) and _holds_sum(node.operand):
+        return node.operand, Negative(one)
+    if isinstance(node, Quotient) and _holds_sum(node.numerator):
+        return node.numerator, Quotient(one, node.denominator)
+    if isinstance(node, Product):
+        sums = [f for f in node.factors if _holds_sum(f)]
+        if len(sums) == 1:
+            rest = tuple(f for f in node.factors if f is not sums[0])
+            return sums[0], rest[0] if len(rest) == 1 else Product(rest)
+    return None, None
+
+
+def _holds_sum(node: Node) -> bool:
+    return isinstance(node, Sum) or _one_sum(node)[0] is not None
+
+
+def _handed_out(difference: Form, leaves: list[Leaf], small: int | None) -> Polynomial:
+    """Give each part of the difference to the term it belongs to; return what belongs to none."""
+    domain = difference.domain
+    extra: Polynomial = {}
+    for place, number in components(domain, difference.numerator).items():
+        part = _as_polynomial(difference, place, number)
+        leaf = max(leaves, key=lambda one: _likeness(place, one, small))
+        if _likeness(place, leaf, small) > 0:
+            leaf.missing = poly.plus(leaf.missing, part)
+        else:
+            extra = poly.plus(extra, part)
+    return extra
+
+
+def _likeness(place: Place, leaf: Leaf, small: int | None) -> float:
+    """Return how well a place fits a term: same harmonic and letters best, 0 where nothing fits."""
+    best = 0.0
+    for own in leaf.places:
+        same = (own.function == place.function, own.angle == place.angle, own.letters == place.letters)
+        shared = len({*own.letters} & {*place.letters}) / (1 + len({*own.letters} | {*place.letters}))
+        if all(same):
+            best = max(best, 8.0)
+        elif same[1] and same[2]:
+            best = max(best, 6.0)
+        elif same[1] and shared > 0:
+            power = small is not None and dict(own.letters).get(small, 0) == dict(place.letters).get(
+                small, 0
+            )
+            best = max(best, 3.0 + shared + same[0] + 1.5 * power)
+        elif same[2] and place.letters and place.angle and own.angle:
+            best = max(best, 2.0)
+    return best / (1 + 0.05 * (len(leaf.places) - 1))
+
+
+def _as_polynomial(form: Form, place: Place, number: Polynomial) -> Polynomial:
+    """Return number times place as a polynomial again."""
+    domain = form.domain
+    letters: Polynomial = {place.letters: Fraction(1)}
+    if place.function == "1":
+        return poly.times(domain, number, letters)
+    back = tuple((g, -e) for g, e in place.angle)
+    half = Fraction(1, 2)
+    if place.function == "cos":
+        wave: Polynomial = {place.angle: half, back: half}
+    else:  # sin x = -i/2 e^(ix) + i/2 e^(-ix)
+        unit: Polynomial = {((0, Fraction(1, 4)),): half}
+        wave = poly.plus(
+            poly.times(domain, unit, {place.angle: Fraction(-1)}),
+            poly.times(domain, unit, {back: Fraction(1)}),
+        )
+    return poly.times(domain, poly.times(domain, number, letters), wave)
+
+
+def _rebuilt(
+    node: Node, leaves: list[Leaf], extra: Polynomial, left: Form
+) -> tuple[Node, Changes] | None:
+    changes: list[tuple[Node, Node]] = []
+    for leaf in leaves:
+        if leaf.missing:
+            old = Form.of(left.domain, _all_places(leaf, left))
+            right_value = old.plus(Form.of(left.domain, leaf.missing)).over(leaf.multiplier)
+            if not right_value.is_polynomial:
+                right_value = _in_proportion(leaf, old, left)
+            if right_value is None:
+                return None
+            changes.append((leaf.node, polynomial_node(left.domain, right_value.numerator)))
+    changed = node
+    for old_node, new_node in changes:
+        changed = replaced(changed, old_node, new_node)
+    changed = _without_zeros(changed)
+    if extra:
+        added = polynomial_node(left.domain, extra)
+        own = changed.terms if isinstance(changed, Sum) else (changed,)
+        changed = Sum((*own, *(added.terms if isinstance(added, Sum) else (added,))), span=node.span)
+        changes.append((Number(Fraction(0)), added))
+    return (changed, tuple(changes)) if changes else None
+
+
+def _ratio(old: Polynomial, new: Polynomial) -> Fraction | None:
+    """Return new/old where that is a rational number."""
+    first = next(iter(old), None)
+    if first is None or first not in new:
+        return None
+    ratio = new[first] / old[first]
+    return None if poly.minus(new, poly.scaled(old, ratio)) else ratio
+
+
+def kinds(changes: Changes) -> str:
+    """Return in words what kinds of slip a set of changed terms is.
+
+    >>> from symbalance.document.syntax import Name
+    >>> kinds(((Name("s"), Negative(Name("s"))), (Number(Fraction(0)), Name("r"))))
+    'sign; term missing'
+    """
+    return "; ".join(dict.fromkeys(kind(old, new) for old, new in changes))
+
+
+def kind(old: Node, new: Node) -> str:
+    """Return what kind of slip one changed term is."""
+    zero = Number(Fraction(0))
+    if zero in (old, new):
+        return "term missing" if old == zero else "term too many"
+    evaluator = Evaluator(Domain())
+    try:
+        ratio = _ratio(evaluator.form(old).numerator, evaluator.form(new).numerator)
+    except (NoFormError, TooLargeError):
+        ratio = None
+    if ratio is not None:
+        return "sign" if ratio == -1 else f"factor {ratio}"
+    waves = [{c.function for c in syntax.walk(n) if isinstance(c, syntax.Call)} for n in (old, new)]
+    if waves in ([{"sin"}, {"cos"}], [{"cos"}, {"sin"}]):
+        return "sin for cos" if "sin" in waves[1] else "cos for sin"
+    return "term"
+
+
+def _without_zeros(node: Node) -> Node:
+    """Return a formula whose sums have no terms 0."""
+    parts = tuple(_without_zeros(part) for part in syntax.children(node))
+    if isinstance(node, Sum):
+        kept = tuple(p for p in parts if p != Number(Fraction(0)))
+        return kept[0] if len(kept) == 1 else Sum(kept or parts[:1], span=node.span)
+    same = all(a is b for a, b in zip(parts, syntax.children(node), strict=True))
+    return node if same else syntax.with_children(node, parts)
+
+
+def _in_proportion(leaf: Leaf, old: Form, left: Form) -> Form | None:
+    """Return the term's right value where that is a rational multiple of what stands there."""
+    ratio = _ratio(old.numerator, leaf.missing)
+    return None if ratio is None or leaf.own is None else leaf.own.scaled(1 + ratio)
+
+
+def _all_places(leaf: Leaf, left: Form) -> Polynomial:
+    total: Polynomial = {}
+    for place, number in leaf.places.items():
+        total = poly.plus(total, _as_polynomial(left, place, number))
+    return total

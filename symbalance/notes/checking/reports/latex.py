@@ -1,0 +1,210 @@
+"""The report as LaTeX: every equation with its verdict, corrected lines beside the wrong ones."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from pathlib import Path
+
+from symbalance.document.syntax import Negative, Node, Sum
+from symbalance.document.syntax_latex import render_latex
+from symbalance.notes.checking.reports.text import summary, verdict_words, witness_text
+from symbalance.notes.checking.verdicts import REFUTED, Checked, Verdict
+
+_HEAD = r"""\documentclass[a4paper,10pt]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{lmodern}
+\usepackage{amsmath}
+\usepackage{booktabs}
+\usepackage{longtable}
+\usepackage[margin=18mm]{geometry}
+\setlength{\parindent}{0pt}
+\begin{document}
+"""
+_SPECIAL = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "%": r"\%",
+    "&": r"\&",
+    "#": r"\#",
+    "$": r"\$",
+}
+
+
+def report_latex(checked: Checked) -> str:
+    """Return a document that compiles with pdflatex: amsmath, booktabs and longtable only."""
+    parts = [_HEAD, rf"\section*{{{escaped(Path(checked.document.name).name)}}}", "\n"]
+    parts += [_entry(verdict) for verdict in checked.verdicts]
+    parts += [r"\medskip\hrule\medskip", "\n", escaped(summary(checked)), "\n", r"\end{document}", "\n"]
+    return "".join(parts)
+
+
+def _entry(verdict: Verdict) -> str:
+    place = f"{verdict.line}" if verdict.link == 1 else f"{verdict.line}.{verdict.link}"
+    parts = [rf"\textbf{{{place}}}\quad {_words(verdict)}\\" + "\n", _source(verdict)]
+    parts += [_note(f"claims to be: {verdict.bind}")] if verdict.bind else []
+    parts += [_note(verdict.reason)] if verdict.reason else []
+    if verdict.verdict == REFUTED:
+        parts += [_note(f"witness: {witness_text(verdict)}")] if verdict.witness else []
+        parts += [_note(f"found: {verdict.fix.kind}")] if verdict.fix else []
+        parts.append(_beside(verdict))
+    return r"\begin{samepage}" + "".join(parts) + r"\end{samepage}\medskip" + "\n\n"
+
+
+def _words(verdict: Verdict) -> str:
+    words = escaped(verdict_words(verdict))
+    return rf"\fbox{{\textsc{{{words.lower()}}}}}" if verdict.is_bad else rf"\textit{{{words}}}"
+
+
+def _beside(verdict: Verdict) -> str:
+    """Return the line as it stands and as it should be, one above the other, typeset alike."""
+    rows = [("stands", verdict.node)] if verdict.node is not None else []
+    rows += [("right", verdict.fix.node)] if verdict.fix else []
+    if not rows:
+        return ""
+    broken = [(title, _lines(node)) for title, node in rows]
+    size = _size(max(visible_length(line) for _, lines in broken for line in lines))
+    printed = [(title, _aligned(lines)) for title, lines in broken]
+    lines = rf"\\[1.2ex]{chr(10)}".join(
+        rf"\textit{{{title}}} & \displaystyle {formula}" for title, formula in printed
+    )
+    return rf"{{{size}\[\begin{{array}}{{@{{}}l@{{\quad}}l@{{}}}}{lines}\end{{array}}\]}}" + "\n"
+
+
+def _lines(node: Node) -> list[str]:
+    """Return a formula in lines that fit, broken between the terms of its outermost sum."""
+    if not isinstance(node, Sum):
+        return [render_latex(node)]
+    lines: list[str] = []
+    for k, term in enumerate(node.terms):
+        negative = isinstance(term, Negative)
+        printed = render_latex(term)
+        signed = printed if k == 0 else (printed if negative else f"+ {printed}")
+        if lines and visible_length(lines[-1] + signed) <= WIDEST:
+            lines[-1] = f"{lines[-1]} {signed}"
+        else:
+            lines.append(signed)
+    return lines
+
+
+def _aligned(lines: list[str]) -> str:
+    if len(lines) == 1:
+        return lines[0]
+    joined = rf"\\{chr(10)}&\quad ".join(lines)
+    return rf"\begin{{aligned}}[t]&{joined}\end{{aligned}}"
+
+
+WIDEST = 60
+_SIZES = ((WIDEST, ""), (72, r"\small"), (84, r"\footnotesize"), (100, r"\scriptsize"))
+
+
+def _size(length: int) -> str:
+    return next((size for limit, size in _SIZES if length <= limit), r"\tiny")
+
+
+def visible_length(formula: str) -> int:
+    r"""Return about how many letters wide a formula is: a fraction counts its longer half.
+
+    >>> visible_length(r"\frac{15}{4096 \lambda^{5}} \cos 2 \theta")
+    11
+    """
+    while found := _FRACTION.search(formula):
+        longer = max(found[1], found[2], key=visible_length)
+        formula = formula[: found.start()] + longer + formula[found.end() :]
+    formula = re.sub(r"\\(sin|cos|tan|quad|exp|ln)", "abc", formula)
+    return len(re.sub(r"\\(left|right|,|;)|[{}^_\s]", "", re.sub(r"\\[a-zA-Z]+", "a", formula)))
+
+
+_FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
+
+
+def _source(verdict: Verdict) -> str:
+    joined = " ".join(verdict.source.replace(r"\displaystyle", " ").split())
+    shown = escaped(joined if len(joined) <= 600 else joined[:599] + "...")
+    shown = re.sub(r"(?=\\textbackslash)|(?<=[,=+}])", r"\\allowbreak ", shown)
+    return rf"{{\small\ttfamily\raggedright {shown}\par}}" + "\n"
+
+
+def _note(text: str) -> str:
+    return rf"{{\small {escaped(text)}\par}}" + "\n"
+
+
+def escaped(text: str) -> str:
+    """Return text as LaTeX prints it; characters its standard fonts lack become their names.
+
+    >>> escaped("50 % of s_1")
+    '50 \\\\% of s\\\\_1'
+    """
+    return "".join(_SPECIAL.get(c, c if c.isascii() else _letter(c)) for c in text)
+
+
+_RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+_LOWERED = "₀₁₂₃₄₅₆₇₈₉"
+_SIGNS = {
+    "≈": r"$\approx$",
+    "≥": r"$\geq$",
+    "≤": r"$\leq$",
+    "≠": r"$\neq$",
+    "≡": r"$\equiv$",
+    "±": r"$\pm$",
+    "∓": r"$\mp$",
+    "×": r"$\times$",
+    "÷": r"$\div$",
+    "·": r"$\cdot$",
+    "⋅": r"$\cdot$",
+    "−": "--",
+    "–": "--",
+    "—": "---",
+    "√": r"$\surd$",
+    "∞": r"$\infty$",
+    "∂": r"$\partial$",
+    "∫": r"$\int$",
+    "∑": r"$\sum$",
+    "→": r"$\to$",
+    "⇒": r"$\Rightarrow$",
+    "∴": r"$\Rightarrow$",
+    "°": r"$^{\circ}$",
+    "′": r"$'$",
+    "½": r"$\frac12$",
+    "¼": r"$\frac14$",
+    "…": "...",
+    "⋯": "...",
+    "\u00a0": " ",
+}
+
+
+def _letter(character: str) -> str:
+    """Return a character beyond ASCII as LaTeX prints it; by its code in brackets where it cannot."""
+    if character in _SIGNS:
+        return _SIGNS[character]
+    if character in _RAISED:
+        return rf"$^{{{'-0123456789'[_RAISED.index(character)]}}}$"
+    if character in _LOWERED:
+        return rf"$_{{{_LOWERED.index(character)}}}$"
+    name = unicodedata.name(character, "")
+    if greek := _greek(name):
+        return greek
+    if name.startswith("LATIN ") and character <= "\u00ff":
+        return character
+    return f"[U+{ord(character):04X}]" if character.isprintable() else " "
+
+
+def _greek(name: str) -> str:
+    """Return the letter of a Unicode name, such as GREEK SMALL LETTER THETA; empty for any other."""
+    size, _, letter = name.removeprefix("GREEK ").partition(" LETTER ")
+    letter = letter.lower().replace("lamda", "lambda")
+    if name.startswith("GREEK ") and size == "SMALL" and letter.isalpha() and letter not in _LATIN:
+        return rf"$\{letter}$"
+    if name.startswith("GREEK ") and letter in _CAPITALS:
+        return rf"$\{letter.capitalize()}$"
+    return ""
+
+
+_LATIN = ("omicron", "stigma", "digamma", "koppa", "sampi", "sho", "san", "heta")
+"""Small letters LaTeX has no name for."""
+_CAPITALS = ("gamma", "delta", "theta", "lambda", "xi", "pi", "sigma", "upsilon", "phi", "psi", "omega")

@@ -1,0 +1,18 @@
+"""The reader: a person's derivation, as written, to equations whose formulas are trees."""
+
+from symbalance.document.syntax_latex import render_latex
+from symbalance.document.syntax_text import render
+from symbalance.notes.reading.document import read_document, read_equation, read_expression
+from symbalance.notes.reading.failures import ReadingError, UndeclaredError
+from symbalance.notes.reading.naming import canonical_name
+
+__all__ = [
+    "ReadingError",
+    "UndeclaredError",
+    "canonical_name",
+    "read_document",
+    "read_equation",
+    "read_expression",
+    "render",
+    "render_latex",
+]

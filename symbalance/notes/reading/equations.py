@@ -1,0 +1,83 @@
+"""What the reader finds in a document: chains of relations, and what it could not read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from symbalance.document.syntax import Node, Span
+
+RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠")
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """One side of a relation, in each way it may be read; the first reading is the usual one.
+
+    `readings` has more than one entry only where usage differs: `1/2λ`, `cos θ/2`.
+    """
+
+    readings: tuple[Node, ...]
+    span: Span
+
+    @property
+    def node(self) -> Node:
+        """The usual reading."""
+        return self.readings[0]
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """A relation sign of RELATIONS and the line (from 1) where it stands."""
+
+    sign: str
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """a = b = c: sides and the relations between them, one fewer. A lone expression has no relation.
+
+    `lines` lists every line the chain stands on. `inline` tells that it stands within prose.
+    `tag` is the equation's number as printed, without brackets. `notes` say what was read generously
+    (for instance "\\sqrt( ) read as the root of the bracket").
+    """
+
+    sides: tuple[Side, ...]
+    relations: tuple[Relation, ...]
+    lines: tuple[int, ...]
+    tag: str = ""
+    inline: bool = False
+    notes: tuple[str, ...] = field(default=())
+
+
+@dataclass(frozen=True, slots=True)
+class Unreadable:
+    """An equation the reader refuses: where (line and column from 1), what, and the remedy."""
+
+    line: int
+    column: int
+    what: str
+    remedy: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A text with the equations found in it, in the order of their lines."""
+
+    name: str
+    text: str
+    chains: tuple[Chain, ...]
+    unreadable: tuple[Unreadable, ...]
+
+    def line_of(self, offset: int) -> int:
+        """Return the line, from 1, of a character offset."""
+        return self.text.count("\n", 0, offset) + 1
+
+    def column_of(self, offset: int) -> int:
+        """Return the column, from 1, of a character offset."""
+        return offset - (self.text.rfind("\n", 0, offset) + 1) + 1
+
+    def source(self, span: Span) -> str:
+        """Return the text of a span."""
+        return self.text[span[0] : span[1]]

@@ -1,0 +1,250 @@
+"""Equations within prose: where a line's mathematics begins and ends."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+from symbalance.document.letters import (
+    ACCENTS,
+    DOTTED,
+    FONTS,
+    FUNCTION_WORDS,
+    GREEK_SIGN,
+    LOWERED,
+    NAME_OF_SIGN,
+    RAISED,
+    TIME_DOTS,
+    WORDS,
+)
+from symbalance.document.wordlists import word_set
+from symbalance.notes.reading import signs
+from symbalance.notes.reading.numerals import VULGAR
+from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
+from symbalance.notes.reading.vocabulary import Vocabulary
+
+_UNIT = (
+    r"(?P<unit>(?<=[0-9])\s[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*"
+    r"|\[\s*[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*\s*\])|"
+)
+_ARGUED = "unit|si|mathrm|mathit|mathbf|operatorname|tag|label|mathsf|bm|boldsymbol"
+_PIECE = re.compile(
+    rf"(?P<prose>\\(?:{'|'.join(sorted(WORDS, key=len, reverse=True))})\s*\{{[^{{}}]*\}})"
+    rf"|(?P<argued>\\(?:{_ARGUED})\*?\s*\{{(?:[^{{}}]|\{{[^{{}}]{{0,20}}\}})*\}})"
+    r"|(?P<command>\\[A-Za-z]+)|(?P<escape>\\.)"
+    r"|(?P<script>_\{(?:[^{}]|\{[^{}]{0,40}\}){0,80}\}|_[A-Za-z0-9]+)|(?P<degrees>(?<=[0-9])\s?度)|"
+    rf"{_UNIT}(?P<word>[A-Za-z]+(?:['’][a-z]+)?[0-9]*)|(?P<dots>・・・|･･･|\.\.\.)|(?P<other>.)",
+    re.DOTALL,
+)
+_PIECE_BUT_UNITS = re.compile(_PIECE.pattern.replace(_UNIT, ""), re.DOTALL)
+_MATHEMATICAL = frozenset(
+    "0123456789 \t()[]{}|^_,;'′″°√∂∞Σ∑.&~"
+    + "".join(signs.OPERATOR_SIGNS) + "".join(signs.RELATION_SIGNS) + "".join(RAISED) + "".join(LOWERED)
+    + "".join(VULGAR) + "".join(NAME_OF_SIGN) + "".join(DOTTED) + "…⋯±∓∫"
+)  # fmt: skip
+_COMMANDS = (
+    frozenset(GREEK_SIGN) | frozenset(FUNCTION_WORDS) | frozenset(signs.RELATION_COMMANDS)
+    | frozenset(signs.OPERATOR_COMMANDS) | signs.DOTS_COMMANDS | signs.SPACE_COMMANDS | signs.STRUCTURE
+    | FONTS | frozenset(ACCENTS) | frozenset(TIME_DOTS) | frozenset(signs.REFUSED)
+    | frozenset(signs.BRACKET_COMMANDS)
+    | {"tag", "label", "circ", "prime", "degree", "underbrace", "overbrace"}
+)  # fmt: skip
+_PLAIN_WORDS = word_set(
+    "a an as at be by do go he if in is it me my no of on or so to up us we and are but can for had has"
+    " her his how its may new not now off old one our out per she the too two use was way who why you"
+    " rpm mm cm km kg kw hz vs via etc cost tank sink sing since sine tang logs sins"
+)
+_LONG_WORD = re.compile(r"(?<![\\A-Za-z_])[A-Za-z]{4,}")
+_ARTICLE_FIRST = re.compile(r"(a|I|A)\s+(?=[\w\\(])")
+_ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """What decides about the words of a line: its letters, and how freely runs of them are taken.
+
+    `longest` is how many single letters may stand side by side without being a word: in a line of
+    English "mass" is no product, even of declared letters. `lenient` takes short unknown words too.
+    """
+
+    words: Vocabulary
+    lenient: bool = False
+    longest: int = 3
+
+    def is_mathematical(self, word: str) -> bool:
+        """Tell whether a run of letters is mathematics here."""
+        if self.lenient:
+            return len(word) <= 3 or is_letters(word, self.words, len(word))
+        return is_letters(word, self.words, self.longest)
+
+
+def line_rules(text: str, start: int, end: int, words: Vocabulary, lenient: bool) -> Line:
+    """Return the rules for a line: stricter where it holds words written in these letters."""
+    long_words = (found.group() for found in _LONG_WORD.finditer(text, start, end))
+    english = not lenient and any(not is_letters(word, words, 3) for word in long_words)
+    return Line(words, lenient, 2 if english else 3)
+
+
+def segments(text: str, start: int, end: int, line: Line) -> list[tuple[int, int]]:
+    """Return the stretches of a line without prose."""
+    found: list[tuple[int, int]] = []
+    first = start
+    for piece in _pieces(text, start, end, line):
+        if _is_mathematical(piece, text, end, line):
+            continue
+        if text[first : piece.start()].strip():
+            found.append((first, piece.start()))
+        first = piece.end()
+    if text[first:end].strip():
+        found.append((first, end))
+    return found
+
+
+def _pieces(text: str, start: int, end: int, line: Line) -> Iterator[re.Match[str]]:
+    """Yield the pieces of a line; what only looks like a unit is taken apart."""
+    while found := _PIECE.match(text, start, end):
+        if found.lastgroup == "unit" and not _is_unit(found, text, end, line):
+            found = _PIECE_BUT_UNITS.match(text, start, end)
+            assert found
+        yield found
+        start = found.end()
+
+
+def _is_unit(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
+    if piece.group()[0] == "[":
+        before = text[max(piece.start() - 2, 0) : piece.start()].rstrip()[-1:]
+        if not before or not (before in ")]}" or (before.isascii() and before.isalnum())):
+            return False
+        return scale_of(piece.group()[1:-1]) is not None
+    found = plain_unit_at(text, piece.start(), end, line.words.names)
+    return found is not None and found[1] == piece.end()
+
+
+def _is_mathematical(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
+    kind, sign = piece.lastgroup, piece.group()
+    if kind == "word":
+        return line.is_mathematical(sign)
+    if kind == "command":
+        return sign[1:] in _COMMANDS or line.lenient
+    if kind == "other":
+        return _is_mathematical_sign(sign, text, piece.start(), end)
+    if kind == "prose":
+        behind = follows_number(text, 0, piece.start())
+        unit = unit_set_at(text, piece.start(), end) if behind else None
+        return unit is not None and scale_of(unit[0]) is not None
+    return True
+
+
+def _is_mathematical_sign(sign: str, text: str, place: int, end: int) -> bool:
+    if sign == ":":
+        return text[place + 1 : place + 2] == "="
+    if sign in "!%":
+        return _is_operation(sign, text[place - 1 : place], text[place + 1 : min(place + 9, end)])
+    if sign == ".":
+        return place + 1 < end and text[place + 1].isdecimal()
+    return sign in _MATHEMATICAL
+
+
+def _is_operation(sign: str, before: str, after: str) -> bool:
+    """Tell 50% and n! from a percent sign and an exclamation mark of the prose."""
+    operand = before.isdecimal() if sign == "%" else before.isalnum()
+    return (operand or before == ")") and (sign == "%" or not after.lstrip()[:1].isalpha())
+
+
+def is_letters(word: str, words: Vocabulary, longest: int) -> bool:
+    """Tell whether a run of letters is one letter, or declared letters and functions side by side."""
+    if len(word) == 1 or word in words.names or word in FUNCTION_WORDS or word == "pi":
+        return True
+    if word.lower() in _PLAIN_WORDS or len(word) > 20:
+        return False
+    return word[1:].isdecimal() or _made_of_letters(word, words, longest)
+
+
+def _made_of_letters(word: str, words: Vocabulary, longest: int) -> bool:
+    place, unknown, whole = 0, 0, False
+    while place < len(word):
+        found = words.longest(word, place, len(word))
+        known = len(found[1]) if found else 0
+        whole = whole or known > 1
+        unknown += not (
+            known or word[place].isdecimal() or word[place] == "i" or (word[0] == "d" and not place)
+        )
+        place += known or 1
+    if unknown:
+        return unknown == 1 and _is_factor_before_function(word)
+    return whole or len(word) <= longest
+
+
+def _is_factor_before_function(word: str) -> bool:
+    """Tell whether a run is one letter and a function, as rcos."""
+    return word[1:] in FUNCTION_WORDS and word not in FUNCTION_WORDS
+
+
+def trimmed_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[int, int]:
+    """Return a segment without articles, bullets and brackets that belong to the prose around it."""
+    while start < end and (text[start].isspace() or text[start] in ",;.'′~&"):
+        start += 1
+    if (found := _ARTICLE_FIRST.match(text, start, end)) and found.group(1) not in words.names:
+        start = found.end()
+    while start < end and text[start] in "*-+/•·" and text[start + 1 : start + 2].isspace():
+        start += 1
+        while start < end and text[start].isspace():
+            start += 1
+    while start < end and (text[end - 1].isspace() or text[end - 1] in ",;'~&"):
+        end -= 1
+    found = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
+    if found and found.group(1) not in words.names:
+        end -= len(found.group())
+    return _within_brackets(text, start, end)
+
+
+def _within_brackets(text: str, start: int, end: int) -> tuple[int, int]:
+    """Drop brackets without partner at the edges, then a pair around all."""
+    for _ in range(3):
+        lone = _lone_brackets(text, start, end)
+        inner = {place for place in lone if start < place < end - 1}
+        if start < end and start in lone:
+            start += 1
+        if start < end and end - 1 in lone:
+            end -= 1
+        if inner:
+            start, end = _longest_between(inner, start, end)
+        while start < end and text[start].isspace():
+            start += 1
+        while start < end and text[end - 1].isspace():
+            end -= 1
+        if _is_enclosed(text, start, end):
+            start, end = start + 1, end - 1
+    return start, end
+
+
+def _longest_between(places: Collection[int], start: int, end: int) -> tuple[int, int]:
+    edges = [start - 1, *sorted(places), end]
+    return max(((a + 1, b) for a, b in pairwise(edges)), key=lambda span: span[1] - span[0])
+
+
+def _lone_brackets(text: str, start: int, end: int) -> set[int]:
+    opened: list[int] = []
+    lone: set[int] = set()
+    for place in range(start, end):
+        if text[place] in "([{":
+            opened.append(place)
+        elif text[place] in ")]}":
+            if opened:
+                opened.pop()
+            else:
+                lone.add(place)
+    return lone | set(opened)
+
+
+def _is_enclosed(text: str, start: int, end: int) -> bool:
+    if end - start < 2 or text[start] != "(" or text[end - 1] != ")":
+        return False
+    depth = 0
+    for place in range(start, end - 1):
+        depth += {"(": 1, ")": -1}.get(text[place], 0)
+        if depth == 0:
+            return False
+    return True

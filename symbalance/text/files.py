@@ -1,0 +1,48 @@
+"""Files read whole as text, and the TOML in them, or refused with the place and the reason."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from decimal import Decimal
+from pathlib import Path
+from typing import Any
+
+from symbalance.errors import SymbalanceError
+
+LARGEST_FILE = 1_000_000
+
+
+def read_text(path: str | Path, largest: int = LARGEST_FILE) -> str:
+    """Return a file's text, or refuse what is missing, a directory, too large or not UTF-8."""
+    place = str(path)
+    try:
+        with open(path, "rb") as stream:
+            data = stream.read(largest + 1)
+    except IsADirectoryError:
+        raise SymbalanceError(place, "is a directory", "name an engine file in it") from None
+    except (OSError, ValueError) as problem:
+        reason = getattr(problem, "strerror", None) or "not a usable path"
+        raise SymbalanceError(place, f"cannot be read ({reason})", "check the path") from None
+    if len(data) > largest:
+        raise SymbalanceError(place, f"is larger than {largest} bytes", "name an engine file")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        line = data[: problem.start].count(b"\n") + 1
+        raise SymbalanceError(f"{place}:{line}", "is not UTF-8 text", "save it as UTF-8") from None
+
+
+def toml_table(text: str, place: str, remedy: str = "correct the line") -> dict[str, Any]:
+    """Return the table in a TOML text, decimals exact, or refuse what is none; `place` is its name."""
+    try:
+        # TOML calls every line ending a newline; tomllib takes only \n and \r\n.
+        return tomllib.loads(text.replace("\r\n", "\n"), parse_float=Decimal)
+    except tomllib.TOMLDecodeError as problem:
+        found = re.search(r"\(at line (\d+), column (\d+)\)", str(problem))
+        where = f"{place}:{found[1]}:{found[2]}" if found else f"{place}:{text.count(chr(10)) + 1}"
+        message = re.sub(r"\s*\(at .*\)$", "", str(problem))
+        raise SymbalanceError(where, f"is not valid TOML ({message})", remedy) from None
+    except (ValueError, RecursionError):
+        rule = "holds a number or a nesting beyond all bounds"
+        raise SymbalanceError(place, rule, "write plain numbers and lists") from None
