@@ -43,14 +43,14 @@ _HOMES = {
     "inline_sum": "forces.summation",
     "inline_couple": "forces.summation",
     "derive": "kinematics.derivation",
-    "check": "notes.checking",
+    "check": "checking",
     "check_equal": "notes.checking",
     "report_text": "notes.checking",
     "report_latex": "notes.checking",
     "report_json": "notes.checking",
-    "to_text": "tables.text_document",
-    "to_latex": "tables.latex_document",
-    "to_json": "tables.json_document",
+    "to_text": "document.printing",
+    "to_latex": "document.printing",
+    "to_json": "document.printing",
     "to_function": "codegen",
     "firing_orders": "engine.stars",
     "natural_bank_angles": "engine.stars",
@@ -144,6 +144,7 @@ def __dir__() -> list[str]:
 
 
 if TYPE_CHECKING:
+    from symbalance.checking import check as check
     from symbalance.codegen import to_function as to_function
     from symbalance.crankshaft.assembly import assemble as assemble
     from symbalance.crankshaft.bearings.orbits import journal_orbit as journal_orbit
@@ -194,6 +195,9 @@ if TYPE_CHECKING:
     from symbalance.design.variations import sensitivities as sensitivities
     from symbalance.design.variations import symbolic_order as symbolic_order
     from symbalance.design.variations import worst_cases as worst_cases
+    from symbalance.document.printing import to_json as to_json
+    from symbalance.document.printing import to_latex as to_latex
+    from symbalance.document.printing import to_text as to_text
     from symbalance.document.symbols import symbol as symbol
     from symbalance.engine.balancers import Balancers as Balancers
     from symbalance.engine.balancers import BalanceShaft as BalanceShaft
@@ -234,14 +238,10 @@ if TYPE_CHECKING:
     from symbalance.kinematics.slider_crank import exact_coefficient as exact_coefficient
     from symbalance.kinematics.slider_crank import harmonics as harmonics
     from symbalance.kinematics.truncation import left_out as left_out
-    from symbalance.notes.checking import check as check
     from symbalance.notes.checking import check_equal as check_equal
     from symbalance.notes.checking import report_json as report_json
     from symbalance.notes.checking import report_latex as report_latex
     from symbalance.notes.checking import report_text as report_text
-    from symbalance.tables.json_document import to_json as to_json
-    from symbalance.tables.latex_document import to_latex as to_latex
-    from symbalance.tables.text_document import to_text as to_text
     from symbalance.torque import crank_torque as crank_torque
     from symbalance.torque import firing_stars as firing_stars
     from symbalance.torque import gas_torque as gas_torque

@@ -17,6 +17,7 @@ import sympy
 from hypothesis import given, settings
 
 from symbalance.codegen import to_function
+from symbalance.document.printing import to_json, to_latex, to_text
 from symbalance.document.symbols import symbol
 from symbalance.engine.builders import boxer, from_firing_order, inline, radial, vee, w
 from symbalance.engine.cylinders import Cylinder
@@ -30,9 +31,6 @@ from symbalance.forces.summation import dirichlet_quotient, inline_couple, inlin
 from symbalance.kinematics.derivation import derive
 from symbalance.kinematics.slider_crank import harmonics
 from symbalance.kinematics.truncation import left_out
-from symbalance.tables.json_document import to_json
-from symbalance.tables.latex_document import to_latex
-from symbalance.tables.text_document import to_text
 from symbalance.text.numbers import exact
 
 X = sympy.Symbol("x")

@@ -10,7 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from symbalance.notes.checking import check, report_json
+from symbalance.checking import check
+from symbalance.notes.checking import report_json
 
 HAND = Path(__file__).parent / "hand"
 TRUTHS = sorted(HAND.glob("*.truth.toml"))

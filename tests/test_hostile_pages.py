@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from symbalance.checking import check
 from symbalance.errors import SymbalanceError
-from symbalance.notes.checking import check, report_json
+from symbalance.notes.checking import report_json
 
 HOSTILE = Path(__file__).parent / "hand" / "hostile"
 EXPECTED = tomllib.loads((HOSTILE / "expect.toml").read_text(encoding="utf-8"))["file"]

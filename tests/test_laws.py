@@ -23,6 +23,7 @@ from hypothesis import assume, given, settings
 from mpmath import mp
 
 from symbalance.codegen import to_function
+from symbalance.document.printing import to_json, to_latex, to_text
 from symbalance.engine.builders import from_firing_order, inline, vee
 from symbalance.engine.catalogue import load
 from symbalance.engine.cylinders import Cylinder
@@ -44,9 +45,6 @@ from symbalance.kinematics.derivation import derivation_text, derive
 from symbalance.kinematics.derivation.bounds import printed_error
 from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics
 from symbalance.kinematics.truncation import left_out
-from symbalance.tables.json_document import to_json
-from symbalance.tables.latex_document import to_latex
-from symbalance.tables.text_document import to_text
 from symbalance.text.numbers import exact
 
 settings.register_profile("laws", deadline=None, max_examples=60, derandomize=True, database=None)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from symbalance.notes.checking import check
+from symbalance.checking import check
 
 LETTERS = {
     "theta": "crank angle", "phi": "rod angle", "r": "crank radius", "l": "rod length", "s": "stroke",

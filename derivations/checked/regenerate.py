@@ -14,7 +14,8 @@ import re
 import sys
 from pathlib import Path
 
-from symbalance.notes.checking import Checked, check, corrections_markdown, report_markdown
+from symbalance.checking import check
+from symbalance.notes.checking import Checked, corrections_markdown, report_markdown
 
 HERE = Path(__file__).parent
 NAMES = {

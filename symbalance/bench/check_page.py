@@ -16,8 +16,8 @@ from importlib.resources import files
 from typing import Any
 
 from symbalance.bench.in_sympy import InSympy
+from symbalance.checking import check
 from symbalance.document.syntax import names
-from symbalance.notes.checking import check
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import canonical_name, read_document, read_expression
 from symbalance.notes.reading.equations import Chain, Document

@@ -27,13 +27,13 @@ def run(options: argparse.Namespace) -> int:
 def _printed(result: Balance, form: str) -> str:
     """Return the result in a format; only that format's printer is imported."""
     if form == "json":
-        from symbalance.tables.json_document import to_json
+        from symbalance.document.printing import to_json
 
         return to_json(result) + "\n"
     if form == "latex":
-        from symbalance.tables.latex_document import to_latex
+        from symbalance.document.printing import to_latex
 
         return to_latex(result, standalone=True)
-    from symbalance.tables.text_document import to_text
+    from symbalance.document.printing import to_text
 
     return to_text(result)

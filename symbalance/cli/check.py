@@ -16,7 +16,8 @@ def run(options: argparse.Namespace) -> int:
 
     Not to be relied on: no relation was seen, or one is refuted, undecided or unreadable.
     """
-    from symbalance.notes.checking import check, report_json, report_latex, report_text, sidecar_draft
+    from symbalance.checking import check
+    from symbalance.notes.checking import report_json, report_latex, report_text, sidecar_draft
 
     if options.declare:
         for given, name in ((options.format, "format"), (options.lenient, "lenient")):

@@ -30,7 +30,7 @@ def run(options: argparse.Namespace) -> int:
 def _run_node(options: argparse.Namespace) -> int:
     """Derive the equations of a node of the turning crankshaft; orders and ratios play no part."""
     from symbalance.crankshaft.equations import equations_text, node_equations
-    from symbalance.tables.latex_document import to_latex
+    from symbalance.document.printing import to_latex
 
     found = node_equations(options.rotation or "vector")
     latex = options.format == "latex"

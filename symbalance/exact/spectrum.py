@@ -115,6 +115,15 @@ class Component:
         """Tell whether the component is exactly zero."""
         return self.number.is_zero()
 
+    def as_latex(self, *, standalone: bool = False) -> str:
+        """Return the component as a formula for math mode; no document of its own."""
+        from symbalance.document.expressions import latex
+
+        cos, sin = latex(self.cos), latex(self.sin)
+        sum_or_negative = sin.startswith("-") or " + " in sin
+        sin = rf"\left({sin}\right)" if sum_or_negative else sin
+        return rf"{cos} \cos n\theta + {sin} \sin n\theta"
+
     @cached_property
     def cos(self) -> sympy.Expr:
         """The coefficient of cos n theta."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from functools import lru_cache
 from typing import Any
 
@@ -18,6 +19,11 @@ from symbalance.text.numbers import decimal_text
 
 DIGITS = 30
 VALUE_DIGITS = 20
+
+
+def balance_json(balance: Balance) -> str:
+    """Return a balance as a JSON document, made of strings, lists and dicts."""
+    return json.dumps(document(balance), indent=1, ensure_ascii=False)
 
 
 def document(balance: Balance) -> dict[str, Any]:

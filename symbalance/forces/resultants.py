@@ -105,6 +105,24 @@ class Balance:
     reference: Fraction | None = None
     power: int | None = None
 
+    def as_text(self) -> str:
+        """Return it as text for a terminal of 80 columns."""
+        from symbalance.forces.balance_text import balance_text
+
+        return balance_text(self)
+
+    def as_latex(self, *, standalone: bool = False) -> str:
+        """Return it as LaTeX, a fragment or a whole document."""
+        from symbalance.forces.balance_latex import balance_latex
+
+        return balance_latex(self, standalone=standalone)
+
+    def as_json(self) -> str:
+        """Return it as JSON, every number exact, as a string."""
+        from symbalance.forces.balance_json import balance_json
+
+        return balance_json(self)
+
     @property
     def ratio(self) -> Fraction | None:
         """The rod ratio lambda = l/r, if known."""

@@ -140,6 +140,12 @@ class TorqueReport:
     excess: Fraction
     frame: TorqueBalance | None
 
+    def as_latex(self, *, standalone: bool = False) -> str:
+        """Return it as LaTeX, a fragment or a whole document."""
+        from symbalance.torque.torque_latex import torque_latex
+
+        return torque_latex(self, standalone=standalone)
+
     @property
     def layout(self) -> Layout:
         """The layout, at the rod ratio asked for."""

@@ -9,7 +9,6 @@ page         all of it as LaTeX
 listing      the entries as text
 """
 
-from symbalance.crankshaft.equations import page as _page  # noqa: F401  (registers the printer)
 from symbalance.crankshaft.equations.bearings import TurnedBearing, turned_bearing
 from symbalance.crankshaft.equations.listing import equations_text
 from symbalance.crankshaft.equations.node import NodeEquations, node_equations

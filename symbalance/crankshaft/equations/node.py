@@ -73,6 +73,12 @@ class NodeEquations:
     euler_force: sympy.ImmutableMatrix
     gravity_force: sympy.ImmutableMatrix
 
+    def as_latex(self, *, standalone: bool = False) -> str:
+        """Return it as LaTeX, a fragment or a whole document."""
+        from symbalance.crankshaft.equations.page import equations_latex
+
+        return equations_latex(self, standalone=standalone)
+
     def with_values(self, **values: object) -> NodeEquations:
         """Return the equations with symbols replaced, by name.
 

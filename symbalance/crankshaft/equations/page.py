@@ -16,7 +16,6 @@ from symbalance.crankshaft.equations.node import NodeEquations
 from symbalance.crankshaft.equations.published import HOLDS, Entry, compared
 from symbalance.crankshaft.equations.quantities import LATEX, THETA, M
 from symbalance.document.latex_parts import in_document
-from symbalance.tables.latex_document import to_latex
 
 _NAMES = {"mass": "M", "gyroscopic": "G", "centrifugal": r"\Delta K", "centrifugal_force": "F_M"}
 
@@ -68,8 +67,8 @@ def matrix_latex(matrix: Any) -> str:
     return f"\\begin{{bmatrix}}\n{body}\n\\end{{bmatrix}}"
 
 
-@to_latex.register
-def _(equations: NodeEquations, *, standalone: bool = False) -> str:
+def equations_latex(equations: NodeEquations, *, standalone: bool = False) -> str:
+    """Return a node's equations as LaTeX, beside the published ones."""
     sections = (_statement, _matrices, _forces, _paper, _bearing)
     body = "\n".join(section(equations) for section in sections) + "\n"
     return in_document(body) if standalone else body

@@ -56,6 +56,24 @@ class Design:
     before: Balance
     remains: Balance
 
+    def as_text(self) -> str:
+        """Return it as text for a terminal of 80 columns."""
+        from symbalance.design.balancing.design_text import design_text
+
+        return design_text(self)
+
+    def as_latex(self, *, standalone: bool = False) -> str:
+        """Return it as LaTeX, a fragment or a whole document."""
+        from symbalance.design.balancing.design_latex import design_latex
+
+        return design_latex(self, standalone=standalone)
+
+    def as_json(self) -> str:
+        """Return it as JSON, every number exact, as a string."""
+        from symbalance.design.balancing.design_json import design_json
+
+        return design_json(self)
+
     @property
     def shafts(self) -> list[Device]:
         """The balance shafts of it."""

@@ -94,6 +94,12 @@ class SymbolicOrder:
     given: frozenset[Any] = frozenset()
     """All symbols that were given, also those that no sum of this order has."""
 
+    def as_latex(self, *, standalone: bool = False) -> str:
+        """Return it as LaTeX, a fragment or a whole document."""
+        from symbalance.design.variations.symbolic_latex import symbolic_latex
+
+        return symbolic_latex(self, standalone=standalone)
+
     def at(self, values: Mapping[Any, object]) -> SymbolicOrder:
         """Return the order with numbers put in for some of its symbols, by symbol or by name."""
         if not isinstance(values, Mapping):

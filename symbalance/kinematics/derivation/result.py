@@ -46,6 +46,12 @@ class Derivation:
     harmonics: Harmonics
     steps: tuple[Step, ...]
 
+    def as_latex(self, *, standalone: bool = False) -> str:
+        """Return it as LaTeX, a fragment or a whole document."""
+        from symbalance.kinematics.derivation.document import derivation_latex
+
+        return derivation_latex(self, standalone=standalone)
+
 
 def derive(
     quantity: str = "force", order: int = 6, convention: str = "l/r", power: int | None = None

@@ -49,6 +49,12 @@ class Series:
         """
         return self._expression(symbol("lam"), -1)
 
+    def as_latex(self, *, standalone: bool = False) -> str:
+        """Return the series as a formula for math mode, dots where it goes on; no document of its own."""
+        from symbalance.kinematics.series_printing import series_latex
+
+        return series_latex(self, ellipsis=True)
+
     def _expression(self, of: sympy.Symbol, sign: int) -> sympy.Expr:
         import sympy
 

@@ -6,7 +6,6 @@ from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 
 from symbalance.document.syntax import Node, Product, Span, names
 from symbalance.document.syntax_text import render
@@ -19,6 +18,7 @@ from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.steps import PROVED, REFUTED, UNDECIDED, Answer
 from symbalance.notes.checking.describing import lines_of, word_for
 from symbalance.notes.checking.differences import differences, exact_text
+from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.quantities import quantity
 from symbalance.notes.checking.repair.mending import mended, repaired
 from symbalance.notes.checking.sidecar import Bind
@@ -52,14 +52,14 @@ def side(
     index: int,
     bind: Bind,
     knowledge: Knowledge,
-    folder: Path,
+    sources: Sources,
     step: Verdict | None,
     excused: bool = False,
 ) -> Verdict:
     """Return the verdict on a bound side; where its relation was judged too, the claim decides."""
     claimed = chain.sides[index]
     line = chain.relations[index - 1].line if index else document.line_of(claimed.span[0])
-    answer = answered(claimed, bind, knowledge, folder)
+    answer = answered(claimed, bind, knowledge, sources)
     base = Verdict(
         line=line,
         link=1,
@@ -75,7 +75,7 @@ def side(
         node=claimed.node,
     )
     if answer.status == REFUTED and knowledge.crank is not None and bind.quantity != "harmonic":
-        base = _mended(base, document, claimed, answer, bind, knowledge, folder)
+        base = _mended(base, document, claimed, answer, bind, knowledge, sources)
     reason = ""
     if step is not None and step.verdict == REFUTED and answer.proved and not excused:
         return replace(
@@ -95,10 +95,10 @@ def _mended(
     answer: Answer,
     bind: Bind,
     knowledge: Knowledge,
-    folder: Path,
+    sources: Sources,
 ) -> Verdict:
     def proves(node: Node) -> bool:
-        return repaired(answered(Side((node,), claimed.span), bind, knowledge, folder), answer)
+        return repaired(answered(Side((node,), claimed.span), bind, knowledge, sources), answer)
 
     return mended(base, document, claimed, answer, knowledge, proves)
 
@@ -119,21 +119,21 @@ def with_answer(base: Verdict, answer: Answer, bind: Bind, reason: str = "") -> 
     )
 
 
-def answered(claimed: Side, bind: Bind, knowledge: Knowledge, folder: Path) -> Answer:
+def answered(claimed: Side, bind: Bind, knowledge: Knowledge, sources: Sources) -> Answer:
     """Decide whether a side is the quantity it is bound to."""
     if bind.quantity == "harmonic":
         return _harmonic(claimed, bind, knowledge)
     if knowledge.crank is None:
         return Answer(UNDECIDED, "no geometry")
-    exact = expected(claimed.node, bind, knowledge, folder)
+    exact = expected(claimed.node, bind, knowledge, sources)
     plain = decimals(claimed.node) or not names(claimed.node)
     return judged(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, bind.through)
 
 
-def expected(claimed: Node, bind: Bind, knowledge: Knowledge, folder: Path) -> Node:
+def expected(claimed: Node, bind: Bind, knowledge: Knowledge, sources: Sources) -> Node:
     """Return what a bound side ought to be, in the document's letters."""
     assert knowledge.crank is not None
-    exact = quantity(bind, knowledge.crank, folder, bool(decimals(claimed)) and not names(claimed))
+    exact = quantity(bind, knowledge.crank, sources, bool(decimals(claimed)) and not names(claimed))
     if bind.scale:
         try:
             scale = read_expression(bind.scale, knowledge.letters)[0]
@@ -165,7 +165,7 @@ def _harmonic(claimed: Side, bind: Bind, knowledge: Knowledge) -> Answer:
 
 
 def piece(
-    document: Document, bind: Bind, knowledge: Knowledge, letters: frozenset[str], folder: Path
+    document: Document, bind: Bind, knowledge: Knowledge, letters: frozenset[str], sources: Sources
 ) -> Verdict:
     """Return the verdict on a piece of a line: a table's cell, or a number in prose."""
     span = span_of(document, bind)
@@ -185,10 +185,10 @@ def piece(
     except ReadingError as problem:
         return replace(base, reason=f"{problem.what}; {problem.remedy}", bind=bind.title)
     claimed = Side(readings, span)
-    answer = answered(claimed, bind, knowledge, folder)
+    answer = answered(claimed, bind, knowledge, sources)
     base = replace(base, claimed=render(claimed.node), node=claimed.node, verdict=word_for(answer))
     if answer.status == REFUTED and bind.quantity != "harmonic":
-        base = _mended(base, document, claimed, answer, bind, knowledge, folder)
+        base = _mended(base, document, claimed, answer, bind, knowledge, sources)
     return with_answer(base, answer, bind)
 
 

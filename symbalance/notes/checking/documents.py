@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from symbalance.errors import SymbalanceError, shown
+from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.header import without_header
 from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.sidecar import Declarations, declared, parse_sidecar, read_sidecar
@@ -17,13 +18,18 @@ from symbalance.text.files import read_text
 SUFFIXES = (".tex", ".md", ".txt", ".text")
 
 
-def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> Checked:
+def check(
+    document: str | Path,
+    symbols: Mapping[str, Any] | str | Path | None = None,
+    *,
+    engines: Engines | None = None,
+) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
     `document` is a file (a Path, or a text that ends in .tex, .md or .txt) or the derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
-    the document.
+    the document. `engines` knows the engines that lines are bound to; without it such a line is refused.
 
         >>> from symbalance.notes.checking import check
         >>> found = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
@@ -37,7 +43,7 @@ def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None =
     declarations, text = declarations_of(document, symbols, text, name)
     found = read_document(text, name, _remembered(declarations))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
-    return Judge(found, declarations, beside).checked()
+    return Judge(found, declarations, Sources(engines or NoEngines(), beside)).checked()
 
 
 def declarations_of(

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
-from pathlib import Path
 
 from symbalance.document.syntax import Name, Node, Span
 from symbalance.errors import SymbalanceError
@@ -16,6 +15,7 @@ from symbalance.notes.checking.deciding.relations import judged, ordering
 from symbalance.notes.checking.deciding.steps import Answer
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.describing import described, unjudged, unreadable
+from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.letters import meaning_of
 from symbalance.notes.checking.meanings import MOVING, by_meaning
 from symbalance.notes.checking.repair.mending import mended, repaired
@@ -43,7 +43,7 @@ class Judge:
 
     document: Document
     declarations: Declarations
-    folder: Path = Path()
+    sources: Sources = field(default_factory=Sources)
 
     def __post_init__(self) -> None:
         self.learnt = Definitions(self.declarations)
@@ -76,12 +76,12 @@ class Judge:
         """Return the verdict on a piece of a line that is bound to a quantity."""
         known = self.knowledge(bind.line, bind.convention)
         names_here = frozenset(self.declarations.symbols_at(bind.line))
-        return claims.piece(self.document, bind, known, names_here, self.folder)
+        return claims.piece(self.document, bind, known, names_here, self.sources)
 
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
         symbols = self.declarations.symbols_at(line)
-        meaning, crank = meaning_of(symbols, convention)
+        meaning, crank = meaning_of(symbols, convention, self.sources.engines)
         kept = self.learnt.at(line)
         letters = by_meaning(symbols)
         universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
@@ -130,7 +130,7 @@ class Judge:
 
         def verdict() -> Verdict:
             known = self.knowledge(chain.lines[0], bind.convention)
-            return claims.side(self.document, chain, index, bind, known, self.folder, step, excused)
+            return claims.side(self.document, chain, index, bind, known, self.sources, step, excused)
 
         line = chain.relations[index - 1].line if index else 0
         return self.guarded(verdict, chain.sides[index].span, line)

@@ -18,9 +18,9 @@ from symbalance.document.syntax import (
     Quotient,
     Sum,
 )
-from symbalance.kinematics.slider_crank import acceleration_series, surviving
 from symbalance.notes.algebra.evaluation import Meaning
 from symbalance.notes.algebra.numbers import rational_node
+from symbalance.notes.checking.engines import Engines, NoEngines
 from symbalance.notes.checking.geometry import Geometry, geometry, two
 from symbalance.notes.checking.meanings import (
     FROM_MIDDLE,
@@ -39,14 +39,19 @@ SAME_POWER = 31
 """The power of r/l through which every declared A_n is taken: one for all, so that sums compare."""
 
 
-def meaning_of(symbols: Mapping[str, str], convention: str = "") -> tuple[Meaning, Geometry]:
+def meaning_of(
+    symbols: Mapping[str, str], convention: str = "", engines: Engines | None = None
+) -> tuple[Meaning, Geometry]:
     """Return what the declared letters stand for, and the slider-crank in them.
+
+    `engines` knows the harmonics A_n; a letter that stands for one is refused without it.
 
     >>> found, crank = meaning_of({"s": "stroke", "l": "rod length", "lambda": "rod ratio l/s"})
     >>> sorted(found.values), crank.small
     (['l'], ('lambda', -1))
     """
     crank, letters = geometry(symbols, convention), by_meaning(symbols)
+    engines = NoEngines() if engines is None else engines
     stands_for: dict[str, Node] = {
         "crank radius": crank.radius,
         "stroke": Product((two(), crank.radius)),
@@ -67,7 +72,7 @@ def meaning_of(symbols: Mapping[str, str], convention: str = "") -> tuple[Meanin
     }
     base = {n for part in (crank.radius, crank.length, crank.omega) for n in syntax.names(part)}
     values: dict[str, Node] = {
-        n: _harmonic(m, crank) for m in letters if HARMONIC.match(m) for n in letters[m]
+        n: _harmonic(m, crank, engines) for m in letters if HARMONIC.match(m) for n in letters[m]
     }
     for meaning, node in stands_for.items():
         for name in letters.get(meaning, []):
@@ -90,10 +95,10 @@ def meaning_of(symbols: Mapping[str, str], convention: str = "") -> tuple[Meanin
     return Meaning(values, rates, frozenset(positive), integer, ranges), crank
 
 
-def _harmonic(meaning: str, crank: Geometry) -> Node:
+def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Node:
     """Return A_n of the acceleration as a series in r/l, far beyond what anybody writes."""
     order = int(meaning[2:])
-    return series_node(order, far_power(order), crank.ratio)
+    return series_node(engines.coefficient_terms(order, far_power(order)), crank.ratio)
 
 
 def far_power(order: int) -> int:
@@ -101,11 +106,11 @@ def far_power(order: int) -> int:
     return max(SAME_POWER, order + 7)
 
 
-def series_node(order: int, power: int, ratio: Node) -> Node:
-    """Return A_order through a power of r/l."""
-    if not surviving(order):
+def series_node(coefficients: Mapping[int, Fraction], ratio: Node) -> Node:
+    """Return a sum of coefficients times powers of r/l; of none it is 0."""
+    if not coefficients:
         return Number(Fraction(0))
-    terms = [_term(c, p, ratio) for p, c in sorted(acceleration_series(order, power).terms.items())]
+    terms = [_term(c, p, ratio) for p, c in sorted(coefficients.items())]
     return terms[0] if len(terms) == 1 else Sum(tuple(terms))
 
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from pathlib import Path
 
 from symbalance.document.syntax import (
     Call,
@@ -23,12 +22,9 @@ from symbalance.document.syntax import (
     Quotient,
     Sum,
 )
-from symbalance.engine.catalogue import load
-from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError
-from symbalance.kinematics.slider_crank import acceleration_value, surviving
 from symbalance.notes.algebra.numbers import rational_node
+from symbalance.notes.checking.engines import Engines, KnownCylinder, KnownEngine, Sources
 from symbalance.notes.checking.geometry import Geometry
 from symbalance.notes.checking.letters import far_power, series_node
 from symbalance.notes.checking.sidecar import Bind
@@ -52,7 +48,7 @@ OF_AN_ENGINE = (
 QUANTITIES = (*ONE_CYLINDER, *OF_AN_ENGINE[1:], "coefficient", "harmonic", "value")
 
 
-def quantity(bind: Bind, crank: Geometry, folder: Path, in_numbers: bool) -> Node:
+def quantity(bind: Bind, crank: Geometry, sources: Sources, in_numbers: bool) -> Node:
     """Return what a bound line claims to be; `in_numbers` puts in the engine's own rod ratio."""
     if bind.quantity not in QUANTITIES:
         raise _refusal(bind, "quantity", bind.quantity, "known are " + ", ".join(QUANTITIES))
@@ -66,8 +62,8 @@ def quantity(bind: Bind, crank: Geometry, folder: Path, in_numbers: bool) -> Nod
         return ONE_CYLINDER[bind.quantity](crank)
     if bind.order is None:
         raise _refusal(bind, "order", None, "add order = 2")
-    engine = _engine(bind, folder) if bind.engine else None
-    coefficient = _coefficient(bind, crank, engine, in_numbers)
+    engine = _engine(bind, sources) if bind.engine else None
+    coefficient = _coefficient(bind, crank, engine, in_numbers, sources.engines)
     if bind.quantity == "coefficient":
         return coefficient
     if engine is None:
@@ -85,29 +81,29 @@ def _refusal(bind: Bind, key: str, value: object, remedy: str) -> SymbalanceErro
     return SymbalanceError(f"{key} = {value}", "is not usable here", remedy, f"{bind.place}: bind")
 
 
-def _engine(bind: Bind, folder: Path) -> Layout:
-    as_file = folder / bind.engine
-    is_file = bind.engine.endswith(".toml") and as_file.exists()
+def _engine(bind: Bind, sources: Sources) -> KnownEngine:
     try:
-        return load(str(as_file) if is_file else bind.engine)
+        return sources.engines.engine(bind.engine, sources.folder)
     except SymbalanceError as problem:
         raise problem.within(f"{bind.place}: bind") from None
 
 
-def _coefficient(bind: Bind, crank: Geometry, engine: Layout | None, in_numbers: bool) -> Node:
+def _coefficient(
+    bind: Bind, crank: Geometry, engine: KnownEngine | None, in_numbers: bool, engines: Engines
+) -> Node:
     """Return A_n as a series in the document's letter, or its value for the engine's rod ratio."""
     order = bind.order or 1
-    if not surviving(order):
-        return Number(Fraction(0))
+    if not engines.coefficient_terms(order, order):
+        return Number(Fraction(0))  # no ratio and no power makes an order that no slider-crank has
     if in_numbers:
         if engine is None or engine.ratio is None:
             raise _refusal(bind, "engine", bind.engine, "name an engine with a rod ratio")
-        return Number(Fraction(str(acceleration_value(order, engine.ratio, 30))))
+        return Number(engines.coefficient_value(order, engine.ratio))
     power = bind.power if bind.power is not None else far_power(order)
-    return series_node(order, power, crank.ratio)
+    return series_node(engines.coefficient_terms(order, power), crank.ratio)
 
 
-def geometry(bind: Bind, engine: Layout, theta: Node) -> Node:
+def geometry(bind: Bind, engine: KnownEngine, theta: Node) -> Node:
     """Return the sum over the bound cylinders of weight cos n(θ + delay)."""
     kind, component, function = (*bind.quantity.split("."), "", "")[:3]
     chosen = [c for c in engine.cylinders if _is_meant(bind, c, engine)]
@@ -126,7 +122,7 @@ def geometry(bind: Bind, engine: Layout, theta: Node) -> Node:
     return Sum(tuple(terms))
 
 
-def _is_meant(bind: Bind, cylinder: Cylinder, engine: Layout) -> bool:
+def _is_meant(bind: Bind, cylinder: KnownCylinder, engine: KnownEngine) -> bool:
     if bind.cylinder is not None:
         return cylinder.number == bind.cylinder
     if bind.bank is not None:
@@ -135,7 +131,9 @@ def _is_meant(bind: Bind, cylinder: Cylinder, engine: Layout) -> bool:
     return True
 
 
-def _of_cylinder(cylinder: Cylinder, order: int, weight: Fraction, component: str, wave: Node) -> Node:
+def _of_cylinder(
+    cylinder: KnownCylinder, order: int, weight: Fraction, component: str, wave: Node
+) -> Node:
     shifted = Call("cos", Sum((wave, _turned(cylinder.delay.turns * order))))
     parts: list[Node] = [rational_node(weight), shifted]
     if component:

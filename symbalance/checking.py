@@ -1,0 +1,57 @@
+"""Hand derivations held against the engines of this library: `notes`, told what there is to know of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from pathlib import Path
+from typing import Any, cast
+
+from symbalance.engine.catalogue import load
+from symbalance.kinematics.slider_crank import acceleration_series, acceleration_value, surviving
+from symbalance.notes.checking import documents
+from symbalance.notes.checking.engines import KnownEngine
+from symbalance.notes.checking.verdicts import Checked
+
+VALUE_DIGITS = 30
+
+
+class LibraryEngines:
+    """What the checker has to be told about engines: presets, engine files, harmonics of a slider-crank."""
+
+    def engine(self, name: str, folder: Path) -> KnownEngine:
+        """Return a preset, or the engine of a file: one in `folder` before one of the working folder."""
+        beside = folder / name
+        is_beside = name.endswith(".toml") and beside.exists()
+        # A cached property is no property to a type checker, and a layout has them.
+        return cast(KnownEngine, load(str(beside) if is_beside else name))
+
+    def coefficient_terms(self, order: int, power: int) -> Mapping[int, Fraction]:
+        """Return A_order as power of r/l -> coefficient, through a power; empty if it is 0.
+
+        >>> LibraryEngines().coefficient_terms(2, 3)
+        {1: Fraction(1, 1), 3: Fraction(1, 4)}
+        """
+        return acceleration_series(order, power).terms if surviving(order) else {}
+
+    def coefficient_value(self, order: int, ratio: Fraction) -> Fraction:
+        """Return A_order at a rod ratio, to 30 digits."""
+        return Fraction(str(acceleration_value(order, ratio, VALUE_DIGITS)))
+
+
+def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> Checked:
+    """Return the verdicts on every equation of a hand derivation.
+
+    `document` is a file (a Path, or a text that ends in .tex, .md or .txt) or the derivation itself.
+    `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
+    `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
+    the document. Lines are bound to this library's presets and engine files.
+
+        >>> found = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
+        >>> found.verdicts[0].verdict, found.verdicts[0].fix.text
+        ('refuted', '(1 - cos 2x)/2')
+
+    Raises SymbalanceError for a file or a declaration that cannot be used; an equation that cannot be
+    read is a verdict, not an error.
+    """
+    return documents.check(document, symbols, engines=LibraryEngines())
