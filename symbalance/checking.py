@@ -1,4 +1,4 @@
-"""Hand derivations held against the engines of this library: `notes`, told what there is to know of them."""
+"""Hand derivations held against the engines of this library."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ VALUE_DIGITS = 30
 
 
 class LibraryEngines:
-    """What the checker has to be told about engines: presets, engine files, harmonics of a slider-crank."""
+    """What the checker is told about engines: presets, engine files, a slider-crank's harmonics."""
 
     def engine(self, name: str, folder: Path) -> KnownEngine:
         """Return a preset, or the engine of a file: one in `folder` before one of the working folder."""

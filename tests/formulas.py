@@ -1,7 +1,7 @@
 """Formulas for the tests of the algebra: trees from short texts, random trees, values by mpmath alone.
 
-`tree` reads Python's own syntax, so nothing of `symbalance.notes.reading` but its nodes is involved; `value`
-is a textbook recursion over the tree with mpmath's functions, derivatives being numerical.
+`tree` reads Python's own syntax, so nothing of `symbalance.notes.reading` but its nodes is involved;
+`value` is a textbook recursion over the tree with mpmath's functions, derivatives being numerical.
 """
 
 from __future__ import annotations

@@ -82,7 +82,7 @@ def test_json_is_exact_and_agrees_with_python(capsys):
     assert verdicts["+1", "force"] == "absent"
     share = found["devices"][0]["weights"][0]["share"]
     exact = design.devices[0].weights[0][1]
-    assert sympy.simplify(sympy.sympify(share["cos"]) - sb.spectrum.Component(exact).cos) == 0
+    assert sympy.simplify(sympy.sympify(share["cos"]) - sb.exact.Component(exact).cos) == 0
     assert [o["order"] for o in found["remains"]["orders"]] == ["4", "6", "8", "10", "12"]
 
 

@@ -524,7 +524,8 @@ def test_a_bound_is_rounded_up_at_any_precision() -> None:
     """The factor that covers rounding is no number of the precision set when it was imported."""
     code = (
         "import mpmath; mpmath.mp.dps = 4\n"
-        "from symbalance.kinematics.truncation import ROUNDING, left_out; from fractions import Fraction\n"
+        "from symbalance.kinematics.truncation import ROUNDING, left_out\n"
+        "from fractions import Fraction\n"
         "mpmath.mp.dps = 30; print(ROUNDING > 1, left_out(6, Fraction(4)))"
     )
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

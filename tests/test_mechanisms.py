@@ -1,9 +1,9 @@
 """Evidence: offset cylinders, link rods and rods with inertia, against geometry and Newton's laws.
 
 The linkage is built here by intersecting circles with lines in the engine's frame, angles from the
-master's axis, without the formulas of `symbalance.kinematics.mechanisms`: a piston is where the circle of the rod
-about its pin meets the cylinder's axis. Derivatives are mpmath's differences at 60 digits, harmonics are
-`mp.quad` or a plain sum, and the rod's inertia is that of points of mass along it.
+master's axis, without the formulas of `symbalance.kinematics.mechanisms`: a piston is where the circle
+of the rod about its pin meets the cylinder's axis. Derivatives are mpmath's differences at 60 digits,
+harmonics are `mp.quad` or a plain sum, and the rod's inertia is that of points of mass along it.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ SHOWN_DIGITS = 6
 def shown(value: Real, digits: int = SHOWN_DIGITS) -> str:
     """Return a decimal as tables print it.
 
+    >>> from mpmath import mp
     >>> shown(mp.mpf("7.43790327e-5")), shown(mp.mpf(3))
     ('7.4379e-5', '3')
     """

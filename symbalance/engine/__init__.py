@@ -1,1 +1,15 @@
-"""Room."""
+"""An engine: its cylinders, firing order, crank, what balances it, and its file.
+
+In: an engine file, a preset's name, or a builder's arguments. Out: a `Layout` of cylinders that says what
+stands and turns where.
+
+    trains, cylinders, layout     sizes; one cylinder; all of them together
+    builders, firing, stars       layouts from firing orders, banks and pins; the orders a crank allows
+    balancers, rotors             counterweights and balance shafts; rotating masses
+    unlike, tops                  mechanisms of single cylinders; when pistons are at the top
+    engine_file, engine_writing   engines from and to TOML;  catalogue: the presets
+"""
+
+from symbalance.loading import attach
+
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

@@ -1,8 +1,8 @@
 r"""What turns, as a spectrum: counterweights, balance shafts and the rotating masses of the crank.
 
 A vector u on what turns at n times the crank's speed (n of either sign) adds u to c_n of the force and
-(station - reference plane) u to c_n of the couple (`symbalance.forces.resultants`); u is in the unit of its
-order: m r omega^2 of the first cylinder at order 1, F_n = A_n m r omega^2 above. The rotating masses,
+(station - reference plane) u to c_n of the couple (`symbalance.forces.resultants`); u is in the unit of
+its order: m r omega^2 of the first cylinder at order 1, F_n = A_n m r omega^2 above. The rotating masses,
 sum of m_j r_j e^(i throw_j) at their stations, are taken as balanced throw by throw as long as an engine
 lists no counterweight; from the first one on they count.
 """

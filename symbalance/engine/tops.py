@@ -2,8 +2,8 @@
 
 A centred cylinder is at top dead centre at p = theta + throw - bank = 0. An offset axis or a link rod
 moves that by `lead`, the p at which the piston stands highest: sin p = eps/(lambda + 1) of an offset
-slider-crank (`symbalance.kinematics.mechanisms.dead_centres`). A maker who wants even firing turns the pin on by
-as much, and rounds; what the rounding leaves is what the intervals here show.
+slider-crank (`symbalance.kinematics.mechanisms.dead_centres`). A maker who wants even firing turns the
+pin on by as much, and rounds; what the rounding leaves is what the intervals here show.
 """
 
 from __future__ import annotations

@@ -1,1 +1,15 @@
-"""Room."""
+"""One cylinder: how its piston moves, and the harmonics of the forces and torques that makes.
+
+In: a rod ratio, an offset, a link rod. Out: integer coefficients in powers of 1/lambda, values exact in
+lambda, proved bounds on what a truncation leaves out, and the derivation step by step.
+
+    slider_crank            harmonics of the centred slider-crank
+    mechanisms              offset axes, link rods, the rod's own inertia;  pistons: in floating point
+    truncation              bounds on the orders left out
+    inertia, rod, kinetic   the torque's harmonics, closed and for any mechanism
+    series_printing         a series in print;  derivation: the whole calculation as a document
+"""
+
+from symbalance.loading import attach
+
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

@@ -7,8 +7,8 @@ crank gets what its kinetic energy J_x omega^2 phi'^2/2 loses, the frame its cou
     u_2k = -2 k k' (-q)^k,    odd u_n = 0:    u_n = rho^2 t_n but for u_2 = rho^2 (1 + t_2),
     phi'' = sum of k_n sin n theta,    k_n = -n^2 R_n, even k_n = 0.
 
-k' = sqrt(1 - rho^2), q = (rho/(1 + k'))^2, t_n of `inertia`, R_n of `symbalance.kinematics.slider_crank`. Units
-J_x omega^2; J_x is negative for most rods.
+k' = sqrt(1 - rho^2), q = (rho/(1 + k'))^2, t_n of `inertia`, R_n of
+`symbalance.kinematics.slider_crank`. Units J_x omega^2; J_x is negative for most rods.
 Source: expanded afresh; phi'^2 is the Poisson kernel again.
 """
 

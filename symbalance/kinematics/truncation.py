@@ -1,8 +1,8 @@
 r"""What a truncation leaves out: proved bounds on the harmonics that are dropped.
 
-The coefficients of `symbalance.kinematics.slider_crank` alternate in sign, so that at theta = 90 degrees all
-harmonics add up with one sign: the bounds here are attained there (the velocity's is safe, not
-attained). With k' and q as in that module, |c_{k+1}| <= q (k - 1/2)/(k + 1) |c_k|, because
+The coefficients of `symbalance.kinematics.slider_crank` alternate in sign, so that at theta = 90
+degrees all harmonics add up with one sign: the bounds here are attained there (the velocity's is safe,
+not attained). With k' and q as in that module, |c_{k+1}| <= q (k - 1/2)/(k + 1) |c_k|, because
 |C(1/2, k+1)/C(1/2, k)| = (k - 1/2)/(k + 1) and 2F1(-1/2, k - 1/2; k + 1; q^2) falls with k (every
 term but the first is negative, and grows in size). So |A_{2k+2}|/|A_2k| <= q (k + 1)(k - 1/2)/k^2: a
 geometric tail. Where that is slow (q near 1) the sum of all comes from the exact form at 90 degrees:

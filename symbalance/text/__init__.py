@@ -1,1 +1,12 @@
-"""Room."""
+"""Files and numbers as people write them: read strictly and exactly, written whole or not at all.
+
+In: paths, texts, numbers in any spelling. Out: fractions, tables of TOML, rows of CSV, or a refusal that
+names the file, the line, the value, the rule and the remedy. Knows nothing of engines.
+
+    numbers        exact fractions from "360/7", 0.1 or 13.5;  measurements: of any length
+    files          a file's text, the TOML in it;  sections: its tables, key by key
+"""
+
+from symbalance.loading import attach
+
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

@@ -21,9 +21,9 @@ COUNTS, ORDERS = (2, 5, 6, 12, 100), (1, 2, 3)
 AWAY = tuple(Fraction(sign, 10**e) for e in (16, 14, 12, 9, 6, 3) for sign in (-1, 1))
 SAYS = """\
 Cylinders N, order n, spacing h: sin(N n h/2)/sin(n h/2) at n h/2π whole (the pole) and off it by 1e-16
-to 1e-3 of h, as float(...) of what `symbalance.forces.summation` returns; true is the sum of the N cosines.
-naive: the quotient in doubles, inf where it gives no number. Only the quotient can come near a pole:
-sums and couples take whole N and n."""
+to 1e-3 of h, as float(...) of what `symbalance.forces.summation` returns; true is the sum of the N
+cosines. naive: the quotient in doubles, inf where it gives no number. Only the quotient can come near a
+pole: sums and couples take whole N and n."""
 
 
 def part(quick: bool) -> Part:

@@ -1,8 +1,8 @@
 """What a design has done to each order: proved on the engine with the design built in.
 
-The designer's own sums are not asked: `symbalance.forces.resultants.balance` adds up cylinders, counterweights
-and shafts anew, and a number is zero where its normal form is (decimals: where the parts cancel to their
-rounding).
+The designer's own sums are not asked: `symbalance.forces.resultants.balance` adds up cylinders,
+counterweights and shafts anew, and a number is zero where its normal form is (decimals: where the parts
+cancel to their rounding).
 """
 
 from __future__ import annotations

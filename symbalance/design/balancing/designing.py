@@ -4,12 +4,13 @@ What turns at s times the crank's speed (s of either sign) has a force and a cou
 alone, and the powers e^(i s theta) are linearly independent. So every signed order whose force or couple
 is not zero needs something that turns at its own speed: a counterweight on the crank at +1, else a shaft
 of its own. One shaft is enough for each: two weights in two planes have any force and any couple
-(`symbalance.design.balancing.planes`). The least number of shafts that ends given orders therefore is the number
-of their signed orders, +1 apart, that are not zero; and one weight on it is enough exactly where the
-couple is the force times an arm. Where limits forbid that, an order that keeps one of its parts gets the
-best of the other (`symbalance.design.balancing.choosing`).
+(`symbalance.design.balancing.planes`). The least number of shafts that ends given orders therefore is
+the number of their signed orders, +1 apart, that are not zero; and one weight on it is enough exactly
+where the couple is the force times an arm. Where limits forbid that, an order that keeps one of its
+parts gets the best of the other (`symbalance.design.balancing.choosing`).
 
-What a design claims is proved by `symbalance.forces.resultants.balance` of the engine with the design built in.
+What a design claims is proved by `symbalance.forces.resultants.balance` of the engine with the design
+built in.
 """
 
 from __future__ import annotations

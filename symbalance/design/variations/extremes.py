@@ -12,11 +12,12 @@ direction cosine and the phase n (t_j - k_j) for independent. Then every cylinde
 - the amplitude of one component is `largest_sum` of them,
 - the largest modulus of the planar vector over a turn is `farthest` over all directions u.
 
-Counterweights, shafts and rotating masses add what they were made to (`symbalance.design.variations.made`).
-Both give a bound that is proved (but for the rounding of floats, for which it is raised by `ROUNDING`).
-The attained value is that of an engine that exists: errors within their tolerances, improved in turns,
-put into the formula above. For tolerances of mass, station, stroke and rod on centred cylinders the two
-meet. Each order has its own worst engine, and so have force and couple.
+Counterweights, shafts and rotating masses add what they were made to
+(`symbalance.design.variations.made`). Both give a bound that is proved (but for the rounding of floats,
+for which it is raised by `ROUNDING`). The attained value is that of an engine that exists: errors
+within their tolerances, improved in turns, put into the formula above. For tolerances of mass, station,
+stroke and rod on centred cylinders the two meet. Each order has its own worst engine, and so have force
+and couple.
 """
 
 from __future__ import annotations

@@ -8,8 +8,8 @@ throw - bank, so with s_j its station from the reference plane and f_n = A_n - i
 
 These are linear in the masses and bilinear in mass and station. A_n and B_n are one factor A_n where no
 cylinder has a radius, rod or offset of its own; else they are the series in rho = r/l and delta = e/l of
-`symbalance.kinematics.mechanisms.offset_series`, kept to a stated power, and the sums are polynomials in m_j, s_j,
-r_j, e_j and 1/l_j.
+`symbalance.kinematics.mechanisms.offset_series`, kept to a stated power, and the sums are polynomials
+in m_j, s_j, r_j, e_j and 1/l_j.
 """
 
 from __future__ import annotations

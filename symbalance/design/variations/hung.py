@@ -1,6 +1,7 @@
 r"""How master and link rods' forces change with their angles and lengths, on which both may depend.
 
-With the pin r e^(i (theta + throw)), each cylinder's own w as in `symbalance.kinematics.mechanisms` and s = sin phi,
+With the pin r e^(i (theta + throw)), each cylinder's own w as in `symbalance.kinematics.mechanisms` and
+s = sin phi,
 
     y = Re w + sqrt(l^2 - (Im w - e)^2),    dy = Re dw - tan phi (Im dw - de) + dl/cos phi,
     dphi = (Im dw - de - s dl)/(l cos phi).

@@ -2,9 +2,9 @@
 
     geometry -> root -> its series -> multiple angles -> harmonics -> derivatives -> what is left out
 
-Every coefficient comes from the integers of `symbalance.kinematics.slider_crank`. To order N the powers of sin theta
-are kept to the N-th, and with them the powers of 1/lambda to the (N-1)-th (rod angle: the N-th).
-The steps are data; `symbalance.kinematics.derivation.document` prints them as text or LaTeX.
+Every coefficient comes from the integers of `symbalance.kinematics.slider_crank`. To order N the powers
+of sin theta are kept to the N-th, and with them the powers of 1/lambda to the (N-1)-th (rod angle: the
+N-th). The steps are data; `symbalance.kinematics.derivation.document` prints them as text or LaTeX.
 """
 
 from __future__ import annotations

@@ -1,0 +1,38 @@
+"""Public names that load on first use: a package imports nothing until one of its names is asked for.
+
+A package lists its names once, in the stub `__init__.pyi` beside its `__init__.py`, a line each:
+
+    from symbalance.engine.builders import inline as inline
+
+Type checkers read the stub; `attach` reads the same lines when the package is imported.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+_LINE = re.compile(r"^from ([\w.]+) import (\w+) as (\w+)$", re.MULTILINE)
+
+
+def attach(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """Return `__getattr__`, `__dir__` and `__all__` of a package, from the stub beside its `file`."""
+    stub = Path(file).with_suffix(".pyi").read_text(encoding="utf-8")
+    homes = {name: home for home, name, again in _LINE.findall(stub) if name == again}
+
+    def get(name: str) -> Any:
+        if name not in homes:
+            raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        if homes[name] == package:
+            return import_module(f"{package}.{name}")  # a room of this package
+        value = getattr(import_module(homes[name]), name)
+        vars(import_module(package))[name] = value
+        return value
+
+    def names() -> list[str]:
+        return sorted({*vars(import_module(package)), *homes})
+
+    return get, names, sorted(homes)
