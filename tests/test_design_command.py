@@ -189,6 +189,13 @@ def test_what_contradicts_itself_is_refused(options, said, capsys, tmp_path, mon
     assert not list(tmp_path.iterdir())
 
 
+def test_the_file_that_cannot_be_written_is_the_one_named(tmp_path, capsys):
+    for option, ending in (("--write", "toml"), ("-o", "txt")):
+        path = str(tmp_path / "no" / f"a.{ending}")
+        assert run(["design", "inline-3", option, path]) == 2
+        assert f"symbalance: file {path}: cannot be written" in capsys.readouterr().err
+
+
 def test_symbols_are_refused_by_a_file():
     with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file"):
         sb.engine_text(sb.vee(sympy.Symbol("alpha"), pins=[0]))

@@ -59,7 +59,7 @@ def write_files(contents: Mapping[str, str | bytes]) -> None:
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or str(problem)
         raise SymbalanceError(
-            f"--output {name}",
+            f"file {name}",
             f"cannot be written ({reason})",
             "name a file in a folder you may write to",
         ) from None
