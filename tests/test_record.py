@@ -330,7 +330,9 @@ PLANTED = [
 ]
 
 
-@pytest.mark.parametrize(("name", "text", "old", "new", "kind"), PLANTED)
+@pytest.mark.parametrize(
+    ("name", "text", "old", "new", "kind"), PLANTED, ids=[f"{row[4]}-{row[3][:12]!r}" for row in PLANTED]
+)
 def test_a_planted_difference_is_of_its_kind(name, text, old, new, kind):
     changed = text.replace(old, new, 1)
     found = list(of_files(name, name, text.encode(), changed.encode()))
