@@ -284,9 +284,13 @@ import numpy as np
 SCALE = 0.5  # of the crank
 
 
-def evaluate(theta):
+def evaluate(theta, *, mass=1.0):
     """Return it."""
-    return SCALE * np.cos(theta)
+    return SCALE * np.cos(theta) * mass
+
+
+def on_grid(points):
+    return evaluate(np.arange(points) / points)
 '''
 C = "/* of the six */\nconst double SCALE = 0.5; // of the crank\n"
 PLANTED = [
@@ -323,6 +327,9 @@ PLANTED = [
     ("a.py", SOURCE, "SCALE * np.cos(theta)", "np.cos(theta) * SCALE", "source: code"),
     ("a.py", SOURCE, "0.5", "0.6", "source: evaluates differently"),
     ("a.py", SOURCE, "0.5", "-0.5", "source: evaluates differently"),
+    ("a.py", SOURCE, " * mass", "", "source: evaluates differently"),
+    ("a.py", SOURCE, "/ points", "/ (points - 1)", "source: evaluates differently"),
+    ("a.py", SOURCE, "def evaluate", "def _evaluate", "source: evaluates differently"),
     ("a.py", SOURCE, "np.cos", "np.cosine", "source: evaluates differently"),
     ("a.c", C, "the six", "the four", "source: comments"),
     ("a.c", C, "of the crank", "of the rod", "source: comments"),
