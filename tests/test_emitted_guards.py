@@ -8,16 +8,19 @@ from __future__ import annotations
 
 import math
 import os
+import pickle
 import re
 import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import numpy as np
@@ -26,6 +29,7 @@ import pytest
 import symbalance as sb
 from symbalance.cli import run as command
 from symbalance.codegen import source_cache
+from symbalance.codegen.evaluators import Evaluator
 
 OUTPUTS = "force.vertical,piston.displacement,piston.velocity"
 GCC = shutil.which("gcc")
@@ -240,7 +244,7 @@ BOTH = ("couple.vertical", "force.vertical")
 
 
 @cache
-def function(target: str, outputs: tuple[str, ...] = BOTH[:1]) -> sb.numeric.Evaluator:
+def function(target: str, outputs: tuple[str, ...] = BOTH[:1]) -> Evaluator:
     """Return outputs of an in-line five."""
     return sb.to_function(sb.balance(sb.load("inline-5")), outputs=outputs, target=target)
 
@@ -440,7 +444,10 @@ end
 # Compiled code, kept for other processes ---------------------------------------------------------------
 
 USE = """
-import sys, importlib.util
+import os, sys, importlib.util
+if "MOST_BYTES" in os.environ:
+    import resource
+    resource.setrlimit(resource.RLIMIT_FSIZE, (int(os.environ["MOST_BYTES"]),) * 2)
 how, path = sys.argv[1:]
 if how == "memory":
     import symbalance as sb
@@ -544,6 +551,40 @@ def test_a_function_in_memory_is_compiled_once(tmp_path: Path) -> None:
     kept.write_text(kept.read_text().replace("couple", "COUPLE"))
     assert agree(use("memory", "3.5", tmp_path), "3.5")
     assert "COUPLE.vertical" not in kept.read_text()
+
+
+DAMAGE: dict[str, tuple[str, Callable[[bytes], bytes]]] = {
+    "index cut short": (".nbi", lambda data: data[:200]),
+    "random index": (".nbi", lambda data: Random(1).randbytes(len(data))),
+    "empty code": (".nbc", lambda data: b""),
+    "other code": (".nbc", lambda data: pickle.dumps(["no", "code"])),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_damaged_code_is_compiled_again_and_replaced(damage: str, tmp_path: Path) -> None:
+    """Numba reads it at the first call, and raises what unpickling raises."""
+    path = numba_module(tmp_path / "eight.py")
+    first = use("eight", path, tmp_path)
+    ending, spoiled = DAMAGE[damage]
+    for file in (tmp_path / "__pycache__").glob(f"*{ending}"):
+        file.write_bytes(spoiled(file.read_bytes()))
+    assert use("eight", path, tmp_path) == [*first[:2], "0", "0"]
+    assert use("eight", path, tmp_path) == [*first[:2], "1", "1"]
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="a limit on the size of files is POSIX's")
+@pytest.mark.parametrize(("how", "most"), [("eight", 0), ("memory", 20_000)])
+def test_a_disk_that_takes_no_code_costs_no_value(how: str, most: int, tmp_path: Path) -> None:
+    """20 kB take the text and the index, not the code."""
+    path = 4 if how == "memory" else numba_module(tmp_path / "eight.py")
+    first = use(how, path, tmp_path, MOST_BYTES=str(most))
+    assert agree(first)
+    assert first[2:] == ["0", "0"]
+    kept = {file.suffix for file in tmp_path.rglob("*.nb?")}
+    assert kept == ({".nbi"} if most else set())
+    assert use(how, path, tmp_path) == first
+    assert use(how, path, tmp_path) == [*first[:2], "1", "1"]
 
 
 def test_processes_at_once_do_not_disturb_one_another(tmp_path: Path) -> None:
