@@ -100,14 +100,12 @@ def _numbers(**keywords):
         is_real = array.dtype.kind in "fiu" or number
         if array.ndim or not is_real or isinstance(value, np.ma.MaskedArray):
             raise TypeError(f"{name} = {value!r}: must be one real number, in SI units")
-    return [_float(name, value) for name, value in keywords.items()]
-
-
-def _float(name, value):
     try:
-        return float(value)
+        return list(map(float, keywords.values()))
     except OverflowError:
-        raise ValueError(f"{name} is beyond every double: 1.8e308 is the largest") from None
+        most = float(np.finfo(float).max)
+        names = " and ".join(name for name, value in keywords.items() if abs(value) > most)
+        raise ValueError(f"{names} is beyond every double: {most:.2g} is the largest") from None
 
 
 def _results(theta, kind, out):
