@@ -654,3 +654,9 @@ def test_the_least_largest_of_an_engine_askew_is_found_at_once():
 
         least = min(left(best + Fraction(step, 50)) for step in (-50, -5, -1, 1, 5, 50))
         assert left(best) <= least + 1e-12
+
+
+def test_a_best_forward_part_of_what_is_no_part_is_refused():
+    for wrong in (sb.load("v2-90"), None, 3):
+        with pytest.raises(sb.SymbalanceError, match=r"backward = .*must be a part of an order"):
+            sb.best_forward(wrong)  # pyright: ignore[reportArgumentType]

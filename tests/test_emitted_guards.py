@@ -8,16 +8,19 @@ from __future__ import annotations
 
 import math
 import os
+import pickle
 import re
 import shutil
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import numpy as np
@@ -26,6 +29,7 @@ import pytest
 import symbalance as sb
 from symbalance.cli import run as command
 from symbalance.codegen import source_cache
+from symbalance.codegen.evaluators import Evaluator
 
 OUTPUTS = "force.vertical,piston.displacement,piston.velocity"
 GCC = shutil.which("gcc")
@@ -215,6 +219,84 @@ def test_a_self_test_sees_every_constant_that_matters(target: str, engine: str, 
             assert np.abs(gap).max() <= 2.5 * allowed, name
 
 
+PERIODS = re.compile(r"^(PER_RADIAN\w*) = (\d[-.e\d]*)", re.MULTILINE)
+
+
+def test_a_self_test_sees_a_period_that_is_slightly_wrong() -> None:
+    """By 5e-7 of itself: near 2^20 rad the count is off by one beside the middles between crests."""
+    theta, harmful = np.random.default_rng(3).uniform(0.98 * 2**20, 2**20, 40_000), 0
+    for engine, outputs in (("v8-90", "couple.vertical"), ("inline-1", OUTPUTS), ("inline-5", BOTH[0])):
+        made = sb.to_function(sb.balance(sb.load(engine)), outputs=outputs.split(","))
+        right = np.array(list(named(made(theta)).values()))
+        for name, value in PERIODS.findall(made.source):
+            for factor in (1 - 5e-7, 1 + 5e-7):
+                text = made.source.replace(f"{name} = {value}", f"{name} = {float(value) * factor!r}")
+                module: dict[str, Any] = {"__name__": "spoiled"}
+                exec(text, module)
+                wrong = np.array(list(named(module["evaluate"](theta)).values()))
+                if np.abs(wrong - right).max() > 1e-14:
+                    harmful += 1
+                    with pytest.raises(AssertionError, match=" true "):
+                        module["self_test"]()
+    assert harmful > 8
+
+
+def named(values: Any) -> dict[str, Any]:
+    """Return one output's values as several outputs' are returned."""
+    return values if isinstance(values, dict) else {"": values}
+
+
+MISTAKES: dict[str, tuple[tuple[str, str], ...]] = {
+    "numpy": (
+        ("scales = (mass*radius*omega*omega*pitch,", "scales = (mass*radius*omega*pitch*pitch,"),
+        ("range(0, theta.size, BLOCK)", "range(0, 1, BLOCK)"),
+        ("range(0, theta.size, BLOCK)", "range(1, theta.size, BLOCK)"),
+        ("range(0, size, BLOCK)", "range(0, 1, BLOCK)"),
+        ("range(0, size, BLOCK)", "range(1, size, BLOCK)"),
+        ("np.arange(start, stop,", "np.arange(stop - start,"),
+        ("theta.dtype.itemsize == 4", "theta.dtype.itemsize == 3"),
+    ),
+    "array-api": (
+        ("return (mass*radius*omega*omega*pitch,", "return (mass*radius*omega*pitch*pitch,"),
+        ("_given([scale*value for scale, value in zip(scales, values)])", "_given(values)"),
+    ),
+    "c": (
+        ("mass*radius*omega*omega*pitch", "mass*radius*omega*pitch*pitch"),
+        ("start += BLOCK", "start += n"),
+        ("theta + start", "theta"),
+        ("if (near_double(size", "if (1 + near_double(size - 1"),
+        ("< size) {", "< 1) {"),
+        ("(float)value[0]", "(float)(1.0000003*value[0])"),
+        ("i < size; i++", "i + 1 < size; i++"),
+        ("out0[i] = value[0]", "out0[i + 1] = value[0]"),
+    ),
+    "javascript": (
+        ("scale0 = mass*radius*omega*omega*pitch", "scale0 = mass*radius*omega*pitch*pitch"),
+        ("fillGrid(period, points, mass,", "fillGrid(period, points, 1,"),
+        ("instanceof Float32Array ? Float32Array", "instanceof Float32Array ? Float64Array"),
+    ),
+    "octave": (
+        ("scale0 = mass*radius*omega*omega*pitch", "scale0 = mass*radius*omega*pitch*pitch"),
+        (
+            "numbers(mass, radius, omega, pitch);\n    count",
+            "numbers(1, radius, omega, pitch);\n    count",
+        ),
+    ),
+}
+"""What a careless edit of an emitted source may do, of which every check with one angle knows nothing."""
+
+
+@pytest.mark.parametrize("target", MISTAKES)
+def test_a_self_test_sees_keywords_blocks_and_single_precision(target: str, tmp_path: Path) -> None:
+    path = emit(target, tmp_path / f"one{TARGETS[target]}", "inline-5", BOTH[0])
+    text = path.read_text()
+    assert run_self_test(target, path) == 0
+    for right, wrong in MISTAKES[target]:
+        assert right in text, right
+        path.write_text(text.replace(right, wrong))
+        assert run_self_test(target, path) != 0, (right, wrong)
+
+
 def test_javascript_tests_itself_through_a_link_and_without_its_ending(tmp_path: Path) -> None:
     """A module that does not see that it was started says nothing, and ends as if all were well."""
     (tmp_path / "own").mkdir()
@@ -240,7 +322,7 @@ BOTH = ("couple.vertical", "force.vertical")
 
 
 @cache
-def function(target: str, outputs: tuple[str, ...] = BOTH[:1]) -> sb.numeric.Evaluator:
+def function(target: str, outputs: tuple[str, ...] = BOTH[:1]) -> Evaluator:
     """Return outputs of an in-line five."""
     return sb.to_function(sb.balance(sb.load("inline-5")), outputs=outputs, target=target)
 
@@ -323,6 +405,9 @@ NO_ANGLES: dict[str, object] = {
     "nothing among angles": [1.0, None],
     "mask": MASKED,
     "masked": np.ma.masked,
+    "masks in a list": [MASKED],
+    "masked in a tuple": (1.0, np.ma.masked),
+    "masked in lists": [[1.0, 2.0], [3.0, np.ma.masked]],
     "word": "1.5",
     "bytes": b"1.5",
     "words": ["1.5"],
@@ -369,19 +454,34 @@ def test_a_keyword_is_a_real_number(target: str, keyword: str) -> None:
     for value in (2, np.float32(2), np.int8(2), np.array(2.0), Fraction(2)):
         assert (f(theta, **{keyword: value}) == want).all()
     assert np.isnan(f(theta, mass=math.nan)).all()
+    for huge in (10**400, Fraction(10**5000, 3)):
+        with pytest.raises(ValueError, match=f"{keyword} is beyond every double"):
+            f(theta, **{keyword: huge})
 
 
 @pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
 def test_a_grid_has_whole_numbers_of_points(target: str) -> None:
     f, more = function(target), {"xp": np} if target == "array-api" else {}
-    for points, turns in ((7.5, 1), (7, 1.5), ("7", 1), (0, 1), (7, -1), (math.nan, 1), (None, 1)):
-        with pytest.raises((ValueError, TypeError)):
-            f.on_grid(points, turns, **more)
+    for wrong in (7.5, "7", 0, -1, math.nan, math.inf, None, True, np.True_, [7], 7j):
+        for points, turns, name in ((wrong, 1, "points"), (7, wrong, "turns")):
+            with pytest.raises(ValueError, match=f"{name} = .*: must be a whole number, at least 1"):
+                f.on_grid(points, turns, **more)
     assert (f.on_grid(7.0, **more) == f.on_grid(7, **more)).all()
 
 
+def test_a_grid_of_the_array_module_takes_arrays_as_keywords_over_all_its_points() -> None:
+    """They met the one period that is computed, and were repeated with it."""
+    f = sb.to_function(sb.balance(sb.load("inline-4")), target="array-api")
+    plain, masses = f.on_grid(4, 2, xp=np), np.arange(1.0, 9.0)
+    assert np.array_equal(f.on_grid(4, 2, xp=np, mass=masses), masses * plain)
+    column = masses[:3, None]
+    assert np.array_equal(f.on_grid(4, 2, xp=np, mass=column), column * plain)
+    with pytest.raises(ValueError, match="broadcast"):
+        f.on_grid(4, 2, xp=np, mass=np.ones(2))
+
+
 def test_javascript_refuses_what_is_no_number(tmp_path: Path) -> None:
-    """null counted as 0, "1.5" as 1.5, and undefined as NaN."""
+    """null counted as 0, "1.5" as 1.5, undefined as NaN, and a keyword misspelled not at all."""
     emit("javascript", tmp_path / "one.mjs")
     (tmp_path / "ask.mjs").write_text("""
 import { evaluate, onGrid } from "./one.mjs";
@@ -390,6 +490,7 @@ const wrong = [
   [new String("12")],
   ...["mass", "radius", "omega", "pitch"].flatMap((name) =>
     [null, "2", true, [2], 2n].map((x) => [1, { [name]: x }])),
+  [1, { mas: 5 }], [1, { mass: 5, rpm: undefined }], [1, 5], [1, null], [1, "5"], [1, [5]],
 ];
 for (const given of wrong) {
   let refused = false;
@@ -398,7 +499,8 @@ for (const given of wrong) {
 }
 let refused = false;
 try { onGrid(7, 1, { mass: null }); } catch (problem) { refused = problem instanceof TypeError; }
-const same = evaluate([1, NaN], { mass: undefined, rpm: "600" })["force.vertical"];
+try { onGrid(7, 1, { mas: 5 }); refused = false; } catch (problem) { refused &&= /mas:/.test(problem); }
+const same = evaluate([1, NaN], { mass: undefined })["force.vertical"];
 const one = evaluate(1)["force.vertical"];
 if (!refused || same[0] !== one || !Number.isNaN(same[1])) throw new Error("no");
 """)
@@ -440,7 +542,10 @@ end
 # Compiled code, kept for other processes ---------------------------------------------------------------
 
 USE = """
-import sys, importlib.util
+import os, sys, importlib.util
+if "MOST_BYTES" in os.environ:
+    import resource
+    resource.setrlimit(resource.RLIMIT_FSIZE, (int(os.environ["MOST_BYTES"]),) * 2)
 how, path = sys.argv[1:]
 if how == "memory":
     import symbalance as sb
@@ -544,6 +649,40 @@ def test_a_function_in_memory_is_compiled_once(tmp_path: Path) -> None:
     kept.write_text(kept.read_text().replace("couple", "COUPLE"))
     assert agree(use("memory", "3.5", tmp_path), "3.5")
     assert "COUPLE.vertical" not in kept.read_text()
+
+
+DAMAGE: dict[str, tuple[str, Callable[[bytes], bytes]]] = {
+    "index cut short": (".nbi", lambda data: data[:200]),
+    "random index": (".nbi", lambda data: Random(1).randbytes(len(data))),
+    "empty code": (".nbc", lambda data: b""),
+    "other code": (".nbc", lambda data: pickle.dumps(["no", "code"])),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_damaged_code_is_compiled_again_and_replaced(damage: str, tmp_path: Path) -> None:
+    """Numba reads it at the first call, and raises what unpickling raises."""
+    path = numba_module(tmp_path / "eight.py")
+    first = use("eight", path, tmp_path)
+    ending, spoiled = DAMAGE[damage]
+    for file in (tmp_path / "__pycache__").glob(f"*{ending}"):
+        file.write_bytes(spoiled(file.read_bytes()))
+    assert use("eight", path, tmp_path) == [*first[:2], "0", "0"]
+    assert use("eight", path, tmp_path) == [*first[:2], "1", "1"]
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="a limit on the size of files is POSIX's")
+@pytest.mark.parametrize(("how", "most"), [("eight", 0), ("memory", 20_000)])
+def test_a_disk_that_takes_no_code_costs_no_value(how: str, most: int, tmp_path: Path) -> None:
+    """20 kB take the text and the index, not the code."""
+    path = 4 if how == "memory" else numba_module(tmp_path / "eight.py")
+    first = use(how, path, tmp_path, MOST_BYTES=str(most))
+    assert agree(first)
+    assert first[2:] == ["0", "0"]
+    kept = {file.suffix for file in tmp_path.rglob("*.nb?")}
+    assert kept == ({".nbi"} if most else set())
+    assert use(how, path, tmp_path) == first
+    assert use(how, path, tmp_path) == [*first[:2], "1", "1"]
 
 
 def test_processes_at_once_do_not_disturb_one_another(tmp_path: Path) -> None:

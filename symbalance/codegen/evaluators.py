@@ -108,7 +108,7 @@ def to_function(
     The orders are those of the result (of a running engine `order`, 12 unless given); with a `tolerance`,
     in units of m r omega^2 (couples: times a), the fewest whose proven bound is within it; with tolerance
     0 all that can show in a double. A tolerance leaves the choice between harmonics and the closed form
-    to the cheaper (`numeric.plans`).
+    to the cheaper (`codegen.plans`).
 
     >>> from symbalance.forces.resultants import balance
     >>> from symbalance.engine.catalogue import load

@@ -9,10 +9,22 @@ do besides. Both reductions cost less than the choice between two kernels, which
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import chain
+from math import pi
 
 import numpy as np
 
-from symbalance.codegen.checks import ANGLES, Check, checks, grid_checks, grid_points
+from symbalance.codegen.checks import (
+    ANGLES,
+    KEYWORDS,
+    Check,
+    checks,
+    counted_angles,
+    grid_checks,
+    grid_points,
+    unit_values,
+)
+from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.cosines32 import LIMIT32, single_kernel
 from symbalance.codegen.kernels import Kernel
 from symbalance.codegen.plans import Plan
@@ -20,7 +32,7 @@ from symbalance.codegen.targets.folding import folded
 from symbalance.codegen.targets.grids import repeating
 from symbalance.codegen.targets.printing import Spelling, unique
 from symbalance.codegen.targets.wording import paragraphs
-from symbalance.codegen.wide import FARTHEST, widened
+from symbalance.codegen.wide import FARTHEST, MANY, widened
 
 SPELLING = Spelling(
     {
@@ -68,7 +80,7 @@ def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, xp=None):
     jax.jit(evaluate) works.
     """
     xp = _namespace(theta) if xp is None else xp
-    if hasattr(theta, "mask"):
+    if hasattr(theta, "mask") or isinstance(theta, (list, tuple)) and _has_mask(theta):
         raise TypeError("theta is a masked array: its mask would be lost, pass theta.filled(nan)")
     theta = theta if hasattr(theta, "dtype") else xp.asarray(theta)
     scales = _scales(mass=mass, radius=radius, omega=omega, pitch=pitch)
@@ -97,17 +109,29 @@ def _namespace(array):
     return sys.modules[package]
 
 
+def _has_mask(angles):
+    """Tell whether a list, or one inside it, holds a masked array."""
+    return any(_has_mask(a) if isinstance(a, (list, tuple)) else hasattr(a, "mask") for a in angles)
+
+
 def _number(name, value):
     """Return a number as a Python one, which leaves the type of the arrays it multiplies alone."""
     if isinstance(value, float) or type(value) is int:
-        return float(value)
+        return _float(name, value)
     if hasattr(value, "dtype"):
         kind = str(value.dtype)
         if ("float" in kind or "int" in kind) and not hasattr(value, "mask"):
             return value
     elif hasattr(value, "__float__") and not isinstance(value, bool):
-        return float(value)
+        return _float(name, value)
     raise TypeError(f"{{name}} = {{value!r}}: must be a real number or an array of them, in SI units")
+
+
+def _float(name, value):
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{{name}} is beyond every double: 1.8e308 is the largest") from None
 
 
 def _scales(**keywords):
@@ -136,19 +160,30 @@ def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0,
     """Return the outputs at theta = 2 pi j/points, j = 0, 1, ... over so many whole turns.
 
     Only one period is computed, from angles that are exact; the rest repeats it. `xp` is the array
-    library, `dtype` its float64 or float32, the library's own default where not given.
+    library, `dtype` its float64 or float32, the library's own default where not given. A keyword that
+    is an array is broadcast against all the points of all the turns.
     """
-    if not (points == int(points) >= 1 and turns == int(turns) >= 1):
-        raise ValueError(f"points = {{points}}, turns = {{turns}}: must be whole numbers, at least 1")
-    points, turns = int(points), int(turns)
+    points, turns = _whole("points", points), _whole("turns", turns)
     period, length = {period}, points*turns
     index = xp.arange(0.0, float(min(period, length)), dtype=dtype)
     if index.dtype != xp.float64 and {highest}*points > 2**24:
         raise ValueError(f"points = {{points}}: float32 takes up to {{2**24//{highest}}}, float64 more")
     scales = _scales(mass=mass, radius=radius, omega=omega, pitch=pitch)
     {bases} = _on_grid(index, float(points), xp)
-    values = [scale*value for scale, value in zip(scales, _outputs({bases}, xp))]
-    return _given([xp.tile(value, (-(-length//period),))[:length] for value in values])
+    values = [xp.tile(value, (-(-length//period),))[:length] for value in _outputs({bases}, xp)]
+    return _given([scale*value for scale, value in zip(scales, values)])
+
+
+def _whole(name, value):
+    """Return a whole number, at least 1, or refuse what is none: True too, nan and None."""
+    try:
+        number = int(value)
+        fits = bool(number == value >= 1) and "bool" not in type(value).__name__
+    except (TypeError, ValueError, OverflowError):
+        fits = False
+    if not fits:
+        raise ValueError(f"{{name}} = {{value!r}}: must be a whole number, at least 1")
+    return number
 '''
 FARTHER = 3e14
 """An angle at which every part of the period counts that reduces angles to 2^50."""
@@ -161,6 +196,9 @@ CHECKS = (
 CHECKS_SINGLE = (
 {rows_single}
 )
+# Keywords that tell each from every other, and what they make of a value of 1.
+KEYWORDS = {keywords!r}
+UNITS = ({units},)
 {grid_rows}
 
 def self_test(xp=None):
@@ -180,6 +218,8 @@ def self_test(xp=None):
 
 def _test(angles, checks, xp, times):
     _compare("", evaluate(angles, xp=xp), checks, angles.dtype, 1.0)
+    found = evaluate(angles, xp=xp, **KEYWORDS)
+    _compare(" with keywords", found, checks, angles.dtype, 2.0, UNITS)
 {grid}    infinite = xp.asarray([float("inf"), float("-inf"), float("nan")], dtype=angles.dtype)
     lost = evaluate(infinite, xp=xp)
     for values in [lost] if len(OUTPUTS) == 1 else lost.values():
@@ -187,15 +227,16 @@ def _test(angles, checks, xp, times):
             raise AssertionError(f"not NaN where theta is not finite: {{values}}")
 
 
-def _compare(where, found, checks, dtype, times):
-    for j, name in enumerate(OUTPUTS):
+def _compare(where, found, checks, dtype, times, units=(1.0,)*len(OUTPUTS)):
+    for j, (name, unit) in enumerate(zip(OUTPUTS, units)):
         values = found if len(OUTPUTS) == 1 else found[name]
         if values.dtype != dtype:  # no assert: python -O would leave it out
             raise AssertionError(f"{{name}}: {{values.dtype}} from {{dtype}}")
         for i, (theta, true, allowed) in enumerate(checks):
             value = float(values[i])
-            if not abs(value - true[j]) <= times*allowed[j]:
-                raise AssertionError(f"{{name}}{{where}}({{theta!r}}) = {{value!r}}, true {{true[j]!r}}")
+            if not abs(value - unit*true[j]) <= times*unit*allowed[j]:
+                right = unit*true[j]
+                raise AssertionError(f"{{name}}{{where}}({{theta!r}}) = {{value!r}}, true {{right!r}}")
 
 
 if __name__ == "__main__":
@@ -210,6 +251,8 @@ GRID_CHECKS = (
 """
 GRID_TEST = """    grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype)
     _compare(" on the grid", grid, GRID_CHECKS, angles.dtype, times)
+    grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype, **KEYWORDS)
+    _compare(" on the grid, with keywords", grid, GRID_CHECKS, angles.dtype, 2.0*times, UNITS)
 """
 
 
@@ -243,11 +286,15 @@ def array_api_source(planned: Plan, engine: str, grid: bool) -> str:
         tail="".join(f"{line}\n" for line in _body(planned.tail)),
         formulas="\n".join(f"        {formula}," for formula in formulas),
     )
-    rows = "\n".join(_row(check) for check in checks(planned, (*ANGLES, FARTHER)))
+    counted = (counted_angles(planned.near, limit) for limit in (LIMIT, pi * MANY))
+    angles = (*ANGLES, FARTHER, *chain.from_iterable(counted))
+    rows = "\n".join(_row(check) for check in checks(planned, angles))
     points, grid_rows = grid_points(planned), "\n".join(map(_row, grid_checks(planned)))
     test = SELF_TEST.format(
         rows=rows,
         rows_single="\n".join(map(_row, _single_checks(planned))),
+        keywords=KEYWORDS,
+        units=", ".join(map(repr, unit_values(planned))),
         grid_rows=GRID_ROWS.format(points=points, rows=grid_rows) if grid else "",
         grid=GRID_TEST.format(points=points) if grid else "",
     )

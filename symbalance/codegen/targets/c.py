@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symbalance.codegen.checks import Check, checks, grid_checks, grid_points
+from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.kernels import Line
 from symbalance.codegen.plans import Plan
@@ -44,7 +44,8 @@ long register restrict return short signed sizeof static struct switch typedef u
 volatile while class new delete this template namespace using try catch throw public private near
 far outputs on_grid gcd near_double near_float any_double any_float main printf differs checks theta
 n points turns mass radius omega pitch fabs sqrt sin cos copysign isnan
-constants_are_doubles
+constants_are_doubles grid_checks units angles values singles rounded row prepare arrays_differ
+floats_differ grids_differ
 """
 TAKEN = frozenset(WORDS.split())
 """Names the function must not bear: words of C and C++, and what the source itself uses."""
@@ -198,13 +199,17 @@ def _self_test(planned: Plan, name: str, grid: bool) -> str:
     rows = "\n".join(map(_row, checks(planned)))
     grid_rows = "\n".join(map(_row, grid_checks(planned))) if grid else ""
     shared = {"name": name, "count": count, "columns": 1 + 2 * count, "points": grid_points(planned)}
-    on_grid = ", ".join(f"on_grid[{i}]" for i in range(count))
+    values = ", ".join(f"values[{i}]" for i in range(count))
+    grid_test = GRID_CHECKS.format(rows=grid_rows, values=values, **shared)
     return SELF_TEST.format(
         macro=name.upper(),
         rows=rows,
+        units=", ".join(map(repr, unit_values(planned))),
+        values=values,
+        rounded=", ".join(f"rounded[{i}]" for i in range(count)),
         pointers=", ".join(f"found + {i}" for i in range(count)),
-        grid_checks=GRID_CHECKS.format(rows=grid_rows, **shared) if grid else "",
-        grid=GRID_TEST.format(pointers=on_grid, **shared) if grid else "",
+        grid_checks=grid_test if grid else "",
+        grid=GRID_TEST if grid else "",
         **shared,
     )
 

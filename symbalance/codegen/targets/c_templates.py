@@ -132,10 +132,20 @@ static const double checks[][{columns}] = {{
 {rows}
 }};
 
-static int differs(const double *check, const double *found) {{
+/* Of each output, where mass, radius, omega and pitch are 2, 3, 5 and 7 instead of 1. */
+static const double units[{count}] = {{{units}}};
+
+/* Several blocks: near angles, far ones among them, near ones, and one angle more. */
+enum {{ ANGLES = sizeof checks / sizeof checks[0], MANY = 3 * BLOCK + 1 }};
+static double angles[MANY], values[{count}][MANY + 1];
+static float singles[MANY], rounded[{count}][MANY + 1];
+static size_t row[MANY];
+
+static int differs(const double *check, const double *found, const double *unit) {{
     int failed = 0;
     for (size_t j = 0; j < {count}; j++) {{
-        const double value = check[1 + j], off = check[1 + {count} + j];
+        const double scale = unit ? unit[j] : 1.0, value = scale * check[1 + j];
+        const double off = (unit ? 2.0 : 1.0) * scale * check[1 + {count} + j];
         if (!(fabs(found[j] - value) <= off)) {{
             printf("output %zu at %.17g: %.17g, true %.17g\\n", j, check[0], found[j], value);
             failed = 1;
@@ -143,15 +153,76 @@ static int differs(const double *check, const double *found) {{
     }}
     return failed;
 }}
+
+/* Place a check's angle at each of MANY places, and NaN wherever a value is to be written, or is not. */
+static void prepare(void) {{
+    for (size_t i = 0, next = 0; i < MANY; i++) {{
+        do {{
+            row[i] = next++ % ANGLES;
+        }} while (i / BLOCK != 1 && !(fabs(checks[row[i]][0]) <= LIMIT));
+        angles[i] = checks[row[i]][0];
+        singles[i] = (float)angles[i];
+    }}
+    for (size_t j = 0; j < {count}; j++) {{
+        for (size_t i = 0; i <= MANY; i++) {{
+            values[j][i] = NAN, rounded[j][i] = NAN;
+        }}
+    }}
+}}
+
+/* Compare arrays of several blocks, with every keyword 1 and with others. */
+static int arrays_differ(void) {{
+    int failed = 0;
+    for (size_t other = 0; other < 2; other++) {{
+        prepare();
+        if (other) {{
+            {name}(MANY, angles, 2.0, 3.0, 5.0, 7.0, {values});
+        }} else {{
+            {name}(MANY, angles, 1.0, 1.0, 1.0, 1.0, {values});
+        }}
+        for (size_t i = 0; i < MANY; i++) {{
+            double found[{count}];
+            for (size_t j = 0; j < {count}; j++) {{
+                found[j] = values[j][i];
+                failed |= !isnan(values[j][MANY]);
+            }}
+            failed |= differs(checks[row[i]], found, other ? units : NULL);
+        }}
+    }}
+    return failed;
+}}
+
+/* Compare float arrays, which are rounded once, with double ones at the same angles. */
+static int floats_differ(void) {{
+    int failed = 0;
+    prepare();
+    for (size_t i = 0; i < MANY; i++) {{
+        angles[i] = singles[i];
+    }}
+    {name}(MANY, angles, 2.0, 3.0, 5.0, 7.0, {values});
+    {name}_float(MANY, singles, 2.0, 3.0, 5.0, 7.0, {rounded});
+    for (size_t j = 0; j < {count}; j++) {{
+        failed |= !isnan(rounded[j][MANY]);
+        for (size_t i = 0; i < MANY; i++) {{
+            const double off = units[j] * checks[row[i]][1 + {count} + j];
+            if (!(fabs(rounded[j][i] - values[j][i]) <= FLT_EPSILON * fabs(values[j][i]) + off)) {{
+                printf("output %zu at %.9g: %.9g as float\\n", j, singles[i], rounded[j][i]);
+                failed = 1;
+            }}
+        }}
+    }}
+    return failed;
+}}
 {grid_checks}
 int main(void) {{
-    const size_t n = sizeof checks / sizeof checks[0];
     int failed = 0;
-    for (size_t i = 0; i < n; i++) {{
+    for (size_t i = 0; i < ANGLES; i++) {{
         double found[{count}];
         {name}(1, checks[i], 1.0, 1.0, 1.0, 1.0, {pointers});
-        failed |= differs(checks[i], found);
+        failed |= differs(checks[i], found, NULL);
     }}
+    failed |= arrays_differ();
+    failed |= floats_differ();
 {grid}    const double lost[] = {{INFINITY, NAN}};
     for (size_t i = 0; i < 2; i++) {{
         double found[{count}];
@@ -160,7 +231,7 @@ int main(void) {{
             failed |= !isnan(found[j]);
         }}
     }}
-    printf("self-test %s: %zu angles\\n", failed ? "FAILED" : "passed", n);
+    printf("self-test %s: %d angles\\n", failed ? "FAILED" : "passed", (int)ANGLES);
     return failed;
 }}
 #endif
@@ -170,14 +241,27 @@ GRID_CHECKS = """
 static const double grid_checks[][{columns}] = {{
 {rows}
 }};
-"""
-GRID_TEST = """    double on_grid[{count}][2 * {points}];
-    {name}_on_grid({points}, 2, 1.0, 1.0, 1.0, 1.0, {pointers});
-    for (size_t i = 0; i < 2 * {points}; i++) {{
-        double found[{count}];
-        for (size_t j = 0; j < {count}; j++) {{
-            found[j] = on_grid[j][i];
+
+static int grids_differ(void) {{
+    int failed = 0;
+    for (size_t other = 0; other < 2; other++) {{
+        prepare();
+        if (other) {{
+            {name}_on_grid({points}, 2, 2.0, 3.0, 5.0, 7.0, {values});
+        }} else {{
+            {name}_on_grid({points}, 2, 1.0, 1.0, 1.0, 1.0, {values});
         }}
-        failed |= differs(grid_checks[i], found);
+        for (size_t i = 0; i < 2 * {points}; i++) {{
+            double found[{count}];
+            for (size_t j = 0; j < {count}; j++) {{
+                found[j] = values[j][i];
+                failed |= !isnan(values[j][2 * {points}]);
+            }}
+            failed |= differs(grid_checks[i], found, other ? units : NULL);
+        }}
     }}
+    return failed;
+}}
+"""
+GRID_TEST = """    failed |= grids_differ();
 """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symbalance.codegen.checks import Check, checks, grid_checks, grid_points
+from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.kernels import Line
 from symbalance.codegen.plans import Plan
@@ -46,8 +46,8 @@ const LIMIT = {limit};  // the largest |theta| that is reduced exactly
  * @param {{number | ArrayLike<number>}} theta
  * @param {{{{mass?: number, radius?: number, omega?: number, pitch?: number}}}} [engine]
  */
-export function evaluate(theta, {{ mass = 1, radius = 1, omega = 1, pitch = 1 }} = {{}}) {{
-  checkNumbers({{ mass, radius, omega, pitch }});
+export function evaluate(theta, engine = {{}}) {{
+  const {{ mass, radius, omega, pitch }} = keywords(engine);
   const single = typeof theta === "number";
   if (!single && (theta === null || typeof theta !== "object" || theta.length === undefined)) {{
     throw new TypeError(`theta = ${{theta}}: must be a number or an array, in radians`);
@@ -64,6 +64,19 @@ export function evaluate(theta, {{ mass = 1, radius = 1, omega = 1, pitch = 1 }}
   return given(single ? results.map((values) => values[0]) : results);
 }}
 {grid}
+/** Return the keywords, 1 where not given; what is none of them is refused. */
+function keywords(engine) {{
+  if (engine === null || typeof engine !== "object") {{
+    throw new TypeError(`engine = ${{engine}}: must be an object, such as {{ mass: 0.5 }}`);
+  }}
+  const {{ mass = 1, radius = 1, omega = 1, pitch = 1, ...unknown }} = engine;
+  for (const name of Object.keys(unknown)) {{
+    throw new TypeError(`${{name}}: unknown; the keywords are mass, radius, omega and pitch`);
+  }}
+  checkNumbers({{ mass, radius, omega, pitch }});
+  return {{ mass, radius, omega, pitch }};
+}}
+
 function checkNumbers(values) {{
   for (const [name, value] of Object.entries(values)) {{
     if (typeof value !== "number") throw new TypeError(`${{name}} = ${{value}}: must be a number`);
@@ -87,20 +100,34 @@ function fill(angles, mass, radius, omega, pitch, {outs}) {{
 const CHECKS = [
 {rows}
 ];
+// Keywords that tell each from every other, and what they make of a value of 1.
+const KEYWORDS = {{ mass: 2, radius: 3, omega: 5, pitch: 7 }};
+const UNITS = [{units}];
 {grid_rows}
 /** Compare with the true values, singly and as an array; throw an Error past a bound. */
 export function selfTest() {{
   const values = (found) => OUTPUTS.map((name) => (OUTPUTS.length === 1 ? found : found[name]));
   const together = values(evaluate(CHECKS.map(([theta]) => theta)));
-  const compare = ([theta, expected, allowed], found, where) => OUTPUTS.forEach((name, j) => {{
-    if (!(Math.abs(found[j] - expected[j]) <= allowed[j])) {{
-      throw new Error(`${{name}}${{where}}(${{theta}}) = ${{found[j]}}, true ${{expected[j]}}`);
+  const compare = ([theta, expected, allowed], found, where, units) => OUTPUTS.forEach((name, j) => {{
+    const unit = units ? units[j] : 1, off = units ? 2*unit*allowed[j] : allowed[j];
+    if (!(Math.abs(found[j] - unit*expected[j]) <= off)) {{
+      throw new Error(`${{name}}${{where}}(${{theta}}) = ${{found[j]}}, true ${{unit*expected[j]}}`);
     }}
   }});
   const column = (found, i) => found.map((values) => values[i]);
+  const singles = Float32Array.from(CHECKS, ([theta]) => theta);
+  const rounded = values(evaluate(singles)), doubled = values(evaluate(Float64Array.from(singles)));
   CHECKS.forEach((check, i) => {{
     compare(check, values(evaluate(check[0])), "");
     compare(check, column(together, i), "");
+    compare(check, values(evaluate(check[0], KEYWORDS)), " with keywords", UNITS);
+    OUTPUTS.forEach((name, j) => {{  // float32 values are rounded once
+      const one = rounded[j][i], other = doubled[j][i];
+      const close = Math.abs(one - other) <= 2**-23*Math.abs(other) + check[2][j];
+      if (!close || !(rounded[j] instanceof Float32Array)) {{
+        throw new Error(`${{name}} at float32 ${{singles[i]}} = ${{one}}, in double ${{other}}`);
+      }}
+    }});
   }});
 {grid_test}  for (const found of values(evaluate([Infinity, -Infinity, NaN]))) {{
     if (!found.every(Number.isNaN)) throw new Error(`not NaN where theta is not finite: ${{found}}`);
@@ -135,8 +162,8 @@ GRID = """
  *
  * Only one period is computed, from angles that are exact; the rest repeats it.
  */
-export function onGrid(points, turns = 1, {{ mass = 1, radius = 1, omega = 1, pitch = 1 }} = {{}}) {{
-  checkNumbers({{ mass, radius, omega, pitch }});
+export function onGrid(points, turns = 1, engine = {{}}) {{
+  const {{ mass, radius, omega, pitch }} = keywords(engine);
   if (!(Number.isInteger(points) && Number.isInteger(turns) && points > 0 && turns > 0)) {{
     throw new RangeError(`points = ${{points}}, turns = ${{turns}}: must be whole numbers above 0`);
   }}
@@ -158,6 +185,8 @@ const GRID_CHECKS = [
 """
 GRID_TEST = """  const grid = values(onGrid({points}, 2));
   GRID_CHECKS.forEach((check, i) => compare(check, column(grid, i), " on the grid"));
+  const other = values(onGrid({points}, 2, KEYWORDS));
+  GRID_CHECKS.forEach((check, i) => compare(check, column(other, i), " on the grid", UNITS));
 """
 GCD = """
 function gcd(a, b) {
@@ -202,6 +231,7 @@ def javascript_source(planned: Plan, engine: str, grid: bool) -> str:
         outputs=_outputs(planned, "i"),
         fill_grid=fill_grid if grid else "",
         rows=_rows(checks(planned)),
+        units=", ".join(map(repr, unit_values(planned))),
         grid_rows=GRID_ROWS.format(points=points, rows=_rows(grid_checks(planned))) if grid else "",
         grid_test=GRID_TEST.format(points=points) if grid else "",
     )

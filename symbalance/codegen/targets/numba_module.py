@@ -50,9 +50,45 @@ def _inlined(function):
 def _kept(function):
     """Compile, and keep it for other processes: in NUMBA_CACHE_DIR, beside this file, or at home."""
     try:
-        return _compiled(function, nogil=True, cache=True)
+        kept = _compiled(function, nogil=True, cache=True)
     except (OSError, RuntimeError):  # none of these can be written, or this text is in no file
         return _compiled(function, nogil=True)
+    if hasattr(kept, "_cache"):  # Numba's own name for it
+        kept._cache = _Kept(kept._cache)
+    return kept
+
+
+class _Kept:
+    """What Numba keeps code in; a damaged file, or a full disk, costs a compilation and no more.
+
+    Numba reads and writes at the first call, and raises whatever unpickling or the disk raises. Damaged
+    code is compiled again and written anew; code that cannot be written is used and not kept.
+    """
+
+    def __init__(self, cache):
+        self._of_numba = cache
+
+    def __getattr__(self, name):
+        return getattr(self._of_numba, name)
+
+    def load_overload(self, *key):
+        try:
+            return self._of_numba.load_overload(*key)
+        except Exception:  # unpickling what is damaged raises anything
+            return None
+
+    def save_overload(self, *code):
+        try:
+            self._of_numba.save_overload(*code)
+        except Exception:
+            self._save_afresh(*code)
+
+    def _save_afresh(self, *code):
+        try:
+            self._of_numba.flush()  # a damaged index is read before code is added to it
+            self._of_numba.save_overload(*code)
+        except Exception:
+            return
 '''
 NUMBA_CALL = '''
 BLOCK = 4096  # angles at a time: one far angle sends its block the slow way, not all

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from symbalance.codegen.checks import Check, checks, grid_checks, grid_points
+from symbalance.codegen.checks import KEYWORDS, Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.kernels import NAME, Kernel, Line
 from symbalance.codegen.plans import Plan
@@ -100,10 +100,24 @@ function self_test()
     checks = [
 {rows}
     ];
+% Of each output, where mass, radius, omega and pitch are 2, 3, 5 and 7 instead of 1.
+    units = [{units}];
     together = {check_all};
+    other = {check_other};
+    angles = single(checks(:, 1));
+    rounded = {check_single};
+    doubled = {check_doubled};
     for i = 1:size(checks, 1)
         alone = {check_one};
         for j = 1:{count}
+            if ~(abs(other(i, j) - units(j)*checks(i, 1 + j)) <= 2*units(j)*checks(i, 1 + {count} + j))
+                error('output %d with keywords at %.17g: %.17g', j, checks(i, 1), other(i, j));
+            end
+            gap = abs(double(rounded(i, j)) - doubled(i, j));
+            close = gap <= 2^-23*abs(doubled(i, j)) + checks(i, 1 + {count} + j);
+            if ~(close && isa(rounded, 'single'))
+                error('output %d at single %.9g: %.9g', j, angles(i), rounded(i, j));
+            end
             expected = checks(i, 1 + j);
             allowed = checks(i, 1 + {count} + j);
             for found = [alone(j), together(i, j)]
@@ -134,10 +148,16 @@ GRID_TEST = """% The same at theta = 2 pi j/{points}, two turns.
 {rows}
     ];
     together = {values};
+    other = {others};
     for i = 1:size(checks, 1)
         for j = 1:{count}
-            if ~(abs(together(i, j) - checks(i, 1 + j)) <= checks(i, 1 + {count} + j))
+            value = checks(i, 1 + j);
+            allowed = checks(i, 1 + {count} + j);
+            if ~(abs(together(i, j) - value) <= allowed)
                 error('output %d on the grid at %.17g: %.17g', j, checks(i, 1), together(i, j));
+            end
+            if ~(abs(other(i, j) - units(j)*value) <= 2*units(j)*allowed)
+                error('output %d on the grid with keywords: %.17g', j, other(i, j));
             end
         end
     end
@@ -286,12 +306,23 @@ def _checked(planned: Plan, outs: Sequence[str], grid: bool) -> dict[str, str]:
         )
 
     points, count = grid_points(planned), str(len(outs))
-    on_grid = {"points": points, "rows": rows(grid_checks(planned)), "count": count}
+    given = ", ".join(f"{value:g}" for value in KEYWORDS.values())
+    on_grid = {
+        "points": points,
+        "rows": rows(grid_checks(planned)),
+        "count": count,
+        "values": values(f"on_grid({points}, 2)"),
+        "others": values(f"on_grid({points}, 2, {given})"),
+    }
     return {
         "rows": rows(checks(planned)),
         "count": count,
         "check_all": values("evaluate(checks(:, 1))"),
         "check_one": values("evaluate(checks(i, 1))"),
-        "check_grid": GRID_TEST.format(values=values(f"on_grid({points}, 2)"), **on_grid) if grid else "",
+        "check_other": values(f"evaluate(checks(:, 1), {given})"),
+        "check_single": values("evaluate(angles)"),
+        "check_doubled": values("evaluate(double(angles))"),
+        "units": ", ".join(map(repr, unit_values(planned))),
+        "check_grid": GRID_TEST.format(**on_grid) if grid else "",
         "check_lost": values("evaluate([inf; -inf; nan])"),
     }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from symbalance.codegen.checks import Check, checks, grid_checks, grid_points
+from symbalance.codegen.checks import KEYWORDS, Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.kernels import Line
 from symbalance.codegen.plans import Plan
@@ -33,9 +33,7 @@ def on_grid(points, turns=1, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0):
 
     Only one period is computed, from angles that are exact; the rest repeats it.
     """
-    if not (points == int(points) >= 1 and turns == int(turns) >= 1):
-        raise ValueError(f"points = {{points}}, turns = {{turns}}: must be whole numbers, at least 1")
-    points, turns = int(points), int(turns)
+    points, turns = _whole("points", points), _whole("turns", turns)
     mass, radius, omega, pitch = _numbers(mass=mass, radius=radius, omega=omega, pitch=pitch)
     results = [np.empty(points*turns) for _ in OUTPUTS]
     size = min({period}, points*turns)
@@ -47,6 +45,18 @@ def on_grid(points, turns=1, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0):
             result[done:done + more] = result[:more]
             done += more
     return _given(results)
+
+
+def _whole(name, value):
+    """Return a whole number, at least 1, or refuse what is none: True too, nan and None."""
+    try:
+        number = int(value)
+        fits = bool(number == value >= 1) and "bool" not in type(value).__name__
+    except (TypeError, ValueError, OverflowError):
+        fits = False
+    if not fits:
+        raise ValueError(f"{{name}} = {{value!r}}: must be a whole number, at least 1")
+    return number
 '''
 CALL_DOC = '''
     """Return the outputs at crank angles `theta` (radians, any shape), in SI units.
@@ -62,13 +72,22 @@ ARGUMENTS = '''
 
 def _crank_angles(theta):
     """Return theta as an array of real numbers, or refuse what is none."""
-    if isinstance(theta, np.ma.MaskedArray):
+    if isinstance(theta, np.ma.MaskedArray) or isinstance(theta, (list, tuple)) and _has_mask(theta):
         remedy = "theta.compressed() or theta.astype(float).filled(np.nan)"
         raise TypeError(f"theta is a masked array: its mask would be lost, pass {remedy}")
     theta = np.asarray(theta)
     if theta.dtype.kind not in "fiub":
         raise TypeError(f"theta holds {theta.dtype}: crank angles are real numbers, in radians")
     return theta
+
+
+def _has_mask(angles):
+    """Tell whether a list, or one inside it, holds a masked array or `np.ma.masked`."""
+    kinds = set(map(type, angles))  # few, however long the list
+    if any(issubclass(kind, np.ma.MaskedArray) for kind in kinds):
+        return True
+    lists = [kind for kind in kinds if issubclass(kind, (list, tuple))]
+    return bool(lists) and any(_has_mask(a) for a in angles if isinstance(a, (list, tuple)))
 
 
 def _numbers(**keywords):
@@ -81,7 +100,12 @@ def _numbers(**keywords):
         is_real = array.dtype.kind in "fiu" or number
         if array.ndim or not is_real or isinstance(value, np.ma.MaskedArray):
             raise TypeError(f"{name} = {value!r}: must be one real number, in SI units")
-    return map(float, keywords.values())
+    try:
+        return list(map(float, keywords.values()))
+    except OverflowError:
+        most = float(np.finfo(float).max)
+        names = " and ".join(name for name, value in keywords.items() if abs(value) > most)
+        raise ValueError(f"{names} is beyond every double: {most:.2g} is the largest") from None
 
 
 def _results(theta, kind, out):
@@ -118,26 +142,55 @@ SELF_TEST = '''
 CHECKS = (
 {rows}
 )
+# Keywords that tell each from every other, and what they make of a value of 1.
+KEYWORDS = {keywords!r}
+UNITS = ({units},)
 {grid_rows}
 
 def self_test():
-    """Compare with the true values, singly and as an array; raise AssertionError past a bound."""
-    together = evaluate(np.array([check[0] for check in CHECKS]))
-    for i, (theta, values, allowed) in enumerate(CHECKS):
-        alone = evaluate(theta)
-        for name, value, off in zip(OUTPUTS, values, allowed):
-            one, many = (alone, together) if len(OUTPUTS) == 1 else (alone[name], together[name])
-            for found in (float(one), float(many[i])):
-                _compare(f"{{name}}({{theta!r}})", found, value, off)
+    """Compare with the true values: single angles, arrays of several blocks, float32, keywords.
+
+    AssertionError where a value is past its bound.
+    """
+    theta = np.array([check[0] for check in CHECKS])
+    for i in range(len(CHECKS)):
+        _compare("alone", evaluate(CHECKS[i][0]), CHECKS, [i])
+    _compare("together", evaluate(theta), CHECKS, range(len(CHECKS)))
+    _compare("with keywords", evaluate(theta, **KEYWORDS), CHECKS, range(len(CHECKS)), UNITS)
+    near = np.flatnonzero(np.abs(theta) <= LIMIT)
+    row = np.resize(near, 3*BLOCK + 1)
+    row[BLOCK:2*BLOCK] = np.resize(np.arange(len(CHECKS)), BLOCK)  # this block has far angles too
+    empty = [np.full(row.size, np.nan) for _ in OUTPUTS]
+    _compare("in blocks", evaluate(theta[row], out=_given(empty)), CHECKS, row)
+    _compare_single(theta)
     lost = evaluate(np.array([np.inf, -np.inf, np.nan]))
     for values in [lost] if len(OUTPUTS) == 1 else lost.values():
         if not np.isnan(values).all():
             raise AssertionError(f"not NaN where theta is not finite: {{values}}")
 {grid}
 
-def _compare(where, found, true, allowed):
-    if not abs(found - true) <= allowed:  # no assert: python -O would leave it out
-        raise AssertionError(f"{{where}} = {{found!r}}, true {{true!r}}")
+def _compare(where, found, checks, rows, units=(1.0,)*len(OUTPUTS)):
+    """Compare values with those of rows of checks, in units; a unit that is not 1 is a rounding more."""
+    for j, (name, unit) in enumerate(zip(OUTPUTS, units)):
+        values = np.ravel(found if len(OUTPUTS) == 1 else found[name])
+        true, allowed = (np.array([check[k][j] for check in checks])[rows] for k in (1, 2))
+        allowed = unit*allowed if unit == 1.0 else 2.0*unit*allowed
+        wrong = np.flatnonzero(~(np.abs(values - unit*true) <= allowed))
+        if wrong.size:  # no assert: python -O would leave it out
+            i = wrong[0]
+            at = f"{{name}} {{where}}, theta = {{checks[rows[i]][0]!r}}"
+            raise AssertionError(f"{{at}}: {{float(values[i])!r}}, true {{float(unit*true[i])!r}}")
+
+
+def _compare_single(theta):
+    """Compare values at float32 angles, which are rounded once, with those at the same doubles."""
+    single = theta.astype(np.float32)
+    values, true = evaluate(single), evaluate(single.astype(np.float64))
+    for j, name in enumerate(OUTPUTS):
+        one, other = (values, true) if len(OUTPUTS) == 1 else (values[name], true[name])
+        allowed = 2.0**-23*np.abs(other) + np.array([check[2][j] for check in CHECKS])
+        if one.dtype != np.float32 or not np.all(np.abs(one - other) <= allowed):
+            raise AssertionError(f"{{name}} at float32 angles: {{one}}, in double {{other}}")
 
 
 if __name__ == "__main__":
@@ -150,11 +203,12 @@ GRID_CHECKS = (
 {rows}
 )
 """
-GRID_TEST = """    grid = on_grid({points}, 2)
-    for i, (theta, values, allowed) in enumerate(GRID_CHECKS):
-        for name, value, off in zip(OUTPUTS, values, allowed):
-            found = grid if len(OUTPUTS) == 1 else grid[name]
-            _compare(f"{{name}} on the grid, {{theta!r}}", float(found[i]), value, off)
+FINER = 4099
+"""A prime above every order: a grid so many times finer has a period of more than a block."""
+GRID_TEST = """    _compare("on the grid", on_grid({points}, 2), GRID_CHECKS, range({twice}))
+    finer = on_grid({points}*{finer}, **KEYWORDS)
+    every = [(finer if len(OUTPUTS) == 1 else finer[name])[::{finer}] for name in OUTPUTS]
+    _compare("on a fine grid", _given(every), GRID_CHECKS, range({points}), UNITS)
 """
 
 
@@ -232,10 +286,13 @@ def self_test(planned: Plan, grid: bool) -> str:
     """Return the checks and the function that makes them; `grid` where there is `on_grid` to check."""
     points = grid_points(planned)
     grid_rows = GRID_ROWS.format(points=points, rows=_rows(grid_checks(planned))) if grid else ""
+    test = GRID_TEST.format(points=points, twice=2 * points, finer=FINER)
     return SELF_TEST.format(
         rows=_rows(checks(planned)),
+        keywords=KEYWORDS,
+        units=", ".join(map(repr, unit_values(planned))),
         grid_rows=grid_rows,
-        grid=GRID_TEST.format(points=points) if grid else "",
+        grid=test if grid else "",
     )
 
 

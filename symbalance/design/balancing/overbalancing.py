@@ -149,6 +149,9 @@ def best_forward(backward: Number, vertical: object = 1, lateral: object = 1) ->
     >>> best_forward(Phasor.of(1, {0: 1}), 1, 0).rational()  # a force straight to the side
     Fraction(-1, 1)
     """
+    if not isinstance(backward, Number):
+        what, rule = f"backward = {shown(backward)}", "must be a part of an order, a Phasor"
+        raise SymbalanceError(what, rule, "give first_order(layout).backward")
     return backward.conjugate().scaled(-_tilt(vertical, lateral))
 
 
