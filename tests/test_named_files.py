@@ -230,3 +230,21 @@ def test_the_sidecar_beside_is_no_result_though_another_is_read(name, more, fold
     err = refused(capsys, f"check notes.md --symbols other.toml{more} -o", name)
     assert "is the sidecar beside notes.md, and would be replaced" in err
     assert contents(folder) == before
+
+
+@pytest.mark.parametrize(
+    ("command", "wanted"),
+    [
+        ("balance {}", "an engine file"),
+        ("check {}", "a .tex, .md or .txt file"),
+        ("check notes.md --symbols {}", "a symbols file"),
+        ("assign e.toml --parts {}", "a CSV file of parts"),
+        ("torque e.toml --bore 80 --rpm 1000 --pressure {}", "a CSV file of angles and pressures"),
+    ],
+)
+def test_a_refusal_names_the_file_that_is_wanted(command, wanted, folder, capsys):
+    assert f"is a directory; name {wanted}" in refused(capsys, command.format("./"))
+    with open("./large.md", "w", encoding="utf-8") as stream:
+        stream.write("a" * 1_100_000)
+    if "--pressure" not in command:
+        assert f"; name {wanted} within that" in refused(capsys, command.format("./large.md"))

@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from symbalance.errors import encodable_name
+
 
 def _decomposed(kind: str) -> dict[str, str]:
     """Return the raised or lowered characters, and what each is when it stands on the line."""
@@ -40,6 +42,8 @@ SIGNS = {
     "\u00a0": " ", "\u202f": " ", "\u2009": " ",
 }  # fmt: skip
 
+SAME = {c: SIGNS[c] for c in "−–—‐‑‘’“”…\u00a0\u202f\u2009"}
+"""What may be written otherwise even in somebody's own words."""
 LETTERS = {"ß": "ss", "æ": "ae", "Æ": "Ae", "œ": "oe", "Œ": "Oe", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L"}
 
 _UP, _DOWN, _GREEK = (f"[{''.join(table)}]" for table in (RAISED, LOWERED, GREEK))
@@ -70,6 +74,18 @@ def as_encodable(text: str, encoding: str) -> str:
         return text
     blocks = re.split(r"(\n(?: *\n)+)", text)  # blocks of lines, and the blank lines between them
     return "".join(_block(block, encoding) for block in blocks)
+
+
+def as_quoted(text: str, encoding: str) -> str:
+    r"""Return somebody's own words, or a file's name: as they are, or each character by its code.
+
+    They are no formula of ours, and what they mean is not known: none is changed into another.
+
+    >>> print(as_quoted("ü.md: sinωt − 1", "ascii"))
+    \xfc.md: sin\u03c9t - 1
+    """
+    text = encodable_name(text)
+    return "".join(c if encodable(c, encoding) else SAME.get(c, ascii(c)[1:-1]) for c in text)
 
 
 def as_json(text: str, encoding: str) -> str:

@@ -54,8 +54,9 @@ def _check_given(options: argparse.Namespace) -> None:
     """Refuse a name that is empty: to the system that is the working folder, and to nobody a file."""
     for option in (*READ, *WRITTEN):
         if getattr(options, option, None) == "":
+            remedy = "name a file" + (", or a preset (symbalance engines)" if option == "engine" else "")
             what = option.upper() if option in ("engine", "notes") else f"--{option}"
-            raise SymbalanceError(f"{what} ''", "is an empty name", "name a file")
+            raise SymbalanceError(f"{what} ''", "is an empty name", remedy)
     if options.command == "crankshaft" and options.output == "-":
         rule = "stands for the terminal, and this command writes a folder"
         raise SymbalanceError(
