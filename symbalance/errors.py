@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from copy import copy
 from pathlib import Path
 from traceback import extract_tb
@@ -46,7 +47,7 @@ class SymbalanceError(PicklableError, ValueError):
         head = f"{self.place}: " if self.place else ""
         tail = f"; {self.remedy}" if self.remedy else ""
         line = f"{head}{self.what}: {self.rule}{tail}"
-        return "".join(c if c.isprintable() else " " for c in line)
+        return printable(line)
 
     def within(self, place: str) -> SymbalanceError:
         """Return the same refusal, said of something inside `place`."""
@@ -59,6 +60,34 @@ class SymbalanceError(PicklableError, ValueError):
 
 class MissingPartError(SymbalanceError):
     """An optional part that is not installed; the remedy is the command that installs it."""
+
+
+def printable(text: str) -> str:
+    r"""Return a text on one line, what cannot be printed by its code; a name stays the name it is.
+
+    A byte of a file's name that is no text in the locale's encoding is one such.
+
+    >>> print(printable("b\udcff.md: one\tline"))
+    b\xff.md: one line
+    """
+    return "".join(c if c.isprintable() else " " if c in "\n\r\t\v\f" else _code(c) for c in text)
+
+
+_UNPAIRED = re.compile("[\ud800-\udfff]")
+
+
+def encodable_name(text: str, escape: str = "\\") -> str:
+    r"""Return a text with the bytes of file names that are no text by their codes; `escape` opens one.
+
+    >>> print(encodable_name("b\udcff.md, ü.md"))
+    b\xff.md, ü.md
+    """
+    return _UNPAIRED.sub(lambda found: _code(found[0]).replace("\\", escape), text)
+
+
+def _code(character: str) -> str:
+    number = ord(character)
+    return f"\\x{number - 0xDC00:02x}" if 0xDC80 <= number <= 0xDCFF else ascii(character)[1:-1]
 
 
 def fault_of(problem: BaseException) -> str:

@@ -56,6 +56,17 @@ SPELLED = {
     "3πρ/4 ≈ 2.4 ≤ 3 ≠ ±1 × 2 …": "3*pi*rho/4 ~ 2.4 <= 3 != +/-1 x 2 ...",
     "90°, 1–4, 7.4e−5": "90 deg, 1-4, 7.4e-5",
     "ΔF, Σ(k≥1) ½": "Delta_F, Sum(k>=1) (1/2)",
+    "sin (2i+1)θ + cos (n + 1)θ": "sin((2i+1)*theta) + cos((n + 1)*theta)",
+    "sin ½θ, sin²½θ, cos²(θ)λ": "sin((1/2)*theta), sin((1/2)*theta)^2, cos(theta)^2*lam",
+    "cos 2πθ, sinωt, cos nωt": "cos(2*pi*theta), sin(omega*t), cos(n*omega*t)",
+    "cos ωt², cos θ(1 + λ)": r"cos \u03c9t\xb2, cos \u03b8(1 + lam)",
+    "√ab, √λ²": r"\u221aab, \u221alam^2",
+    "λ⁻½, ⁴√2, x⁴√2": "lam^(-1/2), (2)^(1/4), x^4*sqrt(2)",
+    "₂F₁(1, 2; 3; x)": "hyp2f1(1, 2; 3; x)",
+    "ẋ² + ẍ": r"\u1e8b^2 + \u1e8d",
+    "λ(λ+1), π(1 + λ), φ(t)": "lam*(lam+1), pi*(1 + lam), phi(t)",
+    "√2(1 + √3), ω²(1 + λ)": "sqrt(2)*(1 + sqrt(3)), omega^2*(1 + lam)",
+    "3½, ½x, λ½": "(3+1/2), (1/2)*x, lam*(1/2)",
     "désaxé “Lösung” ｘ＝１": "desaxe \"Losung\" x=1",
     "λ 度 ?": "lam \\u5ea6 ?",
 }  # fmt: skip
@@ -208,3 +219,83 @@ def test_json_escapes_stand_for_the_same_characters():
     assert as_json(text, "latin-1").isascii()
     assert json.loads(as_json(text, "latin-1")) == json.loads(text)
     assert as_json(text, "utf-8") == text
+
+
+# Names of files ---------------------------------------------------------------------------------------
+
+C = "C locale"
+ENVIRONMENTS = {
+    C: C_LOCALE,
+    "ASCII asked for": {"PYTHONIOENCODING": "ascii", "LC_ALL": "C.UTF-8"},
+    "UTF-8": {"LC_ALL": "C.UTF-8"},
+}
+NAMES = {
+    (b"b\xff", C): r"b\xff",
+    (b"b\xff", "ASCII asked for"): r"b\xff",
+    (b"b\xff", "UTF-8"): r"b\xff",
+    ("ü".encode(), C): r"\xc3\xbc",
+    ("ü".encode(), "ASCII asked for"): r"\xfc",
+    ("ü".encode(), "UTF-8"): "ü",
+}
+
+
+def ended(folder, environment: str, *arguments: str | bytes) -> tuple[int, str, str]:
+    plain = {k: v for k, v in os.environ.items() if not k.startswith(("LC_", "LANG", "PYTHON"))}
+    command = [sys.executable, "-m", "symbalance", *arguments]
+    env = {**plain, **ENVIRONMENTS[environment]}
+    done = subprocess.run(command, cwd=folder, capture_output=True, check=False, env=env)
+    return done.returncode, done.stdout.decode("utf-8"), done.stderr.decode("utf-8")
+
+
+@pytest.fixture
+def folder(tmp_path):
+    if os.name != "posix" or sys.platform == "darwin":
+        pytest.skip("names of files are text here")
+    for name, _ in NAMES:
+        for ending, text in ((b".md", "$$1 = 1$$\n"), (b".toml", preset_text("inline-2"))):
+            own = "".join(line for line in text.splitlines(True) if not line.startswith("name"))
+            with open(
+                os.path.join(os.fsencode(tmp_path), name + ending), "w", encoding="utf-8"
+            ) as stream:
+                stream.write(own)
+    return tmp_path
+
+
+@pytest.mark.parametrize(("name", "environment"), NAMES)
+def test_a_file_keeps_its_name_wherever_it_is_printed(name, environment, folder):
+    shown = NAMES[name, environment]
+    code, out, err = ended(folder, environment, "check", name + b".md")
+    assert (code, err, out.splitlines()[0]) == (0, "", f"{shown}.md")
+    code, out, err = ended(folder, environment, "check", name + b".md", "--format", "json")
+    of_file = "ü" if shown == r"\xfc" else shown  # JSON escapes stand for the character
+    assert (code, err, json.loads(out)["document"]) == (0, "", f"{of_file}.md")
+    code, out, err = ended(folder, environment, "check", name + b".md", "-o", "report.txt")
+    assert (code, out, err) == (0, "", "")
+    assert (folder / "report.txt").read_text(encoding="utf-8").startswith(f"{of_file}.md\n")
+    code, out, err = ended(folder, environment, "check", name + b".md", "--format", "latex")
+    of_latex = of_file.replace("\\", r"\textbackslash{}")
+    assert rf"\section*{{{of_latex}.md}}" in out
+    code, out, err = ended(folder, environment, "check", name + b"gone.md")
+    assert (code, out) == (2, "")
+    assert err.startswith(f"symbalance: {shown}gone.md: cannot be read")
+
+
+@pytest.mark.parametrize("environment", [C, "UTF-8"])
+@pytest.mark.parametrize("form", ["text", "json", "latex"])
+def test_an_engine_is_named_by_its_file_whatever_that_is_called(form, environment, folder):
+    code, out, err = ended(folder, environment, "balance", b"b\xff.toml", "--format", form)
+    assert (code, err) == (0, "")
+    assert {"text": r"b\xff", "json": r"b\\xff", "latex": r"b\textbackslash{}xff"}[form] in out
+
+
+def test_the_words_of_notes_are_no_formulas():
+    from symbalance.cli.ascii_spelling import as_quoted
+
+    assert as_quoted("sinωt − ½λ² “ü”", "ascii") == r'sin\u03c9t - \xbd\u03bb\xb2 "\xfc"'
+    assert as_quoted("sinωt − ½λ²", "utf-8") == "sinωt − ½λ²"
+
+
+def test_what_is_printed_opens_with_no_mark():
+    assert program("engines", "--show", "v12-60", PYTHONIOENCODING="utf-8-sig").startswith(b"name")
+    document = program("derive", "--format", "latex", PYTHONIOENCODING="utf-8-sig")
+    assert document == program("derive", "--format", "latex")

@@ -285,3 +285,14 @@ def test_whole_masses_count_beside_what_turns(name):
                 total += abs(parts[n] + made)
             assert told == pytest.approx(total, rel=1e-9, abs=1e-12)
     assert found.criterion < sb.assign_parts(layout, masses, orders=[1, 2], whole=True).criterion
+
+
+@pytest.mark.parametrize("form", ["text", "json", "latex"])
+def test_orders_that_leave_nothing_are_said_to(form, tmp_path, capsys):
+    """A like engine has no odd order above 1, whatever its parts weigh."""
+    parts = tmp_path / "parts.csv"
+    rows = [f"{n},0.5,0.2,0.30{n}" for n in range(4)]
+    parts.write_text("\n".join(["name,piston,rod_reciprocating,rod_rotating", *rows]), encoding="utf-8")
+    assert run(["assign", "inline-4", "--parts", str(parts), "--orders", "7", "--format", form]) == 0
+    printed = capsys.readouterr().out
+    assert {"text": "none: these orders leave nothing", "json": '"left": []'}.get(form, "") in printed

@@ -32,8 +32,9 @@ def test_exit_codes(tmp_path, capsys):
     assert run(["check", written(tmp_path, GOOD)]) == 0
     assert run(["check", written(tmp_path, BAD)]) == 1
     assert run(["check", written(tmp_path, r"$$x = q$$")]) == 1
-    assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$")]) == 0
+    assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$" + "\n\n" + GOOD)]) == 0
     assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$" + "\n\n" + BAD)]) == 1
+    assert run(["check", "--lenient", written(tmp_path, r"$$x = q$$")]) == 1  # nothing is judged
     assert run(["check", str(tmp_path / "missing.md")]) == 2
     assert capsys.readouterr().err.count("\n") == 1
 
@@ -98,6 +99,102 @@ def test_a_fault_in_looking_for_a_correction_leaves_the_line_refuted(tmp_path, c
     (link,) = json.loads(capsys.readouterr().out)["links"]
     assert link["verdict"] == "refuted"
     assert "no correction was found, by a fault of symbalance" in link["notes"][0]
+
+
+BOUND_LINE = SIDECAR + '[[bind]]\nline = 1\nquantity = "displacement"\n'
+CHAIN = "$$2k - k = k = 2k - k$$\n\n$$3k - k = 2k$$\n"
+
+
+def boom(*_: object, **__: object) -> None:
+    raise RuntimeError("boom")
+
+
+def reported(capsys, path: str) -> list[dict]:
+    """Return what a report says that a fault of ours went into: all of it, with exit code 3."""
+    assert run(["check", path, "--format", "json"]) == 3
+    out, err = capsys.readouterr()
+    assert "RuntimeError" in err
+    return json.loads(out)["links"]
+
+
+def test_a_step_that_was_not_judged_is_told_of_beside_a_claim_that_holds(tmp_path, capsys, monkeypatch):
+    path = written(tmp_path, GOOD, BOUND_LINE)
+    assert run(["check", path]) == 0
+    monkeypatch.setattr("symbalance.notes.checking.judging.Judge.link", boom)
+    capsys.readouterr()
+    (link,) = reported(capsys, path)
+    assert link["bind"] == "displacement"
+    assert link["verdict"] == "holds_to_order"
+    assert "as a step: not judged, by a fault of symbalance: RuntimeError" in link["notes"][-1]
+
+
+def test_a_step_that_was_not_mended_is_told_of_beside_its_claim(tmp_path, capsys, monkeypatch):
+    path = written(tmp_path, BAD, BOUND_LINE)
+    monkeypatch.setattr("symbalance.notes.checking.claims.mended", lambda base, *_: base)
+    monkeypatch.setattr("symbalance.notes.checking.repair.mending.diagnosed", boom)
+    (link,) = reported(capsys, path)
+    assert (link["verdict"], link["bind"]) == ("refuted", "displacement")
+    assert "as a step: no correction was found, by a fault of symbalance" in link["notes"][-1]
+
+
+@pytest.mark.parametrize(
+    ("broken", "verdicts"),
+    [
+        ("claims.side_of", ["undecided", "undecided", "holds"]),
+        ("claims.side", ["holds", "undecided", "holds"]),
+        ("Definitions.use", ["holds", "refuted", "holds"]),
+    ],
+)
+def test_no_fault_in_judging_a_chain_loses_the_report(broken, verdicts, tmp_path, capsys, monkeypatch):
+    path = written(tmp_path, CHAIN, BOUND_LINE)
+    monkeypatch.setattr(f"symbalance.notes.checking.judging.{broken}", boom)
+    links = reported(capsys, path)
+    assert [link["verdict"] for link in links] == verdicts
+    told = [link for link in links if "fault of symbalance" in f"{link['reason']} {link.get('notes')}"]
+    assert len(told) == (2 if broken != "claims.side" else 1)
+
+
+@pytest.mark.parametrize("broken", ["unfound", "span_of", "piece"])
+def test_no_fault_in_placing_a_bind_loses_the_report(broken, tmp_path, capsys, monkeypatch):
+    text = "" if broken == "unfound" else 'text = "2k"\n'
+    bind = SIDECAR + f'[[bind]]\nline = 4\nquantity = "displacement"\n{text}'
+    path = written(tmp_path, f"{CHAIN}so much for 2k\n", bind)
+    monkeypatch.setattr(f"symbalance.notes.checking.claims.{broken}", boom)
+    links = reported(capsys, path)
+    assert [(link["line"], link["verdict"]) for link in links] == [
+        (1, "holds"), (1, "holds"), (3, "holds"), (4, "undecided")
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("line", [1, 2])
+def test_a_bound_line_that_cannot_be_read_is_counted_once(line, tmp_path):
+    bind = BOUND_LINE.replace("line = 1", f"line = {line}")
+    found = sb.check(Path(written(tmp_path, "$$x =\nr(1 - \\cos\\theta) \\unknown$$\n", bind)))
+    assert [(v.verdict, v.bind) for v in found.verdicts] == [("unreadable", "displacement")]
+    assert found.seen == 1
+    nowhere = BOUND_LINE.replace("line = 1", "line = 2")
+    found = sb.check(Path(written(tmp_path, f"$$x = q$$\nprose\n\n{GOOD}", nowhere)))
+    assert [(v.line, v.bind) for v in found.verdicts] == [(1, ""), (2, "displacement"), (4, "")]
+
+
+@pytest.mark.parametrize(
+    "relation",
+    [r"1 = \ldots", r"1 = \ldots \cdots", r"\ldots \cdots = 1", r"1 = \ldots + \ldots",
+     r"1 \approx \ldots \cdots", r"\sin x = 2(\ldots \cdots)", r"1 = 2^{\ldots\cdots}"],
+)  # fmt: skip
+def test_dots_alone_are_no_number(relation):
+    (found,) = sb.check(f"$${relation}$$", {"x": "angle"}).verdicts
+    assert (found.verdict, found.fault) == ("undecided", "")
+
+
+def test_dots_alone_give_a_letter_no_value():
+    found = sb.check(r"$$k = \ldots \cdots$$" + "\n\n$$k + 1 = 1$$", LETTERS).verdicts
+    assert found[1].verdict != "holds"
+
+
+def test_a_repair_of_a_sum_with_dots_is_no_fault():
+    (found,) = sb.check(r"$$1 = 2 + \ldots \cdots$$", {}).verdicts
+    assert (found.verdict, found.fault) == ("refuted", "")
 
 
 PRINTED_ZEROS = {
@@ -299,13 +396,13 @@ def test_the_latex_report_loses_no_character_of_the_source(compile_latex):
     printed = report_latex(sb.check(source, LETTERS))
     shown = printed[printed.index(r"\ttfamily") : printed.index(r"\par}", printed.index(r"\ttfamily"))]
     assert "?" not in shown
-    for piece in ("--", r"\surd", r"\times", r"\Delta", "désaxé", "529B]", r"\pm", "ÿ"):
+    for piece in ("--", r"\surd", r"\times", r"\Delta", "désaxé", "529B}", r"\pm", "ÿ"):
         assert piece in shown, piece
     compile_latex(printed)
 
 
 def test_every_character_of_the_report_compiles(compile_latex):
-    from symbalance.notes.checking.reports.latex import escaped
+    from symbalance.document.latex_characters import escaped
 
     ranges = ((0xA0, 0x100), (0x370, 0x400), (0x2010, 0x2040), (0x2070, 0x20A0), (0x2190, 0x2260))
     text = [escaped(chr(code)) for start, end in ranges for code in range(start, end)]

@@ -4,8 +4,9 @@ import pytest
 import sympy
 
 import symbalance as sb
+from symbalance.cli import run
 from symbalance.document.latex_parts import in_document
-from symbalance.engine.catalogue import preset_names
+from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.kinematics.slider_crank import acceleration_series
 
 SEVEN = sb.inline("1-3-5-7-6-4-2", name="seven_&_odd", ratio="7/2")
@@ -93,3 +94,17 @@ def test_formulas_compile(compile_latex):
 def test_what_has_no_latex_says_so():
     with pytest.raises(sb.SymbalanceError, match="no LaTeX form"):
         sb.to_latex(object())
+
+
+@pytest.mark.parametrize("command", ["balance {}", "torque {}", "design {}", "tolerances {} --mass 1%%"])
+def test_latex_loses_no_sign_of_an_engine_s_name(command, tmp_path, capsys, compile_latex):
+    text = preset_text("inline-2")
+    own = "".join(line for line in text.splitlines(True) if not line.startswith("name"))
+    path = tmp_path / "own.toml"
+    path.write_text('name = "λ−√度😀 µ½ é_"\n' + own, encoding="utf-8")
+    assert run([*command.replace("%%", "%").format(path).split(), "--format", "latex"]) == 0
+    printed = capsys.readouterr().out
+    for sign in (r"\lambda", r"$\surd$", "U+5EA6", "U+1F600", "U+00B5", r"\frac12", "é"):
+        assert sign in printed, sign
+    assert "?" not in printed
+    compile_latex(printed)

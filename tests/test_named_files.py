@@ -153,3 +153,98 @@ def test_every_option_that_takes_a_file_is_known():
             a.dest for a in parser._actions if a.metavar in ("FILE", "NOTES", "ENGINE", "OUT", "NAME")
         }
         assert files - {"show"} <= known
+
+
+# Pipes, empty names, the sidecar that is not read -----------------------------------------------------
+
+
+@pytest.fixture
+def pipe():
+    """Return a maker of pipes that hold a text, each by the name of its descriptor."""
+    ends = []
+
+    def made(text: str) -> str:
+        ours, theirs = os.pipe()
+        ends.append(ours)
+        os.write(theirs, text.encode("utf-8"))
+        os.close(theirs)
+        return f"/dev/fd/{ours}"
+
+    yield made
+    for end in ends:
+        os.close(end)
+
+
+@pytest.mark.skipif(not Path("/dev/fd").exists(), reason="descriptors have no names")
+@pytest.mark.parametrize(
+    ("text", "command"),
+    [
+        (ENGINE, "balance {}"),
+        (NOTES, "check {} --symbols notes.symbols.toml"),
+        (SIDECAR, "check notes.md --symbols {}"),
+        (PRESSURE, "torque e.toml --pressure {} --bore 80 --rpm 3000"),
+        (PARTS, "assign e.toml --parts {}"),
+    ],
+)
+def test_a_pipe_is_read_once_and_whole(text, command, folder, capsys, pipe):
+    assert run(command.format(pipe(text)).split()) == 0
+    printed = capsys.readouterr().out.splitlines()[1:]  # the first may have the pipe's name
+    assert run([*command.format(pipe(text)).split(), "-o", "out.txt"]) == 0
+    assert (folder / "out.txt").read_text(encoding="utf-8").splitlines()[1:] == printed
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "crankshaft crank.toml --rpm 1000 -o",
+        "balance e.toml -o",
+        "design e.toml --write",
+        "design e.toml --picture",
+        "check notes.md --symbols",
+        "assign e.toml --parts",
+        "torque e.toml --bore 80 --pressure",
+        "bench accuracy -o",
+        "check",
+        "balance",
+    ],
+)
+def test_an_empty_name_is_refused_before_anything_is_done(command, folder, capsys):
+    (folder / "crank.toml").write_text(sheet(), encoding="utf-8")
+    before = contents(folder)
+    assert "'': is an empty name; name a file" in refused(capsys, command, "")
+    assert contents(folder) == before
+
+
+def test_a_folder_of_results_is_not_the_terminal(folder, capsys):
+    (folder / "crank.toml").write_text(sheet(), encoding="utf-8")
+    assert "--output -: stands for the terminal" in refused(capsys, "crankshaft crank.toml -o -")
+    assert not (folder / "-").exists()
+
+
+@pytest.mark.parametrize("more", ["", " --declare"])
+@pytest.mark.parametrize("name", ["notes.symbols.toml", "./NOTES"])
+def test_the_sidecar_beside_is_no_result_though_another_is_read(name, more, folder, capsys):
+    if name == "./NOTES":
+        os.link("notes.symbols.toml", name)
+    before = contents(folder)
+    err = refused(capsys, f"check notes.md --symbols other.toml{more} -o", name)
+    assert "is the sidecar beside notes.md, and would be replaced" in err
+    assert contents(folder) == before
+
+
+@pytest.mark.parametrize(
+    ("command", "wanted"),
+    [
+        ("balance {}", "an engine file"),
+        ("check {}", "a .tex, .md or .txt file"),
+        ("check notes.md --symbols {}", "a symbols file"),
+        ("assign e.toml --parts {}", "a CSV file of parts"),
+        ("torque e.toml --bore 80 --rpm 1000 --pressure {}", "a CSV file of angles and pressures"),
+    ],
+)
+def test_a_refusal_names_the_file_that_is_wanted(command, wanted, folder, capsys):
+    assert f"is a directory; name {wanted}" in refused(capsys, command.format("./"))
+    with open("./large.md", "w", encoding="utf-8") as stream:
+        stream.write("a" * 1_100_000)
+    if "--pressure" not in command:
+        assert f"; name {wanted} within that" in refused(capsys, command.format("./large.md"))

@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 import unicodedata
 
+from symbalance.errors import encodable_name
+
 
 def _decomposed(kind: str) -> dict[str, str]:
     """Return the raised or lowered characters, and what each is when it stands on the line."""
@@ -40,11 +42,27 @@ SIGNS = {
     "\u00a0": " ", "\u202f": " ", "\u2009": " ",
 }  # fmt: skip
 
+SAME = {c: SIGNS[c] for c in "−–—‐‑‘’“”…\u00a0\u202f\u2009"}
+"""What may be written otherwise even in somebody's own words."""
 LETTERS = {"ß": "ss", "æ": "ae", "Æ": "Ae", "œ": "oe", "Œ": "Oe", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L"}
 
 _UP, _DOWN, _GREEK = (f"[{''.join(table)}]" for table in (RAISED, LOWERED, GREEK))
-_FUNCTION = re.compile(rf"\b(a?(?:sin|cos|tan))({_UP}*) ?((?:\d+|[A-Za-z])*{_GREEK}{_DOWN}*)(?![\w(])")
-_UNDER_ROOT = re.compile(rf"√*(?:\d+(?:\.\d+)?|(?:[A-Za-z]|{_GREEK}){_DOWN}*)")
+_PARTS = "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
+_ATOM = rf"(?:\d+(?:\.\d+)?|[{_PARTS}]|(?!a?(?:sin|cos|tan))[A-Za-z]{_DOWN}*|{_GREEK}{_DOWN}*)"
+_NAME = r"\b(a?(?:sin|cos|tan))"
+_PRODUCT = rf"{_ATOM}*{_GREEK}{_DOWN}*{_ATOM}*"
+_FUNCTION = re.compile(rf"{_NAME}({_UP}*)(?: ?({_PRODUCT})| (\([^()]*\){_PRODUCT}))(?![\w(]|{_UP})")
+"""sin²nωt or sin (2i+1)θ: the argument goes as far as the product that is written without a space."""
+_OPEN_FUNCTION = re.compile(rf"{_NAME}{_UP}* ?{_PRODUCT}{_UP}*")
+_ROOT_SIGN = r"\u221a"
+_POWER_OF_FUNCTION = re.compile(rf"{_NAME}({_UP}+)(\([^()]*\))")
+_SERIES = re.compile("([₀-₉])F([₀-₉])(?=\\()")
+_MIXED = re.compile(rf"(?<![\w.])(\d+)([{_PARTS}])")
+_UNDER_ROOT = re.compile(
+    rf"√*(?:\d+(?:\.\d+)?|[{_PARTS}]|(?:[A-Za-z]|{_GREEK}){_DOWN}*(?![A-Za-z]|{_GREEK}))(?!{_UP})"
+)
+_FACTORS = "λπρ"
+"""Letters that are no functions: λ(λ + 1) is a product."""
 _RULE = re.compile(r" *─[─ ]*$")
 _CELL = re.compile(r"\S+(?: \S+)*")
 
@@ -70,6 +88,18 @@ def as_encodable(text: str, encoding: str) -> str:
         return text
     blocks = re.split(r"(\n(?: *\n)+)", text)  # blocks of lines, and the blank lines between them
     return "".join(_block(block, encoding) for block in blocks)
+
+
+def as_quoted(text: str, encoding: str) -> str:
+    r"""Return somebody's own words, or a file's name: as they are, or each character by its code.
+
+    They are no formula of ours, and what they mean is not known: none is changed into another.
+
+    >>> print(as_quoted("ü.md: sinωt − 1", "ascii"))
+    \xfc.md: sin\u03c9t - 1
+    """
+    text = encodable_name(text)
+    return "".join(c if encodable(c, encoding) else SAME.get(c, ascii(c)[1:-1]) for c in text)
 
 
 def as_json(text: str, encoding: str) -> str:
@@ -140,32 +170,76 @@ def _table(lines: list[str], rule: int, encoding: str) -> list[str]:
 
 def _spelled(line: str, encoding: str) -> str:
     """Return one line, or a piece of one, with every sign of a formula spelled in ASCII."""
-    line = _FUNCTION.sub(r"\1(\3)\2", line)
-    out = ""
-    at = 0
+    line, out, at = _bracketed_arguments(line), "", 0
     while at < len(line):
-        character = line[at]
-        end = at + 1
+        character, end = line[at], at + 1
+        follows = line[end : end + 1]
         if character in RAISED or character in LOWERED:
-            table, mark = (RAISED, "^") if character in RAISED else (LOWERED, "_")
-            while end < len(line) and line[end] in table:
-                end += 1
-            out += mark + _bracketed(_spelled("".join(table[c] for c in line[at:end]), encoding))
-            out += "*" if end < len(line) and _is_factor(line[end]) else ""
+            piece, end = _script(line, at, out, encoding)
+            out += piece
         elif character == "√":
-            out += "*" if _ends_factor(out) else ""
-            found = None if line[end : end + 1] == "(" else _UNDER_ROOT.match(line, end)
-            out += "sqrt" + (f"({_spelled(found[0], encoding)})" if found else "")
-            end = found.end() if found else end
+            piece, end = _root(line, end, encoding)
+            out += ("*" if _ends_factor(out) else "") + piece
         elif character in GREEK:
-            out += "*" if _ends_factor(out) else ""
-            out += GREEK[character]
-            if line[end : end + 1].isascii() and line[end : end + 1].isalpha():
+            out += ("*" if _ends_factor(out) and not out.endswith(_ROOT_SIGN) else "") + GREEK[character]
+            if follows.isascii() and follows.isalpha():
                 out += "_" if character == "Δ" else "*"
+            elif character in _FACTORS and follows == "(":
+                out += "*"
+        elif character in _PARTS:
+            out += ("*" if _ends_factor(out) else "") + f"({_fraction(character)})"
+            out += "*" if follows == "(" or (follows.isascii() and follows.isalpha()) else ""
         else:
             out += _sign(character, encoding)
         at = end
     return out
+
+
+def _bracketed_arguments(line: str) -> str:
+    """Return a line with the arguments of its functions in brackets, as far as they can be told."""
+    line = _SERIES.sub(lambda m: f"hyp{LOWERED[m[1]]}f{LOWERED[m[2]]}", line)
+    line = _MIXED.sub(lambda m: f"({m[1]}+{_fraction(m[2])})", line)
+    line = _POWER_OF_FUNCTION.sub(r"\1\3\2", line)
+    line = _FUNCTION.sub(lambda m: f"{m[1]}({m[3] or m[4]}){m[2]}", line)
+    return _OPEN_FUNCTION.sub(lambda m: ascii(m[0])[1:-1], line)
+
+
+def _script(line: str, at: int, out: str, encoding: str) -> tuple[str, int]:
+    """Return the spelling of the raised or lowered characters at a place, and where they end."""
+    table, mark = (RAISED, "^") if line[at] in RAISED else (LOWERED, "_")
+    end = at
+    while end < len(line) and line[end] in table:
+        end += 1
+    plain = "".join(table[c] for c in line[at:end])
+    if mark == "^" and line[end : end + 1] == "√" and not _ends_factor(out):  # ³√2, not x³√2
+        under = _UNDER_ROOT.match(line, end + 1)
+        if under is None:
+            return ascii(line[at : end + 1])[1:-1], end + 1
+        return f"({_spelled(under[0], encoding)})^(1/{plain})", under.end()
+    if mark == "^" and plain in ("-", "+") and line[end : end + 1] in tuple(_PARTS):
+        plain += _fraction(line[end])
+        end += 1
+    follows = line[end : end + 1]
+    times = "*" if follows and (_is_factor(follows) or (mark == "^" and follows == "(")) else ""
+    return mark + _bracketed(_spelled(plain, encoding)) + times, end
+
+
+def _root(line: str, end: int, encoding: str) -> tuple[str, int]:
+    """Return the spelling of a root whose sign ends at a place, and where it ends.
+
+    How far it goes where letters follow each other is not told: its sign is then left, by its code.
+    """
+    if line[end : end + 1] == "(":
+        return "sqrt", end
+    under = _UNDER_ROOT.match(line, end)
+    if under is None:
+        return _ROOT_SIGN, end
+    times = "*" if line[under.end() : under.end() + 1] == "(" else ""
+    return f"sqrt({_spelled(under[0], encoding)}){times}", under.end()
+
+
+def _fraction(character: str) -> str:
+    return unicodedata.normalize("NFKD", character).replace("\u2044", "/")
 
 
 def _bracketed(exponent: str) -> str:
@@ -175,7 +249,9 @@ def _bracketed(exponent: str) -> str:
 
 def _is_factor(character: str) -> bool:
     """Tell whether a product goes on with this character: r²ω is r^2*omega."""
-    return character in GREEK or character == "√" or (character.isascii() and character.isalpha())
+    return (
+        character in GREEK or character in ("√", *_PARTS) or (character.isascii() and character.isalpha())
+    )
 
 
 def _ends_factor(out: str) -> bool:
@@ -191,6 +267,8 @@ def _sign(character: str, encoding: str) -> str:
     if encodable(character, encoding):
         return character
     bare = unicodedata.normalize("NFKD", LETTERS.get(character, character))
+    if "\u0307" in bare or ("\u0308" in bare and bare[0] not in "aeiouAEIOU"):
+        return ascii(character)[1:-1]  # a derivative by time, which is not the letter
     bare = "".join(c for c in bare if not unicodedata.combining(c))
     if unicodedata.decomposition(character).startswith("<fraction>"):
         bare = f"({bare.replace(chr(0x2044), '/')})"

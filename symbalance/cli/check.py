@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from pathlib import Path
 
+from symbalance.cli.ascii_spelling import as_quoted
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
 from symbalance.cli.output import write
 from symbalance.errors import SymbalanceError
@@ -31,7 +33,8 @@ def run(options: argparse.Namespace) -> int:
     elif options.format == "latex":
         printed = report_latex(checked)
     else:
-        printed = report_text(checked)
+        encoding = "utf-8" if options.output not in (None, "-") else sys.stdout.encoding or "utf-8"
+        printed = report_text(checked, quoted=lambda text: as_quoted(text, encoding))
     write(printed.rstrip("\n") + "\n", options.output, options.format or "text")
     for verdict in checked.faults:
         say_fault(f"line {verdict.line} of {options.notes}: {verdict.fault}", verdict.traceback)

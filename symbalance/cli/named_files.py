@@ -25,11 +25,13 @@ IN_FOLDER = ("report.*", "curves-*.csv", "loads-*.csv", "*.png", "webs.json")
 
 
 def check_named_files(options: argparse.Namespace) -> None:
-    """Refuse a command line that would replace a file it reads, or write two results to one file."""
+    """Refuse a command line that would replace a person's own file, or write two results to one file."""
+    _check_given(options)
     written = list(_written(options))
     if not written:
         return
     read = [(path, status) for path in _read(options) if (status := _regular(path)) is not None]
+    passed_over = [status for path in _passed_over(options) if (status := _regular(path)) is not None]
     taken: dict[tuple[str, ...], str] = {}
     for option, path in written:
         status = _regular(path)
@@ -39,17 +41,34 @@ def check_named_files(options: argparse.Namespace) -> None:
             if str(path) == str(same[0]):
                 rule = "is a file that is read, and would be replaced"
             raise SymbalanceError(f"--{option} {path}", rule, "name another file")
+        if status is not None and any(os.path.samestat(status, other) for other in passed_over):
+            rule = f"is the sidecar beside {options.notes}, and would be replaced"
+            raise SymbalanceError(f"--{option} {path}", rule, "name another file")
         key = _place(path)
         if taken.setdefault(key, option) != option:
             rule = f"is named by --{taken[key]} too, and one of the two would be lost"
             raise SymbalanceError(f"--{option} {path}", rule, "name a file of its own for each")
 
 
+def _check_given(options: argparse.Namespace) -> None:
+    """Refuse a name that is empty: to the system that is the working folder, and to nobody a file."""
+    for option in (*READ, *WRITTEN):
+        if getattr(options, option, None) == "":
+            remedy = "name a file" + (", or a preset (symbalance engines)" if option == "engine" else "")
+            what = option.upper() if option in ("engine", "notes") else f"--{option}"
+            raise SymbalanceError(f"{what} ''", "is an empty name", remedy)
+    if options.command == "crankshaft" and options.output == "-":
+        rule = "stands for the terminal, and this command writes a folder"
+        raise SymbalanceError(
+            "--output -", rule, "name a folder, or leave it out; --format says what is printed"
+        )
+
+
 def _written(options: argparse.Namespace) -> Iterator[tuple[str, Path]]:
     """Yield the option and the path of each file the command would write."""
     for option in WRITTEN:
         name = getattr(options, option, None)
-        if name in (None, "-", ""):
+        if name in (None, "-"):
             continue
         path = Path(name)
         if options.command == "crankshaft":
@@ -85,6 +104,15 @@ def _read(options: argparse.Namespace) -> Iterator[Path]:
             yield from _declared(Path(name), options.symbols is None)
 
 
+def _passed_over(options: argparse.Namespace) -> list[Path]:
+    """Return the sidecars beside the notes where another is named: not read, but no place for results."""
+    if options.command != "check" or options.symbols is None:
+        return []
+    from symbalance.notes.checking.documents import sidecars_beside
+
+    return sidecars_beside(Path(options.notes))
+
+
 def _is_file(engine: str) -> bool:
     """Tell whether an engine is a file; a preset's name is none, though a file may be called so."""
     return engine.endswith(".toml") or "/" in engine or "\\" in engine
@@ -99,6 +127,8 @@ def _declared(notes: Path, beside: bool) -> Iterator[Path]:
     for sidecar in sidecars_beside(notes) if beside else ():
         yield sidecar
         yield from _named_in(sidecar)
+    if _regular(notes) is None:  # what a pipe holds can be read only once
+        return
     with suppress(SymbalanceError):  # what cannot be read is refused where it is read
         yield from _named_by(without_header(read_text(notes), notes.suffix)[1], notes.parent)
 
@@ -106,6 +136,8 @@ def _declared(notes: Path, beside: bool) -> Iterator[Path]:
 def _named_in(path: Path) -> Iterator[Path]:
     from symbalance.text.files import read_text
 
+    if _regular(path) is None:  # what a pipe holds can be read only once
+        return
     with suppress(SymbalanceError):  # what cannot be read is refused where it is read
         yield from _named_by(read_text(path), path.parent)
 

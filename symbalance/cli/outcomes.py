@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 from traceback import format_exception
 
-from symbalance.errors import SymbalanceError, fault_of
+from symbalance.errors import SymbalanceError, fault_of, printable
 
 DONE = 0
 FAILED = 1
@@ -26,7 +26,7 @@ _HOME = Path(__file__).parent.parent
 
 def say(line: str) -> None:
     """Print one line on stderr; where that is closed or full, the exit code has to speak alone."""
-    clean = "".join(c if c.isprintable() else " " for c in line)
+    clean = printable(line)
     with suppress(OSError, ValueError, AttributeError):
         encoding = sys.stderr.encoding or "ascii"
         print(clean.encode(encoding, "backslashreplace").decode(encoding), file=sys.stderr, flush=True)

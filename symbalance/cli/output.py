@@ -12,8 +12,10 @@ from errno import EINVAL
 from pathlib import Path
 
 from symbalance.cli.ascii_spelling import as_encodable, as_json
-from symbalance.errors import SymbalanceError
+from symbalance.errors import SymbalanceError, encodable_name
 
+ESCAPES = {"json": "\\\\"}
+"""How a backslash is written, where one stands for a byte of a file's name that is no text."""
 SPELLINGS = {"text": as_encodable, "json": as_json}
 
 
@@ -36,6 +38,7 @@ def write(text: str, output: str | None, form: str = "text") -> None:
     spelled in ASCII, "json" escapes them, and any other form, "latex" or "source", is for programs and
     stays UTF-8 whatever the locale.
     """
+    text = encodable_name(text, ESCAPES.get(form, "\\"))
     if output in (None, "-"):
         _to_stdout(text, form)
         return
@@ -49,7 +52,11 @@ def write_files(contents: Mapping[str, str | bytes]) -> None:
     try:
         for name, content in contents.items():
             path = Path(os.path.realpath(name))
-            data = content.encode("utf-8") if isinstance(content, str) else content
+            if isinstance(content, str):
+                escape = ESCAPES["json"] if path.suffix == ".json" else "\\"
+                data = encodable_name(content, escape).encode("utf-8")
+            else:
+                data = content
             temporary = _staged(data, path)
             if temporary:
                 staged.append((temporary, path))
@@ -80,16 +87,12 @@ def _to_stdout(text: str, form: str) -> None:
     with _stdout():
         if form in SPELLINGS:
             sys.stdout.write(SPELLINGS[form](text, encoding))
-        elif _is_utf8(encoding):
+        elif encoding.lower().replace("_", "-") in ("utf-8", "utf8"):  # utf-8-sig would open with a mark
             sys.stdout.write(text)
         else:
             sys.stdout.flush()
             sys.stdout.buffer.write(text.encode("utf-8"))
         sys.stdout.flush()
-
-
-def _is_utf8(encoding: str) -> bool:
-    return encoding.lower().replace("_", "-") in ("utf-8", "utf8", "utf-8-sig")
 
 
 @contextmanager

@@ -85,7 +85,9 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
         help="what the letters mean, and what lines claim; default: NOTES.symbols.toml beside it",
     )
     parser.add_argument(
-        "--lenient", action="store_true", help="exit 0 although something could not be read"
+        "--lenient",
+        action="store_true",
+        help="exit 0 although something could not be read; still 1 where nothing could",
     )
     parser.add_argument(
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from symbalance.document.latex_characters import letter
+from symbalance.errors import encodable_name
+
 ROWS_PER_TABLE = 36
 
 _PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
@@ -24,12 +27,12 @@ def in_document(body: str) -> str:
 
 
 def escaped(text: str) -> str:
-    r"""Return text with LaTeX's own characters taken literally, other scripts as question marks.
+    r"""Return text with LaTeX's own characters taken literally, others by their command or their code.
 
     >>> print(escaped("1 % of m r ω²"))
     1 \% of m r \(\omega\)\(^2\)
     """
-    return "".join(_ESCAPED.get(c, c if 32 <= ord(c) < 256 else "?") for c in text)
+    return "".join(_ESCAPED.get(c, c if 32 <= ord(c) < 127 else letter(c)) for c in encodable_name(text))
 
 
 _ESCAPED = {c: f"\\{c}" for c in "&%$#_{}"}

@@ -18,7 +18,7 @@ from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.layout import Layout, check_link_mass, checked_name, checked_strokes
 from symbalance.engine.trains import OWN, ROD, CrankTrain, Link, checked_size
 from symbalance.engine.unlike import kinds
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, encodable_name, shown
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.files import read_text, toml_table
 
@@ -37,7 +37,7 @@ _CYLINDER = ("number", "throw", "bank", "station", "fires", *OWN, *_LINK)
 def read_engine_file(path: str | Path) -> Layout:
     """Return the layout an engine file describes; every refusal names the file and the line."""
     text = read_text(path)
-    return parse_engine(text, str(path), default_name=Path(path).stem)
+    return parse_engine(text, str(path), default_name=encodable_name(Path(path).stem))
 
 
 def parse_engine(text: str, place: str, default_name: str = "engine") -> Layout:

@@ -13,19 +13,22 @@ from symbalance.errors import SymbalanceError
 LARGEST_FILE = 1_000_000
 
 
-def read_text(path: str | Path, largest: int = LARGEST_FILE) -> str:
-    """Return a file's text, or refuse what is missing, a directory, too large or not UTF-8."""
+def read_text(path: str | Path, largest: int = LARGEST_FILE, what: str = "an engine file") -> str:
+    """Return a file's text, or refuse what is missing, a directory, too large or not UTF-8.
+
+    `what` is the file that is wanted, as a refusal names it.
+    """
     place = str(path)
     try:
         with open(path, "rb") as stream:
             data = stream.read(largest + 1)
     except IsADirectoryError:
-        raise SymbalanceError(place, "is a directory", "name an engine file in it") from None
+        raise SymbalanceError(place, "is a directory", f"name {what} in it") from None
     except (OSError, ValueError) as problem:
         reason = getattr(problem, "strerror", None) or "not a usable path"
         raise SymbalanceError(place, f"cannot be read ({reason})", "check the path") from None
     if len(data) > largest:
-        raise SymbalanceError(place, f"is larger than {largest} bytes", "name an engine file")
+        raise SymbalanceError(place, f"is larger than {largest} bytes", f"name {what} within that")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as problem:

@@ -14,7 +14,7 @@ from symbalance.crankshaft.files.supports import Supports
 from symbalance.engine.catalogue import preset_names
 from symbalance.engine.engine_file import parse_engine
 from symbalance.engine.layout import Layout
-from symbalance.errors import SymbalanceError
+from symbalance.errors import SymbalanceError, encodable_name
 from symbalance.text.files import read_text, toml_table
 from symbalance.text.sections import Section, Source
 
@@ -43,7 +43,7 @@ def read_running_engine(path: str | Path) -> RunningEngine:
     """Return the engine of a file with [crankshaft], [bearings] and [running]; refusals name the line."""
     refuse_preset(path)
     text, place = read_text(path), str(path)
-    layout = parse_engine(text, place, default_name=Path(path).stem)
+    layout = parse_engine(text, place, default_name=encodable_name(Path(path).stem))
     table, source = toml_table(text, place), Source(tuple(text.split("\n")), place)
     folder = Path(path).parent
     for cylinder in layout.cylinders:

@@ -18,6 +18,8 @@ from symbalance.crankshaft.reports.text import (
     reason_lines,
     speed_rows,
 )
+from symbalance.document.latex_characters import letter
+from symbalance.errors import encodable_name
 
 SPEED_HEAD = (r"rpm", r"$\lvert x\rvert/c$", r"off the orbit", r"bearing kN", r"multiplier", r"s")
 EXTREME_HEAD = ("channel", "least", "largest", "unit", "rpm", "largest orders: amplitude")
@@ -67,7 +69,7 @@ def escaped(text: str) -> str:
     >>> escaped("100 % of a_b |x|")
     '100 \\\\% of a\\\\_b \\\\textbar{}x\\\\textbar{}'
     """
-    return "".join(_SPECIAL.get(c, c if c.isascii() else "?") for c in text)
+    return "".join(_SPECIAL.get(c, c if c.isascii() else letter(c)) for c in encodable_name(text))
 
 
 def _table(title: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:

@@ -69,7 +69,7 @@ def read_curve(path: str | Path, cycle: int = 720) -> tuple[Array, Array]:
     lines and lines that begin with # are passed over.
     """
     place, points = str(path), []
-    for number, line in enumerate(read_text(path).splitlines(), 1):
+    for number, line in enumerate(read_text(path, what="a CSV file of measured curves").splitlines(), 1):
         cells = re.split(r"[,;\t]", line.strip())
         if (
             not line.strip()

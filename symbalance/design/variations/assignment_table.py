@@ -16,7 +16,7 @@ def assignment_text(found: Assignment) -> str:
     """Return the arrangement and what it leaves, for a terminal."""
     kinds, rows = _places(found)
     text = table_text(_about(found), ["cylinder", *kinds], rows)
-    left = grid([_LEFT, *_left(found)])
+    left = grid([_LEFT, *_left(found)]) if found.left else ["  none: these orders leave nothing"]
     title = f"Left, largest over a turn, force in {found.units[0]}, couple in {found.units[1]}"
     return "\n".join([text, title, *left]) + "\n"
 

@@ -114,9 +114,9 @@ def _constant(evaluator: Evaluator, node: syntax.Constant) -> Form:
 
 def _sum(evaluator: Evaluator, node: syntax.Sum) -> Form:
     total = Form.number(evaluator.domain, 0)
-    for term in node.terms:
-        if not isinstance(term, syntax.Dots):
-            total = total.plus(evaluator.form(term))
+    written = [term for term in node.terms if not isinstance(term, syntax.Dots)]
+    for term in written or node.terms:  # of dots alone: not the number 0
+        total = total.plus(evaluator.form(term))
     return total
 
 

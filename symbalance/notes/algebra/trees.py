@@ -103,7 +103,8 @@ def _constant(at: TreeValues, node: syntax.Constant) -> Any:
 
 
 def _sum(at: TreeValues, node: syntax.Sum) -> Any:
-    return at.mp.fsum(at.value(t) for t in node.terms if not isinstance(t, syntax.Dots))
+    written = [t for t in node.terms if not isinstance(t, syntax.Dots)]
+    return at.mp.fsum(at.value(t) for t in written or node.terms)  # of dots alone: not the number 0
 
 
 def _product(at: TreeValues, node: syntax.Product) -> Any:

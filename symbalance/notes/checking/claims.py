@@ -85,7 +85,23 @@ def side(
         reason = "right as it stands, though it does not follow from the side before"
     elif step is not None and step.fix is not None and base.fix is not None:
         base = replace(base, notes=(*base.notes, f"as a step: {step.fix.kind}, {step.fix.text}"))
-    return with_answer(base, answer, bind, reason)
+    return with_fault_of(step, with_answer(base, answer, bind, reason))
+
+
+def with_fault_of(step: Verdict | None, claim: Verdict) -> Verdict:
+    """Return the verdict on a claim, and in it the fault of symbalance that its relation's step met.
+
+    The claim decides, but the step was not judged, or not mended: that must not be lost with it.
+    """
+    if step is None or not step.fault or step.fault == claim.fault:
+        return claim
+    note = step.reason if step.verdict == UNDECIDED else step.notes[-1]
+    return replace(
+        claim,
+        notes=(*claim.notes, f"as a step: {note}"),
+        fault=claim.fault or step.fault,
+        traceback=claim.traceback + step.traceback,
+    )
 
 
 def _mended(
@@ -216,14 +232,29 @@ def _line_start(document: Document, bind: Bind) -> int:
     return starts[bind.line - 1]
 
 
+def name_unread(found: list[Verdict], document: Document, bind: Bind) -> bool:
+    """Say of what could not be read on a bind's line what it claims to be; tell whether there is any.
+
+    It is the last that stands on the line, as with what could be read, and is counted once.
+    """
+
+    def stands_on(span: Span) -> bool:
+        return document.line_of(span[0]) <= bind.line <= document.line_of(max(span[1] - 1, span[0]))
+
+    touching = [k for k, v in enumerate(found) if v.verdict == UNREADABLE and stands_on(v.span)]
+    if not touching:
+        return False
+    unread = found[touching[-1]]
+    titles = f"{unread.bind}; {bind.title}" if unread.bind else bind.title
+    found[touching[-1]] = replace(unread, bind=titles)
+    return True
+
+
 def unfound(document: Document, bind: Bind) -> Verdict:
-    """Return the verdict on a bind whose line holds no equation that could be read."""
+    """Return the verdict on a bind whose line holds no equation."""
     start = _line_start(document, bind)
     source = document.text[start:].split("\n", 1)[0].strip()
-    unread = [u for u in document.unreadable if u.line == bind.line]
-    reason = (
-        unread[0].what if unread else "no equation was found on this line; bind a piece of it with text"
-    )
+    reason = "no equation was found on this line; bind a piece of it with text"
     return Verdict(
         bind.line, 1, source, UNREADABLE, reason, lines=(bind.line,), bind=bind.title, span=(start, start)
     )

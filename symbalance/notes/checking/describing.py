@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from traceback import format_exception
 
 from symbalance.document.syntax import Span
@@ -83,6 +84,22 @@ def unjudged(
         fault=fault_of(problem),
         traceback="".join(format_exception(problem)),
     )
+
+
+def with_fault(
+    document: Document, chain: Chain, found: list[Verdict], problem: Exception
+) -> list[Verdict]:
+    """Return a chain's verdicts where judging broke off: what is judged stays, the rest is undecided."""
+    judged = {verdict.span for verdict in found}
+    places = [(chain.sides[k + 1].span, relation.line) for k, relation in enumerate(chain.relations)]
+    places = places or [(chain.sides[-1].span, chain.lines[0])]
+    rest = [place for place in places if place[0] not in judged]
+    if rest:
+        return [*found, *(unjudged(document, span, line, problem) for span, line in rest)]
+    fault, last = fault_of(problem), found[-1]
+    note = f"what follows may lack its letters, by a fault of symbalance: {fault}; please report it"
+    traceback = last.traceback + "".join(format_exception(problem))
+    return [*found[:-1], replace(last, notes=(*last.notes, note), fault=fault, traceback=traceback)]
 
 
 def unreadable(document: Document, found: Unreadable) -> Verdict:

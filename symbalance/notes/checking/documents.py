@@ -79,7 +79,7 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
     if isinstance(document, str) and ("\n" in document or not document.endswith(SUFFIXES)):
         return document, "text", Path()
     path = Path(document)
-    return read_text(path), str(document), path.parent
+    return read_text(path, what="a .tex, .md or .txt file"), str(document), path.parent
 
 
 def _declarations(

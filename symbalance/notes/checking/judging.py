@@ -14,7 +14,7 @@ from symbalance.notes.checking.deciding.knowledge import Given, Knowledge
 from symbalance.notes.checking.deciding.relations import judged, ordering
 from symbalance.notes.checking.deciding.steps import Answer
 from symbalance.notes.checking.definitions import Definitions
-from symbalance.notes.checking.describing import described, unjudged, unreadable
+from symbalance.notes.checking.describing import described, unjudged, unreadable, with_fault
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.letters import meaning_of
 from symbalance.notes.checking.meanings import MOVING, by_meaning
@@ -56,11 +56,12 @@ class Judge:
             own = [b for line in chain.lines for b in binds.pop(line, [])]
             found += self.chain(chain, own)
         for bind in (b for rest in binds.values() for b in rest):
-            found.append(claims.unfound(self.document, bind))
+            if not claims.name_unread(found, self.document, bind):
+                unfound = partial(claims.unfound, self.document, bind)
+                found.append(self.guarded(unfound, (0, 0), bind.line))
         for bind in self.declarations.binds:
             if bind.text:
-                span = claims.span_of(self.document, bind)
-                found.append(self.guarded(partial(self.piece, bind), span, bind.line))
+                found.append(self.guarded(partial(self.piece, bind), (0, 0), bind.line))
         return Checked(self.document, tuple(numbered(found)))
 
     def guarded(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
@@ -74,6 +75,10 @@ class Judge:
 
     def piece(self, bind: Bind) -> Verdict:
         """Return the verdict on a piece of a line that is bound to a quantity."""
+        span = claims.span_of(self.document, bind)
+        return self.guarded(partial(self._piece, bind), span, bind.line)
+
+    def _piece(self, bind: Bind) -> Verdict:
         known = self.knowledge(bind.line, bind.convention)
         names_here = frozenset(self.declarations.symbols_at(bind.line))
         return claims.piece(self.document, bind, known, names_here, self.sources)
@@ -99,12 +104,23 @@ class Judge:
         )
 
     def chain(self, chain: Chain, binds: list[Bind]) -> list[Verdict]:
-        """Return the verdicts on a chain's relations, in order."""
+        """Return the verdicts on a chain's relations, in order; none is lost by a fault of ours."""
         found: list[Verdict] = []
+        try:
+            self._judge(chain, binds, found)
+        except SymbalanceError:
+            raise  # a declaration that cannot be used
+        except Exception as problem:
+            return with_fault(self.document, chain, found, problem)
+        return found
+
+    def _judge(self, chain: Chain, binds: list[Bind], found: list[Verdict]) -> None:
+        """Add the verdicts on a chain's relations, and learn its letters."""
         sound, bad = 0, False
         bound = {claims.side_of(self.document, chain, b): b for b in binds if not b.text}
         if not chain.relations:
-            return [self.claim(chain, 0, b, None) for b in bound.values()]
+            found += [self.claim(chain, 0, b, None) for b in bound.values()]
+            return
         for k, relation in enumerate(chain.relations):
             if k == 0 and 0 in bound:
                 found.append(self.claim(chain, 0, bound[0], None))
@@ -118,7 +134,6 @@ class Judge:
             if not bad:
                 sound = k + 1
         self.learnt.use(chain)
-        return found
 
     def claim(
         self, chain: Chain, index: int, bind: Bind, step: Verdict | None, excused: bool = False

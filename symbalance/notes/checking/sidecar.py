@@ -104,7 +104,7 @@ class Declarations:
 
 def read_sidecar(path: str | Path) -> Declarations:
     """Return the declarations of a sidecar file."""
-    return parse_sidecar(read_text(path), str(path))
+    return parse_sidecar(read_text(path, what="a symbols file"), str(path))
 
 
 def parse_sidecar(text: str, place: str) -> Declarations:

@@ -100,9 +100,13 @@ class Checked:
         return self.fails()
 
     def fails(self, *, lenient: bool = False) -> bool:
-        """Tell whether the document is not to be relied on; `lenient` forgives the unreadable."""
+        """Tell whether the document is not to be relied on; `lenient` forgives the unreadable.
+
+        It does not forgive a document of which nothing could be read: of that nothing was judged.
+        """
         failing = BAD if lenient else FAILING
-        return not self.verdicts or any(v.verdict in failing for v in self.verdicts)
+        judged = any(v.verdict != UNREADABLE for v in self.verdicts)
+        return not judged or any(v.verdict in failing for v in self.verdicts)
 
     @property
     def seen(self) -> int:

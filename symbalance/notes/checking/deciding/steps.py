@@ -183,6 +183,8 @@ def without_dots(node: Node) -> tuple[Node, bool]:
     """Return a formula without the dots at the end of its sums, and whether there were any."""
     if isinstance(node, syntax.Sum):
         kept = tuple(t for t in node.terms if not isinstance(t, syntax.Dots))
+        if not kept and node.terms:  # dots alone are no number: a sum of no terms would be 0
+            return node.terms[0], True
         parts = [without_dots(t) for t in kept]
         found = len(kept) < len(node.terms) or any(cut for _, cut in parts)
         return replace(node, terms=tuple(p for p, _ in parts)), found

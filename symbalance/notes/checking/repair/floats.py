@@ -85,6 +85,8 @@ class Sieve:
             return (_CONSTANTS[node.name],) * self.points
         rule = _rule(node)
         rows = [self.values(p) for p in syntax.children(node) if not isinstance(p, syntax.Dots)]
+        if not rows:  # dots alone
+            raise NoValueError
         return tuple(rule(column) for column in zip(*rows, strict=True))
 
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-import unicodedata
 from pathlib import Path
 
+from symbalance.document.latex_characters import escaped
 from symbalance.document.syntax import Negative, Node, Sum
 from symbalance.document.syntax_latex import render_latex
 from symbalance.notes.checking.reports.text import summary, verdict_words, witness_text
@@ -22,18 +22,6 @@ _HEAD = r"""\documentclass[a4paper,10pt]{article}
 \setlength{\parindent}{0pt}
 \begin{document}
 """
-_SPECIAL = {
-    "\\": r"\textbackslash{}",
-    "{": r"\{",
-    "}": r"\}",
-    "_": r"\_",
-    "^": r"\textasciicircum{}",
-    "~": r"\textasciitilde{}",
-    "%": r"\%",
-    "&": r"\&",
-    "#": r"\#",
-    "$": r"\$",
-}
 
 
 def report_latex(checked: Checked) -> str:
@@ -132,79 +120,3 @@ def _source(verdict: Verdict) -> str:
 
 def _note(text: str) -> str:
     return rf"{{\small {escaped(text)}\par}}" + "\n"
-
-
-def escaped(text: str) -> str:
-    """Return text as LaTeX prints it; characters its standard fonts lack become their names.
-
-    >>> escaped("50 % of s_1")
-    '50 \\\\% of s\\\\_1'
-    """
-    return "".join(_SPECIAL.get(c, c if c.isascii() else _letter(c)) for c in text)
-
-
-_RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
-_LOWERED = "₀₁₂₃₄₅₆₇₈₉"
-_SIGNS = {
-    "≈": r"$\approx$",
-    "≥": r"$\geq$",
-    "≤": r"$\leq$",
-    "≠": r"$\neq$",
-    "≡": r"$\equiv$",
-    "±": r"$\pm$",
-    "∓": r"$\mp$",
-    "×": r"$\times$",
-    "÷": r"$\div$",
-    "·": r"$\cdot$",
-    "⋅": r"$\cdot$",
-    "−": "--",
-    "–": "--",
-    "—": "---",
-    "√": r"$\surd$",
-    "∞": r"$\infty$",
-    "∂": r"$\partial$",
-    "∫": r"$\int$",
-    "∑": r"$\sum$",
-    "→": r"$\to$",
-    "⇒": r"$\Rightarrow$",
-    "∴": r"$\Rightarrow$",
-    "°": r"$^{\circ}$",
-    "′": r"$'$",
-    "½": r"$\frac12$",
-    "¼": r"$\frac14$",
-    "…": "...",
-    "⋯": "...",
-    "\u00a0": " ",
-}
-
-
-def _letter(character: str) -> str:
-    """Return a character beyond ASCII as LaTeX prints it; by its code in brackets where it cannot."""
-    if character in _SIGNS:
-        return _SIGNS[character]
-    if character in _RAISED:
-        return rf"$^{{{'-0123456789'[_RAISED.index(character)]}}}$"
-    if character in _LOWERED:
-        return rf"$_{{{_LOWERED.index(character)}}}$"
-    name = unicodedata.name(character, "")
-    if greek := _greek(name):
-        return greek
-    if name.startswith("LATIN ") and character <= "\u00ff":
-        return character
-    return f"[U+{ord(character):04X}]" if character.isprintable() else " "
-
-
-def _greek(name: str) -> str:
-    """Return the letter of a Unicode name, such as GREEK SMALL LETTER THETA; empty for any other."""
-    size, _, letter = name.removeprefix("GREEK ").partition(" LETTER ")
-    letter = letter.lower().replace("lamda", "lambda")
-    if name.startswith("GREEK ") and size == "SMALL" and letter.isalpha() and letter not in _LATIN:
-        return rf"$\{letter}$"
-    if name.startswith("GREEK ") and letter in _CAPITALS:
-        return rf"$\{letter.capitalize()}$"
-    return ""
-
-
-_LATIN = ("omicron", "stigma", "digamma", "koppa", "sampi", "sho", "san", "heta")
-"""Small letters LaTeX has no name for."""
-_CAPITALS = ("gamma", "delta", "theta", "lambda", "xi", "pi", "sigma", "upsilon", "phi", "psi", "omega")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from symbalance.document.syntax import Name
 from symbalance.document.syntax_text import render
 from symbalance.notes.checking.verdicts import DEFINITION, HOLDS, REFUTED, Checked, Verdict
@@ -18,12 +20,15 @@ _TITLES = {
 }
 
 
-def report_text(checked: Checked, *, everything: bool = True) -> str:
-    """Return the report on a document: every verdict in line order, then the count."""
-    lines = [f"{checked.document.name}", ""]
+def report_text(checked: Checked, *, everything: bool = True, quoted: Callable[[str], str] = str) -> str:
+    """Return the report on a document: every verdict in line order, then the count.
+
+    `quoted` spells what is not the checker's own: the document's name and what stands in it.
+    """
+    lines = [quoted(checked.document.name), ""]
     for verdict in checked.verdicts:
         if everything or verdict.verdict not in (HOLDS, DEFINITION):
-            lines += _block(verdict)
+            lines += _block(verdict, quoted)
     return "\n".join([*lines, "", summary(checked)]) + "\n"
 
 
@@ -36,11 +41,11 @@ def summary(checked: Checked) -> str:
     return f"{checked.seen} {'relation' if checked.seen == 1 else 'relations'} seen: {listed}."
 
 
-def _block(verdict: Verdict) -> list[str]:
+def _block(verdict: Verdict, quoted: Callable[[str], str]) -> list[str]:
     place = f"{verdict.line}" if verdict.link == 1 else f"{verdict.line}.{verdict.link}"
-    head = f"{place:>6}  {verdict_words(verdict):<28} {one_line(verdict.source)}"
-    lines = [head[: WIDTH + 20]]
-    lines += [f"{'':8}{detail}" for detail in details(verdict)]
+    head = f"{place:>6}  {verdict_words(verdict):<28} {quoted(one_line(verdict.source))}"
+    lines = [head]
+    lines += [f"{'':8}{detail}" for detail in details(verdict, quoted)]
     return lines
 
 
@@ -60,7 +65,7 @@ def one_line(source: str, limit: int = 72) -> str:
     return joined if len(joined) <= limit else joined[: limit - 1] + "…"
 
 
-def details(verdict: Verdict) -> list[str]:
+def details(verdict: Verdict, quoted: Callable[[str], str] = str) -> list[str]:
     """Return what is said below a verdict's line."""
     found: list[str] = []
     if verdict.bind:
@@ -76,7 +81,7 @@ def details(verdict: Verdict) -> list[str]:
         found.append(f"found: {verdict.fix.kind}")
         for fault in verdict.fix.faults:
             put = (
-                f"for {one_line(fault.source, 48)} put {fault.should}"
+                f"for {quoted(one_line(fault.source, 48))} put {fault.should}"
                 if fault.source
                 else f"add {fault.should}"
             )

@@ -1,0 +1,108 @@
+"""Any text in LaTeX: its own characters taken literally, others as the standard fonts have them."""
+
+from __future__ import annotations
+
+import unicodedata
+
+from symbalance.errors import encodable_name
+
+_SPECIAL = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "%": r"\%",
+    "&": r"\&",
+    "#": r"\#",
+    "$": r"\$",
+}
+
+
+def escaped(text: str) -> str:
+    r"""Return text as LaTeX prints it; a character that its standard fonts lack becomes its code.
+
+    >>> print(escaped("50 % of s_1 √ 度"))
+    50 \% of s\_1 $\surd$ \texttt{U+5EA6}
+    """
+    return "".join(_SPECIAL.get(c, c if c.isascii() else letter(c)) for c in encodable_name(text))
+
+
+_RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
+_LOWERED = "₀₁₂₃₄₅₆₇₈₉"
+_SIGNS = {
+    "≈": r"$\approx$",
+    "≥": r"$\geq$",
+    "≤": r"$\leq$",
+    "≠": r"$\neq$",
+    "≡": r"$\equiv$",
+    "±": r"$\pm$",
+    "∓": r"$\mp$",
+    "×": r"$\times$",
+    "÷": r"$\div$",
+    "·": r"$\cdot$",
+    "⋅": r"$\cdot$",
+    "−": "--",
+    "–": "--",
+    "—": "---",
+    "√": r"$\surd$",
+    "∞": r"$\infty$",
+    "∂": r"$\partial$",
+    "∫": r"$\int$",
+    "∑": r"$\sum$",
+    "→": r"$\to$",
+    "⇒": r"$\Rightarrow$",
+    "∴": r"$\Rightarrow$",
+    "°": r"$^{\circ}$",
+    "′": r"$'$",
+    "½": r"$\frac12$",
+    "¼": r"$\frac14$",
+    "…": "...",
+    "⋯": "...",
+    "\u00a0": " ",
+    "\u2009": " ",
+    "\u202f": " ",
+    "≃": r"$\simeq$",
+    "∈": r"$\in$",
+    "ₓ": "$_x$",
+    "∼": r"$\sim$",
+    "‐": "-",
+    "‑": "-",
+    "‘": "`",
+    "’": "'",
+    "“": "``",
+    "”": "''",
+}
+
+
+def letter(character: str) -> str:
+    """Return a character beyond ASCII as LaTeX prints it; by its code where it cannot."""
+    if character in _SIGNS:
+        return _SIGNS[character]
+    if character in _RAISED:
+        return rf"$^{{{'-0123456789'[_RAISED.index(character)]}}}$"
+    if character in _LOWERED:
+        return rf"$_{{{_LOWERED.index(character)}}}$"
+    name = unicodedata.name(character, "")
+    if greek := _greek(name):
+        return greek
+    if name.startswith("LATIN ") and character <= "\u00ff":
+        return character
+    return rf"\texttt{{U+{ord(character):04X}}}"
+
+
+def _greek(name: str) -> str:
+    """Return the letter of a Unicode name, such as GREEK SMALL LETTER THETA; empty for any other."""
+    size, _, letter = name.removeprefix("GREEK ").partition(" LETTER ")
+    letter = letter.lower().replace("lamda", "lambda")
+    if name.startswith("GREEK ") and size == "SMALL" and letter.isalpha() and letter not in _LATIN:
+        return rf"$\{letter}$"
+    if name.startswith("GREEK ") and letter in _CAPITALS:
+        return rf"$\{letter.capitalize()}$"
+    return ""
+
+
+_LATIN = ("omicron", "stigma", "digamma", "koppa", "sampi", "sho", "san", "heta")
+"""Small letters LaTeX has no name for."""
+_CAPITALS = ("gamma", "delta", "theta", "lambda", "xi", "pi", "sigma", "upsilon", "phi", "psi", "omega")
