@@ -1,9 +1,10 @@
 """Results as the fastest functions we can write, in memory or as source in another language.
 
-From a balance to waves (`asked`, `asked_torque`: outputs, surviving
-orders, proven bounds), from waves to a plan
-(`plans`: which cosines, which polynomial, or the closed form), from a plan to text (`targets`), and
-from text to a function (`evaluators`).
+In: a balance or a torque. Out: a function in memory, or source that runs alone.
+
+    asked, asked_torque   from a result to waves: outputs, surviving orders, proven bounds
+    plans                 from waves to a plan: which cosines, which polynomial, or the closed form
+    targets               from a plan to text;  evaluators: from text to a function
 """
 
 from symbalance.codegen.asked import OUTPUTS

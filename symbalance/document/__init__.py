@@ -7,7 +7,9 @@ nothing of engines.
     syntax, syntax_printing   formulas as they were read, printed by syntax_text and syntax_latex
     symbols, notation         every symbol with its unit and LaTeX; series' letters and conventions
     expressions               exact numbers in print: roots, fractions, cosines
-    grid, plain_tables        columns that line up;  latex_parts, line_breaking: what LaTeX needs
+    letters, wordlists        Greek and function names;  decimals: as tables print them
+    grid, plain_tables        columns that line up
+    latex_parts               what LaTeX needs;  latex_characters, line_breaking: signs, long lines
     printing                  any result as text, LaTeX or JSON
 """
 

@@ -7,7 +7,9 @@ stands and turns where.
     builders, firing, stars       layouts from firing orders, banks and pins; the orders a crank allows
     balancers, rotors             counterweights and balance shafts; rotating masses
     unlike, tops                  mechanisms of single cylinders; when pistons are at the top
-    engine_file, engine_writing   engines from and to TOML;  catalogue: the presets
+    engine_file, engine_writing   engines from and to TOML;  balancer_tables: its weights and shafts
+    catalogue                     the presets
+    facts, kinds, balancer_facts  what a table says of an engine before its numbers
 """
 
 from symbalance.loading import attach

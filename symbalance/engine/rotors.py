@@ -1,4 +1,4 @@
-r"""What turns, as a spectrum: counterweights, balance shafts and the rotating masses of the crank.
+r"""What turns in an engine: counterweights, balance shafts and the rotating masses of the crank.
 
 A vector u on what turns at n times the crank's speed (n of either sign) adds u to c_n of the force and
 (station - reference plane) u to c_n of the couple (`symbalance.forces.resultants`); u is in the unit of

@@ -2,12 +2,8 @@ r"""Engines whose cylinders are not alike: offset axes, link rods, masses and st
 
 Cylinder j pushes along its axis with F_j = m_j r_j omega^2 Re sum of 2 n^2 c_n(j) e^(i n p_j), c_n the
 harmonics of its own mechanism's height (`symbalance.kinematics.mechanisms`), p_j = theta + throw -
-bank. In units of m r omega^2 of cylinder 1, with s_j = m_j r_j/(m_1 r_1),
-
-    c_{+-n} = 1/2 sum of w_j s_j e^(i bank_j) f_{+-n}(j) e^(+-i n (throw_j - bank_j)),   f_n = 2 n^2 c_n.
-
-Cylinders that are alike are summed exactly first, as in an ideal engine: where that geometry vanishes
-the order is gone, exactly; what is left of several kinds of cylinder is a number of 40 digits.
+bank. Here stand each cylinder's mechanism, its f_n = 2 n^2 c_n, its s_j = m_j r_j/(m_1 r_1), and which
+cylinders are alike; `symbalance.forces.unlike_spectrum` sums them.
 """
 
 from __future__ import annotations

@@ -4,9 +4,9 @@ In: fractions of a turn, rational weights, symbols. Out: sums that say, provably
 their exact forms.
 
     angles           exact fractions of a turn, with room for symbols
-    phasor           numbers of a cyclotomic field;  decimal_phasor: 40 digits, where nothing exact is
-    left arithmetic       sums and products of either kind;  symbol_sums: with letters for masses and
-    lengths radicals         how such a number is written: roots, or cosines where there are none
+    phasor           numbers of a cyclotomic field;  decimal_phasor: 40 digits, where none is exact
+    arithmetic       sums and products of either kind;  symbol_sums: with letters for masses, lengths
+    radicals         how such a number is written: roots, or cosines where there are none
     spectrum         one series for a planar vector: +n turns with the crank, -n against it
 """
 

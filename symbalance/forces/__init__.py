@@ -1,12 +1,12 @@
 """Free forces and couples: the sums over an engine's cylinders, order by order.
 
-In: a `Layout`. Out: a `Balance`: for each order that survives, force and couple in four components,
-exact.
+In: a `Layout`. Out: a `Balance`: force and couple of each order that survives, in four exact components.
 
     resultants                  the sums;  unlike_spectrum, rotating: unlike cylinders, what turns
     summation                   closed forms for a symbolic number of cylinders
     shafts                      the roll moment of balance shafts
-    balance_text, _latex, _json the tables
+    rows, roll_rows             components as rows of a table;  wide_formulas: too wide for one
+    balance_text, balance_latex, balance_json   the tables
 """
 
 from symbalance.loading import attach

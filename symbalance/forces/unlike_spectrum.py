@@ -1,4 +1,13 @@
-"""The free force and couple of engines whose cylinders are not alike: one sum for each group."""
+r"""The free force and couple of engines whose cylinders are not alike: one sum for each group.
+
+In units of m r omega^2 of cylinder 1, with s_j = m_j r_j/(m_1 r_1) and f_n = 2 n^2 c_n of each cylinder's
+own mechanism (`symbalance.engine.unlike`),
+
+    c_{+-n} = 1/2 sum of w_j s_j e^(i bank_j) f_{+-n}(j) e^(+-i n (throw_j - bank_j)).
+
+Cylinders that are alike are summed exactly first, as in an ideal engine: where that geometry vanishes
+the order is gone, exactly; what is left of several kinds of cylinder is a number of 40 digits.
+"""
 
 from __future__ import annotations
 

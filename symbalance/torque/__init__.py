@@ -1,19 +1,15 @@
 r"""The torque on the crank: inertia exact in lambda, gas from a pressure trace or an ideal cycle.
 
 Torque is positive on the crank in the sense of rotation; the frame gets the opposite. theta is the crank
-angle, a cylinder's own angle theta + throw - bank; all cylinders are alike and their axes meet the
-crank's.
+angle, a cylinder's own angle theta + throw - bank. One cylinder's harmonics are `symbalance.kinematics`.
 
-    inertia          t_n of one cylinder: series in 1/lambda, values exact in lambda, proved bounds
-    rod              what the rod's own inertia adds, on the crank and on the frame, in closed form
-    kinetic          the same of any mechanism: offset axes and link rods, to any number of digits
     inertia_balance  their sum over a layout, order by order;  kinds: where cylinders are not alike
     roll             the rods' part, and the whole moment that rolls the frame
     stars            star diagrams of all orders, halves in a four-stroke, closed or not: exact
     pressure         pressure traces;  csv_file reads them,  ideal makes them
-    pistons          any mechanism's piston in floating point, from its own top dead centre
     tangential       gas torque of one cylinder, work and harmonics;  gas sums it over a layout
     running          whole torque, mean, fluctuation, energy;  flywheel sizes what evens it
+    torque_text, torque_latex   the tables
 """
 
 from symbalance.forces.shafts import has_shafts_aside, shaft_moment
