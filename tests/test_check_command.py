@@ -440,3 +440,13 @@ def test_an_undecided_step_is_never_a_pass(tmp_path):
     page = r"$$\ln(k^2) = 2\ln k$$"
     found = sb.check(Path(written(tmp_path, page)))
     assert found.verdicts[0].verdict in ("undecided", "conditional", "refuted")
+
+
+def test_two_claims_for_one_side_are_refused_and_neither_is_dropped():
+    page = r"$x = r(1 - \cos \theta) + l(1 - \sqrt{1 - r^2/l^2 \sin^2 \theta})$"
+    letters = {"x": "displacement", "r": "crank radius", "l": "rod length", "theta": "crank angle"}
+    binds = [{"line": 1, "quantity": "velocity"}, {"line": 1, "quantity": "displacement"}]
+    assert sb.check(page, {"symbols": letters, "bind": binds[1:]}).verdicts[-1].verdict == "holds"
+    assert sb.check(page, {"symbols": letters, "bind": binds[:1]}).verdicts[-1].verdict == "refuted"
+    with pytest.raises(sb.SymbalanceError, match="bound twice, as velocity and as displacement"):
+        sb.check(page, {"symbols": letters, "bind": binds})

@@ -117,7 +117,7 @@ class Judge:
     def _judge(self, chain: Chain, binds: list[Bind], found: list[Verdict]) -> None:
         """Add the verdicts on a chain's relations, and learn its letters."""
         sound, bad = 0, False
-        bound = {claims.side_of(self.document, chain, b): b for b in binds if not b.text}
+        bound = self._bound(chain, binds)
         if not chain.relations:
             found += [self.claim(chain, 0, b, None) for b in bound.values()]
             return
@@ -134,6 +134,17 @@ class Judge:
             if not bad:
                 sound = k + 1
         self.learnt.use(chain)
+
+    def _bound(self, chain: Chain, binds: list[Bind]) -> dict[int, Bind]:
+        """Return what each side is bound to; two claims for one are refused, as one would go unjudged."""
+        bound: dict[int, Bind] = {}
+        for bind in (b for b in binds if not b.text):
+            other = bound.setdefault(claims.side_of(self.document, chain, bind), bind)
+            if other is not bind:
+                rule = f"is bound twice, as {other.title} and as {bind.title}"
+                remedy = "keep one, or bind a piece of the line with text"
+                raise SymbalanceError(f"line = {bind.line}", rule, remedy, f"{bind.place}: bind")
+        return bound
 
     def claim(
         self, chain: Chain, index: int, bind: Bind, step: Verdict | None, excused: bool = False
