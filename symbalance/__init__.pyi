@@ -1,4 +1,15 @@
 __version__: str
+from symbalance import codegen as codegen
+from symbalance import crankshaft as crankshaft
+from symbalance import design as design
+from symbalance import document as document
+from symbalance import engine as engine
+from symbalance import exact as exact
+from symbalance import forces as forces
+from symbalance import kinematics as kinematics
+from symbalance import notes as notes
+from symbalance import text as text
+from symbalance import torque as torque
 from symbalance.checking import check as check
 from symbalance.codegen import to_function as to_function
 from symbalance.crankshaft.assembly import assemble as assemble

@@ -19,7 +19,11 @@ _LINE = re.compile(r"^from ([\w.]+) import (\w+) as (\w+)$", re.MULTILINE)
 
 
 def attach(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """Return `__getattr__`, `__dir__` and `__all__` of a package, from the stub beside its `file`."""
+    """Return `__getattr__`, `__dir__` and `__all__` of a package, from the stub beside its `file`.
+
+    A line that imports from the package itself names a room of it, which is loaded too but is not in
+    `__all__`: `from symbalance import *` brings names, not rooms.
+    """
     stub = Path(file).with_suffix(".pyi").read_text(encoding="utf-8")
     homes = {name: home for home, name, again in _LINE.findall(stub) if name == again}
 
@@ -27,7 +31,7 @@ def attach(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
         if name not in homes:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         if homes[name] == package:
-            return import_module(f"{package}.{name}")  # a room of this package
+            return import_module(f"{package}.{name}")
         value = getattr(import_module(homes[name]), name)
         vars(import_module(package))[name] = value
         return value
@@ -35,4 +39,4 @@ def attach(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
     def names() -> list[str]:
         return sorted({*vars(import_module(package)), *homes})
 
-    return get, names, sorted(homes)
+    return get, names, sorted(name for name, home in homes.items() if home != package)

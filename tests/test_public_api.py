@@ -1,6 +1,8 @@
 """The public names: all there, loaded on first use, documented, and what the interface says they are."""
 
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -14,6 +16,13 @@ def test_every_public_name_loads_and_is_documented(name):
     value = getattr(sb, name)
     assert name in dir(sb)
     assert isinstance(value, str) or value.__doc__
+
+
+def test_every_room_loads_on_first_use():
+    """In a process of its own: any import elsewhere would have loaded the room already."""
+    code = "import symbalance as sb; print(sb.kinematics.SliderCrank(4), sb.exact.Component.__name__)"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout == "SliderCrank(ratio=Fraction(4, 1), offset=Fraction(0, 1)) Component\n"
 
 
 def test_unknown_names_are_refused():

@@ -29,7 +29,7 @@ from symbalance.codegen.cosines32 import LIMIT32, single_kernel
 from symbalance.codegen.kernels import Kernel
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.folding import folded
-from symbalance.codegen.targets.grids import repeating
+from symbalance.codegen.targets.grids import WHOLE, repeating
 from symbalance.codegen.targets.printing import Spelling, unique
 from symbalance.codegen.targets.wording import paragraphs
 from symbalance.codegen.wide import FARTHEST, MANY, widened
@@ -154,7 +154,8 @@ def _outputs({bases}, xp):
 {formulas}
     )
 '''
-GRID = '''
+GRID = (
+    '''
 
 def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0, pitch=1.0):
     """Return the outputs at theta = 2 pi j/points, j = 0, 1, ... over so many whole turns.
@@ -172,19 +173,9 @@ def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0,
     {bases} = _on_grid(index, float(points), xp)
     values = [xp.tile(value, (-(-length//period),))[:length] for value in _outputs({bases}, xp)]
     return _given([scale*value for scale, value in zip(scales, values)])
-
-
-def _whole(name, value):
-    """Return a whole number, at least 1, or refuse what is none: True too, nan and None."""
-    try:
-        number = int(value)
-        fits = bool(number == value >= 1) and "bool" not in type(value).__name__
-    except (TypeError, ValueError, OverflowError):
-        fits = False
-    if not fits:
-        raise ValueError(f"{{name}} = {{value!r}}: must be a whole number, at least 1")
-    return number
 '''
+    + WHOLE
+)
 FARTHER = 3e14
 """An angle at which every part of the period counts that reduces angles to 2^50."""
 SELF_TEST = '''

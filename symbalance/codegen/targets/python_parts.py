@@ -9,7 +9,7 @@ from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.kernels import Line
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.folding import folded
-from symbalance.codegen.targets.grids import repeating
+from symbalance.codegen.targets.grids import WHOLE, repeating
 from symbalance.codegen.targets.printing import Spelling, unique
 from symbalance.codegen.targets.wording import paragraphs
 
@@ -26,7 +26,8 @@ NUMPY = Spelling(
     constant="{} = {}",
     comment="# {}",
 )
-GRID = '''
+GRID = (
+    '''
 
 def on_grid(points, turns=1, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0):
     """Return the outputs at theta = 2 pi j/points, j = 0, 1, ... over so many whole turns.
@@ -45,19 +46,9 @@ def on_grid(points, turns=1, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0):
             result[done:done + more] = result[:more]
             done += more
     return _given(results)
-
-
-def _whole(name, value):
-    """Return a whole number, at least 1, or refuse what is none: True too, nan and None."""
-    try:
-        number = int(value)
-        fits = bool(number == value >= 1) and "bool" not in type(value).__name__
-    except (TypeError, ValueError, OverflowError):
-        fits = False
-    if not fits:
-        raise ValueError(f"{{name}} = {{value!r}}: must be a whole number, at least 1")
-    return number
 '''
+    + WHOLE
+)
 CALL_DOC = '''
     """Return the outputs at crank angles `theta` (radians, any shape), in SI units.
 
