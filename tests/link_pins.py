@@ -16,11 +16,11 @@ import symbalance as sb
 POINTS = 512
 
 
-def link_pin(layout: sb.Layout, cylinder: sb.Cylinder, theta: np.ndarray) -> np.ndarray:
+def link_pin(layout: sb.Engine, cylinder: sb.Cylinder, theta: np.ndarray) -> np.ndarray:
     """Return where a cylinder's link pin stands, vertical + i lateral, over the crank radius."""
     assert cylinder.link is not None
     master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
-    train = layout.train_of(master)
+    train = master.sizes
     assert train.stroke is not None
     assert train.rod is not None
     radius, length, aside = (float(x) for x in (train.stroke / 2, train.rod, train.offset or 0))
@@ -34,7 +34,7 @@ def link_pin(layout: sb.Layout, cylinder: sb.Cylinder, theta: np.ndarray) -> np.
     ) / radius
 
 
-def force_series(layout: sb.Layout, masses: dict[int, float]) -> dict[int, complex]:
+def force_series(layout: sb.Engine, masses: dict[int, float]) -> dict[int, complex]:
     """Return n -> c_n of the force of masses on link pins, sum of c_n e^(i n theta), in kg r omega^2.
 
     + n turns with the crank, - n against it; `masses` in kg by cylinder, r the crank radius.

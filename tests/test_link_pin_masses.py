@@ -56,7 +56,7 @@ def test_a_link_pin_on_the_crank_pins_axis_is_the_crank_pin():
     rows = [sb.Cylinder(1, rotating_mass=1)]
     rows += [sb.Cylinder(2, 0, 60, rod=160, link=sb.Link(1, 60, 0), rotating_mass="1/2")]
     sizes = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1))
-    forked = sb.Layout(rows, crank_train=sizes)
+    forked = sb.from_cylinders(rows, crank_train=sizes)
     found = force_series(forked, {2: 1.0})
     assert found[1] == pytest.approx(1)
     assert max(abs(c) for n, c in found.items() if n != 1) < 1e-10
@@ -90,13 +90,13 @@ def test_files_refuse_a_link_rods_rotating_mass_where_it_stands(capsys, tmp_path
 def test_python_refuses_it_too():
     rows = [sb.Cylinder(1), sb.Cylinder(2, 0, 72, rod=186, link=sb.Link(1, 72, 54))]
     sizes = {"stroke": Fraction(130), "rod": Fraction(240), "reciprocating_mass": Fraction(2)}
-    fine = sb.Layout(rows, crank_train=sb.CrankTrain(**sizes))
+    fine = sb.from_cylinders(rows, crank_train=sb.CrankTrain(**sizes))
     assert fine.link_pins == [2]
     with pytest.raises(sb.SymbalanceError, match="cylinder 2 would sit on its link pin"):
-        sb.Layout(rows, crank_train=sb.CrankTrain(**sizes, rotating_mass=Fraction(1, 2)))
+        sb.from_cylinders(rows, crank_train=sb.CrankTrain(**sizes, rotating_mass=Fraction(1, 2)))
     own = sb.Cylinder(2, 0, 72, rod=186, link=sb.Link(1, 72, 54), rotating_mass=1)
     with pytest.raises(sb.SymbalanceError, match="cylinder 2 would sit on its link pin"):
-        sb.Layout([rows[0], own], crank_train=sb.CrankTrain(**sizes))
+        sb.from_cylinders([rows[0], own], crank_train=sb.CrankTrain(**sizes))
 
 
 def test_variations_of_rotating_masses_are_refused():

@@ -20,7 +20,7 @@ from test_against_quadrature import DisagreementError, assert_agrees, assert_clo
 
 from symbalance.engine.builders import inline, vee
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.exact import phasor, spectrum
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.radicals import characters, forms
@@ -53,7 +53,7 @@ def compare_vee() -> None:
 
 def compare_off_centre() -> None:
     """Stations whose mean is not 0."""
-    layout = Layout([Cylinder(1, 0, 0, 2), Cylinder(2, 90, 10, 5)])
+    layout = Engine([Cylinder(1, 0, 0, 2), Cylinder(2, 90, 10, 5)])
     assert_agrees(layout, order=ORDER)
 
 
@@ -163,7 +163,7 @@ def test_a_delay_that_forgets_the_bank(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_couples_about_the_origin_instead_of_the_mean(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Layout, "mean_station", Fraction(0))
+    monkeypatch.setattr(Engine, "mean_station", Fraction(0))
     assert_seen(compare_off_centre)
 
 

@@ -12,7 +12,7 @@ from mpmath import mp
 
 from symbalance.document.expressions import latex, text
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.exact.spectrum import Component, Number, SymbolicPhasor
 
 LONGEST = 34
@@ -33,7 +33,7 @@ TEXT = Style(text, "°", "≈ ", lambda formula: formula)
 LATEX = Style(latex, r"^\circ", r"\approx ", lambda formula: rf"\({formula}\)")
 
 
-def balancer_lines(layout: Layout, style: Style = TEXT) -> list[str]:
+def balancer_lines(layout: Engine, style: Style = TEXT) -> list[str]:
     """Return what is said of the balancers of an engine, and of rotating masses it takes as balanced.
 
     >>> from symbalance.engine.builders import inline
@@ -43,7 +43,7 @@ def balancer_lines(layout: Layout, style: Style = TEXT) -> list[str]:
     """
     found = layout.balancers
     if not found.counterweights:
-        given = any(layout.train_of(c).rotating_mass for c in layout.cylinders)
+        given = any(c.rotating_mass for c in layout.cylinders)
         lines = ["rotating masses are taken as balanced, throw by throw"] if given else []
     else:
         lines = [_counterweight(c, style) for c in found.counterweights]

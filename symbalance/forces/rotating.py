@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.engine.layout import Layout
-from symbalance.engine.rotors import rotors
+from symbalance.engine.engine import Engine
+from symbalance.engine.rotors import counts_in_orders, rotors
 from symbalance.exact.arithmetic import added, decimal
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Number, Spectrum
 
 
-def rotor_spectrum(layout: Layout, highest: int, plane: Fraction | None) -> Spectrum:
+def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
     """Return what the rotors add to the force, or to the couple about `plane`, up to an order.
 
     >>> from symbalance.engine.balancers import Counterweight
@@ -29,14 +29,14 @@ def rotor_spectrum(layout: Layout, highest: int, plane: Fraction | None) -> Spec
     return Spectrum.of(total)
 
 
-def with_rotors(layout: Layout, vector: Spectrum, highest: int, plane: Fraction | None) -> Spectrum:
+def with_rotors(layout: Engine, vector: Spectrum, highest: int, plane: Fraction | None) -> Spectrum:
     """Return a force, or a couple about `plane`, with that of the rotors added to it."""
     if not layout.balancers:
         return vector
     total = dict(vector.terms)
     for n, number in rotor_spectrum(layout, highest, plane).terms.items():
         total[n] = added(total[n], number) if n in total else number
-    if not layout.is_geometric:
+    if not counts_in_orders(layout):
         total = {n: _decimal(number) for n, number in total.items()}
     return Spectrum.of(total)
 

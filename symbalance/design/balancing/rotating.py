@@ -14,7 +14,7 @@ from fractions import Fraction
 
 from symbalance.design.balancing.planes import in_planes
 from symbalance.engine.balancers import Counterweight, Weight
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import rotating_shares, unit_unbalance
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import Angle
@@ -45,7 +45,7 @@ def _mass(value: object) -> Fraction:
     return mass
 
 
-def rotating_weights(layout: Layout) -> list[Weight]:
+def rotating_weights(layout: Engine) -> list[Weight]:
     """Return the rotating masses of an engine, in kg mm if its sizes are known, else in shares.
 
     >>> from symbalance.engine.builders import inline

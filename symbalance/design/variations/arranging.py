@@ -33,7 +33,7 @@ from symbalance.design.variations.placements import Placement
 from symbalance.design.variations.problems import Problem, expected
 from symbalance.design.variations.shares import check_crank_pins, checked_layout, shares
 from symbalance.design.variations.weighed import PartSet, checked_sets
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.text.numbers import checked_whole, listed
 
@@ -52,7 +52,7 @@ class Assignment:
     listed order.
     """
 
-    layout: Layout
+    layout: Engine
     places: dict[int, dict[str, str]]
     criterion: float
     listed: float
@@ -67,7 +67,7 @@ class Assignment:
 
 
 def assign_parts(
-    layout: Layout,
+    layout: Engine,
     parts: object,
     *,
     orders: object = (1,),
@@ -113,7 +113,7 @@ def _checked_orders(orders: object) -> list[int]:
 
 
 def _told(
-    layout: Layout,
+    layout: Engine,
     sets: Sequence[PartSet],
     problem: Problem,
     placed: Placement,

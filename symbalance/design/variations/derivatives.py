@@ -29,11 +29,10 @@ from mpmath import mp
 
 from symbalance.design.variations.hung import MOVING, clusters, hung_changes
 from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
-from symbalance.design.variations.shares import Share, check_crank_pins, first_sizes, shares
+from symbalance.design.variations.shares import Share, check_crank_pins, mechanism_to, shares
 from symbalance.design.variations.slopes import Slopes, slopes
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import mechanism_of
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
@@ -46,7 +45,7 @@ LENGTHS = ("stroke", "rod", "offset")
 
 
 def sensitivities(
-    layout: Layout, order: int = 4, *, parameters: object = None, reference: object = None
+    layout: Engine, order: int = 4, *, parameters: object = None, reference: object = None
 ) -> list[Sensitivity]:
     """Return all derivatives to an order, those of the worst steps (`STEPS`) first.
 
@@ -86,18 +85,18 @@ def _checked_parameters(parameters: object) -> tuple[str, ...]:
     return asked
 
 
-def _slopes(layout: Layout, order: int) -> dict[int, dict[int, Slopes]]:
+def _slopes(layout: Engine, order: int) -> dict[int, dict[int, Slopes]]:
     """Return, by cylinder, the slopes of those that hang on no other and bear no other."""
     masters, found = clusters(layout), {}
     for cylinder in layout.cylinders:
-        mechanism = mechanism_of(layout, cylinder)
+        mechanism = mechanism_to(layout, cylinder, order)
         if isinstance(mechanism, SliderCrank) and cylinder.number not in masters:
             found[cylinder.number] = slopes(mechanism, order)
     return found
 
 
 def _of_order(
-    layout: Layout,
+    layout: Engine,
     n: int,
     name: str,
     own: Sequence[Share] | None,
@@ -125,12 +124,9 @@ def _absent(share: Share, n: int) -> Share:
     return Share(share.number, n, share.axis, n * share.lead, share.arm, share.size, mp.mpc(0))
 
 
-def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
+def _rotating(layout: Engine, own: Sequence[Share]) -> Iterator[Sensitivity]:
     check_crank_pins(layout, "rotating")
-    first = layout.stroke_of(layout.first)
-    for cylinder, share in zip(layout.cylinders, own, strict=True):
-        stroke = layout.stroke_of(cylinder)
-        radius = stroke / first if stroke and first else Fraction(1)
+    for cylinder, share, radius in zip(layout.cylinders, own, layout.radii, strict=True):
         pin = Phasor.root(cylinder.throw.turns)
         with mp.workdps(DIGITS):
             factor = real(radius)
@@ -138,7 +134,7 @@ def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
 
 
 def _one(
-    layout: Layout, cylinder: Cylinder, share: Share, name: str, lengths: dict[int, dict[int, Slopes]]
+    layout: Engine, cylinder: Cylinder, share: Share, name: str, lengths: dict[int, dict[int, Slopes]]
 ) -> Sensitivity:
     n, value, size = share.order, share.value, share.size
     if name in LENGTHS:
@@ -161,16 +157,16 @@ def _decimal(exact: Phasor, value: Real) -> DecimalPhasor:
     return DecimalPhasor(value * evaluated_number(exact))
 
 
-def _over_mass(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
+def _over_mass(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
     """Return r_j/r_1: the share's size with its mass taken for that of cylinder 1."""
-    mass, first = layout.train_of(cylinder).reciprocating_mass, first_sizes(layout)[0]
+    mass, first = cylinder.reciprocating_mass, layout.first.reciprocating_mass
     return size * first / mass if mass and first else size
 
 
-def _over_radius(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
+def _over_radius(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
     """Return m_j/m_1: the share's size with its radius taken for that of cylinder 1."""
-    stroke, (_, radius) = layout.stroke_of(cylinder), first_sizes(layout)
-    return size * 2 * radius / stroke if stroke and radius else size
+    own, radius = cylinder.radius, layout.first.radius
+    return size * radius / own if own and radius else size
 
 
 def _geometry(share: Share, name: str) -> tuple[Phasor, Phasor]:

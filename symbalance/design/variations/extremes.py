@@ -44,7 +44,7 @@ from symbalance.design.variations.made import NOTHING, Made, made_parts
 from symbalance.design.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
 from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
 from symbalance.design.variations.tolerances import Relative, Tolerances
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.phasor import ZERO
 from symbalance.forces.resultants import Balance, balance
@@ -79,7 +79,7 @@ class WorstCase:
 
 
 def worst_cases(
-    layout: Layout,
+    layout: Engine,
     tolerances: Tolerances,
     order: int = 4,
     *,
@@ -123,7 +123,7 @@ def worst_cases(
     return found + (_rotating(layout, own, reference) if own.rotating else [])
 
 
-def _rotating(layout: Layout, own: Relative, reference: object) -> list[WorstCase]:
+def _rotating(layout: Engine, own: Relative, reference: object) -> list[WorstCase]:
     """Return what the rotating masses' own errors add up to, in order 1; they turn with the crank."""
     errors = sensitivities(layout, 1, parameters=["rotating"], reference=reference)
     found = []
@@ -150,7 +150,7 @@ def _ideal(ideal: Balance, n: int, quantity: str) -> tuple[complex, complex]:
     """Return c_n and c_-n of the engine without errors: what cancels there is exactly 0."""
     spectrum = ideal.force if quantity == "force" else ideal.couple
     factor = 1.0
-    if ideal.is_uniform and n > 1:
+    if ideal.kinematics and n > 1:
         assert ideal.ratio is not None
         factor = float(acceleration_value(n, ideal.ratio))
     ahead, against = (spectrum.terms.get(signed, ZERO) for signed in (n, -n))

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 from symbalance.design.variations.sectors import Sector
 from symbalance.design.variations.sensitivity import evaluated_number
-from symbalance.engine.layout import Layout
-from symbalance.engine.rotors import share_unit
+from symbalance.engine.engine import Engine
+from symbalance.engine.rotors import counts_in_orders, share_unit
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Spectrum
 from symbalance.forces.rotating import rotor_spectrum
@@ -44,7 +44,7 @@ def _point(number: complex) -> list[Sector]:
     return [Sector(abs(number), abs(number), cmath.phase(number))] if number else []
 
 
-def made_parts(layout: Layout, order: int, reference: object = None) -> dict[int, dict[str, Made]]:
+def made_parts(layout: Engine, order: int, reference: object = None) -> dict[int, dict[str, Made]]:
     """Return n -> what turns adds to the "force" and to the "couple", for the orders it has.
 
     >>> from symbalance.engine.balancers import Counterweight
@@ -61,8 +61,8 @@ def made_parts(layout: Layout, order: int, reference: object = None) -> dict[int
     return {n: {kind: _part(layout, s, n) for kind, s in found.items()} for n in orders}
 
 
-def _part(layout: Layout, spectrum: Spectrum, n: int) -> Made:
-    factor = float(share_unit(layout, n)) if layout.is_geometric else 1.0
+def _part(layout: Engine, spectrum: Spectrum, n: int) -> Made:
+    factor = float(share_unit(layout, n)) if counts_in_orders(layout) else 1.0
     ahead, against = (complex(evaluated_number(spectrum.terms.get(s, ZERO))) for s in (n, -n))
     return Made(ahead * factor, against * factor)
 

@@ -9,9 +9,9 @@ from math import pi, sqrt
 
 from symbalance.design.variations.bounds import Vector
 from symbalance.design.variations.made import NOTHING, made_parts
-from symbalance.design.variations.shares import Share, first_sizes
+from symbalance.design.variations.shares import Share
 from symbalance.design.variations.symmetry import Generators
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.numbers import exact
 
@@ -39,10 +39,9 @@ class Units:
     names: tuple[str, str]
 
 
-def units_of(layout: Layout, rpm: object, lever: object, own: Sequence[Share]) -> Units:
+def units_of(layout: Engine, rpm: object, lever: object, own: Sequence[Share]) -> Units:
     """Return the units that the sizes given allow, and the lever that couples count at."""
-    _, radius = first_sizes(layout)
-    pitch = layout.crank_train.pitch
+    radius, pitch = layout.first.radius, layout.pitch
     force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
     if rpm is not None:
         speed = exact(rpm, "rpm")
@@ -63,13 +62,11 @@ def units_of(layout: Layout, rpm: object, lever: object, own: Sequence[Share]) -
     return Units(force, arm, spread, names)
 
 
-def generators(layout: Layout, orders: Sequence[Sequence[Share]], units: Units) -> Generators:
+def generators(layout: Engine, orders: Sequence[Sequence[Share]], units: Units) -> Generators:
     """Return, for each cylinder, what 1 kg of reciprocating and of rotating mass adds: real vectors."""
     found = []
-    own_radius, first = [layout.stroke_of(c) for c in layout.cylinders], layout.stroke_of(layout.first)
-    for place, cylinder in enumerate(layout.cylinders):
-        stroke = own_radius[place]
-        radius = units.force * (float(stroke / first) if stroke and first else 1.0)
+    for place, (cylinder, own_radius) in enumerate(zip(layout.cylinders, layout.radii, strict=True)):
+        radius = units.force * float(own_radius)
         sliding: list[float] = []
         turning: list[float] = []
         for own in orders:
@@ -84,14 +81,14 @@ def generators(layout: Layout, orders: Sequence[Sequence[Share]], units: Units) 
     return found
 
 
-def made_vector(layout: Layout, orders: Sequence[int], units: Units) -> Vector | None:
+def made_vector(layout: Engine, orders: Sequence[int], units: Units) -> Vector | None:
     """Return what counterweights, shafts and rotating masses add, in the form of `generators`.
 
     None where the engine has no counterweights or shafts.
     """
     if not layout.balancers:
         return None
-    mass, _ = first_sizes(layout)
+    mass = layout.first.reciprocating_mass
     if not mass:
         rule = "are to be counted beside counterweights or shafts, which are in units of m r"
         remedy = "give reciprocating_mass, kg, in [crank_train]"

@@ -1,12 +1,13 @@
-"""A layout: the cylinders of an engine together, and what they share."""
+"""An engine: its cylinders, each complete, in groups of like ones, and what balances it."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
+from typing import Any, TypeVar
 
 from symbalance.engine.balancers import (
     Balancers,
@@ -16,23 +17,41 @@ from symbalance.engine.balancers import (
     checked_balancers,
 )
 from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder
-from symbalance.engine.trains import CrankTrain
+from symbalance.engine.trains import checked_size
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import checked_modulus
+from symbalance.kinematics.mechanisms import Mechanism
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.numbers import listed
 
 LONGEST_NAME = 60
 NEAR_TOP = Fraction(1, 8)
 """Turns by which an offset or a link rod may move a top dead centre."""
+T = TypeVar("T", bound=Hashable)
+
+
+@dataclass(frozen=True)
+class Group:
+    """Cylinders that push alike: one mechanism (None: centred, of unknown rod ratio) and one m r.
+
+    `size` is m r over that of the engine's unit, cylinder 1.
+    """
+
+    mechanism: Mechanism | None
+    size: Fraction
+    cylinders: tuple[Cylinder, ...]
 
 
 @dataclass(frozen=True, init=False)
-class Layout:
-    """The cylinders of an engine, with its name, its strokes per cycle and its rod ratio if known.
+class Engine:
+    """An engine: cylinders that know all about themselves, strokes per cycle, and balance masses.
 
-    >>> twin = Layout([Cylinder(1, throw=0, station="1/2"), Cylinder(2, throw=180, station="-1/2")])
+    `pitch` is the distance of neighbouring cylinders in mm, None if not known. The cylinder of the
+    lowest number is the unit: forces count in its m r omega^2. Sizes shared by all cylinders are put
+    into each by whoever makes the engine: `from_cylinders` and the other builders, or an engine file.
+
+    >>> twin = Engine([Cylinder(1, throw=0, station="1/2"), Cylinder(2, throw=180, station="-1/2")])
     >>> len(twin.cylinders), twin.strokes, twin.ratio
     (2, 4, None)
     """
@@ -40,8 +59,7 @@ class Layout:
     cylinders: tuple[Cylinder, ...]
     strokes: int
     name: str
-    ratio: Fraction | None
-    crank_train: CrankTrain
+    pitch: Fraction | None
     balancers: Balancers
 
     def __init__(
@@ -50,24 +68,19 @@ class Layout:
         *,
         strokes: int = 4,
         name: str = "engine",
-        ratio: object = None,
-        crank_train: CrankTrain | None = None,
+        pitch: object = None,
         balancers: Balancers | None = None,
     ) -> None:
         set_field = object.__setattr__
-        train = _checked_train(crank_train)
-        set_field(self, "cylinders", _checked_cylinders(cylinders))
-        _check_links(self.cylinders)
+        listed_cylinders = checked_cylinders(cylinders)
+        _check_links(listed_cylinders)
+        set_field(self, "cylinders", _joined(listed_cylinders))
         set_field(self, "strokes", checked_strokes(strokes))
         set_field(self, "name", checked_name(name))
-        _check_fires(self.cylinders, bool(train.offset))
-        known = train.ratio if ratio is None else ratio
-        set_field(self, "ratio", None if known is None else checked_ratio(known))
-        set_field(self, "crank_train", train)
-        for cylinder in self.cylinders:
-            check_link_mass(cylinder, train)
+        _check_fires(self.cylinders)
+        set_field(self, "pitch", None if pitch is None else checked_size("pitch", pitch))
         set_field(self, "balancers", checked_balancers(balancers, self.cylinders))
-        if self.balancers.shafts and self.is_uniform:
+        if self.balancers.shafts and self.has_common_harmonics:
             check_shares(self.balancers.shafts)
 
     @cached_property
@@ -87,46 +100,74 @@ class Layout:
         return min(self.cylinders, key=lambda c: c.number)
 
     @property
+    def ratio(self) -> Fraction | None:
+        """The rod ratio lambda = l/r of all rods that run on crank pins, None if unknown or not one."""
+        ratios = {c.ratio for c in self.cylinders if c.link is None}
+        return ratios.pop() if len(ratios) == 1 else None
+
+    @property
     def link_pins(self) -> list[int]:
         """The numbers of the cylinders whose rods hang on a link pin away from the crank pin."""
         return [c.number for c in self.cylinders if c.link and c.link.radius]
 
-    def stroke_of(self, cylinder: Cylinder) -> Fraction | None:
-        """Return twice the crank radius that moves a cylinder, in mm: a link rod's is its master's."""
-        number = cylinder.link.master if cylinder.link else cylinder.number
-        return self.train_of(next(c for c in self.cylinders if c.number == number)).stroke
-
-    def train_of(self, cylinder: Cylinder) -> CrankTrain:
-        """Return a cylinder's sizes: the engine's, with its own put in, and the engine's ratio."""
-        shared = self.crank_train
-        if shared.ratio != self.ratio:
-            shared = CrankTrain(**{**vars(shared), "given_ratio": self.ratio})
-        return shared.overridden(cylinder.own)
-
     @cached_property
-    def is_uniform(self) -> bool:
-        """Whether all cylinders are alike, centred, and joined to the crank by rods of their own."""
-        trains = [self.train_of(c) for c in self.cylinders]
-        alike = {(t.ratio, t.stroke, t.reciprocating_mass) for t in trains}
-        return (
-            len(alike) == 1
-            and not any(t.offset for t in trains)
-            and not any(c.link for c in self.cylinders)
-        )
+    def sizes(self) -> tuple[Fraction, ...]:
+        """Every cylinder's m r over that of the first; 1 where no masses or strokes are given.
 
-    @cached_property
-    def is_geometric(self) -> bool:
-        """Whether forces are geometry in units of A_n m r omega^2: no order needs its A_n to be known.
-
-        So it is where cylinders are alike and every balance shaft above the crank's speed has shares.
+        Refused where a mass or a stroke is given for some cylinders only.
         """
-        fast = (s for s in self.balancers.shafts if abs(s.speed) > 1)
-        return self.is_uniform and not any(w.in_kg_mm for s in fast for w in s.weights)
+        masses = self._over_first("reciprocating_mass")
+        return tuple(m * r for m, r in zip(masses, self.radii, strict=True))
+
+    @cached_property
+    def radii(self) -> tuple[Fraction, ...]:
+        """Every cylinder's crank radius over that of the first; 1 where no strokes are given."""
+        return tuple(self._over_first("stroke"))
+
+    def _over_first(self, key: str) -> list[Fraction]:
+        values, unit = [getattr(c, key) for c in self.cylinders], getattr(self.first, key)
+        if all(value == unit for value in values):
+            return [Fraction(1)] * len(values)
+        if unit == 0:
+            rule = f"is 0 for cylinder {self.first.number}, whose m r is the unit of the others'"
+            raise SymbalanceError(key, rule, "give it a mass, or number another cylinder first")
+        if any(value is None for value in values):
+            rule = "is given for some cylinders and not for others"
+            raise SymbalanceError(key, rule, "give it for all, or in [crank_train]")
+        return [value / unit for value in values]
+
+    @cached_property
+    def groups(self) -> tuple[Group, ...]:
+        """The cylinders in groups that push alike, in the order of the first of each."""
+        size = dict(zip((c.number for c in self.cylinders), self.sizes, strict=True))
+        found = self.grouped(lambda c: (c.mechanism, size[c.number]))
+        return tuple(Group(*key, cylinders) for key, cylinders in found.items())
+
+    def grouped(self, key: Callable[[Cylinder], T]) -> dict[T, tuple[Cylinder, ...]]:
+        """Return the cylinders in groups of one key each, in the order of the first of each."""
+        groups: dict[T, list[Cylinder]] = {}
+        for cylinder in self.cylinders:
+            groups.setdefault(key(cylinder), []).append(cylinder)
+        return {value: tuple(cylinders) for value, cylinders in groups.items()}
+
+    @cached_property
+    def has_common_harmonics(self) -> bool:
+        """Whether every cylinder pushes with one A_n cos n p: one group, of a centred slider-crank.
+
+        Then geometry and kinematics stand apart: an order is its A_n times a sum over angles, which is
+        exact whatever lambda is.
+        """
+        return len(self.groups) == 1 and _is_centred(self.groups[0].mechanism)
 
     @property
     def mean_station(self) -> Fraction:
         """The mean of all stations: the default reference plane of couples."""
         return sum((c.station for c in self.cylinders), Fraction(0)) / len(self.cylinders)
+
+    def arms(self, plane: Fraction | None = None) -> list[Fraction]:
+        """Return every cylinder's station from a plane (default: the stations' mean), in pitches."""
+        level = self.mean_station if plane is None else plane
+        return [c.station - level for c in self.cylinders]
 
     def firing_order(self) -> list[int] | None:
         """Return the cylinders' numbers as they fire, or None where that is not known."""
@@ -136,35 +177,42 @@ class Layout:
         fired = sorted(((c.fires or 0) % cycle, c.number) for c in self.cylinders)
         return [number for _, number in fired]
 
-    def with_ratio(self, ratio: object) -> Layout:
-        """Return the layout with another rod ratio lambda = l/r."""
-        return Layout(
-            self.cylinders,
-            strokes=self.strokes,
-            name=self.name,
-            ratio=ratio,
-            crank_train=self.crank_train,
-            balancers=self.balancers,
-        )
+    def with_ratio(self, ratio: object) -> Engine:
+        """Return the engine with another rod ratio lambda = l/r of the rods that run on crank pins."""
+        known = checked_ratio(ratio)
+        if len({c.ratio for c in self.cylinders if c.link is None}) > 1:
+            rule = f"cannot be set for {self.name}, whose cylinders have ratios of their own"
+            raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
+        return self._with(cylinders=[c if c.link else c.with_ratio(known) for c in self.cylinders])
 
-    def balanced_by(self, *added: Counterweight | BalanceShaft) -> Layout:
-        """Return the layout with counterweights and balance shafts added to those it has.
+    def balanced_by(self, *added: Counterweight | BalanceShaft) -> Engine:
+        """Return the engine with counterweights and balance shafts added to those it has.
 
-        >>> single = Layout([Cylinder(1)]).balanced_by(Counterweight(throw=1, overbalance="1/2"))
+        >>> single = Engine([Cylinder(1)]).balanced_by(Counterweight(throw=1, overbalance="1/2"))
         >>> len(single.balancers.counterweights)
         1
         """
         had = self.balancers
         weights = tuple(a for a in added if not isinstance(a, BalanceShaft))
         shafts = tuple(a for a in added if isinstance(a, BalanceShaft))
-        return Layout(
-            self.cylinders,
-            strokes=self.strokes,
-            name=self.name,
-            ratio=self.ratio,
-            crank_train=self.crank_train,
-            balancers=Balancers(had.counterweights + weights, had.shafts + shafts),
-        )
+        return self._with(balancers=Balancers(had.counterweights + weights, had.shafts + shafts))
+
+    def _with(self, **changes: Any) -> Engine:
+        had = {name: getattr(self, name) for name in ("strokes", "name", "pitch", "balancers")}
+        return Engine(**{"cylinders": self.cylinders, **had, **changes})
+
+
+def _is_centred(mechanism: Mechanism | None) -> bool:
+    return mechanism is None or mechanism.is_centred
+
+
+def _joined(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
+    """Return the cylinders, those on link rods each with its master's."""
+    by_number = {c.number: c for c in cylinders}
+    joined = [c.on_master(by_number[c.link.master]) if c.link else c for c in cylinders]
+    for cylinder in joined:
+        _ = cylinder.mechanism  # refuses what does not reach, or lacks a size that it needs
+    return tuple(joined)
 
 
 def checked_name(name: object) -> str:
@@ -176,14 +224,8 @@ def checked_name(name: object) -> str:
     return text
 
 
-def _checked_train(train: object) -> CrankTrain:
-    if train is not None and not isinstance(train, CrankTrain):
-        rule = "must be a CrankTrain"
-        raise SymbalanceError(f"crank_train = {shown(train)}", rule, "make it with CrankTrain(...)")
-    return train or CrankTrain()
-
-
-def _checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
+def checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
+    """Return the cylinders of an engine, or refuse what are none, too many, or of one number."""
     cylinders = tuple(listed(cylinders, "cylinders"))
     for cylinder in cylinders:
         if not isinstance(cylinder, Cylinder):
@@ -221,30 +263,18 @@ def _check_links(cylinders: Sequence[Cylinder]) -> None:
         if master.throw != cylinder.throw:
             rule = f"has its pin at {master.throw.as_text()}, this cylinder at {cylinder.throw.as_text()}"
             raise SymbalanceError(what, rule, "a link rod shares its master's pin: give both one throw")
-        if cylinder.own.stroke is not None:
+        if cylinder.sizes.stroke is not None:
             rule = "is not a link rod's to choose"
-            raise SymbalanceError(f"stroke = {cylinder.own.stroke}", rule, "its master's crank gives it")
-        if cylinder.own.rod is None:
+            raise SymbalanceError(
+                f"stroke = {cylinder.sizes.stroke}", rule, "its master's crank gives it"
+            )
+        if cylinder.sizes.rod is None:
             raise SymbalanceError(
                 f"cylinder {cylinder.number}", "needs rod", "the link rod's own length, mm"
             )
 
 
-def check_link_mass(cylinder: Cylinder, train: CrankTrain) -> None:
-    """Refuse a rotating mass, its own or of the engine's sizes, of a rod that hangs on a link pin.
-
-    It would sit on that pin, which moves with the master rod and not on a circle: its force turns
-    neither steadily nor at the crank's speed alone. Link pins on the crank pin's axis (radius 0) do.
-    """
-    mass = train.overridden(cylinder.own).rotating_mass
-    if cylinder.link is None or not cylinder.link.radius or not mass:
-        return
-    rule = f"of cylinder {cylinder.number} would sit on its link pin, and what that adds is not computed"
-    remedy = "write rotating_mass = 0 for each link rod, and count those masses apart"
-    raise SymbalanceError(f"rotating_mass = {shown(mass)}", rule, remedy)
-
-
-def _check_fires(cylinders: Iterable[Cylinder], offset: bool) -> None:
+def _check_fires(cylinders: Iterable[Cylinder]) -> None:
     """Refuse firing angles that the throws contradict: all cylinders fire at a top dead centre.
 
     An offset or a link rod moves that; there `fires` need only say which of them it is.
@@ -256,7 +286,7 @@ def _check_fires(cylinders: Iterable[Cylinder], offset: bool) -> None:
         own = cylinder.delay
         start = (own.turns + cylinder.fires / 360) % 1
         first, other = fixed.setdefault(own.symbols, (start, cylinder))
-        moved = offset or any(c.own.offset or c.link for c in (cylinder, other))
+        moved = any(c.offset or c.link for c in (cylinder, other))
         half = Fraction(1, 2)
         if abs((start - first + half) % 1 - half) > (NEAR_TOP if moved else 0):
             what = f"throw = {cylinder.throw.as_text()} and fires = {cylinder.fires}"
