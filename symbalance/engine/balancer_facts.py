@@ -43,8 +43,10 @@ def balancer_lines(layout: Engine, style: Style = TEXT) -> list[str]:
     """
     found = layout.balancers
     if not found.counterweights:
-        given = any(c.rotating_mass for c in layout.cylinders)
-        lines = ["rotating masses are taken as balanced, throw by throw"] if given else []
+        turning = [c for c in layout.cylinders if c.rotating_mass]
+        lines = ["rotating masses are taken as balanced, throw by throw"] if turning else []
+        if any(c.number in layout.link_pins for c in turning):
+            lines.append("but for what link pins move those on them beside the crank pins")
     else:
         lines = [_counterweight(c, style) for c in found.counterweights]
     return lines + [_shaft(s, style) for s in found.shafts]

@@ -103,9 +103,23 @@ def cylinder_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -
     """
     if counts_in_orders(layout):
         return geometry(layout, [n for n in range(1, order + 1) if surviving(n)], weights)
+    return _spectrum_of(moving_masses(layout), layout, order, weights)
+
+
+def link_pin_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
+    """Return the part of `cylinder_spectrum` that masses on link pins add, in m r omega^2."""
+    if not any(has_link_pin(c.mechanism) and c.rotating_mass for c in layout.cylinders):
+        return Spectrum({})
+    on_pins = (mass for mass in moving_masses(layout) if mass.on_link_pin)
+    return _spectrum_of(on_pins, layout, order, weights)
+
+
+def _spectrum_of(
+    masses: Iterable[MovingMass], layout: Engine, order: int, weights: Sequence[Fraction]
+) -> Spectrum:
     weight = {c.number: w for c, w in zip(layout.cylinders, weights, strict=True)}
     total: dict[int, DecimalPhasor] = {}
-    for mass in moving_masses(layout):
+    for mass in masses:
         own = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
         forces = mass.force(order)
         exact = _exact_terms(mass.cylinders, layout.modulus, range(1, order + 1), own)

@@ -9,6 +9,7 @@ from symbalance.engine.rotors import counts_in_orders, rotors
 from symbalance.exact.arithmetic import added, decimal
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Number, Spectrum
+from symbalance.forces.cylinder_sums import link_pin_spectrum
 
 
 def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
@@ -27,6 +28,12 @@ def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spec
             part = rotor.vector.scaled(arm)
             total[rotor.speed] = added(total[rotor.speed], part) if rotor.speed in total else part
     return Spectrum.of(total)
+
+
+def turning_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
+    """Return what rotors and masses on link pins add to the force, or to the couple about `plane`."""
+    weights = [Fraction(1)] * len(layout.cylinders) if plane is None else layout.arms(plane)
+    return with_rotors(layout, link_pin_spectrum(layout, highest, weights), highest, plane)
 
 
 def with_rotors(layout: Engine, vector: Spectrum, highest: int, plane: Fraction | None) -> Spectrum:

@@ -12,7 +12,8 @@ station    pitch (couples only)          c_{+-n}
 stroke     r of cylinder 1, of radius    f replaced by d(r f)/dr  (half of that for the stroke)
 rod        r                             f replaced by r df/dl
 offset     r                             f replaced by r df/de
-rotating   m of cylinder 1               c_1 = e^(i throw), c_-1 = 0, order 1 alone
+rotating   m of cylinder 1               c_1 = e^(i throw), c_-1 = 0, order 1 alone, of
+                                         rods on crank pins; `rotating_pair` of link rods
 =========  ============================  =============================================
 
 A turn of the crank pin (throw) keeps the axis, a turn of the axis (bank) keeps the pin. The geometry is
@@ -29,7 +30,7 @@ from mpmath import mp
 
 from symbalance.design.variations.hung import MOVING, clusters, hung_changes
 from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
-from symbalance.design.variations.shares import Share, check_crank_pins, mechanism_to, shares
+from symbalance.design.variations.shares import Share, mechanism_to, rotating_pair, shares
 from symbalance.design.variations.slopes import Slopes, slopes
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -37,6 +38,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.kinematics.mechanisms import SliderCrank
+from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import Real, listed, real
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
@@ -104,8 +106,7 @@ def _of_order(
     reference: object,
 ) -> Iterator[Sensitivity]:
     if name == "rotating":
-        if n == 1:
-            yield from _rotating(layout, shares(layout, 1, reference)[1])
+        yield from _rotating(layout, n, shares(layout, 1, reference)[1])
         return
     if own is None and name not in LENGTHS:
         return
@@ -124,13 +125,18 @@ def _absent(share: Share, n: int) -> Share:
     return Share(share.number, n, share.axis, n * share.lead, share.arm, share.size, mp.mpc(0))
 
 
-def _rotating(layout: Engine, own: Sequence[Share]) -> Iterator[Sensitivity]:
-    check_crank_pins(layout, "rotating")
+def _rotating(layout: Engine, n: int, own: Sequence[Share]) -> Iterator[Sensitivity]:
+    """Yield what a rotating mass adds: on the crank pin to order 1 forward, on a link pin to all."""
     for cylinder, share, radius in zip(layout.cylinders, own, layout.radii, strict=True):
-        pin = Phasor.root(cylinder.throw.turns)
+        pins = link_pin_force(cylinder.mechanism, n)
         with mp.workdps(DIGITS):
             factor = real(radius)
-        yield Sensitivity("rotating", share.number, 1, (pin, ZERO), factor, share.arm)
+        if pins:
+            ahead, against = (DecimalPhasor(z) for z in rotating_pair(cylinder, pins, n))
+            yield Sensitivity("rotating", share.number, n, (ahead, against), factor, share.arm)
+        elif n == 1:
+            pin = Phasor.root(cylinder.throw.turns)
+            yield Sensitivity("rotating", share.number, 1, (pin, ZERO), factor, share.arm)
 
 
 def _one(

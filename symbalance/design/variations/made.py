@@ -16,7 +16,7 @@ from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import counts_in_orders, share_unit
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Spectrum
-from symbalance.forces.rotating import rotor_spectrum
+from symbalance.forces.rotating import turning_spectrum
 from symbalance.text.numbers import exact
 
 
@@ -53,10 +53,9 @@ def made_parts(layout: Engine, order: int, reference: object = None) -> dict[int
     >>> made_parts(single, 4)[1]["force"].ahead
     (-0.5+0j)
     """
-    if not layout.balancers:
-        return {}
     plane = layout.mean_station if reference is None else exact(reference, "reference")
-    found = {kind: rotor_spectrum(layout, order, at) for kind, at in (("force", None), ("couple", plane))}
+    levels = {"force": None, "couple": plane}
+    found = {kind: turning_spectrum(layout, order, level) for kind, level in levels.items()}
     orders = sorted({n for spectrum in found.values() for n in spectrum.orders()})
     return {n: {kind: _part(layout, s, n) for kind, s in found.items()} for n in orders}
 

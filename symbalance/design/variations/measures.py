@@ -9,10 +9,11 @@ from math import pi, sqrt
 
 from symbalance.design.variations.bounds import Vector
 from symbalance.design.variations.made import NOTHING, made_parts
-from symbalance.design.variations.shares import Share
+from symbalance.design.variations.shares import Share, rotating_pair
 from symbalance.design.variations.symmetry import Generators
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
+from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import exact
 
 FASTEST = 100_000
@@ -67,6 +68,7 @@ def generators(layout: Engine, orders: Sequence[Sequence[Share]], units: Units) 
     found = []
     for place, (cylinder, own_radius) in enumerate(zip(layout.cylinders, layout.radii, strict=True)):
         radius = units.force * float(own_radius)
+        pins = link_pin_force(cylinder.mechanism, max(own[place].order for own in orders))
         sliding: list[float] = []
         turning: list[float] = []
         for own in orders:
@@ -74,9 +76,9 @@ def generators(layout: Engine, orders: Sequence[Sequence[Share]], units: Units) 
             f = complex(share.value) * radius / 2
             axis, lead = (2 * pi * float(x % 1) for x in (share.axis, share.lead))
             pair = (f * _turn(axis + lead), f.conjugate() * _turn(axis - lead))
-            pin = radius * _turn(2 * pi * float(cylinder.throw.turns)) if share.order == 1 else 0j
+            turned = [radius * complex(z) for z in rotating_pair(cylinder, pins, share.order)]
             sliding += _real(pair, float(share.arm), units.lever)
-            turning += _real((pin, 0j), float(share.arm), units.lever)
+            turning += _real((turned[0], turned[1]), float(share.arm), units.lever)
         found.append((tuple(sliding), tuple(turning)))
     return found
 
@@ -84,16 +86,17 @@ def generators(layout: Engine, orders: Sequence[Sequence[Share]], units: Units) 
 def made_vector(layout: Engine, orders: Sequence[int], units: Units) -> Vector | None:
     """Return what counterweights, shafts and rotating masses add, in the form of `generators`.
 
-    None where the engine has no counterweights or shafts.
+    None where the engine has no counterweights or shafts, and no masses on link pins.
     """
-    if not layout.balancers:
+    by_order = made_parts(layout, max(orders))
+    if not layout.balancers and not by_order:
         return None
     mass = layout.first.reciprocating_mass
     if not mass:
         rule = "are to be counted beside counterweights or shafts, which are in units of m r"
         remedy = "give reciprocating_mass, kg, in [crank_train]"
         raise SymbalanceError("whole masses", rule, remedy)
-    by_order, scale = made_parts(layout, max(orders)), units.force * float(mass)
+    scale = units.force * float(mass)
     found: list[float] = []
     for n in orders:
         kinds = by_order.get(n, NOTHING)

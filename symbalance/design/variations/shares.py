@@ -10,6 +10,7 @@ that times `arm`, the station from the reference plane. Unit m r omega^2 of cyli
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -18,10 +19,11 @@ from mpmath import mp
 from symbalance.engine.cylinders import Cylinder, known_mechanism
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.decimal_phasor import DIGITS
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.numbers import Real, exact
+from symbalance.text.numbers import Real, exact, real
 
 
 @dataclass(frozen=True)
@@ -48,12 +50,19 @@ def checked_layout(layout: object) -> Engine:
     return layout
 
 
-def check_crank_pins(layout: Engine, what: str) -> None:
-    """Refuse what takes all rotating masses to sit on crank pins where link pins bear some."""
-    if layout.link_pins:
-        rule = f"is of masses on the crank pin, and the rod of cylinder {layout.link_pins[0]} hangs on a"
-        rule += " link pin"
-        raise SymbalanceError(what, rule, "leave it out: what a link pin's mass adds is not computed")
+def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Real], n: int) -> tuple[Real, Real]:
+    """Return c_n and c_-n of 1 kg of a rod's rotating mass, over its r omega^2, in the engine's plane.
+
+    On the crank pin it turns: e^(i throw) forward in order 1. `pins` (`link_pin_force`) is what a link
+    pin adds to that in the cylinder's frame; it is empty for rods on the crank pin.
+    """
+    with mp.workdps(DIGITS):
+        pair = []
+        for signed in (n, -n):
+            turned = mp.expjpi(2 * real(cylinder.bank.turns + signed * cylinder.delay.turns))
+            circle = mp.expjpi(2 * real(cylinder.throw.turns)) if signed == 1 else mp.mpc(0)
+            pair.append(circle + pins.get(signed, mp.mpc(0)) * turned)
+        return pair[0], pair[1]
 
 
 def arms(layout: Engine, reference: object = None) -> list[Fraction]:
