@@ -15,7 +15,6 @@ from symbalance.cli import run
 from symbalance.design.variations.sensitivity import evaluated_number
 from symbalance.design.variations.weighed import parse_parts
 from symbalance.engine.engine_file import parse_engine
-from symbalance.engine.rotors import rotating_shares
 from symbalance.engine.trains import OWN
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_path, link_pin_tail
 from symbalance.torque import beside_moment
@@ -55,7 +54,7 @@ def test_a_link_pin_on_the_crank_pins_axis_is_the_crank_pin():
     found = force_series(forked, {2: 1.0})
     assert found[1] == pytest.approx(1)
     assert max(abs(c) for n, c in found.items() if n != 1) < 1e-10
-    assert rotating_shares(forked) == [1, Fraction(1, 2)]
+    assert forked.rotating_sizes == (1, Fraction(1, 2))
     changes = sb.sensitivities(forked, 1, parameters=["rotating"])
     assert [s.cylinder for s in changes] == [1, 2]
 

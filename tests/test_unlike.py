@@ -95,13 +95,12 @@ def test_what_cancels_among_like_cylinders_is_gone():
 
 def test_the_narrow_vee_fires_evenly():
     """Split pins of 22 degrees make up for the bank angle and the dead centres the offset moves."""
-    from symbalance.engine.cylinders import known_mechanism
     from symbalance.kinematics.mechanisms import dead_centres
 
     layout = narrow_six()
     tops = {}
     for cylinder in layout.cylinders[:2]:
-        centre = dead_centres(known_mechanism(cylinder)).top
+        centre = dead_centres(cylinder.known_mechanism).top
         tops[cylinder.number] = float(centre) * 180 / np.pi - float(cylinder.delay.turns) * 360
     assert abs((tops[1] - tops[2] + 60) % 120 - 60) < 0.2  # modulo the crank's 120 degrees
 
@@ -237,11 +236,10 @@ def test_the_tail_is_bounded(ratio, aside, order):
 
 
 def test_the_tail_of_a_link_rod_is_bounded():
-    from symbalance.engine.cylinders import known_mechanism
     from symbalance.kinematics.mechanisms import force_harmonics, force_tail
 
     layout = near_the_limit()
-    link = known_mechanism(layout.cylinders[1])
+    link = layout.cylinders[1].known_mechanism
     found = force_harmonics(link, 300, 30)
     for order in (1, 4, 20, 60):
         rest = mp.fsum(mp.hypot(*pair) for n, pair in found.items() if n > order)

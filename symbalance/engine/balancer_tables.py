@@ -15,7 +15,6 @@ from typing import Any, NoReturn, Protocol, TypeVar
 
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import rotors
 from symbalance.errors import SymbalanceError
 
 TABLES = ("counterweight", "balance_shaft")
@@ -66,7 +65,7 @@ def with_balancers(reader: Reader, table: dict[str, Any], layout: Engine) -> Eng
 def _joined(layout: Engine, balancers: Sequence[Balancer]) -> Engine:
     made = layout.balanced_by(*balancers)
     _ = made.modulus  # refuses angles too fine together
-    rotors(made)  # refuses what needs masses that are not given
+    _ = made.rotors  # refuses what needs masses that are not given
     return made
 
 

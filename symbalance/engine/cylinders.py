@@ -105,6 +105,15 @@ class Cylinder:
         return None if self.ratio is None else SliderCrank(self.ratio)
 
     @property
+    def known_mechanism(self) -> Mechanism:
+        """Its mechanism, refused where no rod ratio is known.
+
+        >>> Cylinder(1, stroke=80, rod=150).known_mechanism
+        SliderCrank(ratio=Fraction(15, 4), offset=Fraction(0, 1))
+        """
+        return self.mechanism or SliderCrank(_needed_ratio(self))
+
+    @property
     def ratio(self) -> Fraction | None:
         """The rod ratio lambda = l/r, None where it is not known."""
         if self.master is None:
@@ -171,15 +180,6 @@ class Cylinder:
         for name, value in (had | fields).items():
             object.__setattr__(changed, name, value)
         return changed
-
-
-def known_mechanism(cylinder: Cylinder) -> Mechanism:
-    """Return a cylinder's mechanism, refused where no rod ratio is known.
-
-    >>> known_mechanism(Cylinder(1, stroke=80, rod=150))
-    SliderCrank(ratio=Fraction(15, 4), offset=Fraction(0, 1))
-    """
-    return cylinder.mechanism or SliderCrank(_needed_ratio(cylinder))
 
 
 def _needed_ratio(cylinder: Cylinder) -> Fraction:

@@ -17,6 +17,7 @@ from symbalance.engine.balancers import (
     checked_balancers,
 )
 from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder
+from symbalance.engine.rotors import Rotor, rotors
 from symbalance.engine.trains import checked_size
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.exact.angles import SymbolPart
@@ -159,6 +160,41 @@ class Engine:
         """
         return len(self.groups) == 1 and _is_centred(self.groups[0].mechanism)
 
+    @cached_property
+    def counts_in_orders(self) -> bool:
+        """Whether every order is geometry in units of its own F_n = A_n m r omega^2, whatever lambda is.
+
+        So it is where all cylinders have one A_n and every weight above the crank's speed is a share of
+        it: one in kg mm needs A_n as a number.
+        """
+        fast = (s for s in self.balancers.shafts if abs(s.speed) > 1)
+        return self.has_common_harmonics and not any(w.in_kg_mm for s in fast for w in s.weights)
+
+    @cached_property
+    def rotors(self) -> tuple[Rotor, ...]:
+        """All that turns and is not balanced by itself, each in the unit of its order."""
+        return tuple(rotors(self))
+
+    @property
+    def unit_unbalance(self) -> Fraction | None:
+        """M r of the first cylinder in kg mm, None where its mass or stroke is not given."""
+        mass, radius = self.first.reciprocating_mass, self.first.radius
+        return mass * radius if mass and radius else None
+
+    @cached_property
+    def rotating_sizes(self) -> tuple[Fraction, ...]:
+        """Every cylinder's rotating mass times crank radius over m r of the first; 0 where not given.
+
+        Refused where it is given, and no reciprocating mass to compare it with.
+        """
+        masses, unit = [c.rotating_mass for c in self.cylinders], self.first.reciprocating_mass
+        if not any(masses):
+            return tuple(masses)
+        if not unit:
+            rule = "counts in units of the reciprocating mass"
+            raise SymbalanceError("rotating_mass", rule, "give reciprocating_mass, kg, above 0")
+        return tuple(m / unit * r for m, r in zip(masses, self.radii, strict=True))
+
     @property
     def mean_station(self) -> Fraction:
         """The mean of all stations: the default reference plane of couples."""
@@ -183,7 +219,9 @@ class Engine:
         if len({c.ratio for c in self.cylinders if c.link is None}) > 1:
             rule = f"cannot be set for {self.name}, whose cylinders have ratios of their own"
             raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
-        return self._with(cylinders=[c if c.link else c.with_ratio(known) for c in self.cylinders])
+        return self._with(
+            cylinders=_joined([c if c.link else c.with_ratio(known) for c in self.cylinders])
+        )
 
     def balanced_by(self, *added: Counterweight | BalanceShaft) -> Engine:
         """Return the engine with counterweights and balance shafts added to those it has.
@@ -195,11 +233,17 @@ class Engine:
         had = self.balancers
         weights = tuple(a for a in added if not isinstance(a, BalanceShaft))
         shafts = tuple(a for a in added if isinstance(a, BalanceShaft))
-        return self._with(balancers=Balancers(had.counterweights + weights, had.shafts + shafts))
+        balancers = Balancers(had.counterweights + weights, had.shafts + shafts)
+        about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch}
+        return Engine(self.cylinders, balancers=balancers, **about)
 
     def _with(self, **changes: Any) -> Engine:
-        had = {name: getattr(self, name) for name in ("strokes", "name", "pitch", "balancers")}
-        return Engine(**{"cylinders": self.cylinders, **had, **changes})
+        """Return a changed copy, whose changes the caller has checked."""
+        changed = Engine.__new__(Engine)
+        had = {name: getattr(self, name) for name in Engine.__dataclass_fields__}
+        for name, value in (had | changes).items():
+            object.__setattr__(changed, name, value)
+        return changed
 
 
 def _is_centred(mechanism: Mechanism | None) -> bool:

@@ -185,7 +185,14 @@ class _Reader:
         except SymbalanceError as problem:
             named = re.match(r"\w+", problem.what)
             line = self.line_of(section, index, key or (named[0] if named else ""))
+            shared = [s for s in ("layout", "crank_train") if named and self.holds(s, named[0])]
+            if not key and shared and line == self.line_of(section, index):
+                line = self.line_of(shared[0], 0, named[0] if named else "")  # where the size stands
             raise problem.within(f"{self.place}:{line}") from None
+
+    def holds(self, section: str, key: str) -> bool:
+        """Tell whether a table of the file has a key."""
+        return self.line_of(section, 0, key) != self.line_of(section, 0)
 
     def refusal(
         self, key: str, value: object, rule: str, remedy: str, section: str = "", index: int = 0

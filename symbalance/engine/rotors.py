@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from mpmath import mp
 
 from symbalance.engine.balancers import Counterweight, Weight, directed
-from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.exact.arithmetic import decimal
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
@@ -23,6 +23,9 @@ from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Number
 from symbalance.kinematics.slider_crank import acceleration_values
 from symbalance.text.numbers import Real
+
+if TYPE_CHECKING:
+    from symbalance.engine.engine import Engine
 
 
 @dataclass(frozen=True)
@@ -55,75 +58,29 @@ def _counterweight(layout: Engine, counterweight: Counterweight) -> Rotor:
     else:
         assert counterweight.overbalance is not None
         place = next(i for i, c in enumerate(layout.cylinders) if c.number == counterweight.throw)
-        share = rotating_shares(layout)[place] + counterweight.overbalance * layout.sizes[place]
+        share = layout.rotating_sizes[place] + counterweight.overbalance * layout.sizes[place]
         vector = directed(Phasor.of(1, {0: share}), against + counterweight.angle)
     return Rotor(1, vector, station)
 
 
 def _rotating(layout: Engine) -> list[Rotor]:
-    pairs = zip(layout.cylinders, rotating_shares(layout), strict=True)
+    pairs = zip(layout.cylinders, layout.rotating_sizes, strict=True)
     return [Rotor(1, directed(Phasor.of(1, {0: s}), c.throw), c.station) for c, s in pairs if s]
-
-
-def rotating_shares(layout: Engine) -> list[Fraction]:
-    """Return every cylinder's rotating mass times crank radius over m r of the first; 0 where not given.
-
-    >>> from symbalance.engine.builders import inline
-    >>> from symbalance.engine.trains import CrankTrain
-    >>> train = CrankTrain(reciprocating_mass=Fraction(1, 2), rotating_mass=Fraction(3, 4))
-    >>> rotating_shares(inline("1-2", crank_train=train))
-    [Fraction(3, 2), Fraction(3, 2)]
-    """
-    masses = [c.rotating_mass for c in layout.cylinders]
-    if not any(masses):
-        return masses
-    strokes, one = [c.stroke for c in layout.cylinders], layout.first.stroke
-    first = layout.first.reciprocating_mass
-    if not first:
-        rule = "counts beside counterweights, in units of the reciprocating mass"
-        raise SymbalanceError("rotating_mass", rule, "give reciprocating_mass, kg, above 0")
-    if len(set(strokes)) == 1:
-        return [m / first for m in masses]
-    if any(s is None for s in strokes):
-        rule = "is given for some cylinders and not for others"
-        raise SymbalanceError("stroke", rule, "give it for all, or in [crank_train]")
-    return [m * s / (first * one) for m, s in zip(masses, strokes, strict=True) if s and one]
-
-
-def unit_unbalance(layout: Engine) -> Fraction | None:
-    """Return m r of the first cylinder in kg mm, None where its mass or stroke is not given.
-
-    >>> from symbalance.engine.catalogue import load
-    >>> unit_unbalance(load("vq30de"))
-    Fraction(493309, 20000)
-    """
-    mass, radius = layout.first.reciprocating_mass, layout.first.radius
-    return mass * radius if mass and radius else None
 
 
 def _in_units(layout: Engine, weight: Weight, speed: int) -> Number:
     """Return a weight's force over the unit of its order; decimals where that is no longer exact."""
     if weight.in_kg_mm:
-        unit = unit_unbalance(layout)
+        unit = layout.unit_unbalance
         if unit is None:
             rule = "counts in units of m r"
             remedy = "give stroke and reciprocating_mass (above 0) in [crank_train], or a share"
             raise SymbalanceError("unbalance", rule, remedy)
         return weight.vector.scaled(speed * speed / unit)
-    if counts_in_orders(layout) or not layout.has_common_harmonics or abs(speed) == 1:
+    if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
         return weight.vector
     with mp.workdps(DIGITS):
         return DecimalPhasor(decimal(weight.vector) * share_unit(layout, speed))
-
-
-def counts_in_orders(layout: Engine) -> bool:
-    """Tell whether every order is geometry in units of its own F_n = A_n m r omega^2, whatever lambda is.
-
-    So it is where all cylinders have one A_n and every weight above the crank's speed is a share of it:
-    one in kg mm needs A_n as a number.
-    """
-    fast = (s for s in layout.balancers.shafts if abs(s.speed) > 1)
-    return layout.has_common_harmonics and not any(w.in_kg_mm for s in fast for w in s.weights)
 
 
 def share_unit(layout: Engine, speed: int) -> Real:

@@ -2,7 +2,7 @@
 
 In: an `Engine`. Out: a `Balance`: force and couple of each order that survives, in four exact components.
 
-    cylinder_sums               the sums;  resultants: the result;  rotating: what turns
+    planar_vectors              the sums;  resultants: the result
     summation                   closed forms for a symbolic number of cylinders
     shafts                      the roll moment of balance shafts
     rows, roll_rows             components as rows of a table;  wide_formulas: too wide for one

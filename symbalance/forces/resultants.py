@@ -12,17 +12,14 @@ These sums are geometry alone; A_n is the kinematics of one cylinder; tables pri
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import counts_in_orders
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import Component, Spectrum
-from symbalance.forces.cylinder_sums import cylinder_spectrum
-from symbalance.forces.rotating import with_rotors
+from symbalance.forces.planar_vectors import planar_vectors
 from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import Real, exact
@@ -174,16 +171,16 @@ def balance(
         raise SymbalanceError(
             f"layout = {shown(layout)}", "must be a Engine", 'load one with load("v12-60"), or build one'
         )
-    if ratio is not None:
-        layout = layout.with_ratio(ratio)
-    plane = layout.mean_station if reference is None else exact(reference, "reference")
-    arms, ones = layout.arms(plane), [Fraction(1)] * len(layout.cylinders)
-    force = with_rotors(layout, cylinder_spectrum(layout, order, ones), order, None)
-    couple = with_rotors(layout, cylinder_spectrum(layout, order, arms), order, plane)
-    apart = FORCE if counts_in_orders(layout) else None
-    result = Balance(layout, order, force, couple, None if reference is None else plane, power, apart)
-    _check_power(power, sorted({*force.orders(), *couple.orders()}))
-    return result
+    if ratio is None:
+        return _balance(layout, order, power, reference)
+    return _balance(layout.with_ratio(ratio), order, power, reference)
+
+
+def _balance(layout: Engine, order: int, power: int | None, reference: object) -> Balance:
+    plane = None if reference is None else exact(reference, "reference")
+    force, couple = planar_vectors(layout, order, plane)
+    apart = FORCE if layout.counts_in_orders else None
+    return Balance(layout, order, force, couple, plane, _checked_power(power, force, couple), apart)
 
 
 def checked_balance(result: object) -> Balance:
@@ -195,10 +192,11 @@ def checked_balance(result: object) -> Balance:
     return result
 
 
-def _check_power(power: int | None, orders: Sequence[int]) -> None:
+def _checked_power(power: int | None, *spectra: Spectrum) -> int | None:
     if power is None:
-        return
+        return None
     checked_power(power)
+    orders = sorted({n for spectrum in spectra for n in spectrum.orders()})
     lost = [n for n in orders if n - 1 > power]
     if lost:
         raise SymbalanceError(
@@ -206,3 +204,4 @@ def _check_power(power: int | None, orders: Sequence[int]) -> None:
             f"keeps no term of order {lost[-1]}",
             f"the least power of 1/lambda that keeps every order here is {lost[-1] - 1}",
         )
+    return power

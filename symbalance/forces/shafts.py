@@ -17,7 +17,7 @@ from fractions import Fraction
 from mpmath import mp
 
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import counts_in_orders, rotors, share_unit
+from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError
 from symbalance.exact.arithmetic import added
 from symbalance.exact.decimal_phasor import DIGITS
@@ -41,7 +41,7 @@ def shaft_moment(layout: Engine) -> dict[int, Component]:
     -7
     """
     total: dict[int, Number] = {}
-    for rotor in rotors(layout) if has_shafts_aside(layout) else []:
+    for rotor in layout.rotors if has_shafts_aside(layout) else ():
         if not (rotor.x or rotor.y):
             continue
         radius = layout.first.radius
@@ -69,5 +69,5 @@ def shaft_terms(layout: Engine, order: int) -> Iterator[tuple[int, Real, Real]]:
         if n <= order:
             cos, sin = part.decimal(DIGITS)
             with mp.workdps(DIGITS):
-                unit = share_unit(layout, n) if counts_in_orders(layout) else mp.mpf(1)
+                unit = share_unit(layout, n) if layout.counts_in_orders else mp.mpf(1)
                 yield n, cos * unit, sin * unit

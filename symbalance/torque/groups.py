@@ -17,9 +17,8 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.engine.cylinders import Cylinder, known_mechanism
+from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import rotating_shares
 from symbalance.errors import SymbalanceError
 from symbalance.exact.arithmetic import decimal
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
@@ -57,7 +56,7 @@ def torque_groups(layout: Engine) -> list[TorqueGroup]:
         lambda c: (c.mechanism, size[c.number] * radius[c.number], radius[c.number], c.excess)
     )
     return [
-        TorqueGroup(known_mechanism(cylinders[0]), of_mass, of_radius, excess, cylinders)
+        TorqueGroup(cylinders[0].known_mechanism, of_mass, of_radius, excess, cylinders)
         for (_, of_mass, of_radius, excess), cylinders in groups.items()
     ]
 
@@ -75,7 +74,7 @@ def link_pin_masses(layout: Engine) -> list[tuple[LinkRod, Fraction, tuple[Cylin
     if not any(c.rotating_mass and has_link_pin(c.mechanism) for c in layout.cylinders):
         return []
     _check_numbers(layout)
-    mass, radius = _by_number(layout, rotating_shares(layout)), _by_number(layout, layout.radii)
+    mass, radius = _by_number(layout, layout.rotating_sizes), _by_number(layout, layout.radii)
     groups = layout.grouped(lambda c: (c.mechanism, mass[c.number] * radius[c.number]))
     return [
         (mechanism, size, cylinders)

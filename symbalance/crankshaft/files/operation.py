@@ -7,7 +7,6 @@ from itertools import pairwise
 from math import pi
 from pathlib import Path
 
-from symbalance.engine.cylinders import known_mechanism
 from symbalance.engine.engine import Engine
 from symbalance.engine.trains import ROD
 from symbalance.errors import SymbalanceError
@@ -164,7 +163,7 @@ def _ideal(section: Section, layout: Engine) -> IdealCycle | None:
 
 
 def _first(section: Section, ideal: IdealCycle, layout: Engine) -> PressureTrace:
-    return section.guarded("compression", lambda: ideal.trace(known_mechanism(layout.first)))
+    return section.guarded("compression", lambda: ideal.trace(layout.first.known_mechanism))
 
 
 def _rod(section: Section, layout: Engine) -> RodSplit | None:

@@ -12,7 +12,7 @@ from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads.motion import Complex, Motion, link_arm, motion
 from symbalance.crankshaft.loads.pressures import pressures
 from symbalance.crankshaft.rotor import Array
-from symbalance.engine.cylinders import Cylinder, known_mechanism
+from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
 from symbalance.kinematics.pistons import Piston
@@ -84,7 +84,7 @@ class RodForces:
 
     @cached_property
     def _mechanisms(self) -> dict[int, Mechanism]:
-        return {n: known_mechanism(c) for n, c in self._cylinders.items()}
+        return {n: c.known_mechanism for n, c in self._cylinders.items()}
 
     @cached_property
     def _tops(self) -> dict[int, float]:
@@ -139,7 +139,7 @@ def firing_crank_angles(layout: Engine) -> dict[int, float]:
     [0.071, 240.071, 120.071, 479.929, 599.929, 359.929]
     """
     passes, cycle = firing_pin_passings(layout), layout.strokes * pi
-    pistons = {c.number: Piston(known_mechanism(c)) for c in layout.cylinders}
+    pistons = {c.number: Piston(c.known_mechanism) for c in layout.cylinders}
     return {n: (float(passes[n]) * pi / 180 + p.top) % cycle for n, p in pistons.items()}
 
 

@@ -25,7 +25,7 @@ from symbalance.design.balancing.choosing import parts_of
 from symbalance.design.balancing.devices import Device, devices_for, for_rotating
 from symbalance.design.balancing.limits import Limits, checked_limits, checked_orders
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import share_unit, unit_unbalance
+from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.arithmetic import size_of
 from symbalance.exact.decimal_phasor import DIGITS
@@ -98,7 +98,7 @@ class Design:
 
     def unbalance(self, device: Device, vector: Number) -> Real | None:
         """Return a weight's mass times radius in kg mm, None where the engine's sizes do not say."""
-        unit = unit_unbalance(self.balanced)
+        unit = self.balanced.unit_unbalance
         needs_ratio = abs(device.speed) > 1 and self.balanced.has_common_harmonics
         if unit is None or (needs_ratio and self.balanced.ratio is None) or self.balanced.has_symbols:
             return None

@@ -15,12 +15,7 @@ from symbalance.design.balancing.limits import Limits
 from symbalance.design.balancing.planes import Placed, in_planes
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight, directed
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import (
-    counts_in_orders,
-    rotating_shares,
-    share_unit,
-    unit_unbalance,
-)
+from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError
 from symbalance.exact.arithmetic import added, decimal, size_of, station_of, summed
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
@@ -168,7 +163,7 @@ def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) 
 
 def _share(layout: Engine, speed: int, vector: Number) -> Number:
     """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
-    if counts_in_orders(layout) or not layout.has_common_harmonics or abs(speed) == 1:
+    if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
         return vector
     with mp.workdps(DIGITS):
         return DecimalPhasor(decimal(vector) / share_unit(layout, speed))
@@ -176,11 +171,11 @@ def _share(layout: Engine, speed: int, vector: Number) -> Number:
 
 def _bound(layout: Engine, speed: int, most: Fraction) -> Fraction:
     """Return the largest vector a weight of so many kg mm may have, rounded to 12 digits."""
-    unit = unit_unbalance(layout)
+    unit = layout.unit_unbalance
     if unit is None:
         rule, remedy = "is in kg mm", "give stroke and reciprocating_mass in [crank_train]"
         raise SymbalanceError(f"most = {most}", rule, remedy)
-    if abs(speed) == 1 or not counts_in_orders(layout):
+    if abs(speed) == 1 or not layout.counts_in_orders:
         return most * speed * speed / unit
     per_share = share_unit(layout, speed)
     share = most * speed * speed / unit
@@ -196,7 +191,7 @@ def for_rotating(layout: Engine, devices: Sequence[Device]) -> list[Counterweigh
     added_weights = any(d.on_crank for d in devices) and not layout.balancers.counterweights
     if not added_weights or any(p.overbalance is not None for d in devices for p in _on_crank(d)):
         return []
-    pairs = zip(layout.cylinders, rotating_shares(layout), strict=True)
+    pairs = zip(layout.cylinders, layout.rotating_sizes, strict=True)
     return [Counterweight(throw=c.number, overbalance=0) for c, share in pairs if share]
 
 

@@ -24,7 +24,7 @@ from mpmath import mp
 
 from symbalance.design.variations.sensitivity import Sensitivity
 from symbalance.design.variations.shares import Share
-from symbalance.engine.cylinders import Cylinder, known_mechanism
+from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
@@ -159,7 +159,7 @@ def _derived(
     """Yield one derivative's orders: the sums over the cylinders that the first one's size moves."""
     first, per = moved[0], [_lengths(layout, c, name) for c in moved]
     places = [layout.cylinders.index(c) for c in moved]
-    changed = [_coefficients(known_mechanism(c), name, c is first, order) for c in moved]
+    changed = [_coefficients(c.known_mechanism, name, c is first, order) for c in moved]
     for n in range(1, order + 1):
         total, arms, size = [mp.mpc(0)] * 2, [mp.mpc(0)] * 2, mp.mpf(0)
         for place, cylinder, lengths, found in zip(places, moved, per, changed, strict=True):

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from symbalance.design.variations.sectors import Sector
 from symbalance.design.variations.sensitivity import evaluated_number
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import counts_in_orders, share_unit
+from symbalance.engine.rotors import share_unit
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Spectrum
-from symbalance.forces.rotating import turning_spectrum
+from symbalance.forces.planar_vectors import turning_spectrum
 from symbalance.text.numbers import exact
 
 
@@ -61,7 +61,7 @@ def made_parts(layout: Engine, order: int, reference: object = None) -> dict[int
 
 
 def _part(layout: Engine, spectrum: Spectrum, n: int) -> Made:
-    factor = float(share_unit(layout, n)) if counts_in_orders(layout) else 1.0
+    factor = float(share_unit(layout, n)) if layout.counts_in_orders else 1.0
     ahead, against = (complex(evaluated_number(spectrum.terms.get(s, ZERO))) for s in (n, -n))
     return Made(ahead * factor, against * factor)
 

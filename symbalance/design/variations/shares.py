@@ -16,7 +16,7 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.engine.cylinders import Cylinder, known_mechanism
+from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.decimal_phasor import DIGITS
@@ -97,4 +97,4 @@ def mechanism_to(layout: Engine, cylinder: Cylinder, order: int) -> Mechanism:
     if cylinder.mechanism is None and layout.has_common_harmonics:
         remedy = "give stroke and rod in mm, or --ratio"
         raise SymbalanceError(f"engine {layout.name!r}", "has no rod ratio", remedy)
-    return known_mechanism(cylinder)
+    return cylinder.known_mechanism

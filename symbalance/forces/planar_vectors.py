@@ -1,4 +1,4 @@
-r"""Sums over the cylinders of an engine: exact over like cylinders, decimals where groups differ.
+r"""The planar force and couple of an engine: sums over its cylinders, and what turns beside them.
 
 A mass that moves with a cylinder's mechanism pushes with h_n e^(inp) for every n of either sign
 (`symbalance.kinematics.mechanisms.moving_masses`), p = theta + throw - bank, in the cylinder's frame.
@@ -21,12 +21,12 @@ from math import lcm
 
 from mpmath import mp
 
-from symbalance.engine.cylinders import Cylinder, known_mechanism
+from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import counts_in_orders, rotating_shares
+from symbalance.engine.rotors import Rotor
 from symbalance.errors import SymbalanceError
 from symbalance.exact.angles import SymbolPart
-from symbalance.exact.arithmetic import decimal
+from symbalance.exact.arithmetic import added, decimal
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.exact.spectrum import Number, Spectrum, SymbolicPhasor
@@ -78,12 +78,12 @@ def moving_masses(layout: Engine) -> Iterator[MovingMass]:
     _check_numbers(layout)
     places = {c.number: i for i, c in enumerate(layout.cylinders)}
     for group in layout.groups:
-        mechanism, sizes = known_mechanism(group.cylinders[0]), (group.size,) * len(group.cylinders)
+        mechanism, sizes = group.cylinders[0].known_mechanism, (group.size,) * len(group.cylinders)
         yield MovingMass(mechanism, group.cylinders, sizes, on_link_pin=False)
     for group in layout.groups:
         if group.mechanism is None or not has_link_pin(group.mechanism):
             continue
-        turning = rotating_shares(layout)
+        turning = layout.rotating_sizes
         shares = tuple(turning[places[c.number]] for c in group.cylinders)
         if any(shares):
             yield MovingMass(group.mechanism, group.cylinders, shares, on_link_pin=True)
@@ -96,14 +96,26 @@ def _check_numbers(layout: Engine) -> None:
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
 
 
-def cylinder_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
-    """Return the sum of weight times every cylinder's force, to an order, less what turns steadily.
+def planar_vectors(
+    layout: Engine, order: int, reference: Fraction | None = None
+) -> tuple[Spectrum, Spectrum]:
+    """Return the free force, and the couple about a station (default: the mean), to an order.
 
-    In units of each order's A_n m r omega^2 where `counts_in_orders` says so, else of m r omega^2.
+    In units of each order's A_n m r omega^2 where the engine `counts_in_orders`, else of m r omega^2.
     """
-    if counts_in_orders(layout):
-        return geometry(layout, [n for n in range(1, order + 1) if surviving(n)], weights)
-    return _spectrum_of(moving_masses(layout), layout, order, weights)
+    plane = layout.mean_station if reference is None else reference
+    ones, arms = [Fraction(1)] * len(layout.cylinders), [c.station - plane for c in layout.cylinders]
+    turning, apart = layout.rotors, layout.counts_in_orders
+    force, couple = (cylinder_spectrum(layout, order, weights) for weights in (ones, arms))
+    about = with_rotors(couple, turning, order, plane, apart)
+    return with_rotors(force, turning, order, None, apart), about
+
+
+def cylinder_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
+    """Return the sum of weight times every cylinder's force, to an order, less what turns steadily."""
+    if not layout.counts_in_orders:
+        return _spectrum_of(moving_masses(layout), layout, order, weights)
+    return geometry(layout, [n for n in range(1, order + 1) if surviving(n)], weights)
 
 
 def link_pin_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
@@ -156,9 +168,9 @@ def geometry(layout: Engine, orders: Sequence[int], weights: Sequence[Fraction])
     [7, 14]
     """
     modulus = layout.modulus  # refuses angles too fine together, beside symbols too
-    if layout.has_symbols:
-        return _with_symbols(layout.cylinders, orders, weights)
-    return Spectrum(_exact_terms(layout.cylinders, modulus, orders, weights))
+    if not layout.has_symbols:
+        return Spectrum(_exact_terms(layout.cylinders, modulus, orders, weights))
+    return _with_symbols(layout.cylinders, orders, weights)
 
 
 def _exact_terms(
@@ -210,3 +222,49 @@ def _with_symbols(
                 total = total + SymbolicPhasor.of({part: phasor})
             terms[signed] = total
     return Spectrum.of(terms)
+
+
+def turning_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
+    """Return what rotors and masses on link pins add to the force, or to the couple about `plane`."""
+    weights = [Fraction(1) if plane is None else c.station - plane for c in layout.cylinders]
+    pins = link_pin_spectrum(layout, highest, weights)
+    return with_rotors(pins, layout.rotors, highest, plane, layout.counts_in_orders)
+
+
+def with_rotors(
+    vector: Spectrum, turning: Sequence[Rotor], highest: int, plane: Fraction | None, apart: bool
+) -> Spectrum:
+    """Return a force, or a couple about `plane`, with that of what turns added to it.
+
+    `apart` says that components are exact; else they are decimals.
+    """
+    if not turning:
+        return vector
+    total = dict(vector.terms)
+    for n, number in rotor_spectrum(turning, highest, plane).terms.items():
+        total[n] = added(total[n], number) if n in total else number
+    if not apart:
+        total = {n: _decimal(number) for n, number in total.items()}
+    return Spectrum.of(total)
+
+
+def rotor_spectrum(turning: Sequence[Rotor], highest: int, plane: Fraction | None) -> Spectrum:
+    """Return what turns adds to the force, or to the couple about `plane`, up to an order.
+
+    >>> from symbalance.engine.balancers import Counterweight
+    >>> from symbalance.engine.builders import inline
+    >>> single = inline("1").balanced_by(Counterweight(throw=1, overbalance="1/2"))
+    >>> rotor_spectrum(single.rotors, 12, None).component(1, "vertical").cos
+    -1/2
+    """
+    total: dict[int, Number] = {}
+    for rotor in turning:
+        if abs(rotor.speed) <= highest:
+            arm = Fraction(1) if plane is None else rotor.station - plane
+            part = rotor.vector.scaled(arm)
+            total[rotor.speed] = added(total[rotor.speed], part) if rotor.speed in total else part
+    return Spectrum.of(total)
+
+
+def _decimal(number: Number) -> DecimalPhasor:
+    return number if isinstance(number, DecimalPhasor) else DecimalPhasor(decimal(number))
