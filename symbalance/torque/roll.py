@@ -143,7 +143,7 @@ def torque_report(layout: Engine, order: int = 12, *, ratio: object = None) -> T
     layout = inertia.layout
     rod, rocking = rod_torque(layout, order), rod_couple(layout, order)
     beside, excess = beside_moment(layout, order), first_excess(layout)
-    known = layout.ratio is not None and not layout.has_symbols
+    known = all(c.mechanism for c in layout.cylinders) and not layout.has_symbols
     needs = known and (mass_scale(layout) is not None or not excess)
     shafts = {n: c for n, c in shaft_moment(layout).items() if n <= order}
     opposite = not (excess or beside.components or shafts)
