@@ -14,8 +14,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, NoReturn, Protocol, TypeVar
 
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
-from symbalance.engine.layout import Layout
-from symbalance.engine.rotors import rotors
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 
 TABLES = ("counterweight", "balance_shaft")
@@ -45,7 +44,7 @@ class Reader(Protocol):
         ...
 
 
-def with_balancers(reader: Reader, table: dict[str, Any], layout: Layout) -> Layout:
+def with_balancers(reader: Reader, table: dict[str, Any], layout: Engine) -> Engine:
     """Return a layout with the counterweights and shafts that an engine file's table lists."""
     found: list[tuple[str, int, Balancer]] = []
     for section, read in zip(TABLES, (_counterweight, _shaft), strict=True):
@@ -63,10 +62,10 @@ def with_balancers(reader: Reader, table: dict[str, Any], layout: Layout) -> Lay
         return reader.guarded(section, "", index, lambda: _joined(layout, every))
 
 
-def _joined(layout: Layout, balancers: Sequence[Balancer]) -> Layout:
+def _joined(layout: Engine, balancers: Sequence[Balancer]) -> Engine:
     made = layout.balanced_by(*balancers)
     _ = made.modulus  # refuses angles too fine together
-    rotors(made)  # refuses what needs masses that are not given
+    _ = made.rotors  # refuses what needs masses that are not given
     return made
 
 

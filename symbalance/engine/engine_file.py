@@ -13,11 +13,10 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from symbalance.engine.balancer_tables import TABLES, with_balancers
-from symbalance.engine.builders import from_firing_order
+from symbalance.engine.builders import from_cylinders, from_firing_order
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout, check_link_mass, checked_name, checked_strokes
+from symbalance.engine.engine import Engine, checked_name, checked_strokes
 from symbalance.engine.trains import OWN, ROD, CrankTrain, Link, checked_size
-from symbalance.engine.unlike import kinds
 from symbalance.errors import SymbalanceError, encodable_name, shown
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.files import read_text, toml_table
@@ -34,13 +33,13 @@ _LINK = ("master", "link_angle", "link_radius")
 _CYLINDER = ("number", "throw", "bank", "station", "fires", *OWN, *_LINK)
 
 
-def read_engine_file(path: str | Path) -> Layout:
+def read_engine_file(path: str | Path) -> Engine:
     """Return the layout an engine file describes; every refusal names the file and the line."""
     text = read_text(path)
     return parse_engine(text, str(path), default_name=encodable_name(Path(path).stem))
 
 
-def parse_engine(text: str, place: str, default_name: str = "engine") -> Layout:
+def parse_engine(text: str, place: str, default_name: str = "engine") -> Engine:
     """Return the layout that the text of an engine file describes; `place` is what errors call it."""
     return _Reader(text, place).engine(toml_table(text, place), default_name)
 
@@ -51,7 +50,7 @@ class _Reader:
     def __init__(self, text: str, place: str) -> None:
         self.lines, self.place = text.split("\n"), place
 
-    def engine(self, table: dict[str, Any], default_name: str) -> Layout:
+    def engine(self, table: dict[str, Any], default_name: str) -> Engine:
         self.check_keys(table, (*_TOP, *_ROOMS), "", 0)
         for key in ("name", "description", "source"):
             if not isinstance(table.get(key, ""), str):
@@ -67,16 +66,14 @@ class _Reader:
             raise self.refusal("strokes", table["strokes"], "belongs into [layout] here", "move it")
         return self.joined(table, self.layout(self.subtable(table, "layout"), about))
 
-    def joined(self, table: dict[str, Any], made: Layout) -> Layout:
+    def joined(self, table: dict[str, Any], made: Engine) -> Engine:
         """Return a layout, refused where a rod does not reach or a size it needs is not given."""
-        if not made.is_uniform:
-            places = [s for s in ("crank_train", "layout") if "offset" in self.subtable(table, s)]
-            section, key = (places[-1], "offset") if places else ("cylinder", "")
-            self.guarded(section, key, 0, lambda: kinds(made))
-        for i, cylinder in enumerate(made.cylinders):
-            own = any(getattr(cylinder.own, key) is not None for key in ROD)
+        self.guarded("cylinder", "", 0, lambda: made.groups)
+        rows = table.get("cylinder", [{}] * len(made.cylinders))
+        for i, (row, cylinder) in enumerate(zip(rows, made.cylinders, strict=True)):
+            own = any(key in row for key in ROD)
             section = "cylinder" if own else "crank_train"
-            self.guarded(section, "", i if own else 0, lambda c=cylinder: made.train_of(c).rod_split)
+            self.guarded(section, "", i if own else 0, lambda c=cylinder: c.rod_split)
         return with_balancers(self, table, made)
 
     def crank_train(self, table: dict[str, Any]) -> CrankTrain:
@@ -97,7 +94,7 @@ class _Reader:
             self.guarded(section, key, 0, lambda: checked_ratio(train.ratio, what))
         return train
 
-    def layout(self, table: dict[str, Any], about: dict[str, Any]) -> Layout:
+    def layout(self, table: dict[str, Any], about: dict[str, Any]) -> Engine:
         self.check_keys(table, _LAYOUT, "layout", 0)
         if "firing_order" not in table:
             place = f"{self.place}:{self.line_of('layout', 0)}: [layout]"
@@ -131,19 +128,15 @@ class _Reader:
         if not all(isinstance(row, list) and all(map(good, row)) for row in rows):
             raise self.refusal(key, value, rule, remedy, "layout")
 
-    def cylinders(self, table: dict[str, Any], about: dict[str, Any]) -> Layout:
+    def cylinders(self, table: dict[str, Any], about: dict[str, Any]) -> Engine:
         rows, strokes = table["cylinder"], table.get("strokes", 4)
         if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
             raise self.refusal("cylinder", rows, "must be [[cylinder]] tables", "use double brackets")
         cylinders = [self.cylinder(row, i) for i, row in enumerate(rows)]
         self.guarded("", "strokes", 0, lambda: checked_strokes(strokes))
-        for i, (row, cylinder) in enumerate(zip(rows, cylinders, strict=True)):
-            section = "cylinder" if "rotating_mass" in row else "crank_train"
-            index = i if section == "cylinder" else 0
-            self.guarded(section, "", index, lambda c=cylinder: check_link_mass(c, about["crank_train"]))
 
-        def made(places: Sequence[int]) -> Layout:
-            layout = Layout([cylinders[i] for i in places], strokes=strokes, **about)
+        def made(places: Sequence[int]) -> Engine:
+            layout = from_cylinders([cylinders[i] for i in places], strokes=strokes, **about)
             _ = layout.modulus  # refuses angles too fine together
             return layout
 
@@ -192,7 +185,14 @@ class _Reader:
         except SymbalanceError as problem:
             named = re.match(r"\w+", problem.what)
             line = self.line_of(section, index, key or (named[0] if named else ""))
+            shared = [s for s in ("layout", "crank_train") if named and self.holds(s, named[0])]
+            if not key and shared and line == self.line_of(section, index):
+                line = self.line_of(shared[0], 0, named[0] if named else "")  # where the size stands
             raise problem.within(f"{self.place}:{line}") from None
+
+    def holds(self, section: str, key: str) -> bool:
+        """Tell whether a table of the file has a key."""
+        return self.line_of(section, 0, key) != self.line_of(section, 0)
 
     def refusal(
         self, key: str, value: object, rule: str, remedy: str, section: str = "", index: int = 0

@@ -18,11 +18,18 @@ from functools import lru_cache
 from math import ceil, log
 
 from symbalance.kinematics.inertia import torque_values
-from symbalance.kinematics.mechanisms import Mechanism, SliderCrank, force_harmonics, rod_angle_harmonics
+from symbalance.kinematics.mechanisms import (
+    LinkRod,
+    Mechanism,
+    SliderCrank,
+    force_harmonics,
+    rod_angle_harmonics,
+)
 from symbalance.kinematics.mechanisms.fourier import series_of
 from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.mechanisms.moving_masses import link_pin_path
 from symbalance.kinematics.rod import rod_torque_values
-from symbalance.text.reals import Complex, Real, digits_of, fixed, ldexp
+from symbalance.text.reals import Complex, Real, csum, digits_of, fixed, ldexp
 
 GUARD = 12.0
 """Nepers for what the bounds' constants and the sums over k may add."""
@@ -96,3 +103,44 @@ def _product(rates: Mapping[int, tuple[int, int]], n: int) -> tuple[int, int]:
             c, d = rates[n + k]
             real, imaginary = real + 2 * (a * c + b * d), imaginary + 2 * (a * d - b * c)
     return real, imaginary
+
+
+def link_pin_harmonics(mechanism: LinkRod, order: int, digits: int = 40) -> dict[int, Complex]:
+    """Return n -> C + iS of the torque of a mass on a link pin, over m r^2 omega^2: -1/2 d/dp |w'|^2.
+
+    w is the pin's place (`symbalance.kinematics.mechanisms.moving_masses`); with u_n = i n w_n, n of both
+    signs, C_n + i S_n = i n conj(sum over k of u_k conj(u_{k-n})).
+    """
+    place = _whole_path(mechanism, order, digits)
+    rates = {n: w * Complex(0, n) for n, w in place.items()}
+    squares = {n: _correlation(rates, rates, n) for n in range(1, order + 1)}
+    return {n: s.conjugate() * Complex(0, n) for n, s in squares.items() if s}
+
+
+def link_pin_moments(mechanism: LinkRod, order: int, digits: int = 40) -> dict[int, Complex]:
+    """Return n -> C + iS of the moment about the crank of a link pin mass's force, over m r^2 omega^2.
+
+    The force -w'' acts at w: with g_n = sum over k of k^2 w_k conj(w_{k-n}) the moment Im(conj(w) (-w''))
+    has C_n + i S_n = conj((g_n - conj(g_-n))/i).
+    """
+    place = _whole_path(mechanism, order, digits)
+    forces = {n: w * (n * n) for n, w in place.items()}
+    moments = {}
+    for n in range(1, order + 1):
+        both = _correlation(forces, place, n) - _correlation(forces, place, -n).conjugate()
+        if both:
+            moments[n] = Complex(both.imag, both.real)
+    return moments
+
+
+def _whole_path(mechanism: LinkRod, order: int, digits: int) -> dict[int, Complex]:
+    """Return the link pin's place from the crank's axis, to the order that products need."""
+    strip = max(mechanism.master.strip, LEAST_STRIP)
+    highest = order + ceil((digits * log(10) + GUARD) / (2 * strip))
+    place = link_pin_path(mechanism, highest, digits)
+    return place | {1: place.get(1, Complex(0, 0, digits + 10)) + 1}
+
+
+def _correlation(left: Mapping[int, Complex], right: Mapping[int, Complex], n: int) -> Complex:
+    """Return the sum over k of left_k conj(right_{k-n})."""
+    return csum(x * right[k - n].conjugate() for k, x in left.items() if k - n in right)

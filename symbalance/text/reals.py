@@ -663,6 +663,14 @@ def fsum(values: Iterable[Exact | Real], digits: int | None = None) -> Real:
     return _real(libmp.mpf_sum([x._mpf_ for x in terms], bits, _nearest), bits)
 
 
+def csum(values: Iterable[Complex]) -> Complex:
+    """Return a sum, each part rounded once, to the precision of the most precise term."""
+    terms = list(values)
+    bits = max((z.bits for z in terms), default=bits_of(DIGITS))
+    parts = (libmp.mpf_sum([z._mpc_[i] for z in terms], bits, _nearest) for i in (0, 1))
+    return _complex(tuple(parts), bits)  # type: ignore[arg-type]
+
+
 def fdot(reals: Iterable[Real], numbers: Iterable[Complex]) -> Complex:
     """Return the sum of products of real and complex numbers, rounded once."""
     pairs = list(zip(reals, numbers, strict=False))

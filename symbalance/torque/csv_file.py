@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from symbalance.engine.layout import checked_strokes
+from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.files import read_text
 from symbalance.text.measurements import reading

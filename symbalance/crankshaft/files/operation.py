@@ -7,9 +7,8 @@ from itertools import pairwise
 from math import pi
 from pathlib import Path
 
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.engine.trains import ROD
-from symbalance.engine.unlike import mechanism_of
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import RodSplit
 from symbalance.text.sections import MILLI, Section
@@ -86,7 +85,7 @@ class Operation:
         return pi * self.bore**2 / 4
 
 
-def read_operation(section: Section, layout: Layout, folder: Path) -> Operation:
+def read_operation(section: Section, layout: Engine, folder: Path) -> Operation:
     """Return what [running] says: bore in mm, speeds in rpm, pressures in bar absolute, kg, kg mm^2."""
     rod, ideal = _rod(section, layout), _ideal(section, layout)
     big_end_mass = _big_end_mass(section, rod)
@@ -138,12 +137,12 @@ def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
     return ordered
 
 
-def _trace(section: Section, layout: Layout, folder: Path) -> PressureTrace:
+def _trace(section: Section, layout: Engine, folder: Path) -> PressureTrace:
     name = str(section.text("pressure"))
     return section.guarded("pressure", lambda: read_pressure(folder / name, strokes=layout.strokes))
 
 
-def _ideal(section: Section, layout: Layout) -> IdealCycle | None:
+def _ideal(section: Section, layout: Engine) -> IdealCycle | None:
     """Return the ideal cycle asked for, None where a pressure trace is given."""
     if "pressure" in section:
         ideal = [key for key in IDEAL if key in section]
@@ -163,27 +162,27 @@ def _ideal(section: Section, layout: Layout) -> IdealCycle | None:
     )
 
 
-def _first(section: Section, ideal: IdealCycle, layout: Layout) -> PressureTrace:
-    return section.guarded("compression", lambda: ideal.trace(mechanism_of(layout, layout.first)))
+def _first(section: Section, ideal: IdealCycle, layout: Engine) -> PressureTrace:
+    return section.guarded("compression", lambda: ideal.trace(layout.first.known_mechanism))
 
 
-def _rod(section: Section, layout: Layout) -> RodSplit | None:
+def _rod(section: Section, layout: Engine) -> RodSplit | None:
     given = [key for key in ROD if key in section]
     if not given:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
-        return layout.train_of(layout.first).rod_split
+        return layout.first.rod_split
     for key in ROD:
         if key not in section:
             raise section.missing(key, f"add {key} = ..., or drop {given[0]} and give big_end_mass")
     if "big_end_mass" in section:
         raise section.refusal("big_end_mass", "is rod_mass's big end already", "give one or the other")
-    length = layout.train_of(layout.first).rod
+    length = layout.first.sizes.rod
     if length is None:
         raise section.refusal(
             given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]"
         )
     mass, centre, inertia = (section.table[key] for key in ROD)
     rod = section.guarded("rod_centre", lambda: RodSplit(mass, length, centre, inertia))
-    share = layout.crank_train.reciprocating_mass
+    share = layout.first.reciprocating_mass
     if share is not None and rod.reciprocating > share:
         rule = f"puts {float(rod.reciprocating):.6g} kg at the piston, above reciprocating_mass"
         raise section.refusal(
@@ -201,7 +200,7 @@ def _big_end_mass(section: Section, rod: RodSplit | None) -> float:
     return section.number("big_end_mass", None, zero=True)
 
 
-def _check_rods(section: Section, layout: Layout, rod: RodSplit | None, big_end_mass: float) -> None:
+def _check_rods(section: Section, layout: Engine, rod: RodSplit | None, big_end_mass: float) -> None:
     """Refuse one rod's masses and inertia for all where rods differ, or hang on link pins."""
     key = next((k for k in ("rod_mass", "big_end_mass") if k in section), "")
     what, place = f"{key} = {section.table[key]}" if key else "rod_mass", section.place(key)
@@ -209,11 +208,8 @@ def _check_rods(section: Section, layout: Layout, rod: RodSplit | None, big_end_
         rule = f"of cylinder {layout.link_pins[0]} would sit on its link pin, and is put on the crank pin"
         remedy = "give big_end_mass = 0 and no rod_mass: what a link pin's mass adds is not computed"
         raise SymbalanceError(what, rule, remedy, place)
-    trains = [layout.train_of(c) for c in layout.cylinders]
-    unlike = (
-        len({t.rod for t in trains}) > 1 or len({tuple(getattr(t, k) for k in ROD) for t in trains}) > 1
-    )
-    if rod is not None and unlike:
+    rods = {tuple(getattr(c.sizes, key) for key in ("rod", *ROD)) for c in layout.cylinders}
+    if rod is not None and len(rods) > 1:
         rule = "is one rod's, and the engine's rods are not alike"
         raise SymbalanceError(what, rule, "give big_end_mass, and no rod_mass", place)
 
