@@ -17,9 +17,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from mpmath import mp
-
-from symbalance.exact.decimal_phasor import DIGITS
 from symbalance.kinematics.kinetic import (
     beside_harmonics,
     inertia_harmonics,
@@ -30,7 +27,7 @@ from symbalance.kinematics.kinetic import (
 )
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, force_tail
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force, link_pin_tail, piston_force
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Complex, Real
 
 RECIPROCATING, ROTATING, EXCESS = "reciprocating mass", "rotating mass", "J_x"
 """What of a cylinder a body has: kg at the piston, kg at the rod's lower end, the rod's own inertia."""
@@ -43,17 +40,16 @@ class PistonMass:
     measure: ClassVar[str] = RECIPROCATING
     mechanism: Mechanism
 
-    def force(self, order: int) -> dict[int, Real]:
+    def force(self, order: int) -> dict[int, Complex]:
         """Return n -> h_n: (A_n - i B_n)/2 for n > 0, and its conjugate for -n."""
-        with mp.workdps(DIGITS):
-            halves = {n: f / 2 for n, f in piston_force(self.mechanism, order).items()}
-            return halves | {-n: mp.conj(h) for n, h in halves.items()}
+        halves = {n: f / 2 for n, f in piston_force(self.mechanism, order).items()}
+        return halves | {-n: h.conjugate() for n, h in halves.items()}
 
-    def torque(self, order: int) -> Mapping[int, Real]:
+    def torque(self, order: int) -> Mapping[int, Complex]:
         """Return n -> C + iS of the inertia torque."""
         return inertia_harmonics(self.mechanism, order)
 
-    def moment(self, order: int) -> Mapping[int, Real]:
+    def moment(self, order: int) -> Mapping[int, Complex]:
         """Return n -> C + iS of the force at the arm of an offset axis; empty without offset."""
         return beside_harmonics(self.mechanism, order)
 
@@ -69,15 +65,15 @@ class LinkPinMass:
     measure: ClassVar[str] = ROTATING
     mechanism: LinkRod
 
-    def force(self, order: int) -> dict[int, Real]:
+    def force(self, order: int) -> dict[int, Complex]:
         """Return n -> h_n, less that of a mass on the crank pin."""
         return link_pin_force(self.mechanism, order)
 
-    def torque(self, order: int) -> Mapping[int, Real]:
+    def torque(self, order: int) -> Mapping[int, Complex]:
         """Return n -> C + iS of the inertia torque."""
         return link_pin_harmonics(self.mechanism, order)
 
-    def moment(self, order: int) -> Mapping[int, Real]:
+    def moment(self, order: int) -> Mapping[int, Complex]:
         """Return n -> C + iS of the force at the arm of the link pin."""
         return link_pin_moments(self.mechanism, order)
 
@@ -93,21 +89,21 @@ class RodInertia:
     measure: ClassVar[str] = EXCESS
     mechanism: Mechanism
 
-    def force(self, order: int) -> dict[int, Real]:
+    def force(self, order: int) -> dict[int, Complex]:
         """Return nothing: a couple has no force."""
         return {}
 
-    def torque(self, order: int) -> Mapping[int, Real]:
+    def torque(self, order: int) -> Mapping[int, Complex]:
         """Return n -> C + iS of the torque on the crank, over J_x omega^2."""
         return rod_harmonics(self.mechanism, order)
 
-    def moment(self, order: int) -> Mapping[int, Real]:
+    def moment(self, order: int) -> Mapping[int, Complex]:
         """Return n -> C + iS of the couple on the frame, over J_x omega^2."""
         return rocking_harmonics(self.mechanism, order)
 
     def tail(self, order: int) -> Real:
         """Return 0."""
-        return mp.mpf(0)
+        return Real(0)
 
 
 Body = PistonMass | LinkPinMass | RodInertia
