@@ -5,6 +5,7 @@ names the file, the line, the value, the rule and the remedy. Knows nothing of e
 
     numbers        exact fractions from "360/7", 0.1 or 13.5;  measurements: of any length
     files          a file's text, the TOML in it;  sections: its tables, key by key
+    csv_rows       rows of numbers, each with its line
     writing        files that appear whole or not at all
 """
 
