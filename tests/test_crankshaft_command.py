@@ -341,7 +341,7 @@ def test_missing_tables_and_counterweights_on_one_web_are_refused(tmp_path, caps
 def test_a_counterweight_names_its_webs(tmp_path, capsys):
     text = sheet(SINGLE, "[[crankshaft.counterweight]]\nmass = 1\nradius = 50")
     assert run(["crankshaft", str(written(tmp_path, text)), *QUICK]) == 2
-    assert "[crankshaft.counterweight]: needs webs" in capsys.readouterr().err
+    assert "[[crankshaft.counterweight]]: needs webs" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 """Engine files' tables for the running crankshaft: [crankshaft], [bearings], [running], read strictly.
 
-sections    tables with typed keys; every refusal says file, line, value, rule and remedy
+crank_keys  the keys of the three tables: kind, unit, range, default and meaning
 geometry    [crankshaft] and the layout -> Crank
 supports    [bearings] -> clearance, oil, housing, thrust bearing
 operation   [running] -> bore, speeds, pressure, rods, damping, strength, measured curves
