@@ -58,7 +58,7 @@ class Section:
         for key in self.table:
             if key not in self.keys.by_name:
                 known = tuple(self.keys.by_name)
-                near = get_close_matches(key, known, 1)
+                near = get_close_matches(str(key), known, 1)
                 remedy = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(known)}"
                 what = shown(f"{self.keys.name}.{key}" if self.keys.name else key)
                 raise SymbalanceError(what, "is an unknown key", remedy, self.place(key))
@@ -183,6 +183,6 @@ class Section:
             raise problem.within(self.place(at)) from None
 
 
-def read_sections(text: str, place: str, keys: TableKeys) -> Section:
-    """Return the tables of a TOML text; `place` is what errors call it."""
-    return Section(toml_table(text, place), keys, Source(text, place)).check()
+def read_sections(text: str, place: str, keys: TableKeys, remedy: str = "correct the line") -> Section:
+    """Return the tables of a TOML text, which errors call `place`; `remedy` is for what is no TOML."""
+    return Section(toml_table(text, place, remedy), keys, Source(text, place)).check()
