@@ -73,6 +73,7 @@ from symbalance.engine.balancers import BalanceShaft as BalanceShaft
 from symbalance.engine.balancers import Counterweight as Counterweight
 from symbalance.engine.balancers import Weight as Weight
 from symbalance.engine.builders import boxer as boxer
+from symbalance.engine.builders import from_cylinders as from_cylinders
 from symbalance.engine.builders import from_firing_order as from_firing_order
 from symbalance.engine.builders import inline as inline
 from symbalance.engine.builders import radial as radial
@@ -82,8 +83,8 @@ from symbalance.engine.builders import w as w
 from symbalance.engine.catalogue import load as load
 from symbalance.engine.catalogue import presets as presets
 from symbalance.engine.cylinders import Cylinder as Cylinder
+from symbalance.engine.engine import Engine as Engine
 from symbalance.engine.engine_writing import engine_text as engine_text
-from symbalance.engine.layout import Layout as Layout
 from symbalance.engine.stars import crank_stars as crank_stars
 from symbalance.engine.stars import firing_orders as firing_orders
 from symbalance.engine.stars import natural_bank_angles as natural_bank_angles

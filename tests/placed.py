@@ -31,29 +31,29 @@ def met(pin: Any, axis: complex, length: Fraction, offset: Fraction | None) -> A
     return own.real + np.sqrt(float(length) ** 2 - (own.imag - float(offset or 0)) ** 2)
 
 
-def heights(layout: sb.Layout, cylinder: sb.Cylinder, theta: Any = THETA) -> Any:
+def heights(layout: sb.Engine, cylinder: sb.Cylinder, theta: Any = THETA) -> Any:
     """Return a piston's height in mm above the crank along its axis, at crank angles."""
-    train, axis = layout.train_of(cylinder), direction(cylinder.bank)
+    train, axis = cylinder.sizes, direction(cylinder.bank)
     if cylinder.link is None:
         assert train.stroke is not None
         pin = float(train.stroke) / 2 * np.exp(1j * theta) * direction(cylinder.throw)
         return met(pin, axis, train.rod, train.offset)
     master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
-    over, up = layout.train_of(master), direction(master.bank)
+    over, up = master.sizes, direction(master.bank)
     pin = float(over.stroke) / 2 * np.exp(1j * theta) * direction(master.throw)
     top = (met(pin, up, over.rod, over.offset) + 1j * float(over.offset or 0)) * up
     arm = (top - pin) / abs(top - pin) * np.exp(2j * np.pi * float(cylinder.link.angle))
-    return met(pin + float(cylinder.link.radius) * arm, axis, cylinder.own.rod, train.offset)
+    return met(pin + float(cylinder.link.radius) * arm, axis, cylinder.sizes.rod, train.offset)
 
 
-def planar_series(layout: sb.Layout, arms: bool) -> Any:
+def planar_series(layout: sb.Engine, arms: bool) -> Any:
     """Return force (couple) / m r omega^2, up + i right, two-sided: [n] belongs to e^(in theta)."""
-    first = layout.train_of(min(layout.cylinders, key=lambda c: c.number))
+    first = min(layout.cylinders, key=lambda c: c.number)
     mean = float(sum(c.station for c in layout.cylinders)) / len(layout.cylinders)
     orders = np.fft.fftfreq(POINTS, 1 / POINTS)
     total = np.zeros(POINTS, complex)
     for cylinder in layout.cylinders:
-        train = layout.train_of(cylinder)
+        train = cylinder.sizes
         mass = float(train.reciprocating_mass or 1) / float(first.reciprocating_mass or 1)
         arm = float(cylinder.station) - mean if arms else 1
         series = np.fft.fft(heights(layout, cylinder)) / POINTS / (float(first.stroke) / 2)
@@ -69,7 +69,7 @@ def component(series: Any, n: int, name: str) -> tuple[float, float]:
     return float(value.real), float(-value.imag)
 
 
-def stroke_and_top(layout: sb.Layout, cylinder: sb.Cylinder) -> tuple[float, float]:
+def stroke_and_top(layout: sb.Engine, cylinder: sb.Cylinder) -> tuple[float, float]:
     """Return a piston's stroke in mm and theta at its top dead centre in degrees, looking ever closer."""
 
     def best(sign: int) -> tuple[float, float]:
@@ -86,12 +86,12 @@ def stroke_and_top(layout: sb.Layout, cylinder: sb.Cylinder) -> tuple[float, flo
     return highest - lowest, float(np.degrees(top)) % 360
 
 
-def planar(layout: sb.Layout, theta: Any, arms: bool) -> Any:
+def planar(layout: sb.Engine, theta: Any, arms: bool) -> Any:
     """Return vertical + i lateral over m r omega^2 of cylinder 1 at one crank angle, in mpmath."""
-    first = layout.train_of(min(layout.cylinders, key=lambda c: c.number))
+    first = min(layout.cylinders, key=lambda c: c.number)
     total = mp.mpc(0)
     for cylinder in layout.cylinders:
-        train = layout.train_of(cylinder)
+        train = cylinder.sizes
         mass = exact((train.reciprocating_mass or 1) / (first.reciprocating_mass or Fraction(1)))
         force = -mp.diff(lambda t, c=cylinder: place(layout, c, t), theta, 2) / exact(first.stroke / 2)
         arm = exact(cylinder.station - layout.mean_station) if arms else 1
@@ -99,19 +99,19 @@ def planar(layout: sb.Layout, theta: Any, arms: bool) -> Any:
     return total
 
 
-def place(layout: sb.Layout, cylinder: sb.Cylinder, theta: Any) -> Any:
+def place(layout: sb.Engine, cylinder: sb.Cylinder, theta: Any) -> Any:
     """Return how far a piston stands from the crank along its axis, in mm."""
-    train = layout.train_of(cylinder)
+    train = cylinder.sizes
     if cylinder.link is None:
         pin = exact(train.stroke / 2) * mp.expj(theta) * turned(cylinder.throw)
         return along(pin, turned(cylinder.bank), train.rod, train.offset)
     master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
-    over, up = layout.train_of(master), turned(master.bank)
+    over, up = master.sizes, turned(master.bank)
     pin = exact(over.stroke / 2) * mp.expj(theta) * turned(master.throw)
     top = mp.mpc(along(pin, up, over.rod, over.offset), exact(over.offset or 0)) * up
     arm = (top - pin) / abs(top - pin) * mp.expjpi(2 * exact(cylinder.link.angle))
     pin += exact(cylinder.link.radius) * arm
-    return along(pin, turned(cylinder.bank), cylinder.own.rod, train.offset)
+    return along(pin, turned(cylinder.bank), cylinder.sizes.rod, train.offset)
 
 
 def along(pin: Any, axis: Any, length: Fraction, offset: Fraction | None) -> Any:

@@ -45,17 +45,17 @@ def size(vector):
     return decimal(vector)
 
 
-def turning(layout: sb.Layout):
+def turning(layout: sb.Engine):
     """Return (speed, complex force over m r omega^2, station) of every weight and rotating mass."""
-    first = layout.train_of(layout.cylinders[0])
+    first = layout.cylinders[0]
     unit = number(first.reciprocating_mass or 1) * number(first.stroke or 2) / 2
     found = []
     for counterweight in layout.balancers.counterweights:
         found.append(_counterweight(layout, counterweight, unit))
     if layout.balancers.counterweights:
         for cylinder in layout.cylinders:
-            mass = layout.train_of(cylinder).rotating_mass or 0
-            radius = number(layout.train_of(cylinder).stroke or 2) / 2
+            mass = cylinder.rotating_mass or 0
+            radius = number(cylinder.stroke or 2) / 2
             pull = number(mass) * radius / unit * direction(cylinder.throw)
             found.append((1, pull, cylinder.station))
     for shaft in layout.balancers.shafts:
@@ -64,7 +64,7 @@ def turning(layout: sb.Layout):
             pull = size(weight.vector) * direction(shaft.phase)
             if weight.in_kg_mm:
                 pull = pull * n**2 / unit  # U n^2 omega^2
-            elif layout.is_uniform:
+            elif layout.has_common_harmonics:
                 pull = pull * (coefficient(n, layout.ratio) if n > 1 else 1)
             found.append((shaft.speed, pull, weight.station))
     return found
@@ -78,7 +78,7 @@ def _counterweight(layout, counterweight, unit):
         station = on.station if station is None else station
     station = 0 if station is None else station
     if counterweight.overbalance is not None:
-        train = layout.train_of(on)
+        train = on.sizes
         radius = number(train.stroke or 2) / 2
         masses = number(train.rotating_mass or 0)
         masses += number(counterweight.overbalance) * number(train.reciprocating_mass or 1)
@@ -87,7 +87,7 @@ def _counterweight(layout, counterweight, unit):
     return 1, pull / unit if counterweight.weight.in_kg_mm else pull, station
 
 
-def like_pistons(layout: sb.Layout, theta, arms: bool):
+def like_pistons(layout: sb.Engine, theta, arms: bool):
     """Return vertical + i lateral of alike, centred pistons: the closed form of their acceleration."""
     ratio, mean = number(layout.ratio), layout.mean_station
     total = mp.mpc(0)
@@ -98,7 +98,7 @@ def like_pistons(layout: sb.Layout, theta, arms: bool):
     return total
 
 
-def engine(layout: sb.Layout, arms: bool, pistons=like_pistons):
+def engine(layout: sb.Engine, arms: bool, pistons=like_pistons):
     """Return theta -> vertical + i lateral of the free force or couple, all orders at once."""
     weights, mean = turning(layout), layout.mean_station
 
@@ -112,7 +112,7 @@ def engine(layout: sb.Layout, arms: bool, pistons=like_pistons):
     return at
 
 
-def orders(layout: sb.Layout, wanted, pistons=like_pistons, points: int | None = None):
+def orders(layout: sb.Engine, wanted, pistons=like_pistons, points: int | None = None):
     """Return (order, "force" or "couple") -> the largest of its C and S, complex."""
     found = {}
     with mp.workdps(DIGITS):

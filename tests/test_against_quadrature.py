@@ -22,7 +22,7 @@ from mpmath import mp
 from symbalance.document.symbols import symbol
 from symbalance.engine.builders import boxer, from_firing_order, inline, radial, vee, w
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.exact.spectrum import Component
 from symbalance.forces.resultants import Balance, Resultant, balance
 from symbalance.kinematics.slider_crank import (
@@ -56,12 +56,12 @@ def assert_close(found: object, expected: object, what: str, within: mp.mpf = TO
             raise DisagreementError(f"{what}: {mp.nstr(found, 32)} but {mp.nstr(expected, 32)}")
 
 
-def places_of(layout: Layout) -> list[Place]:
+def places_of(layout: Engine) -> list[Place]:
     return [Place(c.throw.in_degrees(), c.bank.in_degrees(), c.station) for c in layout.cylinders]
 
 
 def assert_agrees(
-    layout: Layout,
+    layout: Engine,
     *,
     places: Sequence[Place] | None = None,
     order: int = 12,
@@ -140,7 +140,7 @@ SEVEN = [1, 6, 3, 5, 2, 7, 4]
 ELEVEN = [1, 9, 4, 7, 2, 11, 5, 8, 3, 10, 6]
 THIRTEEN = [1, 12, 5, 9, 2, 13, 7, 4, 11, 6, 3, 10, 8]
 
-BUILT: dict[str, tuple[Callable[..., Layout], dict]] = {
+BUILT: dict[str, tuple[Callable[..., Engine], dict]] = {
     "in-line seven": (inline, {"firing_order": SEVEN}),
     "in-line eleven": (inline, {"firing_order": ELEVEN}),
     "in-line thirteen": (inline, {"firing_order": THIRTEEN}),
@@ -288,7 +288,7 @@ LISTED = {
 @pytest.mark.parametrize("name", LISTED)
 def test_listed_cylinders(name: str) -> None:
     rows = LISTED[name]
-    layout = Layout([Cylinder(i, *row) for i, row in enumerate(rows, 1)], name=name)
+    layout = Engine([Cylinder(i, *row) for i, row in enumerate(rows, 1)], name=name)
     assert_agrees(layout, places=[Place(*map(Fraction, row)) for row in rows], order=8)
 
 
@@ -315,7 +315,7 @@ def test_random_listed_cylinders(seed: int) -> None:
         (draw.choice(ANGLES), draw.choice(ANGLES), str(Fraction(draw.randint(-9, 9), 4)))
         for _ in range(draw.randint(2, 6))
     ]
-    layout = Layout([Cylinder(i, *row) for i, row in enumerate(rows, 1)], name=f"seed {seed}")
+    layout = Engine([Cylinder(i, *row) for i, row in enumerate(rows, 1)], name=f"seed {seed}")
     places = [Place(*map(Fraction, row)) for row in rows]
     assert_agrees(layout, places=places, order=6, expressions=seed == 3)
 

@@ -27,7 +27,7 @@ import sympy
 
 from symbalance.engine.catalogue import load, preset_names, presets
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.forces.resultants import Balance, Resultant, balance
 
 Row = dict[str, Any]
@@ -69,11 +69,11 @@ def proved_equal(found: sympy.Expr, stated: sympy.Expr) -> bool:
     return bool(close) and proved_zero(found**2 - stated**2)
 
 
-def by_number(layout: Layout) -> list[Cylinder]:
+def by_number(layout: Engine) -> list[Cylinder]:
     return sorted(layout.cylinders, key=lambda cylinder: cylinder.number)
 
 
-def firing_intervals(layout: Layout) -> list[Fraction]:
+def firing_intervals(layout: Engine) -> list[Fraction]:
     order = layout.firing_order()
     assert order is not None
     fires = {c.number: c.fires for c in layout.cylinders}
@@ -86,7 +86,7 @@ def firing_intervals(layout: Layout) -> list[Fraction]:
 def test_every_preset_has_a_row_and_every_row_a_preset() -> None:
     """Engines with unlike cylinders have theirs in `unlike.toml` (`test_real_engines`)."""
     named = [row["engine"] for row in ROWS]
-    assert sorted(named) == sorted(name for name in preset_names() if load(name).is_uniform)
+    assert sorted(named) == sorted(name for name in preset_names() if load(name).has_common_harmonics)
 
 
 def test_every_preset_says_what_it_is_and_where_it_comes_from() -> None:

@@ -9,7 +9,6 @@ import sympy
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine.unlike import kinds
 
 ROW = """
 [[cylinder]]
@@ -115,6 +114,6 @@ def test_link_rods_of_both_rows_of_a_radial_are_alike():
             own = {"link": sb.Link(master, 40 * k, "82.55"), "rod": "266.7"} if k else {}
             rows.append(sb.Cylinder(master + k, pin, 40 * k + pin, -row, **own))
     train = sb.CrankTrain(stroke=Fraction("174.625"), rod=Fraction("349.25"))
-    double = sb.Layout(rows, crank_train=train)
-    assert sorted(map(len, kinds(double).values())) == [2] * 9
+    double = sb.from_cylinders(rows, crank_train=train)
+    assert sorted(map(len, (g.cylinders for g in double.groups))) == [2] * 9
     assert sb.balance(double, 4).force.orders() == []  # the rows turned by half a turn: exactly nothing

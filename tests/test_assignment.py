@@ -151,7 +151,7 @@ def test_what_is_left_is_what_pistons_leave():
     pairs = [(harmonics(engine, arms)[1], harmonics(engine, arms)[-1]) for arms in (False, True)]
     first = found.left[0]
     assert first.force == pytest.approx(float(force) * sum(map(abs, pairs[0])), abs=1e-9)
-    pitch = float(layout.crank_train.pitch) / 1000
+    pitch = float(layout.pitch) / 1000
     assert first.couple == pytest.approx(float(force) * pitch * sum(map(abs, pairs[1])), abs=1e-9)
 
 
@@ -264,7 +264,7 @@ def test_whole_masses_count_beside_what_turns(name):
         stroke=Fraction(80), rod=Fraction(160), reciprocating_mass=Fraction(45, 100),
         rotating_mass=Fraction(3, 10),
     )  # fmt: skip
-    layout = sb.Layout(sb.load(name).cylinders, crank_train=sizes)
+    layout = sb.from_cylinders(sb.load(name).cylinders, crank_train=sizes)
     smooth = sb.design_balance(layout, [1, 2]).balanced
     masses = [Fraction(g, 1000) for g in GRAMS[: len(layout.cylinders)]]
     found = sb.assign_parts(smooth, masses, orders=[1, 2], whole=True)

@@ -19,10 +19,10 @@ from hypothesis import given, settings
 from symbalance.codegen import to_function
 from symbalance.document.printing import to_json, to_latex, to_text
 from symbalance.document.symbols import symbol
-from symbalance.engine.builders import boxer, from_firing_order, inline, radial, vee, w
+from symbalance.engine.builders import boxer, from_cylinders, from_firing_order, inline, radial, vee, w
 from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine
-from symbalance.engine.layout import Layout
 from symbalance.engine.trains import CrankTrain
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import angle, degrees
@@ -138,11 +138,11 @@ def test_a_cylinder_has_a_number(value: object) -> None:
 
 
 def test_angles_too_fine_together_are_refused_not_computed() -> None:
-    fine = Layout([Cylinder(1), Cylinder(2, throw="1/9973"), Cylinder(3, throw="1/9967")])
+    fine = Engine([Cylinder(1), Cylinder(2, throw="1/9973"), Cylinder(3, throw="1/9967")])
     assert_refused(lambda: balance(fine), "of a turn")
-    many = Layout(Cylinder(i, throw=Fraction(1, 10_000 - i)) for i in range(1, 400))
+    many = Engine(Cylinder(i, throw=Fraction(1, 10_000 - i)) for i in range(1, 400))
     assert_refused(lambda: balance(many), "of a turn")
-    with_symbol = Layout([*fine.cylinders, Cylinder(4, bank=X)])
+    with_symbol = Engine([*fine.cylinders, Cylinder(4, bank=X)])
     assert_refused(lambda: balance(with_symbol), "of a turn")
 
 
@@ -152,18 +152,18 @@ def test_angles_too_fine_together_are_refused_not_computed() -> None:
 TWIN = [Cylinder(1), Cylinder(2)]
 
 REFUSED: dict[str, Callable[[], Any]] = {
-    "no cylinder": lambda: Layout([]),
-    "no list": lambda: Layout(None),  # type: ignore[arg-type]
-    "numbers for cylinders": lambda: Layout([1]),  # type: ignore[list-item]
-    "text for cylinders": lambda: Layout("abc"),  # type: ignore[arg-type]
-    "twice the same number": lambda: Layout([Cylinder(1), Cylinder(1)]),
+    "no cylinder": lambda: Engine([]),
+    "no list": lambda: Engine(None),  # type: ignore[arg-type]
+    "numbers for cylinders": lambda: Engine([1]),  # type: ignore[list-item]
+    "text for cylinders": lambda: Engine("abc"),  # type: ignore[arg-type]
+    "twice the same number": lambda: Engine([Cylinder(1), Cylinder(1)]),
     "too many": lambda: radial(1001),
-    "three strokes": lambda: Layout(TWIN, strokes=3),
-    "strokes as text": lambda: Layout(TWIN, strokes="4"),  # type: ignore[arg-type]
-    "a list of strokes": lambda: Layout(TWIN, strokes=[4]),  # type: ignore[arg-type]
-    "too short a rod": lambda: Layout(TWIN, ratio=1),
-    "no ratio": lambda: Layout(TWIN, ratio="long"),
-    "too short a rod, by its sizes": lambda: Layout(
+    "three strokes": lambda: Engine(TWIN, strokes=3),
+    "strokes as text": lambda: Engine(TWIN, strokes="4"),  # type: ignore[arg-type]
+    "a list of strokes": lambda: Engine(TWIN, strokes=[4]),  # type: ignore[arg-type]
+    "too short a rod": lambda: from_cylinders(TWIN, ratio=1),
+    "no ratio": lambda: from_cylinders(TWIN, ratio="long"),
+    "too short a rod, by its sizes": lambda: from_cylinders(
         TWIN, crank_train=CrankTrain(stroke=Fraction(10), rod=Fraction(1))
     ),
     "a number for an order": lambda: inline(5),  # type: ignore[arg-type]
@@ -206,15 +206,15 @@ REFUSED: dict[str, Callable[[], Any]] = {
     "an unknown quantity": lambda: harmonics("jerk", 4),
     "harmonics of no order": lambda: harmonics("force", 0),
     "a bound of no order": lambda: left_out(0, Fraction(4)),
-    "no name": lambda: Layout(TWIN, name=""),
-    "a name of spaces": lambda: Layout(TWIN, name="  "),
+    "no name": lambda: Engine(TWIN, name=""),
+    "a name of spaces": lambda: Engine(TWIN, name="  "),
     "an empty bank": lambda: vee(60, "1-2", cylinders=[[1, 2], []]),
     "fine intervals": lambda: inline("1-2", firing_intervals=["17.3333333", "702.6666667"]),
     "a fine firing angle": lambda: Cylinder(1, fires=17.3333333),
-    "firing where the throw does not allow it": lambda: Layout(
+    "firing where the throw does not allow it": lambda: Engine(
         [Cylinder(1, fires=0), Cylinder(2, throw=180, fires=90)]
     ),
-    "a number for a crank train": lambda: Layout(TWIN, crank_train=3),  # type: ignore[arg-type]
+    "a number for a crank train": lambda: from_cylinders(TWIN, crank_train=3),  # type: ignore[arg-type]
     "the text of a number": lambda: to_text(3),  # type: ignore[arg-type]
     "the document of a number": lambda: to_json(3),  # type: ignore[arg-type]
     "the LaTeX of a number": lambda: to_latex(3),
@@ -246,7 +246,7 @@ def test_engines_that_cannot_be(name: str) -> None:
 
 
 def test_text_taken_for_a_number_is_quoted() -> None:
-    assert_refused(lambda: Layout(TWIN, strokes="4"), "strokes = '4'")  # type: ignore[arg-type]
+    assert_refused(lambda: Engine(TWIN, strokes="4"), "strokes = '4'")  # type: ignore[arg-type]
     assert_refused(lambda: Cylinder("1"), "number = '1'")  # type: ignore[arg-type]
 
 
@@ -255,10 +255,10 @@ def test_firing_angles_that_agree_are_taken(start: object) -> None:
     """Throws are angles at theta = 0, wherever cylinder 1 fires; `fires` keeps the half-turn."""
     first = exact(start, "start")
     for half in (0, 360):
-        layout = Layout([Cylinder(1, first, fires=0), Cylinder(2, first - 90, 60, fires=150 + half)])
+        layout = Engine([Cylinder(1, first, fires=0), Cylinder(2, first - 90, 60, fires=150 + half)])
         assert layout.firing_order() == [1, 2]
     for turned in (vee(X, "1-3-2-4"), radial(5), boxer("1-4-3-2")):
-        assert Layout(turned.cylinders).firing_order() == turned.firing_order()
+        assert Engine(turned.cylinders).firing_order() == turned.firing_order()
 
 
 def test_names_with_line_breaks_do_not_break_the_line() -> None:
@@ -505,4 +505,4 @@ def test_a_refusal_names_the_line(text: str, line: int) -> None:
 @pytest.mark.parametrize("name", ["two\nlines", "bell\a", "x" * 100])
 def test_names_that_would_break_a_table_are_refused(name: str) -> None:
     with pytest.raises(SymbalanceError, match="one line"):
-        Layout([Cylinder(1)], name=name)
+        Engine([Cylinder(1)], name=name)

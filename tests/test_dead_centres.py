@@ -32,11 +32,11 @@ stagger = ["1/4", "-1/4"]
 SIX = "1-5-3-6-2-4"
 
 
-def layout(more: str = "", was: str = "", now: str = "") -> sb.Layout:
+def layout(more: str = "", was: str = "", now: str = "") -> sb.Engine:
     return parse_engine(FILE.replace(was, now) + more, "six.toml")
 
 
-def throws(made: sb.Layout) -> dict[int, Fraction]:
+def throws(made: sb.Engine) -> dict[int, Fraction]:
     return {c.number: c.throw.in_degrees() for c in made.cylinders}
 
 
@@ -68,7 +68,7 @@ def test_the_builder_and_the_file_say_the_same():
 def test_nothing_moves_without_an_offset():
     plain = sb.from_firing_order(SIX)
     assert throws(sb.from_firing_order(SIX, firing_at="dead centres")) == throws(plain)
-    assert sb.from_firing_order(SIX, offset=[0], firing_at="dead centres").is_uniform
+    assert sb.from_firing_order(SIX, offset=[0], firing_at="dead centres").has_common_harmonics
     assert not has_moved(plain)
 
 
@@ -95,16 +95,16 @@ def test_fires_may_say_either_moment_of_a_moved_dead_centre():
         sb.Cylinder(2, 0, 30, fires=425, rod=134, link=sb.Link(1, 60, 30)),
     ]
     train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
-    made = sb.Layout(rows, crank_train=train)
+    made = sb.from_cylinders(rows, crank_train=train)
     top = firing_dead_centres(made)[2]
     assert 400 < top < 440
     assert known_firing(made).order == (1, 2)
     with pytest.raises(sb.SymbalanceError, match="nearly the same"):
-        sb.Layout(
+        sb.from_cylinders(
             [rows[0], sb.Cylinder(2, 0, 30, fires=500, rod=134, link=rows[1].link)], crank_train=train
         )
     with pytest.raises(sb.SymbalanceError, match="must be the same"):
-        sb.Layout([rows[0], sb.Cylinder(2, 0, 30, fires=425)], crank_train=train)
+        sb.from_cylinders([rows[0], sb.Cylinder(2, 0, 30, fires=425)], crank_train=train)
 
 
 @pytest.mark.parametrize("name", ["vw-vr6", "r-1820", "kharkiv-v2", "merlin-v12"])

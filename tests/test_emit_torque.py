@@ -99,8 +99,8 @@ def test_unlike_cylinders_and_rods(engine) -> None:
     assert (force == values["force.vertical"]).all()
 
 
-def _excess(layout: sb.Layout) -> float:
-    rod = layout.train_of(layout.cylinders[0]).rod_split
+def _excess(layout: sb.Engine) -> float:
+    rod = layout.cylinders[0].rod_split
     return float(rod.excess) * 1e-6 if rod else 0.0
 
 

@@ -38,7 +38,7 @@ ANGLES = np.concatenate(
 def planar(name: str, arms: bool):
     """Return theta -> vertical + i lateral of a preset, from its throws, banks and stations alone."""
     layout = sb.load(name)
-    if not layout.is_uniform:
+    if not layout.has_common_harmonics:
         return lambda theta: placed.planar(layout, theta, arms)
     places = [
         kinematics.Place(c.throw.turns * 360, c.bank.turns * 360, c.station) for c in layout.cylinders
@@ -67,7 +67,7 @@ def test_all_orders_of_every_preset_against_its_pistons(name):
     """Within 4 u of the amplitude to 10^6 rad, 5 with all orders there; 0 where every order cancels."""
     layout = sb.load(name)
     made = sb.to_function(sb.balance(layout), outputs=OUTPUTS, tolerance=0)
-    most = 4 if layout.is_uniform else 5
+    most = 4 if layout.has_common_harmonics else 5
     for output, values in made(ANGLES).items():
         kind, part = output.split(".")
         exact = [z.real if part == "vertical" else z.imag for z in truth(name, kind)]

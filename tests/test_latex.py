@@ -34,7 +34,7 @@ def test_every_preset_compiles(compile_latex, name):
     compile_latex(sb.to_latex(sb.balance(sb.load(name)), standalone=True))
 
 
-def w12(banks: list[float], order: str) -> sb.Layout:
+def w12(banks: list[float], order: str) -> sb.Engine:
     cylinders = [[1, 3, 5], [2, 4, 6], [7, 9, 11], [8, 10, 12]]
     return sb.w(banks, order, cylinders=cylinders, ratio=4)
 

@@ -27,7 +27,7 @@ from symbalance.document.printing import to_json, to_latex, to_text
 from symbalance.engine.builders import from_firing_order, inline, vee
 from symbalance.engine.catalogue import load
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.exact.phasor import ONE, Phasor
 from symbalance.exact.radicals import (
@@ -264,15 +264,15 @@ STATIONS = st.fractions(-4, 4, max_denominator=4)
 
 
 @st.composite
-def layouts(draw: st.DrawFn) -> Layout:
+def layouts(draw: st.DrawFn) -> Engine:
     rows = draw(st.lists(st.tuples(ANGLES, ANGLES, STATIONS), min_size=1, max_size=5))
-    return Layout(
+    return Engine(
         Cylinder(i, throw, Angle(bank / 360).normalized(), station)
         for i, (throw, bank, station) in enumerate(rows, 1)
     )
 
 
-def remade(layout: Layout, **change: object) -> Layout:
+def remade(layout: Engine, **change: object) -> Engine:
     """Return the layout with its cylinders turned, delayed, shifted, reversed or mirrored."""
     turn = Angle(Fraction(str(change.get("turn", 0))) / 360)
     delay = Angle(Fraction(str(change.get("delay", 0))) / 360)
@@ -280,7 +280,7 @@ def remade(layout: Layout, **change: object) -> Layout:
     sign = -1 if change.get("reverse") else 1
     mirror = -1 if change.get("mirror") else 1
     first = int(str(change.get("first", 1)))
-    return Layout(
+    return Engine(
         Cylinder(
             c.number + first - 1,
             c.throw.scaled(mirror) + turn + delay,
@@ -298,14 +298,14 @@ def assert_same(left: Spectrum, right: Spectrum) -> None:
 
 
 @given(layouts(), ANGLES)
-def test_turning_the_engine_turns_what_it_does(layout: Layout, turn: Fraction) -> None:
+def test_turning_the_engine_turns_what_it_does(layout: Engine, turn: Fraction) -> None:
     before, after = balance(layout, 8), balance(remade(layout, turn=turn), 8)
     assert_same(after.force, before.force.turned(turn / 360))
     assert_same(after.couple, before.couple.turned(turn / 360))
 
 
 @given(layouts(), ANGLES)
-def test_advancing_the_crank_is_one_phase_for_each_order(layout: Layout, lead: Fraction) -> None:
+def test_advancing_the_crank_is_one_phase_for_each_order(layout: Engine, lead: Fraction) -> None:
     """Throws turned on by delta mean theta turned on by delta: c_n times e^(i n delta)."""
     before, after = balance(layout, 8), balance(remade(layout, delay=lead), 8)
     for old, new in ((before.force, after.force), (before.couple, after.couple)):
@@ -316,21 +316,21 @@ def test_advancing_the_crank_is_one_phase_for_each_order(layout: Layout, lead: F
 
 
 @given(layouts(), STATIONS)
-def test_where_the_engine_stands_does_not_matter(layout: Layout, shift: Fraction) -> None:
+def test_where_the_engine_stands_does_not_matter(layout: Engine, shift: Fraction) -> None:
     before, after = balance(layout, 8), balance(remade(layout, shift=shift), 8)
     assert_same(after.couple, before.couple)
     assert_same(after.force, before.force)
 
 
 @given(layouts())
-def test_reversing_the_stations_negates_the_couple(layout: Layout) -> None:
+def test_reversing_the_stations_negates_the_couple(layout: Engine) -> None:
     before, after = balance(layout, 8), balance(remade(layout, reverse=True), 8)
     assert_same(after.couple, before.couple.scaled(-1))
     assert_same(after.force, before.force)
 
 
 @given(layouts())
-def test_a_mirrored_engine_swaps_and_conjugates_its_orders(layout: Layout) -> None:
+def test_a_mirrored_engine_swaps_and_conjugates_its_orders(layout: Engine) -> None:
     """Mirrored in the vertical and run backward: the vertical stays, the lateral is negated."""
     before, after = balance(layout, 6), balance(remade(layout, mirror=True), 6)
     assert before.force.orders() == after.force.orders()
@@ -342,26 +342,26 @@ def test_a_mirrored_engine_swaps_and_conjugates_its_orders(layout: Layout) -> No
 
 
 @given(layouts(), STATIONS)
-def test_the_plane_of_reference_moves_the_couple_by_the_force(layout: Layout, at: Fraction) -> None:
+def test_the_plane_of_reference_moves_the_couple_by_the_force(layout: Engine, at: Fraction) -> None:
     about_mean, about = balance(layout, 8), balance(layout, 8, reference=at)
     arm = layout.mean_station - at
     assert_same(about.couple, about_mean.couple + about_mean.force.scaled(arm))
 
 
 @given(layouts(), layouts())
-def test_two_engines_on_one_crank_add(one: Layout, two: Layout) -> None:
+def test_two_engines_on_one_crank_add(one: Engine, two: Engine) -> None:
     other = remade(two, first=len(one.cylinders) + 1)
-    both = Layout([*one.cylinders, *other.cylinders])
+    both = Engine([*one.cylinders, *other.cylinders])
     parts = [balance(part, 8, reference=0) for part in (one, two, both)]
     assert_same(parts[2].force, parts[0].force + parts[1].force)
     assert_same(parts[2].couple, parts[0].couple + parts[1].couple)
 
 
 @given(layouts())
-def test_an_engine_and_its_opposite_cancel_the_odd_order(layout: Layout) -> None:
+def test_an_engine_and_its_opposite_cancel_the_odd_order(layout: Engine) -> None:
     """Delayed by half a turn, order 1 changes its sign and every even order doubles."""
     other = remade(layout, delay=180, first=len(layout.cylinders) + 1)
-    both = balance(Layout([*layout.cylinders, *other.cylinders]), 8, reference=0)
+    both = balance(Engine([*layout.cylinders, *other.cylinders]), 8, reference=0)
     alone = balance(layout, 8, reference=0)
     assert 1 not in both.force.orders()
     even = Spectrum({n: c for n, c in alone.force.terms.items() if n % 2 == 0})
@@ -369,7 +369,7 @@ def test_an_engine_and_its_opposite_cancel_the_odd_order(layout: Layout) -> None
 
 
 @given(layouts())
-def test_what_is_listed_is_what_is_not_zero(layout: Layout) -> None:
+def test_what_is_listed_is_what_is_not_zero(layout: Engine) -> None:
     result = balance(layout, 10)
     for found in result.orders:
         assert not (found.force.is_zero() and found.couple.is_zero())
@@ -466,14 +466,14 @@ def test_a_symbolic_zero_is_zero_for_all_angles() -> None:
 
 
 def test_a_component_that_vanishes_for_all_angles_has_phase_zero() -> None:
-    lateral = balance(Layout([Cylinder(1, throw=ALPHA)]), 1)[1].force.lateral
+    lateral = balance(Engine([Cylinder(1, throw=ALPHA)]), 1)[1].force.lateral
     assert lateral.is_zero()
     assert (lateral.cos, lateral.sin, lateral.amplitude, lateral.phase) == (0, 0, 0, 0)
 
 
 def test_symbols_of_two_angles_stay_apart() -> None:
     beta = sympy.Symbol("beta")
-    one = balance(Layout([Cylinder(1, bank=ALPHA), Cylinder(2, throw=beta, bank=beta)]), 2)
+    one = balance(Engine([Cylinder(1, bank=ALPHA), Cylinder(2, throw=beta, bank=beta)]), 2)
     vertical = one[1].force.vertical
     numbers = {ALPHA: sympy.Rational(1, 3), beta: sympy.Rational(-5, 7)}
     expected = sympy.cos(ALPHA) ** 2 + sympy.cos(beta)

@@ -161,7 +161,7 @@ def test_a_balance_says_the_same_after_pickle(name, warm):
     expected = sb.to_json(sb.balance(LAYOUTS[name](), 4))
     if warm:  # cached properties and components are pickled too
         assert sb.to_json(made) == expected
-        _ = made.layout.modulus, made.layout.first, made.layout.is_uniform
+        _ = made.layout.modulus, made.layout.first, made.layout.has_common_harmonics
     for way in ("pickle 2", "pickle 5", "deepcopy"):
         again = WAYS[way](made)
         assert again.layout == made.layout

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -20,11 +21,13 @@ from test_against_quadrature import DisagreementError, assert_agrees, assert_clo
 
 from symbalance.engine.builders import inline, vee
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.exact import phasor, spectrum
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.radicals import characters, forms
+from symbalance.forces import planar_vectors
 from symbalance.forces import resultants as balance_module
+from symbalance.kinematics.coefficients import FORCE
 from symbalance.kinematics.slider_crank import acceleration_series, powers
 
 ORDER = 6
@@ -53,7 +56,7 @@ def compare_vee() -> None:
 
 def compare_off_centre() -> None:
     """Stations whose mean is not 0."""
-    layout = Layout([Cylinder(1, 0, 0, 2), Cylinder(2, 90, 10, 5)])
+    layout = Engine([Cylinder(1, 0, 0, 2), Cylinder(2, 90, 10, 5)])
     assert_agrees(layout, order=ORDER)
 
 
@@ -110,13 +113,13 @@ def assert_seen(compare: Callable[[], None]) -> None:
 
 
 def test_a_flipped_sign_in_order_four(monkeypatch: pytest.MonkeyPatch) -> None:
-    sound = balance_module.acceleration_values
+    sound = FORCE.values
 
     def faulty(*given: Any) -> dict[int, mp.mpf]:
         values = sound(*given)
         return {n: -v if n == 4 else v for n, v in values.items()}
 
-    monkeypatch.setattr(balance_module, "acceleration_values", faulty)
+    monkeypatch.setattr(balance_module, "FORCE", replace(FORCE, values=faulty))
     assert_seen(compare_vee)
 
 
@@ -128,23 +131,23 @@ def test_a_wrong_catalan_number(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_digit_in_the_thirtieth_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    sound = balance_module.acceleration_values
+    sound = FORCE.values
 
     def faulty(*given: Any) -> dict[int, mp.mpf]:
         with mp.workdps(DIGITS):
             return {n: v * (1 + mp.mpf(10) ** -28) for n, v in sound(*given).items()}
 
-    monkeypatch.setattr(balance_module, "acceleration_values", faulty)
+    monkeypatch.setattr(balance_module, "FORCE", replace(FORCE, values=faulty))
     assert_seen(compare_vee)
 
 
 def _with_rows(monkeypatch: pytest.MonkeyPatch, change: Callable[[int, int, int], tuple]) -> None:
-    sound = balance_module._summed
+    sound = planar_vectors._summed
 
     def faulty(rows: Any, n: int, modulus: int) -> dict[int, int]:
         return sound([change(*row) for row in rows], n, modulus)
 
-    monkeypatch.setattr(balance_module, "_summed", faulty)
+    monkeypatch.setattr(planar_vectors, "_summed", faulty)
 
 
 def test_a_bank_on_the_wrong_side(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -163,7 +166,7 @@ def test_a_delay_that_forgets_the_bank(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_couples_about_the_origin_instead_of_the_mean(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Layout, "mean_station", Fraction(0))
+    monkeypatch.setattr(Engine, "mean_station", Fraction(0))
     assert_seen(compare_off_centre)
 
 
@@ -199,7 +202,7 @@ def test_a_number_called_zero_that_is_none(monkeypatch: pytest.MonkeyPatch) -> N
         size = sum(c * cmath.exp(2j * cmath.pi * k / self.modulus) for k, c in self.terms.items())
         return sound(self) or abs(size) < 0.5
 
-    monkeypatch.setattr(balance_module.Phasor, "is_zero", faulty)
+    monkeypatch.setattr(Phasor, "is_zero", faulty)
     assert_seen(compare_off_centre)
 
 

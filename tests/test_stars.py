@@ -18,7 +18,7 @@ from hypothesis import given, settings
 from symbalance.engine.builders import boxer, from_firing_order, inline, radial, vee
 from symbalance.engine.catalogue import load, presets
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.engine.stars import (
     Firing,
     crank_stars,
@@ -38,7 +38,7 @@ from symbalance.forces.resultants import balance
 LAWS = settings(deadline=None, max_examples=60, derandomize=True, database=None)
 
 
-def texts(layout: Layout, **asked: bool) -> list[str]:
+def texts(layout: Engine, **asked: bool) -> list[str]:
     return [firing.as_text() for firing in firing_orders(layout, **asked)]
 
 
@@ -73,7 +73,7 @@ def engines():
 def test_firing_orders_are_what_trying_every_turn_finds(engine):
     pairs, strokes = engine
     cylinders = [Cylinder(i, throw, bank) for i, (throw, bank) in enumerate(pairs, 1)]
-    layout = Layout(cylinders, strokes=strokes)
+    layout = Engine(cylinders, strokes=strokes)
     expected = fired_by_force({i: t - b for i, (t, b) in enumerate(pairs, 1)}, strokes)
     found = firing_orders(layout, even_only=False)
     assert {(f.order, f.intervals) for f in found} == expected
@@ -140,7 +140,7 @@ def test_every_catalogue_engine_fires_as_its_crank_allows(name):
     assert list(known.order) == layout.firing_order()
     assert intervals(layout) == known.intervals
     assert sum(known.intervals) == 180 * layout.strokes
-    if layout.is_uniform:
+    if layout.has_common_harmonics:
         assert known in firing_orders(layout, even_only=is_even(layout))
     else:  # pins and link rods as built: nearly even
         near = [firing.order for firing in firing_orders(layout, within=8)]
@@ -149,9 +149,9 @@ def test_every_catalogue_engine_fires_as_its_crank_allows(name):
 
 def test_cylinder_1_leads_wherever_its_firing_is_counted_from():
     cylinders = [Cylinder(1, 90, fires=270), Cylinder(2, 0, fires=0), Cylinder(5, 180, fires=540)]
-    known = known_firing(Layout(cylinders))
+    known = known_firing(Engine(cylinders))
     assert known == Firing((1, 5, 2), (Fraction(270), Fraction(180), Fraction(270)))
-    assert known in firing_orders(Layout(cylinders), even_only=False)
+    assert known in firing_orders(Engine(cylinders), even_only=False)
     assert known.overlap() == -90
     assert known.overlap(300) == 30
 
@@ -186,7 +186,7 @@ def test_cylinders_that_fire_together():
 # Bank angles --------------------------------------------------------------------------------------
 
 
-def v6_at_90() -> Layout:
+def v6_at_90() -> Engine:
     return vee(90, pins=[0, 120, 240])
 
 
@@ -342,12 +342,12 @@ def test_the_smoothest_are_those_that_are_built():
 @pytest.mark.parametrize(
     ("make", "says"),
     [
-        (lambda: firing_orders("v8"), "layout = v8: must be a Layout"),  # pyright: ignore
+        (lambda: firing_orders("v8"), "layout = v8: must be a Engine"),  # pyright: ignore
         (lambda: firing_orders(radial(18), even_only=False), "131072 firing orders"),
         (lambda: firing_orders(inline(throws=[0] * 999), simultaneous=True, even_only=False), "too many"),
         (lambda: known_firing(radial(4)), "cylinder 1 of engine: has no firing angle"),
         (lambda: intervals(inline(throws=[0, 180])), "firing_orders(layout)"),
-        (lambda: is_even(None), "must be a Layout"),  # pyright: ignore
+        (lambda: is_even(None), "must be a Engine"),  # pyright: ignore
         (lambda: crank_stars(11), "count = 11: makes more than 50000 stars"),
         (lambda: crank_stars(10, strokes=2), "makes more than 50000"),
         (lambda: crank_stars(1000), "makes more than 50000"),
@@ -381,6 +381,6 @@ def test_a_symbolic_angle_between_cylinders_is_refused_and_one_they_share_is_not
     alpha = sympy.Symbol("alpha")
     with pytest.raises(SymbalanceError, match="symbolic angle"):
         firing_orders(vee(alpha, pins=[0, 120, 240]))
-    shared = Layout([Cylinder(1, 0, alpha), Cylinder(2, 0, alpha)])
+    shared = Engine([Cylinder(1, 0, alpha), Cylinder(2, 0, alpha)])
     assert texts(shared) == ["1-2"]
     assert texts(vee(alpha, "1-2")) == ["1-2"]

@@ -7,7 +7,7 @@ import pytest
 import symbalance as sb
 
 
-def said(layout: sb.Layout, order: int = 4) -> tuple[str, str]:
+def said(layout: sb.Engine, order: int = 4) -> tuple[str, str]:
     """Return a layout's balance as text and as LaTeX, each on one line."""
     result = sb.balance(layout, order=order)
     return tuple(" ".join(form(result).split()) for form in (sb.to_text, sb.to_latex))  # type: ignore[return-value]
@@ -29,7 +29,7 @@ def test_the_conventions_are_stated():
         (sb.load("v12-60"), "cylinder 1 at firing top dead centre"),
         (sb.vee(60, "1-2", cylinders=[[2], [1]]), "cylinder 1 at firing top dead centre"),
         (sb.inline(throws=[0, 180]), "cylinder 1 at top dead centre"),
-        (sb.Layout([sb.Cylinder(1, fires=360)]), "cylinder 1 at top dead centre"),
+        (sb.Engine([sb.Cylinder(1, fires=360)]), "cylinder 1 at top dead centre"),
         (sb.inline(throws=[30, 90]), "the pin of cylinder 1 at"),
         (sb.vee(90, pins=[0, 90]), "the pin of cylinder 1 at"),
     ],

@@ -59,7 +59,7 @@ def test_mass_tolerances_are_the_worst_of_all_vertices(name):
         assert worst.bound >= brute * (1 - 1e-12) - 1e-15
 
 
-def smooth(name: str) -> sb.Layout:
+def smooth(name: str) -> sb.Engine:
     layout = sb.load(name).with_ratio(4)
     if name == "v2-45":
         return sb.overbalanced(layout, "3/5").balanced_by(sb.BalanceShaft(2, [sb.Weight(1, 30, share=1)]))
@@ -115,7 +115,7 @@ TRAIN = sb.CrankTrain(stroke=Fraction(80), rod=Fraction(140), pitch=Fraction(100
 @pytest.mark.parametrize("firing", ["1-3-4-2", "1-2-4-5-3", "vee"])
 def test_no_engine_within_tolerances_passes_the_bound(firing):
     made = sb.vee(60, firing_order="1-2-3-4-5-6") if firing == "vee" else sb.inline(firing)
-    layout = sb.Layout(made.cylinders, crank_train=TRAIN)
+    layout = sb.from_cylinders(made.cylinders, crank_train=TRAIN)
     found = {(w.order, w.quantity): w for w in sb.worst_cases(layout, sb.Tolerances(**FULL), 4)}
     chance, engine = np.random.default_rng(5), [p.changed(rod=-0.5) for p in pistons(layout)]
     tried = dict.fromkeys(found, 0.0)
@@ -223,7 +223,7 @@ def test_the_largest_sum_is_the_top_of_its_support_function(rows):
 def test_unlike_engines_and_link_rods_have_worst_cases():
     hung = sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)
     train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
-    layout = sb.Layout([sb.Cylinder(1, 0, 0), hung], crank_train=train)
+    layout = sb.from_cylinders([sb.Cylinder(1, 0, 0), hung], crank_train=train)
     whole = sb.balance(layout, 3)
     for worst in sb.worst_cases(layout, sb.Tolerances(mass="1%"), 3):
         terms = (whole.force if worst.quantity == "force" else whole.couple).terms
@@ -237,7 +237,7 @@ def test_unlike_engines_and_link_rods_have_worst_cases():
     narrow = [
         sb.Cylinder(i + 1, 120 * i, 7 if i % 2 else -7, i, offset=-12 if i % 2 else 12) for i in range(3)
     ]
-    vr = sb.Layout(narrow, crank_train=sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164)))
+    vr = sb.from_cylinders(narrow, crank_train=sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164)))
     for worst in sb.worst_cases(vr, sb.Tolerances(mass="1%", offset="0.1", rod="0.1"), 3):
         assert worst.nominal <= worst.attained <= worst.bound
         assert worst.attained > 0.9 * worst.bound

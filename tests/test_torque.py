@@ -149,7 +149,7 @@ def test_surviving_orders(name: str) -> None:
 @given(st.lists(st.tuples(st.integers(0, 71), st.integers(-3, 3)), min_size=1, max_size=6))
 @few
 def test_any_layout_against_its_cylinders_added_up(places: list[tuple[int, int]]) -> None:
-    layout = sb.Layout(sb.Cylinder(i, 5 * t, 30 * b) for i, (t, b) in enumerate(places, 1))
+    layout = sb.Engine(sb.Cylinder(i, 5 * t, 30 * b) for i, (t, b) in enumerate(places, 1))
     with mp.workdps(30):
         theta, lam = mp.mpf("0.7"), mp.mpf(4)
         own = (theta + kinematics.radians(5 * t - 30 * b) for t, b in places)
@@ -190,7 +190,7 @@ def test_symbolic_bank_angle() -> None:
 def test_stars_against_floating_sums(fires: list[int], strokes: int) -> None:
     cycle = 180 * strokes
     angles = [6 * f * strokes // 2 for f in fires]
-    layout = sb.Layout((sb.Cylinder(i, -a, 0, fires=a) for i, a in enumerate(angles, 1)), strokes=strokes)
+    layout = sb.Engine((sb.Cylinder(i, -a, 0, fires=a) for i, a in enumerate(angles, 1)), strokes=strokes)
     for star in firing_stars(layout, 4):
         total = sum(cmath.exp(1j * float(star.order) * math.radians(a % cycle)) for a in angles)
         assert star.is_closed() == (abs(total) < 1e-9)
@@ -216,7 +216,7 @@ def test_gas_orders_that_survive(name: str, orders: str) -> None:
 def test_firing_pin_passings_of_an_engine_not_at_top_dead_centre() -> None:
     """theta = 0 need not be cylinder 1's firing: it then fires in the turn from theta = 0 on."""
     four = sb.load("inline-4")
-    turned = sb.Layout(
+    turned = sb.Engine(
         sb.Cylinder(c.number, c.throw.in_degrees() + 30, 0, 0, c.fires) for c in four.cylinders
     )
     assert firing_pin_passings(turned) == {
@@ -541,9 +541,9 @@ def test_files(tmp_path: Path) -> None:
 
 BAD = {
     "no ratio": (lambda: inertia_torque(sb.inline("1-3-4-2")).terms(), "no rod ratio"),
-    "no layout": (lambda: inertia_torque("inline-4"), "must be a Layout"),
+    "no layout": (lambda: inertia_torque("inline-4"), "must be a Engine"),
     "unlike": (
-        lambda: inertia_torque(sb.Layout([sb.Cylinder(1, reciprocating_mass=1), sb.Cylinder(2, 180)])),
+        lambda: inertia_torque(sb.Engine([sb.Cylinder(1, reciprocating_mass=1), sb.Cylinder(2, 180)])),
         "reciprocating_mass: is given for some cylinders and not for others",
     ),
     "power": (lambda: inertia_torque(sb.load("inline-6"), 9, power=5), "is 7"),

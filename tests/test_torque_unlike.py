@@ -21,7 +21,7 @@ from test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine.trains import CrankTrain
+from symbalance.engine.trains import OWN, CrankTrain
 from symbalance.kinematics.mechanisms import LinkRod, RodSplit, SliderCrank
 from symbalance.kinematics.pistons import Piston
 from symbalance.kinematics.rod import (
@@ -57,34 +57,36 @@ def rod_sizes(length: Fraction) -> dict[str, Fraction]:
     return {"rod_mass": mass, "rod_centre": centre * length, "rod_inertia": inertia}
 
 
-def offset_twin() -> sb.Layout:
+def offset_twin() -> sb.Engine:
     """Return two cylinders with unlike offsets, rods and strokes, and rods of three points."""
     train = CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=MASS)
     rows = [
         sb.Cylinder(1, 10, -15, 1, offset=Fraction(25, 2), **rod_sizes(Fraction(164))),
         sb.Cylinder(2, 190, 30, 0, offset=-7, stroke=84, rod=150, **rod_sizes(Fraction(150))),
     ]
-    return sb.Layout(rows, crank_train=train, name="offset twin")
+    return sb.from_cylinders(rows, crank_train=train, name="offset twin")
 
 
-def centred_three() -> sb.Layout:
+def centred_three() -> sb.Engine:
     """Return an in-line three, alike, whose rods are three points."""
     train = CrankTrain(
         stroke=Fraction(80), rod=Fraction(140), reciprocating_mass=MASS, **rod_sizes(Fraction(140))
     )
-    return sb.Layout([sb.Cylinder(i, 120 * i) for i in (1, 2, 3)], crank_train=train, name="three")
+    return sb.from_cylinders(
+        [sb.Cylinder(i, 120 * i) for i in (1, 2, 3)], crank_train=train, name="three"
+    )
 
 
 RODDED = {"offset twin": offset_twin, "centred three": centred_three}
 
 
-def moving(layout: sb.Layout, cylinder: sb.Cylinder, theta: mp.mpf) -> list[tuple[mp.mpf, mp.mpc]]:
+def moving(layout: sb.Engine, cylinder: sb.Cylinder, theta: mp.mpf) -> list[tuple[mp.mpf, mp.mpc]]:
     """Return (kg, place in mm) of everything that moves with a cylinder: piston, and the rod's points.
 
     The rod's two end masses by the textbook are taken out of piston and pin, so that the whole is the
     engine that `reciprocating_mass` tells of, with a rod of points instead of a rod of two masses.
     """
-    train, axis = layout.train_of(cylinder), direction(cylinder.bank)
+    train, axis = cylinder.sizes, direction(cylinder.bank)
     pin = exact(train.stroke / 2) * mp.expj(theta) * direction(cylinder.throw)
     beside = exact(Fraction(train.offset or 0))
     piston = mp.mpc(along(pin, axis, train.rod, train.offset or 0), beside) * axis
@@ -94,7 +96,7 @@ def moving(layout: sb.Layout, cylinder: sb.Cylinder, theta: mp.mpf) -> list[tupl
     return [(rest, piston), *points]
 
 
-def energy(layout: sb.Layout, theta: mp.mpf) -> mp.mpf:
+def energy(layout: sb.Engine, theta: mp.mpf) -> mp.mpf:
     """Return the kinetic energy over omega^2, kg mm^2."""
     total = mp.mpf(0)
     for cylinder in layout.cylinders:
@@ -105,7 +107,7 @@ def energy(layout: sb.Layout, theta: mp.mpf) -> mp.mpf:
     return total
 
 
-def momentum(layout: sb.Layout, theta: mp.mpf) -> mp.mpf:
+def momentum(layout: sb.Engine, theta: mp.mpf) -> mp.mpf:
     """Return the moment of momentum about the crank over omega, kg mm^2."""
     total = mp.mpf(0)
     for cylinder in layout.cylinders:
@@ -121,9 +123,9 @@ def summed(terms, theta: mp.mpf) -> mp.mpf:
     return mp.fsum(waves)
 
 
-def scale(layout: sb.Layout) -> mp.mpf:
+def scale(layout: sb.Engine) -> mp.mpf:
     """Return m r^2 of cylinder 1 in kg mm^2."""
-    train = layout.train_of(layout.cylinders[0])
+    train = layout.cylinders[0]
     return exact((train.reciprocating_mass or 1) * (train.stroke / 2) ** 2)
 
 
@@ -132,7 +134,7 @@ def test_crank_and_frame_by_energy_and_moment_of_momentum(name: str) -> None:
     """The crank gets what the energy loses; the frame minus that and minus the change of momentum."""
     layout = RODDED[name]()
     inertia, rod, frame = (f(layout, 24) for f in (inertia_torque, rod_torque, roll_moment))
-    excess = layout.train_of(layout.cylinders[0]).rod_split.excess
+    excess = layout.cylinders[0].rod_split.excess
     with mp.workdps(40):
         for theta in (mp.mpf("0.4"), mp.mpf("2.9")):
             torque = -mp.diff(lambda t: energy(layout, t), theta)
@@ -155,7 +157,7 @@ def test_inertia_torque_against_the_energy_of_placed_pistons(name: str) -> None:
     def kinetic(theta: mp.mpf) -> mp.mpf:
         total = mp.mpf(0)
         for cylinder in layout.cylinders:
-            mass = exact(layout.train_of(cylinder).reciprocating_mass or Fraction(1))
+            mass = exact(cylinder.reciprocating_mass or Fraction(1))
             total += mass * mp.diff(lambda t, c=cylinder: place(layout, c, t), theta) ** 2 / 2
         return total
 
@@ -185,7 +187,7 @@ def test_harmonics_of_a_link_rod_by_fourier_transform() -> None:
 
 
 def test_what_cancels_among_like_cylinders_is_gone() -> None:
-    alike = sb.Layout(narrow_six().cylinders[::2], crank_train=SHARED)
+    alike = sb.from_cylinders(narrow_six().cylinders[::2], crank_train=SHARED)
     assert [o.order for o in inertia_torque(alike, 12).orders] == [3, 6, 9, 12]
     assert [o.order for o in beside_moment(alike, 12).orders] == [3, 6, 9, 12]
 
@@ -230,7 +232,7 @@ def test_without_offset_or_rods_the_frame_gets_the_opposite() -> None:
 # --- gas, running ---
 
 
-def fired(layout: sb.Layout) -> sb.Layout:
+def fired(layout: sb.Engine) -> sb.Engine:
     """Return a layout with firing angles: each cylinder at its own next dead centre of the first turn."""
     rows = [
         sb.Cylinder(
@@ -240,11 +242,11 @@ def fired(layout: sb.Layout) -> sb.Layout:
             c.station,
             (layout.cylinders[0].delay - c.delay).in_degrees() % 360 + 360 * (c.number % 2),
             link=c.link,
-            **{k: v for k, v in vars(c.own).items() if v is not None},
+            **{k: v for k, v in vars(c.sizes).items() if v is not None and k in OWN},
         )
         for c in layout.cylinders
     ]
-    return sb.Layout(rows, crank_train=layout.crank_train, name=layout.name)
+    return sb.Engine(rows, pitch=layout.pitch, name=layout.name)
 
 
 CYCLE = ideal_cycle(10, heat=20, gamma="1.3")
@@ -254,7 +256,7 @@ CYCLE = ideal_cycle(10, heat=20, gamma="1.3")
 def test_a_running_engine_does_the_work_of_its_cycles(name: str) -> None:
     """Mean torque from the swept volumes and the cycle's mean effective pressure; energy; harmonics."""
     layout = fired({**ENGINES, "offset twin": offset_twin}[name]())
-    known = layout.train_of(layout.cylinders[0]).reciprocating_mass is not None
+    known = layout.cylinders[0].reciprocating_mass is not None
     mass = {} if known else {"reciprocating_mass": "0.55"}
     made = crank_torque(layout, CYCLE, bore=80, rpm=3000, **mass)
     swept = 0.0
@@ -390,7 +392,7 @@ def test_half_a_rod_is_refused(old: str, new: str, words: str, tmp_path, capsys)
 def test_the_unit_is_cylinder_one_wherever_it_is_listed(name: str) -> None:
     """Forces, torque, rods, gas and functions are in cylinder 1's sizes, listed last as well."""
     layout = fired({"mixed four": mixed_four, "offset twin": offset_twin}[name]())
-    turned_round = sb.Layout(reversed(layout.cylinders), crank_train=layout.crank_train, name=name)
+    turned_round = sb.Engine(reversed(layout.cylinders), pitch=layout.pitch, name=name)
     for of in (inertia_torque, roll_moment):
         found, expected = of(turned_round, 4), of(layout, 4)
         assert [o.order for o in found.orders] == [o.order for o in expected.orders]

@@ -182,7 +182,7 @@ def test_sensitivities_of_unlike_cylinders_are_finite_differences_of_balance():
             sb.Cylinder(3, 240, -10, "-1/2", stroke=80),
         ]
         train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(150), reciprocating_mass=Fraction(1, 2))
-        return sb.Layout(rows, crank_train=train)
+        return sb.from_cylinders(rows, crank_train=train)
 
     # the unit is m r omega^2 of cylinder 1: change cylinder 1's mass and read in the old unit
     h = Fraction(1, 10**6)
@@ -200,7 +200,7 @@ def test_sensitivities_of_unlike_cylinders_are_finite_differences_of_balance():
 def test_link_rods_have_the_sensitivities_that_are_theirs():
     hung = sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)
     train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
-    layout = sb.Layout([sb.Cylinder(1, 0, 0), hung], crank_train=train)
+    layout = sb.from_cylinders([sb.Cylinder(1, 0, 0), hung], crank_train=train)
     found = sb.sensitivities(layout, 2)
     assert {s.parameter for s in found if s.cylinder == 2} == {"mass", "station", "bank", "rod", "offset"}
     whole = sb.balance(layout, 2)
@@ -215,17 +215,19 @@ def test_formulas_refuse_what_one_series_does_not_fit():
     """Link rods have no series in r/l; unequal strokes or rods no A_n in common."""
     train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
     for own in ({"stroke": 80}, {"rod": 150}, {"stroke": 80, "rod": 150}, {"offset": 3}):
-        layout = sb.Layout([sb.Cylinder(1), sb.Cylinder(2, 180, 0, -1, **own)], crank_train=train)
+        layout = sb.from_cylinders([sb.Cylinder(1), sb.Cylinder(2, 180, 0, -1, **own)], crank_train=train)
         with pytest.raises(sb.SymbalanceError, match="not alike"):
             sb.symbolic_order(layout, 2, masses="m")
         assert not sb.symbolic_order(layout, 2, masses="m", rods="l").force.is_zero()
-    hung = sb.Layout(
+    hung = sb.from_cylinders(
         [sb.Cylinder(1), sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)], crank_train=train
     )
     for lengths in ({}, {"rods": "l"}):
         with pytest.raises(sb.SymbalanceError, match="cylinder 2 on a link rod"):
             sb.symbolic_order(hung, 2, masses="m", **lengths)
-    heavy = sb.Layout([sb.Cylinder(1), sb.Cylinder(2, 180, reciprocating_mass=2)], crank_train=train)
+    heavy = sb.from_cylinders(
+        [sb.Cylinder(1), sb.Cylinder(2, 180, reciprocating_mass=2)], crank_train=train
+    )
     assert str(sb.symbolic_order(heavy, 2, masses="m").force.vertical.cos) == "m_1 + m_2"
 
 
@@ -259,7 +261,7 @@ def hung_engine(number=0, name="", steps=0):
     for place, (key, own) in enumerate(sizes.items()):
         station = Fraction((1, 0, "-1/4", "-3/4")[place])
         rows.append(sb.Cylinder(key, station=station, link=links.get(key), **own))
-    return sb.Layout(rows)
+    return sb.Engine(rows)
 
 
 def test_sensitivities_of_masters_and_link_rods_are_finite_differences_of_pistons():
@@ -332,11 +334,11 @@ def test_bad_formulas_are_refused(arguments, words):
 
 
 def test_other_refusals():
-    with pytest.raises(sb.SymbalanceError, match="must be a Layout"):
+    with pytest.raises(sb.SymbalanceError, match="must be a Engine"):
         sb.symbolic_order("inline-4", 1)  # type: ignore[arg-type]
     with pytest.raises(sb.SymbalanceError, match="not alike"):
         sb.symbolic_order(
-            sb.Layout(
+            sb.from_cylinders(
                 [sb.Cylinder(1, offset=2)],
                 crank_train=sb.CrankTrain(stroke=Fraction(9), rod=Fraction(20)),
             ),

@@ -46,7 +46,7 @@ def test_every_float_of_a_usual_size_is_read_as_it_prints(value):
 )
 def test_numbers_of_other_types_are_read_as_they_print(value, number):
     assert exact(value, "mass") == number
-    assert sb.Cylinder(1, offset=value).own.offset == number
+    assert sb.Cylinder(1, offset=value).sizes.offset == number
 
 
 @pytest.mark.parametrize(
@@ -159,7 +159,7 @@ def test_engines_of_17_digits_go_through_every_command(capsys, tmp_path, text):
     made = sb.load(str(path))
     again = parse_engine(sb.engine_text(made), "again.toml", made.name)
     assert again.cylinders == made.cylinders
-    assert again.crank_train == made.crank_train
+    assert again.pitch == made.pitch
     assert again.balancers == made.balancers
     assert len(rotating_weights(made)) == len(made.cylinders)
 

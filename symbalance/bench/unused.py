@@ -15,11 +15,11 @@ import numpy as np
 
 from symbalance.bench.timing import Measurement, progress
 from symbalance.codegen import to_function
-from symbalance.engine.builders import inline
+from symbalance.engine.builders import from_cylinders, inline
 from symbalance.engine.catalogue import load
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.forces.resultants import Balance, balance, geometry
+from symbalance.forces.planar_vectors import geometry
+from symbalance.forces.resultants import Balance, balance
 from symbalance.kinematics.slider_crank import surviving
 
 ORDER = 12
@@ -65,7 +65,7 @@ def functions() -> tuple[Callable[[], object], Callable[[], object]]:
         Cylinder(c.number, c.throw.in_degrees(), 0, c.station, c.fires, offset=0)
         for c in shared.cylinders
     ]
-    own = Layout(rows, name=shared.name, ratio=shared.ratio)
+    own = from_cylinders(rows, name=shared.name, ratio=shared.ratio)
     made = [
         to_function(balance(layout), outputs="force.vertical", tolerance=0) for layout in (own, shared)
     ]

@@ -51,7 +51,7 @@ def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True)
     else:
         heat = HEAT if options.heat is None else options.heat
         gas = ideal_cycle(options.compression, heat=heat, strokes=layout.strokes)
-    sizes = _sizes(options, layout.train_of(layout.first), whole)
+    sizes = _sizes(options, layout.first, whole)
     rpm = "1" if options.rpm is None else options.rpm
     return crank_torque(layout, gas, bore=options.bore, rpm=rpm, **sizes)
 

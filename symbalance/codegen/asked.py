@@ -21,14 +21,15 @@ from symbalance.codegen.waves import (
     Wave,
 )
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import spectrum_left_out
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
+from symbalance.forces.planar_vectors import left_out_above
 from symbalance.forces.resultants import Balance, balance
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, acceleration_values, checked_ratio
 from symbalance.kinematics.truncation import left_out
 from symbalance.text.numbers import Real, listed, real
+from symbalance.torque.groups import has_common_torque
 
 PISTON = ("displacement", "velocity", "acceleration")
 OUTPUTS = (
@@ -59,7 +60,7 @@ class _Rated(Protocol):
     """What has a layout and perhaps a rod ratio."""
 
     @property
-    def layout(self) -> Layout: ...
+    def layout(self) -> Engine: ...
     @property
     def ratio(self) -> Fraction | None: ...
 
@@ -77,8 +78,8 @@ def checked_outputs(outputs: Sequence[str] | str, known: Sequence[str] = OUTPUTS
 
 def known_ratio(result: _Rated, ratio: object) -> Fraction:
     """Return the rod ratio to use, or refuse if neither the call nor the engine gives one."""
-    alike = result.is_uniform if isinstance(result, Balance) else result.layout.is_uniform
-    if not alike:
+    apart = result.kinematics if isinstance(result, Balance) else has_common_torque(result.layout)
+    if not apart:
         return _first_ratio(result, ratio)
     number = result.ratio if ratio is None else checked_ratio(ratio)
     if number is None:
@@ -99,8 +100,7 @@ def _first_ratio(result: _Rated, ratio: object) -> Fraction:
     if ratio is not None:
         rule = "cannot be set for cylinders that are not alike"
         raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
-    train = result.layout.train_of(result.layout.first)
-    return train.ratio or Fraction(1)
+    return result.layout.first.ratio or Fraction(1)
 
 
 def truncated(result: Balance, names: Iterable[str], ratio: Fraction) -> tuple[Wave, ...]:
@@ -146,7 +146,7 @@ class _Asked:
         return Wave(self.name, unit, meaning.format(self.part, first), **fields)
 
     def truncated(self) -> Wave:
-        if self.part in ("displacement", "velocity") and self.result.is_uniform:
+        if self.part in ("displacement", "velocity") and self.result.kinematics:
             return self.wave(left_out=0.0, closed=self.closed())
         return self.wave(terms=shown_terms(self.terms(self.result.highest)), through=self.result.highest)
 
@@ -163,7 +163,7 @@ class _Asked:
                 if bound <= wanted or not sizes:
                     through = int(terms[kept - 1].order) if kept else 0
                     closed = self.closed() if kept else None
-                    bound = upward(bound) if sizes or not self.result.is_uniform else 0.0
+                    bound = upward(bound) if sizes or self.result.kinematics is None else 0.0
                     return self.wave(terms=terms[:kept], through=through, left_out=bound, closed=closed)
             if order == HIGHEST_ORDER:
                 return self._beyond(tolerance, bound)
@@ -175,14 +175,14 @@ class _Asked:
         if closed is not None:
             return self.wave(left_out=0.0, closed=closed)
         what = f"tolerance = {tolerance:g}" if tolerance else "every order that shows in a double"
-        at = f" at lambda = {float(self.ratio):g}" if self.result.is_uniform else ""
+        at = f" at lambda = {float(self.ratio):g}" if self.result.kinematics else ""
         rule = f"needs orders above {HIGHEST_ORDER} of {self.name}{at}"
         remedy = f"{HIGHEST_ORDER} orders leave out up to {float(bound):.2g}: ask for that"
         raise SymbalanceError(what, rule, remedy)
 
     def terms(self, order: int) -> tuple[Term, ...]:
         """Return the harmonics that survive, to an order."""
-        if not self.result.is_uniform:
+        if self.result.kinematics is None:
             return self._unlike_terms(order)
         values = acceleration_values(order, self.ratio, DIGITS)
         if self.kind == "piston":
@@ -217,14 +217,14 @@ class _Asked:
     def beyond(self, order: int) -> Real:
         """Return a proved bound on what all orders above `order` add to the output."""
         weights = self._weights()
-        if self.result.is_uniform:
+        if self.result.kinematics:
             return mp.fsum(abs(w) for w in weights) * left_out(order, self.ratio)
         layout = self.result.layout
         parts = [
             weight * self._onto(cylinder)
             for weight, cylinder in zip(weights, layout.cylinders, strict=True)
         ]
-        return spectrum_left_out(layout, order, parts)
+        return left_out_above(layout, order, parts)
 
     def _onto(self, cylinder: Cylinder) -> Real:
         """Return how much of a cylinder's force the output can hold at most."""
@@ -240,7 +240,7 @@ class _Asked:
             turns = self.result.layout.first.delay.turns
             first = self.terms(1) if kind == "secondary" else ()
             return Closed(kind, self.ratio, ((mp.mpf(1), turns),), first)
-        alone = self.result.is_uniform and self.fastest() <= 1
+        alone = self.result.kinematics and self.fastest() <= 1
         if self.part not in ("vertical", "lateral") or not alone:
             return None
         merged: dict[Fraction, Real] = {}

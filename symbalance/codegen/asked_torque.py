@@ -20,6 +20,7 @@ from symbalance.kinematics.inertia import torque_left_out
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.numbers import Real
 from symbalance.torque import CrankTorque, TorqueBalance, inertia_torque, rod_torque, roll_moment
+from symbalance.torque.groups import has_common_torque
 from symbalance.torque.roll import MILLI, first_excess
 
 MANY_ORDERS = 96
@@ -56,7 +57,7 @@ def torque_wave(result: Result, name: str, ratio: Fraction, order: int, toleranc
             return _running(_checked_running(result, name), name, order, tolerance)
         if tolerance is None:
             return _to(result, name, ratio, order, order)
-        if name == INERTIA and result.layout.is_uniform:
+        if name == INERTIA and has_common_torque(result.layout):
             return _within(result, ratio, tolerance)
         if tolerance:
             rule = f"has no proven bound for {name} here"
@@ -78,7 +79,7 @@ def _terms(result: Result, name: str, ratio: Fraction, order: int) -> tuple[Term
     makers: dict[str, Callable[..., TorqueBalance]]
     makers = {INERTIA: inertia_torque, ROD: rod_torque, FRAME: roll_moment}
     layout, scale = result.layout, mp.mpf(1)
-    if layout.is_uniform:
+    if has_common_torque(layout):
         layout = layout.with_ratio(ratio)
     if name == ROD:
         excess = first_excess(layout)

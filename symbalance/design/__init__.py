@@ -1,6 +1,6 @@
 """What a designer changes: counterweights, balance shafts, tolerances, weighed parts.
 
-In: a `Layout` and what is wanted of it. Out: designs with certificates, worst cases that are reached and
+In: a `Engine` and what is wanted of it. Out: designs with certificates, worst cases that are reached and
 proved, derivatives, assignments.
 
     balancing     the least weights and shafts that end given orders

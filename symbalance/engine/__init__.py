@@ -1,12 +1,12 @@
 """An engine: its cylinders, firing order, crank, what balances it, and its file.
 
-In: an engine file, a preset's name, or a builder's arguments. Out: a `Layout` of cylinders that says what
-stands and turns where.
+In: an engine file, a preset's name, or a builder's arguments. Out: an `Engine`, resolved once: cylinders
+that know all about themselves, in groups of like ones, and what balances them.
 
-    trains, cylinders, layout     sizes; one cylinder; all of them together
-    builders, firing, stars       layouts from firing orders, banks and pins; the orders a crank allows
+    trains, cylinders, engine     sizes; one cylinder; all of them together
+    builders, firing, stars       engines from firing orders, banks and pins; the orders a crank allows
     balancers, rotors             counterweights and balance shafts; rotating masses
-    unlike, tops                  mechanisms of single cylinders; when pistons are at the top
+    tops                          when pistons are at the top
     engine_file, engine_writing   engines from and to TOML;  balancer_tables: its weights and shafts
     catalogue                     the presets
     facts, kinds, balancer_facts  what a table says of an engine before its numbers

@@ -12,7 +12,7 @@ from mpmath import mp
 
 from symbalance.document.expressions import latex, text
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.exact.spectrum import Component, Number, SymbolicPhasor
 
 LONGEST = 34
@@ -33,7 +33,7 @@ TEXT = Style(text, "°", "≈ ", lambda formula: formula)
 LATEX = Style(latex, r"^\circ", r"\approx ", lambda formula: rf"\({formula}\)")
 
 
-def balancer_lines(layout: Layout, style: Style = TEXT) -> list[str]:
+def balancer_lines(layout: Engine, style: Style = TEXT) -> list[str]:
     """Return what is said of the balancers of an engine, and of rotating masses it takes as balanced.
 
     >>> from symbalance.engine.builders import inline
@@ -43,8 +43,10 @@ def balancer_lines(layout: Layout, style: Style = TEXT) -> list[str]:
     """
     found = layout.balancers
     if not found.counterweights:
-        given = any(layout.train_of(c).rotating_mass for c in layout.cylinders)
-        lines = ["rotating masses are taken as balanced, throw by throw"] if given else []
+        turning = [c for c in layout.cylinders if c.rotating_mass]
+        lines = ["rotating masses are taken as balanced, throw by throw"] if turning else []
+        if any(c.number in layout.link_pins for c in turning):
+            lines.append("but for what link pins move those on them beside the crank pins")
     else:
         lines = [_counterweight(c, style) for c in found.counterweights]
     return lines + [_shaft(s, style) for s in found.shafts]

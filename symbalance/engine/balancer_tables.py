@@ -13,8 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
-from symbalance.engine.layout import Layout
-from symbalance.engine.rotors import rotors
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.text.sections import Section
 
@@ -22,8 +21,8 @@ _ALONE = ("station", "unbalance", "share")
 Balancer = Counterweight | BalanceShaft
 
 
-def with_balancers(file: Section, layout: Layout) -> Layout:
-    """Return a layout with the counterweights and shafts that an engine file lists."""
+def with_balancers(file: Section, layout: Engine) -> Engine:
+    """Return an engine with the counterweights and shafts that its file lists."""
     tables = [(row, _counterweight(row)) for row in file.sections("counterweight")]
     tables += [(row, _shaft(row)) for row in file.sections("balance_shaft")]
     if not tables:
@@ -37,10 +36,10 @@ def with_balancers(file: Section, layout: Layout) -> Layout:
         return tables[0][0].guarded(lambda: _joined(layout, every))
 
 
-def _joined(layout: Layout, balancers: Sequence[Balancer]) -> Layout:
+def _joined(layout: Engine, balancers: Sequence[Balancer]) -> Engine:
     made = layout.balanced_by(*balancers)
     _ = made.modulus  # refuses angles too fine together
-    rotors(made)  # refuses what needs masses that are not given
+    _ = made.rotors  # refuses what needs masses that are not given
     return made
 
 

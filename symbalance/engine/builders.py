@@ -8,11 +8,13 @@ that their mean is 0.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, checked_bank
+from symbalance.engine.engine import Engine, checked_cylinders, checked_strokes
 from symbalance.engine.firing import (
     FiringOrder,
     firing_angles,
@@ -23,12 +25,44 @@ from symbalance.engine.firing import (
     read_stagger,
     stations,
 )
-from symbalance.engine.layout import Layout, checked_strokes
 from symbalance.engine.tops import bank_leads
-from symbalance.engine.trains import own_train
+from symbalance.engine.trains import CrankTrain, own_train
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import Angle, angle
+from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.numbers import checked_whole, exact, listed
+
+
+def from_cylinders(
+    cylinders: Iterable[Cylinder],
+    *,
+    crank_train: CrankTrain | None = None,
+    ratio: object = None,
+    **about: Any,
+) -> Engine:
+    """Return the engine of cylinders told one by one, with sizes that all of them share.
+
+    Each cylinder gets those of `crank_train` that it has none of its own of; `ratio` is the rod ratio
+    lambda = l/r of those whose stroke and rod are not their own. `about`: name, strokes, balancers of
+    the `Engine`.
+
+    >>> train = CrankTrain(stroke=Fraction(80), rod=Fraction(150))
+    >>> twin = from_cylinders([Cylinder(1), Cylinder(2, 180, rod=140)], crank_train=train)
+    >>> [str(c.ratio) for c in twin.cylinders]
+    ['15/4', '7/2']
+    """
+    shared = _checked_train(crank_train)
+    if ratio is not None:
+        shared = replace(shared, given_ratio=checked_ratio(ratio))
+    complete = [c.with_shared(shared) for c in checked_cylinders(cylinders)]
+    return Engine(complete, pitch=shared.pitch, **about)
+
+
+def _checked_train(train: object) -> CrankTrain:
+    if train is not None and not isinstance(train, CrankTrain):
+        rule = "must be a CrankTrain"
+        raise SymbalanceError(f"crank_train = {shown(train)}", rule, "make it with CrankTrain(...)")
+    return train or CrankTrain()
 
 
 def from_firing_order(
@@ -43,7 +77,7 @@ def from_firing_order(
     pin_step: object = "1/100",
     strokes: int = 4,
     **about: Any,
-) -> Layout:
+) -> Engine:
     """Return the layout whose cylinders fire in that order.
 
     `banks` are angles from vertical, `cylinders` the numbers in each bank from front to rear (may be
@@ -52,7 +86,7 @@ def from_firing_order(
     far each bank's axes pass the crank, mm. Offset moves the dead centres: with `firing_at` "pins" the
     intervals are those at which the pins pass the axes; with "dead centres" the pins are turned on by
     what the dead centres have moved, to `pin_step` of a degree, bank by bank. `about`: name, ratio,
-    crank_train of the `Layout`.
+    crank_train, as in `from_cylinders`.
 
     >>> [str(c.throw.in_degrees()) for c in from_firing_order("1-3-4-2").cylinders]
     ['0', '180', '180', '0']
@@ -67,8 +101,8 @@ def from_firing_order(
     places = stations(numbers, read_stagger(stagger, len(axes)))
     offsets = read_offset(offset, len(axes))
 
-    def made(leads: Sequence[Fraction]) -> Layout:
-        return Layout(
+    def made(leads: Sequence[Fraction]) -> Engine:
+        return from_cylinders(
             (
                 Cylinder(
                     n, axis + Angle((turn - fires[n]) / 360), axis, places[n], fires[n], offset=aside
@@ -86,7 +120,7 @@ def from_firing_order(
 
 def inline(
     firing_order: FiringOrder | None = None, *, throws: Sequence[object] | None = None, **rest: Any
-) -> Layout:
+) -> Engine:
     """Return an in-line engine, from its firing order or from its `throws`, front to rear, in degrees.
 
     `rest` goes to `from_firing_order` (firing_intervals, strokes) or names the engine (name, ratio).
@@ -111,7 +145,7 @@ def vee(
     cylinders: Sequence[Sequence[int]] | None = None,
     stagger: Sequence[object] = (0, 0),
     **rest: Any,
-) -> Layout:
+) -> Engine:
     """Return a vee, from its firing order or from the throws of its `pins`, front to rear.
 
     The banks stand at -bank_angle/2 (left, odd numbers unless `cylinders` says otherwise) and
@@ -149,7 +183,7 @@ def vr(
     stagger: Sequence[object] = ("1/4", "-1/4"),
     firing_at: str = "dead centres",
     **rest: Any,
-) -> Layout:
+) -> Engine:
     """Return a narrow vee: two banks so close that their axes pass the crank, `offset` mm to each side.
 
     The left bank's axes (odd numbers unless `cylinders` says otherwise) pass the crank on its left. Half
@@ -176,7 +210,7 @@ def vr(
 
 def boxer(
     firing_order: FiringOrder, *, stagger: Sequence[object] = ("1/4", "-1/4"), **rest: Any
-) -> Layout:
+) -> Engine:
     """Return a horizontally opposed engine with a pin for each cylinder.
 
     The left bank (odd numbers) stands at -90 degrees. `stagger` shifts the banks along the crank; the
@@ -191,7 +225,7 @@ def w(
     *,
     cylinders: Sequence[Sequence[int]],
     **rest: Any,
-) -> Layout:
+) -> Engine:
     """Return a W or broad-arrow engine: three or more `banks`, the cylinders' numbers in each.
 
     >>> arrow = w([-60, 0, 60], "1-2-3", cylinders=[[1], [2], [3]])
@@ -201,7 +235,7 @@ def w(
     return from_firing_order(firing_order, banks=banks, cylinders=cylinders, **rest)
 
 
-def radial(count: int, *, strokes: int = 4, **about: Any) -> Layout:
+def radial(count: int, *, strokes: int = 4, **about: Any) -> Engine:
     """Return a single-row radial of `count` cylinders, evenly spread, all rods on one pin.
 
     Each rod is taken as centred (no link rods). A four-stroke with an odd count fires every other
@@ -221,7 +255,7 @@ def radial(count: int, *, strokes: int = 4, **about: Any) -> Layout:
         cylinders.append(
             Cylinder(i + 1, 0, Angle(spread / 360).normalized(), 0, fires if known else None)
         )
-    return Layout(cylinders, strokes=strokes, **about)
+    return from_cylinders(cylinders, strokes=strokes, **about)
 
 
 def _on_pins(
@@ -230,14 +264,14 @@ def _on_pins(
     splays: list[Angle],
     stagger: Sequence[object],
     about: dict[str, Any],
-) -> Layout:
+) -> Engine:
     """Return one cylinder of every bank on each pin, numbered pin by pin."""
     throws = [angle(pin, f"pins[{i}]") for i, pin in enumerate(listed(pins, "pins"), 1)]
     if not throws:
         raise SymbalanceError("pins = []", "a crank has at least one pin", "give the throw of each")
     numbers = [list(range(1 + b, 1 + len(axes) * len(throws), len(axes))) for b in range(len(axes))]
     places = stations(numbers, read_stagger(stagger, len(axes)))
-    return Layout(
+    return from_cylinders(
         (
             Cylinder(n, throw + splay, axis, places[n])
             for axis, splay, bank in zip(axes, splays, numbers, strict=True)

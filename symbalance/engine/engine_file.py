@@ -12,12 +12,11 @@ from pathlib import Path
 from typing import Any
 
 from symbalance.engine.balancer_tables import with_balancers
-from symbalance.engine.builders import from_firing_order
+from symbalance.engine.builders import from_cylinders, from_firing_order
 from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.engine import Engine, checked_name
 from symbalance.engine.engine_keys import ENGINE_FILE
-from symbalance.engine.layout import Layout, check_link_mass, checked_name
 from symbalance.engine.trains import ROD, CrankTrain, Link
-from symbalance.engine.unlike import kinds
 from symbalance.errors import SymbalanceError, encodable_name
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.files import read_text
@@ -26,30 +25,33 @@ from symbalance.text.sections import Section, read_sections
 LINK = ("master", "link_angle", "link_radius")
 
 
-def read_engine_file(path: str | Path) -> Layout:
-    """Return the layout an engine file describes; every refusal names the file and the line."""
+def read_engine_file(path: str | Path) -> Engine:
+    """Return the engine that a file describes; every refusal names the file and the line."""
     return parse_engine(read_text(path), str(path), default_name=encodable_name(Path(path).stem))
 
 
-def parse_engine(text: str, place: str, default_name: str = "engine") -> Layout:
-    """Return the layout that the text of an engine file describes; `place` is what errors call it."""
+def parse_engine(text: str, place: str, default_name: str = "engine") -> Engine:
+    """Return the engine that the text of a file describes; `place` is what errors call it."""
     return engine_from(read_sections(text, place, ENGINE_FILE), default_name)
 
 
-def engine_from(file: Section, default_name: str) -> Layout:
-    """Return the layout that an engine file's tables describe; what other rooms read is left alone."""
+def engine_from(file: Section, default_name: str) -> Engine:
+    """Return the engine that a file's tables describe; what other rooms read is left alone."""
     texts = {key: file.value(key) for key in ("name", "description", "source")}
     name = texts["name"] or file.guarded(lambda: checked_name(default_name))
     train = file.section("crank_train")
     about = {"name": name, "crank_train": _crank_train(train)}
     if "layout" in file:
         rows, arrangement = [], file.section("layout")
-        layout = _by_firing_order(arrangement, about)
+        engine = _by_firing_order(arrangement, train, about)
     else:
-        rows, arrangement = file.sections("cylinder"), None
-        layout = _by_cylinder(file, rows, train, about)
-    _check_sizes(layout, [s for s in (arrangement, train) if s is not None], rows)
-    return with_balancers(file, layout)
+        rows, arrangement = file.sections("cylinder"), train
+        engine = _by_cylinder(file, rows, train, about)
+    (rows or [arrangement])[0].guarded(lambda: engine.groups, elsewhere=(arrangement, train))
+    for i, cylinder in enumerate(engine.cylinders):
+        at = rows[i] if rows and any(key in rows[i] for key in ROD) else train
+        at.guarded(lambda c=cylinder: c.rod_split)
+    return with_balancers(file, engine)
 
 
 def _crank_train(train: Section) -> CrankTrain:
@@ -62,24 +64,21 @@ def _crank_train(train: Section) -> CrankTrain:
     return made
 
 
-def _by_firing_order(arrangement: Section, about: dict[str, Any]) -> Layout:
+def _by_firing_order(arrangement: Section, train: Section, about: dict[str, Any]) -> Engine:
     values = arrangement.values()
-    layout = arrangement.guarded(lambda: from_firing_order(**values, **about))
+    engine = arrangement.guarded(lambda: from_firing_order(**values, **about), elsewhere=(train,))
     fine = next((k for k in ("firing_intervals", "banks") if k in arrangement), "firing_order")
-    arrangement.guarded(lambda: layout.modulus, fine)
-    return layout
+    arrangement.guarded(lambda: engine.modulus, fine)
+    return engine
 
 
-def _by_cylinder(file: Section, rows: list[Section], train: Section, about: dict[str, Any]) -> Layout:
+def _by_cylinder(file: Section, rows: list[Section], train: Section, about: dict[str, Any]) -> Engine:
     cylinders, strokes = [_cylinder(row) for row in rows], file.value("strokes")
-    for row, cylinder in zip(rows, cylinders, strict=True):
-        at = row if "rotating_mass" in row else train
-        at.guarded(lambda c=cylinder: check_link_mass(c, about["crank_train"]))
 
-    def made(places: Sequence[int]) -> Layout:
-        layout = Layout([cylinders[i] for i in places], strokes=strokes, **about)
-        _ = layout.modulus  # refuses angles too fine together
-        return layout
+    def made(places: Sequence[int]) -> Engine:
+        engine = from_cylinders([cylinders[i] for i in places], strokes=strokes, **about)
+        _ = engine.modulus  # refuses angles too fine together
+        return engine
 
     try:
         return made(range(len(cylinders)))
@@ -90,8 +89,8 @@ def _by_cylinder(file: Section, rows: list[Section], train: Section, about: dict
         counts = range(1, len(places) + 1)
         last = bisect_left(counts, True, key=lambda count: _is_refused(lambda: made(places[:count])))
         if last == len(places):  # the file's own order is what is refused
-            return rows[0].guarded(lambda: made(range(len(cylinders))))
-        return rows[places[last]].guarded(lambda: made(places[: last + 1]))
+            return rows[0].guarded(lambda: made(range(len(cylinders))), elsewhere=(train,))
+        return rows[places[last]].guarded(lambda: made(places[: last + 1]), elsewhere=(train,))
 
 
 def _cylinder(row: Section) -> Cylinder:
@@ -103,23 +102,6 @@ def _cylinder(row: Section) -> Cylinder:
 
 def _link(master: int, link_angle: object = 0, link_radius: object = 0) -> Link:
     return Link(master, link_angle, link_radius)
-
-
-def _check_sizes(layout: Layout, shared: list[Section], rows: list[Section]) -> None:
-    """Refuse a rod that does not reach, and a size that is needed and not given.
-
-    The tables of shared sizes are asked for an offset in the order of `shared`.
-    """
-    if not layout.is_uniform:
-        at = next((table for table in shared if "offset" in table), None)
-        if at is not None:
-            at.guarded(lambda: kinds(layout), "offset")
-        else:
-            (rows or shared)[0].guarded(lambda: kinds(layout))
-    for i, cylinder in enumerate(layout.cylinders):
-        own = any(getattr(cylinder.own, key) is not None for key in ROD)
-        at = rows[i] if own else shared[-1]
-        at.guarded(lambda c=cylinder: layout.train_of(c).rod_split)
 
 
 def _is_refused(make: Callable[[], object]) -> bool:

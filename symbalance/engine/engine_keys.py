@@ -12,8 +12,8 @@ from fractions import Fraction
 from math import pi
 
 from symbalance.engine.cylinders import LONGEST_STATION, MOST_CYLINDERS
+from symbalance.engine.engine import LONGEST_NAME
 from symbalance.engine.firing import FIRING_AT
-from symbalance.engine.layout import LONGEST_NAME
 from symbalance.engine.tops import COARSEST, FINEST_STEP
 from symbalance.exact.angles import LARGEST_DENOMINATOR, degrees
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER

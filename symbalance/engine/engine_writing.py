@@ -7,7 +7,9 @@ both fractions is written as the sum of weights that are: every number of the ex
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -15,8 +17,8 @@ from mpmath import mp
 
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.engine.trains import OWN, CrankTrain
+from symbalance.engine.engine import Engine
+from symbalance.engine.trains import OWN
 from symbalance.errors import SymbalanceError
 from symbalance.exact.angles import Angle
 from symbalance.exact.decimal_phasor import DecimalPhasor
@@ -27,7 +29,7 @@ DIGITS = 30
 Row = list[tuple[str, Any]]
 
 
-def engine_text(layout: Layout) -> str:
+def engine_text(layout: Engine) -> str:
     """Return the text of an engine file; symbols, which no file holds, are refused.
 
     >>> from symbalance.engine.builders import inline
@@ -36,9 +38,10 @@ def engine_text(layout: Layout) -> str:
     """
     tables = [
         ("", [("name", layout.name), ("strokes", layout.strokes)]),
-        ("[crank_train]", _train(layout)),
+        ("[crank_train]", _crank_train(layout)),
     ]
-    tables += [("[[cylinder]]", _cylinder(c)) for c in layout.cylinders]
+    shared = _shared(layout)
+    tables += [("[[cylinder]]", _cylinder(c, shared)) for c in layout.cylinders]
     for counterweight in layout.balancers.counterweights:
         tables += [("[[counterweight]]", row) for row in _counterweight(counterweight)]
     tables += [("[[balance_shaft]]", _shaft(s)) for s in layout.balancers.shafts]
@@ -75,24 +78,51 @@ def _given(rows: Iterable[tuple[str, Any]]) -> Row:
     return [(key, value) for key, value in rows if value is not None]
 
 
-def _train(layout: Layout) -> Row:
-    train = layout.crank_train
-    if layout.ratio != train.ratio:
-        changed = {"given_ratio": layout.ratio}
-        if train.stroke is not None and layout.ratio is not None:
-            changed = {"given_ratio": None, "rod": layout.ratio * train.stroke / 2}
-        train = CrankTrain(**{**vars(train), **changed})
-    keys = ("stroke", "rod", "pitch", *OWN[2:])
-    return _given([*((k, getattr(train, k)) for k in keys), ("ratio", train.given_ratio)])
+def _written_sizes(cylinder: Cylinder) -> dict[str, Fraction | None]:
+    """Return the sizes of a cylinder as a file says them: a rod ratio as a rod, where it has a stroke."""
+    sizes, ratio = cylinder.sizes, cylinder.sizes.given_ratio
+    if ratio is not None and sizes.stroke is not None:
+        sizes, ratio = replace(sizes, rod=ratio * sizes.stroke / 2), None
+    return {**{key: getattr(sizes, key) for key in OWN}, "ratio": ratio}
 
 
-def _cylinder(cylinder: Cylinder) -> Row:
+def _shared(layout: Engine) -> dict[str, Fraction]:
+    """Return the sizes that stand in [crank_train]: those no cylinder lacks, as most of them have them.
+
+    A link rod takes no stroke, rod and ratio from there.
+    """
+    shared = {}
+    for key in (*OWN, "ratio"):
+        values = [
+            _written_sizes(c)[key]
+            for c in layout.cylinders
+            if c.link is None or key not in ("stroke", "rod", "ratio")
+        ]
+        known = [value for value in values if value is not None]
+        if known and len(known) == len(values):
+            shared[key] = Counter(known).most_common(1)[0][0]
+    return shared
+
+
+def _crank_train(layout: Engine) -> Row:
+    shared = _shared(layout)
+    keys = ("stroke", "rod", "pitch", *OWN[2:], "ratio")
+    return _given((key, layout.pitch if key == "pitch" else shared.get(key)) for key in keys)
+
+
+def _cylinder(cylinder: Cylinder, shared: Mapping[str, Fraction]) -> Row:
     places = [("throw", cylinder.throw), ("bank", cylinder.bank)]
     rows: Row = [("number", cylinder.number), *((k, _degrees(a)) for k, a in places)]
     rows += [("station", cylinder.station), ("fires", cylinder.fires)]
-    rows += [(key, getattr(cylinder.own, key)) for key in OWN]
-    if cylinder.link is not None:
-        link = cylinder.link
+    sizes, link = _written_sizes(cylinder), cylinder.link
+    if sizes["ratio"] != shared.get("ratio") and link is None:
+        rule = "cannot stand in an engine file beside other cylinders' ratios"
+        raise SymbalanceError(f"ratio = {sizes['ratio']}", rule, "give its stroke and rod")
+    own = {key: sizes[key] for key in OWN if sizes[key] != shared.get(key)}
+    if link is not None:
+        own |= {"rod": sizes["rod"]}
+    rows += [(key, own[key]) for key in OWN if key in own]
+    if link is not None:
         rows += [("master", link.master), ("link_angle", link.angle * 360), ("link_radius", link.radius)]
     return _given(rows)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.engine.tops import firing_dead_centres, has_moved, lead_of
 from symbalance.exact.angles import Angle
 
@@ -13,12 +13,12 @@ NEAR = 20
 """Degrees from a dead centre within which it is named."""
 
 
-def strokes(layout: Layout) -> str:
+def strokes(layout: Engine) -> str:
     """Return "four-stroke" or "two-stroke"."""
     return {2: "two-stroke", 4: "four-stroke"}[layout.strokes]
 
 
-def banks(layout: Layout, printed: Callable[[Angle], str]) -> str:
+def banks(layout: Engine, printed: Callable[[Angle], str]) -> str:
     """Return where the banks stand, each angle once, in the order of the layout."""
     angles = list(dict.fromkeys(c.bank for c in layout.cylinders))
     if angles == [Angle(Fraction(0))]:
@@ -27,7 +27,7 @@ def banks(layout: Layout, printed: Callable[[Angle], str]) -> str:
     return f"{'banks' if len(angles) > 1 else 'one bank'} at {where} from vertical"
 
 
-def firing(layout: Layout) -> str:
+def firing(layout: Engine) -> str:
     """Return the firing order and, where they are uneven, the intervals; empty if it is not known.
 
     >>> from symbalance.engine.catalogue import load
@@ -48,7 +48,7 @@ def firing(layout: Layout) -> str:
     return f"{numbers}{apart} {', '.join(intervals)}"
 
 
-def firing_intervals(layout: Layout) -> list[Fraction]:
+def firing_intervals(layout: Engine) -> list[Fraction]:
     """Return the degrees after each firing of a layout whose firing angles are known.
 
     Dead centres that an offset or a link rod has moved count where they are, to 0.01 degrees.
@@ -62,7 +62,7 @@ def firing_intervals(layout: Layout) -> list[Fraction]:
     return [end - start for start, end in zip(starts, ends, strict=True)]
 
 
-def origin(layout: Layout, printed: Callable[[Angle], str]) -> str:
+def origin(layout: Engine, printed: Callable[[Angle], str]) -> str:
     """Return what stands where at theta = 0.
 
     >>> from symbalance.engine.builders import inline
@@ -71,7 +71,7 @@ def origin(layout: Layout, printed: Callable[[Angle], str]) -> str:
     """
     first = min(layout.cylinders, key=lambda c: c.number)
     dead_centre = f"{'firing ' if first.fires == 0 else ''}top dead centre"
-    lead = Fraction(0) if first.delay.symbols else lead_of(layout, first)
+    lead = Fraction(0) if first.delay.symbols else lead_of(first)
     if not lead and first.delay == Angle(Fraction(0)):
         return f"cylinder {first.number} at {dead_centre}"
     where = f"the pin of cylinder {first.number} at {printed(first.throw)} from straight up"

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.document.decimals import shown
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import kinds
-from symbalance.kinematics.mechanisms import LinkRod, Mechanism
+from symbalance.engine.engine import Engine, Group
+from symbalance.kinematics.mechanisms import LinkRod
 from symbalance.text.numbers import real
 
 MOST_NAMED = 8
@@ -24,7 +23,7 @@ class Column:
     cells: tuple[str, ...]
 
 
-def kind_columns(layout: Layout) -> list[Column]:
+def kind_columns(layout: Engine) -> list[Column]:
     """Return the columns that say something: cylinders, rod, l/r, offset, link pin, m r.
 
     >>> from symbalance.engine.catalogue import load
@@ -34,8 +33,7 @@ def kind_columns(layout: Layout) -> list[Column]:
     l/r | 3.64444 | 3.64444
     e/r | -0.277778 | 0.277778
     """
-    found = kinds(layout)
-    rows = [_cells(layout, kind, size, places) for (kind, size), places in found.items()]
+    rows = [_cells(layout, group) for group in layout.groups]
     heads = [
         ("cylinders", "cylinders"),
         ("rod on", "rod on"),
@@ -49,7 +47,7 @@ def kind_columns(layout: Layout) -> list[Column]:
     return [column for column in columns if any(column.cells)]
 
 
-def kind_legend(layout: Layout) -> list[str]:
+def kind_legend(layout: Engine) -> list[str]:
     """Return what the columns' letters mean, those that occur."""
     used = {column.text for column in kind_columns(layout)}
     lines = ["l: length of the rod"]
@@ -60,7 +58,7 @@ def kind_legend(layout: Layout) -> list[str]:
     return lines
 
 
-def kind_lines(layout: Layout) -> list[str]:
+def kind_lines(layout: Engine) -> list[str]:
     """Return the same as lines of text, for a heading: which cylinders share what, and what m and r are.
 
     >>> from symbalance.engine.catalogue import load
@@ -81,14 +79,14 @@ def kind_lines(layout: Layout) -> list[str]:
     ]
 
 
-def _cells(layout: Layout, kind: Mechanism, size: Fraction, places: list[int]) -> tuple[str, ...]:
-    cylinders = [layout.cylinders[i] for i in places]
+def _cells(layout: Engine, group: Group) -> tuple[str, ...]:
+    kind, cylinders = group.mechanism, group.cylinders
     numbers = [str(c.number) for c in cylinders]
     if len(numbers) > MOST_NAMED:
         numbers = [*numbers[: MOST_NAMED - 1], f"... ({len(numbers)})"]
-    offset = _decimal(kind.offset) if kind.offset else ""
-    length = _decimal(kind.length)
-    share = "" if size == 1 else _decimal(size)
+    offset = _decimal(kind.offset) if kind and kind.offset else ""
+    length = _decimal(kind.length) if kind else ""
+    share = "" if group.size == 1 else _decimal(group.size)
     if not isinstance(kind, LinkRod):
         hangs = any(c.link for c in layout.cylinders)
         return ", ".join(numbers), "crank pin" if hangs else "", length, offset, "", "", share

@@ -11,12 +11,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from mpmath import mp
 
 from symbalance.engine.balancers import Counterweight, Weight, directed
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import sizes
 from symbalance.errors import SymbalanceError
 from symbalance.exact.arithmetic import decimal
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
@@ -24,6 +23,9 @@ from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Number
 from symbalance.kinematics.slider_crank import acceleration_values
 from symbalance.text.numbers import Real
+
+if TYPE_CHECKING:
+    from symbalance.engine.engine import Engine
 
 
 @dataclass(frozen=True)
@@ -37,7 +39,7 @@ class Rotor:
     y: Fraction = Fraction(0)
 
 
-def rotors(layout: Layout) -> list[Rotor]:
+def rotors(layout: Engine) -> list[Rotor]:
     """Return all that turns and is not balanced by itself, each in the unit of its order."""
     found = [_counterweight(layout, c) for c in layout.balancers.counterweights]
     if layout.balancers.counterweights:
@@ -49,82 +51,45 @@ def rotors(layout: Layout) -> list[Rotor]:
     return found
 
 
-def _counterweight(layout: Layout, counterweight: Counterweight) -> Rotor:
+def _counterweight(layout: Engine, counterweight: Counterweight) -> Rotor:
     against, station = counterweight.stands_at(layout.cylinders)
     if counterweight.weight is not None:
         vector = directed(_in_units(layout, counterweight.weight, 1), against)
     else:
         assert counterweight.overbalance is not None
         place = next(i for i, c in enumerate(layout.cylinders) if c.number == counterweight.throw)
-        share = rotating_shares(layout)[place] + counterweight.overbalance * sizes(layout)[place]
+        share = layout.rotating_sizes[place] + counterweight.overbalance * layout.sizes[place]
         vector = directed(Phasor.of(1, {0: share}), against + counterweight.angle)
     return Rotor(1, vector, station)
 
 
-def _rotating(layout: Layout) -> list[Rotor]:
-    pairs = zip(layout.cylinders, rotating_shares(layout), strict=True)
+def _rotating(layout: Engine) -> list[Rotor]:
+    pairs = zip(layout.cylinders, layout.rotating_sizes, strict=True)
     return [Rotor(1, directed(Phasor.of(1, {0: s}), c.throw), c.station) for c, s in pairs if s]
 
 
-def rotating_shares(layout: Layout) -> list[Fraction]:
-    """Return every cylinder's rotating mass times crank radius over m r of the first; 0 where not given.
-
-    >>> from symbalance.engine.builders import inline
-    >>> from symbalance.engine.trains import CrankTrain
-    >>> train = CrankTrain(reciprocating_mass=Fraction(1, 2), rotating_mass=Fraction(3, 4))
-    >>> rotating_shares(inline("1-2", crank_train=train))
-    [Fraction(3, 2), Fraction(3, 2)]
-    """
-    masses = [layout.train_of(c).rotating_mass or Fraction(0) for c in layout.cylinders]
-    if not any(masses):
-        return masses
-    strokes, one = [layout.stroke_of(c) for c in layout.cylinders], layout.stroke_of(layout.first)
-    first = layout.train_of(layout.first).reciprocating_mass
-    if not first:
-        rule = "counts beside counterweights, in units of the reciprocating mass"
-        raise SymbalanceError("rotating_mass", rule, "give reciprocating_mass, kg, above 0")
-    if len(set(strokes)) == 1:
-        return [m / first for m in masses]
-    if any(s is None for s in strokes):
-        rule = "is given for some cylinders and not for others"
-        raise SymbalanceError("stroke", rule, "give it for all, or in [crank_train]")
-    return [m * s / (first * one) for m, s in zip(masses, strokes, strict=True) if s and one]
-
-
-def unit_unbalance(layout: Layout) -> Fraction | None:
-    """Return m r of the first cylinder in kg mm, None where its mass or stroke is not given.
-
-    >>> from symbalance.engine.catalogue import load
-    >>> unit_unbalance(load("vq30de"))
-    Fraction(493309, 20000)
-    """
-    mass = layout.train_of(layout.first).reciprocating_mass
-    stroke = layout.stroke_of(layout.first)
-    return mass * stroke / 2 if mass and stroke else None
-
-
-def _in_units(layout: Layout, weight: Weight, speed: int) -> Number:
+def _in_units(layout: Engine, weight: Weight, speed: int) -> Number:
     """Return a weight's force over the unit of its order; decimals where that is no longer exact."""
     if weight.in_kg_mm:
-        unit = unit_unbalance(layout)
+        unit = layout.unit_unbalance
         if unit is None:
             rule = "counts in units of m r"
             remedy = "give stroke and reciprocating_mass (above 0) in [crank_train], or a share"
             raise SymbalanceError("unbalance", rule, remedy)
         return weight.vector.scaled(speed * speed / unit)
-    if layout.is_geometric or not layout.is_uniform or abs(speed) == 1:
+    if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
         return weight.vector
     with mp.workdps(DIGITS):
         return DecimalPhasor(decimal(weight.vector) * share_unit(layout, speed))
 
 
-def share_unit(layout: Layout, speed: int) -> Real:
+def share_unit(layout: Engine, speed: int) -> Real:
     """Return what a share of 1 pushes with at n times the crank's speed, in m r omega^2: A_n, or 1.
 
-    It is 1 where cylinders are unlike, and refused where A_n depends on a ratio that is not known.
+    It is 1 where cylinders have no A_n in common, and refused where that depends on an unknown ratio.
     """
     n = abs(speed)
-    if n == 1 or not layout.is_uniform:
+    if n == 1 or not layout.has_common_harmonics:
         return mp.mpf(1)
     if layout.ratio is None:
         rule, remedy = f"has no rod ratio, and A_{n} depends on it", "give stroke and rod, or ratio"

@@ -14,8 +14,7 @@ from fractions import Fraction
 from mpmath import mp
 
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import mechanism_of
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank, dead_centres
 from symbalance.text.numbers import exact, real
@@ -39,36 +38,31 @@ def lead(mechanism: Mechanism) -> Fraction:
         return int(mp.nint(mp.degrees(dead_centres(mechanism).top) / real(FINEST))) * FINEST
 
 
-def has_moved(layout: Layout) -> bool:
+def has_moved(layout: Engine) -> bool:
     """Tell whether some top dead centre is not where the pin passes the cylinder's axis."""
-    return any(c.link or layout.train_of(c).offset for c in layout.cylinders)
+    return any(c.link or c.offset for c in layout.cylinders)
 
 
-def lead_of(layout: Layout, cylinder: Cylinder) -> Fraction:
+def lead_of(cylinder: Cylinder) -> Fraction:
     """Return a cylinder's `lead`; 0 for a centred one, whose sizes need not be known."""
-    if cylinder.link is None and not layout.train_of(cylinder).offset:
-        return Fraction(0)
-    return lead(mechanism_of(layout, cylinder))
+    return lead(cylinder.mechanism) if cylinder.mechanism else Fraction(0)
 
 
-def top_angles(layout: Layout) -> dict[int, Fraction]:
+def top_angles(layout: Engine) -> dict[int, Fraction]:
     """Return the degrees of theta at a top dead centre of each cylinder, less the first-numbered one's.
 
     >>> from symbalance.engine.builders import radial
     >>> [str(top) for top in top_angles(radial(3)).values()]
     ['0', '120', '-120']
     """
-    leads = dict[object, Fraction]()
     tops = {}
-    for cylinder in layout.cylinders:
-        kind = (cylinder.own, cylinder.link, cylinder.bank if cylinder.link else None)
-        if kind not in leads:
-            leads[kind] = lead_of(layout, cylinder)
-        tops[cylinder.number] = leads[kind] - cylinder.delay.in_degrees()
-    return {number: top - tops[min(tops)] for number, top in tops.items()}
+    for mechanism, cylinders in layout.grouped(lambda c: c.mechanism).items():
+        ahead = lead(mechanism) if mechanism else Fraction(0)
+        tops |= {c.number: ahead - c.delay.in_degrees() for c in cylinders}
+    return {c.number: tops[c.number] - tops[min(tops)] for c in layout.cylinders}
 
 
-def firing_dead_centres(layout: Layout) -> dict[int, Fraction]:
+def firing_dead_centres(layout: Engine) -> dict[int, Fraction]:
     """Return how far after cylinder 1's each cylinder's firing dead centre stands, degrees of theta.
 
     `fires` of every cylinder says which of its top dead centres that is; the angle itself follows
@@ -88,11 +82,11 @@ def firing_dead_centres(layout: Layout) -> dict[int, Fraction]:
     return {n: (top + 360 * round((said[n] - top) / 360)) % cycle for n, top in tops.items()}
 
 
-def bank_leads(layout: Layout, banks: Sequence[Sequence[int]], step: object) -> list[Fraction]:
+def bank_leads(layout: Engine, banks: Sequence[Sequence[int]], step: object) -> list[Fraction]:
     """Return the `lead` of each bank, the same for all its cylinders, rounded to `step` degrees."""
     size = checked_step(step)
     by_number = {c.number: c for c in layout.cylinders}
-    return [round(lead_of(layout, by_number[bank[0]]) / size) * size for bank in banks]
+    return [round(lead_of(by_number[bank[0]]) / size) * size for bank in banks]
 
 
 def checked_step(step: object) -> Fraction:

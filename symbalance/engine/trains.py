@@ -118,6 +118,16 @@ def checked_size(key: str, value: object) -> Fraction:
     return number
 
 
+def check_reach(train: CrankTrain) -> None:
+    """Refuse an offset at which the crank cannot turn, in the units of the file."""
+    if train.offset and train.rod is not None and train.stroke is not None:
+        most = train.rod - train.stroke / 2
+        if most > 0 and abs(train.offset) >= most:
+            rule = f"must lie within {float(-most):.12g} and {float(most):.12g} mm (rod - stroke/2)"
+            remedy = "nearer the crank's axis, or a longer rod: the crank could not turn"
+            raise SymbalanceError(f"offset = {float(train.offset):.12g}", rule, remedy)
+
+
 def own_train(sizes: dict[str, object]) -> CrankTrain:
     """Return the sizes a cylinder has of its own, from those given (None is not given)."""
     return CrankTrain(**{k: checked_size(k, v) for k, v in sizes.items() if v is not None})

@@ -1,8 +1,8 @@
 """Free forces and couples: the sums over an engine's cylinders, order by order.
 
-In: a `Layout`. Out: a `Balance`: force and couple of each order that survives, in four exact components.
+In: an `Engine`. Out: a `Balance`: force and couple of each order that survives, in four exact components.
 
-    resultants                  the sums;  unlike_spectrum, rotating: unlike cylinders, what turns
+    planar_vectors              the sums;  resultants: the result
     summation                   closed forms for a symbolic number of cylinders
     shafts                      the roll moment of balance shafts
     rows, roll_rows             components as rows of a table;  wide_formulas: too wide for one

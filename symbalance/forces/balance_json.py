@@ -10,7 +10,6 @@ import sympy
 
 from symbalance.engine.balancers import Balancers, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.unlike import mechanism_of
 from symbalance.exact.spectrum import COMPONENTS, Component, SymbolicPhasor
 from symbalance.forces.resultants import Balance, Order, Resultant, checked_balance
 from symbalance.forces.roll_rows import roll_rows
@@ -101,9 +100,9 @@ def _cylinder(cylinder: Cylinder) -> dict[str, Any]:
 
 def _own(balance: Balance, cylinder: Cylinder) -> dict[str, Any]:
     """Return what a cylinder has of its own where they are unlike: lengths over its crank radius."""
-    if balance.is_uniform:
+    mechanism = cylinder.mechanism
+    if balance.kinematics or mechanism is None:
         return {}
-    mechanism = mechanism_of(balance.layout, cylinder)
     found: dict[str, Any] = {"ratio": str(mechanism.length), "offset": str(mechanism.offset)}
     if isinstance(mechanism, LinkRod) and cylinder.link:
         angle = str(mechanism.link_angle * 360)

@@ -35,7 +35,7 @@ def balance_latex(result: Balance, *, standalone: bool = False) -> str:
 def resultants_latex(result: Balance) -> str:
     """Return the free force, the free couple and the coefficients, without the engine's heading."""
     units = (r"\(F_n = A_n\, m r \omega^2\)", r"\(F_n a\)")
-    if not result.is_uniform:
+    if result.kinematics is None:
         units = (r"\(m r \omega^2\)", r"\(m r \omega^2 a\)")
     force = _resultant(result, "force", rf"\textbf{{Free force}}, unit {units[0]}")
     couple = _resultant(
@@ -47,7 +47,7 @@ def resultants_latex(result: Balance) -> str:
 
 def _roll(result: Balance) -> str:
     found = roll_rows(result)
-    unit = r"\(F_n r\)" if result.is_uniform else r"\(m r^2 \omega^2\)"
+    unit = r"\(F_n r\)" if result.kinematics else r"\(m r^2 \omega^2\)"
     text = r"\textbf{Roll moment of the shafts} on the frame, positive in the sense of rotation"
     return "\n".join([f"{text}, unit {unit}:", _components(found)]) if found else ""
 
@@ -58,7 +58,7 @@ def heading_latex(balance: Balance) -> str:
     count, fires = len(layout.cylinders), firing(layout)
     noun = "cylinders" if count > 1 else "cylinder"
     sizes = [r"\(m\) is the reciprocating mass of one cylinder, \(r\) the crank radius,"]
-    if not balance.is_uniform:
+    if balance.kinematics is None:
         first = layout.first.number
         sizes = [
             rf"\(m\) and \(r\) are the reciprocating mass and the crank radius of cylinder {first};",
@@ -92,7 +92,7 @@ def _mathematical(line: str) -> str:
 
 def _kinds(balance: Balance) -> list[str]:
     """Return the table of cylinders by kind, if there are several."""
-    if balance.is_uniform:
+    if balance.kinematics:
         return []
     columns = kind_columns(balance.layout)
     rows = zip(*(column.cells for column in columns), strict=True)
@@ -177,7 +177,7 @@ def _turning(row: Row) -> list[str]:
 
 
 def _coefficients(balance: Balance) -> str:
-    if not balance.is_uniform:
+    if balance.kinematics is None:
         return "Components hold the kinematics of their cylinders."
     if not balance.orders:
         return "No order survives, so no coefficient is needed."

@@ -9,9 +9,9 @@ from symbalance.document.decimals import shown
 from symbalance.document.expressions import text
 from symbalance.document.grid import WIDTH, grid
 from symbalance.engine.balancer_facts import balancer_lines
+from symbalance.engine.engine import Engine
 from symbalance.engine.facts import banks, degrees_text, firing, origin, strokes
 from symbalance.engine.kinds import kind_columns, kind_legend
-from symbalance.engine.layout import Layout
 from symbalance.exact.angles import Angle
 from symbalance.forces.resultants import Balance, checked_balance
 from symbalance.forces.roll_rows import roll_rows
@@ -39,7 +39,7 @@ def balance_text(balance: Balance) -> str:
 
 def resultants_text(balance: Balance) -> str:
     """Return the free force, the free couple and the coefficients, without the engine's heading."""
-    force, couple = ("Fₙ = Aₙ m r ω²", "Fₙ a") if balance.is_uniform else ("m r ω²", "m r ω² a")
+    force, couple = ("Fₙ = Aₙ m r ω²", "Fₙ a") if balance.kinematics else ("m r ω²", "m r ω² a")
     blocks = [
         _kinds(balance),
         _resultant(balance, "force", f"Free force, unit {force}"),
@@ -59,7 +59,7 @@ def heading_text(balance: Balance) -> str:
         f"{banks(layout, _angle)}",
         *([f"fires {fires}"] if fires else []),
         f"θ (clockwise seen from the front) = 0: {origin(layout, _angle)}",
-        *(_like(balance) if balance.is_uniform else _unlike(layout)),
+        *(_like(balance) if balance.kinematics else _unlike(layout)),
         *(line.replace("-", "−") for line in balancer_lines(layout)),
         *_LEGEND,
     ]
@@ -74,7 +74,7 @@ def _like(balance: Balance) -> list[str]:
     ]
 
 
-def _unlike(layout: Layout) -> list[str]:
+def _unlike(layout: Engine) -> list[str]:
     first = layout.first.number
     return [
         f"m, r: reciprocating mass and crank radius of cylinder {first}; a: cylinder pitch",
@@ -84,7 +84,7 @@ def _unlike(layout: Layout) -> list[str]:
 
 def _kinds(balance: Balance) -> str:
     """Return the table of cylinders by kind."""
-    if balance.is_uniform:
+    if balance.kinematics:
         return ""
     columns = kind_columns(balance.layout)
     table = [[column.text for column in columns]]
@@ -110,7 +110,7 @@ def _resultant(balance: Balance, name: str, title: str) -> str:
 
 def _roll(balance: Balance) -> str:
     found = roll_rows(balance)
-    unit = "Fₙ r" if balance.is_uniform else "m r² ω²"
+    unit = "Fₙ r" if balance.kinematics else "m r² ω²"
     title = f"Roll moment of the shafts on the frame, + in the sense of rotation, unit {unit}"
     return "\n".join([title, *_components(found)]) if found else ""
 
@@ -205,7 +205,7 @@ def _turning(row: Row, longest: int = SHORT) -> list[str]:
 
 
 def _coefficients(balance: Balance) -> str:
-    if not balance.orders or not balance.is_uniform:
+    if not balance.orders or balance.kinematics is None:
         return ""
     at = "" if balance.ratio is None else f"at λ = {short_text(balance.ratio)}"
     table = []

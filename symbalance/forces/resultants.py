@@ -12,32 +12,17 @@ These sums are geometry alone; A_n is the kinematics of one cylinder; tables pri
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import lcm
-from typing import Any
 
-from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
-from symbalance.exact.angles import SymbolPart
-from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.exact.spectrum import Component, Number, Spectrum, SymbolicPhasor
-from symbalance.forces.rotating import with_rotors
-from symbalance.forces.unlike_spectrum import unlike_spectrum
-from symbalance.kinematics.slider_crank import (
-    Series,
-    acceleration_series,
-    acceleration_values,
-    checked_order,
-    checked_power,
-    surviving,
-)
+from symbalance.exact.spectrum import Component, Spectrum
+from symbalance.forces.planar_vectors import planar_vectors
+from symbalance.kinematics.coefficients import FORCE, Kinematics
+from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import Real, exact
-
-HALF = Fraction(1, 2)
 
 
 @dataclass(frozen=True)
@@ -90,7 +75,9 @@ class Order:
 class Balance:
     """What is left free in a layout: `force` and `couple` by order, up to `highest`.
 
-    `reference` is the station couples are taken about, None for the mean of all stations.
+    `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
+    says what A_n is where components are geometry, in units of A_n m r omega^2; it is None where they
+    hold the kinematics too, to 40 digits, in units of m r omega^2 of cylinder 1.
 
     >>> from symbalance.engine.builders import inline
     >>> left = balance(inline("1-2-4-5-3"), order=4)
@@ -98,12 +85,13 @@ class Balance:
     ([1, 2, 4], sqrt(25/2 - 11*sqrt(5)/2))
     """
 
-    layout: Layout
+    layout: Engine
     highest: int
     force: Spectrum
     couple: Spectrum
     reference: Fraction | None = None
     power: int | None = None
+    kinematics: Kinematics | None = FORCE
 
     def as_text(self) -> str:
         """Return it as text for a terminal of 80 columns."""
@@ -128,14 +116,6 @@ class Balance:
         """The rod ratio lambda = l/r, if known."""
         return self.layout.ratio
 
-    @property
-    def is_uniform(self) -> bool:
-        """Whether components are geometry, in units of A_n m r omega^2: cylinders and shafts allow it.
-
-        Else they hold the kinematics too, in units of m r omega^2 of cylinder 1, to 40 digits.
-        """
-        return self.layout.is_geometric
-
     @cached_property
     def orders(self) -> tuple[Order, ...]:
         """The orders that survive, lowest first; those that cancel are absent."""
@@ -143,7 +123,7 @@ class Balance:
         return tuple(
             Order(
                 n,
-                self.coefficient(n) if self.is_uniform else None,
+                self.coefficient(n),
                 Resultant(self.force, n),
                 Resultant(self.couple, n),
             )
@@ -157,26 +137,24 @@ class Balance:
         kept = ", ".join(str(o.order) for o in self.orders) or "none"
         raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
 
-    def coefficient(self, order: int) -> Series:
-        """Return A_order as a series in 1/lambda: through `power`, or two terms."""
-        return acceleration_series(order, default_power(order) if self.power is None else self.power)
+    def coefficient(self, order: int) -> Series | None:
+        """Return A_order as a series in 1/lambda, through `power` or two terms; None if not apart."""
+        if self.kinematics is None:
+            return None
+        power = self.kinematics.power(order) if self.power is None else self.power
+        return self.kinematics.series(order, power)
 
     @cached_property
     def values(self) -> dict[int, Real]:
         """A_n exact in lambda, to 30 digits, for the orders that survive; empty without a ratio."""
-        if self.ratio is None or not self.orders or not self.is_uniform:
+        if self.ratio is None or not self.orders or self.kinematics is None:
             return {}
-        values = acceleration_values(self.orders[-1].order, self.ratio, 30)
+        values = self.kinematics.values(self.orders[-1].order, self.ratio, 30)
         return {o.order: values[o.order] for o in self.orders}
 
 
-def default_power(order: int) -> int:
-    """Return the power of 1/lambda that keeps two terms of A_order (A_1 = 1 has but one)."""
-    return order + 1 if order > 1 else 0
-
-
 def balance(
-    layout: Layout,
+    layout: Engine,
     order: int = 12,
     *,
     ratio: object = None,
@@ -189,29 +167,20 @@ def balance(
     the printed series, `reference` is the station couples are taken about (default: the stations' mean).
     """
     order = checked_order(order)
-    if not isinstance(layout, Layout):
+    if not isinstance(layout, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be a Layout", 'load one with load("v12-60"), or build one'
+            f"layout = {shown(layout)}", "must be a Engine", 'load one with load("v12-60"), or build one'
         )
-    if ratio is not None:
-        layout = layout.with_ratio(ratio)
-    plane = layout.mean_station if reference is None else exact(reference, "reference")
-    arms = [c.station - plane for c in layout.cylinders]
-    force = with_rotors(layout, _summed_over(layout, order, [Fraction(1)] * len(arms)), order, None)
-    couple = with_rotors(layout, _summed_over(layout, order, arms), order, plane)
-    result = Balance(layout, order, force, couple, None if reference is None else plane, power)
-    _check_power(power, sorted({*force.orders(), *couple.orders()}))
-    return result
+    if ratio is None:
+        return _balance(layout, order, power, reference)
+    return _balance(layout.with_ratio(ratio), order, power, reference)
 
 
-def _summed_over(layout: Layout, order: int, weights: Sequence[Fraction]) -> Spectrum:
-    if layout.is_geometric:
-        return geometry(layout, [n for n in range(1, order + 1) if surviving(n)], weights)
-
-    def like(cylinders: Sequence[Cylinder], orders: Sequence[int], own: Sequence[Fraction]) -> Any:
-        return _exact_terms(cylinders, layout.modulus, orders, own)
-
-    return unlike_spectrum(layout, range(1, order + 1), weights, like)
+def _balance(layout: Engine, order: int, power: int | None, reference: object) -> Balance:
+    plane = None if reference is None else exact(reference, "reference")
+    force, couple = planar_vectors(layout, order, plane)
+    apart = FORCE if layout.counts_in_orders else None
+    return Balance(layout, order, force, couple, plane, _checked_power(power, force, couple), apart)
 
 
 def checked_balance(result: object) -> Balance:
@@ -223,10 +192,11 @@ def checked_balance(result: object) -> Balance:
     return result
 
 
-def _check_power(power: int | None, orders: Sequence[int]) -> None:
+def _checked_power(power: int | None, *spectra: Spectrum) -> int | None:
     if power is None:
-        return
+        return None
     checked_power(power)
+    orders = sorted({n for spectrum in spectra for n in spectrum.orders()})
     lost = [n for n in orders if n - 1 > power]
     if lost:
         raise SymbalanceError(
@@ -234,67 +204,4 @@ def _check_power(power: int | None, orders: Sequence[int]) -> None:
             f"keeps no term of order {lost[-1]}",
             f"the least power of 1/lambda that keeps every order here is {lost[-1] - 1}",
         )
-
-
-def geometry(layout: Layout, orders: Sequence[int], weights: Sequence[Fraction]) -> Spectrum:
-    """Return the sum over cylinders of weight times the unit order n, for each of `orders`.
-
-    >>> from symbalance.engine.builders import inline
-    >>> geometry(inline("1-2-3-4-5-6-7"), range(1, 15), [Fraction(1)] * 7).orders()
-    [7, 14]
-    """
-    modulus = layout.modulus
-    if layout.has_symbols:
-        return _with_symbols(layout.cylinders, orders, weights)
-    return Spectrum(_exact_terms(layout.cylinders, modulus, orders, weights))
-
-
-def _exact_terms(
-    cylinders: Sequence[Cylinder], modulus: int, orders: Sequence[int], weights: Sequence[Fraction]
-) -> dict[int, Phasor]:
-    denominator = lcm(*(w.denominator for w in weights))
-    rows = [
-        (_units(c.bank.turns, modulus), _units(c.delay.turns, modulus), int(w * denominator))
-        for c, w in zip(cylinders, weights, strict=True)
-        if w
-    ]
-    half = Fraction(1, 2 * denominator)
-    seen: dict[int, Phasor] = {}  # a sum depends on its order modulo m only
-    terms: dict[int, Phasor] = {}
-    for n in orders:
-        for signed in (n, -n):
-            residue = signed % modulus
-            if residue not in seen:
-                total = Phasor.of(modulus, _summed(rows, residue, modulus))
-                seen[residue] = ZERO if total.is_zero() else total.scaled(half)
-            if seen[residue] is not ZERO:
-                terms[signed] = seen[residue]
-    return terms
-
-
-def _units(turns: Fraction, modulus: int) -> int:
-    return turns.numerator * (modulus // turns.denominator)
-
-
-def _summed(rows: Iterable[tuple[int, int, int]], n: int, modulus: int) -> dict[int, int]:
-    total: dict[int, int] = {}
-    for bank, delay, weight in rows:
-        exponent = (bank + n * delay) % modulus
-        total[exponent] = total.get(exponent, 0) + weight
-    return total
-
-
-def _with_symbols(
-    cylinders: Sequence[Cylinder], orders: Sequence[int], weights: Sequence[Fraction]
-) -> Spectrum:
-    terms: dict[int, Number] = {}
-    for n in orders:
-        for signed in (n, -n):
-            total = SymbolicPhasor({})
-            for cylinder, weight in zip(cylinders, weights, strict=True):
-                turned = cylinder.bank + cylinder.delay.scaled(signed)
-                part: SymbolPart = turned.symbols
-                phasor = Phasor.root(turned.turns).scaled(weight * HALF)
-                total = total + SymbolicPhasor.of({part: phasor})
-            terms[signed] = total
-    return Spectrum.of(terms)
+    return power

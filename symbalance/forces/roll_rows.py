@@ -13,7 +13,7 @@ def roll_rows(balance: Balance) -> list[Row]:
     Units F_n r, or m r^2 omega^2 where components hold the kinematics; a stroke has to be known.
     """
     layout = balance.layout
-    if not has_shafts_aside(layout) or layout.stroke_of(layout.first) is None:
+    if not has_shafts_aside(layout) or layout.first.stroke is None:
         return []
     found = shaft_moment(layout).items()
     return [Row(n, "roll", part) for n, part in found if n <= balance.highest]

@@ -16,8 +16,8 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.engine.layout import Layout
-from symbalance.engine.rotors import rotors, share_unit
+from symbalance.engine.engine import Engine
+from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError
 from symbalance.exact.arithmetic import added
 from symbalance.exact.decimal_phasor import DIGITS
@@ -26,7 +26,7 @@ from symbalance.exact.spectrum import Component, Number
 from symbalance.text.numbers import Real
 
 
-def shaft_moment(layout: Layout) -> dict[int, Component]:
+def shaft_moment(layout: Engine) -> dict[int, Component]:
     """Return the roll moment of an engine's balance shafts by order, C + iS each, in units F_n r.
 
     F_n = A_n m r omega^2 (m r omega^2 where that is the unit of the balance); positive in the sense of
@@ -41,14 +41,14 @@ def shaft_moment(layout: Layout) -> dict[int, Component]:
     -7
     """
     total: dict[int, Number] = {}
-    for rotor in rotors(layout) if has_shafts_aside(layout) else []:
+    for rotor in layout.rotors if has_shafts_aside(layout) else ():
         if not (rotor.x or rotor.y):
             continue
-        stroke = layout.stroke_of(layout.first)
-        if stroke is None:
+        radius = layout.first.radius
+        if radius is None:
             rule, remedy = "needs the stroke to be a moment", "give stroke = ... in [crank_train], mm"
             raise SymbalanceError("x, y of a shaft", rule, remedy)
-        above, right = 2 * rotor.y / stroke, 2 * rotor.x / stroke
+        above, right = rotor.y / radius, rotor.x / radius
         moment, n = rotor.vector.scaled(above), abs(rotor.speed)
         quarter = Fraction(1, 4)
         if right:
@@ -58,16 +58,16 @@ def shaft_moment(layout: Layout) -> dict[int, Component]:
     return {n: Component(c) for n, c in sorted(total.items()) if not c.is_zero()}
 
 
-def has_shafts_aside(layout: Layout) -> bool:
+def has_shafts_aside(layout: Engine) -> bool:
     """Tell whether some balance shaft runs off the crank's axis."""
     return any(shaft.x or shaft.y for shaft in layout.balancers.shafts)
 
 
-def shaft_terms(layout: Layout, order: int) -> Iterator[tuple[int, Real, Real]]:
+def shaft_terms(layout: Engine, order: int) -> Iterator[tuple[int, Real, Real]]:
     """Yield (n, C, S) of the shafts' roll moment up to an order, in m r^2 omega^2 of cylinder 1."""
     for n, part in shaft_moment(layout).items():
         if n <= order:
             cos, sin = part.decimal(DIGITS)
             with mp.workdps(DIGITS):
-                unit = share_unit(layout, n) if layout.is_geometric else mp.mpf(1)
+                unit = share_unit(layout, n) if layout.counts_in_orders else mp.mpf(1)
                 yield n, cos * unit, sin * unit

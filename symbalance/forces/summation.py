@@ -25,7 +25,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from symbalance.document.symbols import symbol
-from symbalance.engine.layout import checked_strokes
+from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.text.numbers import whole
 

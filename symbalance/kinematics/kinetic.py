@@ -20,9 +20,16 @@ from math import ceil, log
 from mpmath import mp
 
 from symbalance.kinematics.inertia import torque_values
-from symbalance.kinematics.mechanisms import Mechanism, SliderCrank, force_harmonics, rod_angle_harmonics
+from symbalance.kinematics.mechanisms import (
+    LinkRod,
+    Mechanism,
+    SliderCrank,
+    force_harmonics,
+    rod_angle_harmonics,
+)
 from symbalance.kinematics.mechanisms.fourier import series_of
 from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.mechanisms.moving_masses import link_pin_path
 from symbalance.kinematics.rod import rod_torque_values
 from symbalance.text.numbers import Real
 
@@ -102,3 +109,47 @@ def _product(rates: Mapping[int, tuple[int, int]], n: int) -> tuple[int, int]:
             c, d = rates[n + k]
             real, imaginary = real + 2 * (a * c + b * d), imaginary + 2 * (a * d - b * c)
     return real, imaginary
+
+
+def link_pin_harmonics(mechanism: LinkRod, order: int, digits: int = 40) -> dict[int, Real]:
+    """Return n -> C + iS of the torque of a mass on a link pin, over m r^2 omega^2: -1/2 d/dp |w'|^2.
+
+    w is the pin's place (`symbalance.kinematics.mechanisms.moving_masses`); with u_n = i n w_n, n of both
+    signs, C_n + i S_n = i n conj(sum over k of u_k conj(u_{k-n})).
+    """
+    place = _whole_path(mechanism, order, digits)
+    with mp.workdps(digits + 10):
+        rates = {n: mp.mpc(0, n) * w for n, w in place.items()}
+        squares = {n: _correlation(rates, rates, n) for n in range(1, order + 1)}
+        return {n: mp.mpc(0, n) * mp.conj(s) for n, s in squares.items() if s}
+
+
+def link_pin_moments(mechanism: LinkRod, order: int, digits: int = 40) -> dict[int, Real]:
+    """Return n -> C + iS of the moment about the crank of a link pin mass's force, over m r^2 omega^2.
+
+    The force -w'' acts at w: with g_n = sum over k of k^2 w_k conj(w_{k-n}) the moment Im(conj(w) (-w''))
+    has C_n + i S_n = conj((g_n - conj(g_-n))/i).
+    """
+    place = _whole_path(mechanism, order, digits)
+    with mp.workdps(digits + 10):
+        forces = {n: n * n * w for n, w in place.items()}
+        found = {}
+        for n in range(1, order + 1):
+            both = _correlation(forces, place, n) - mp.conj(_correlation(forces, place, -n))
+            if both:
+                found[n] = mp.conj(both / mp.mpc(0, 1))
+        return found
+
+
+def _whole_path(mechanism: LinkRod, order: int, digits: int) -> dict[int, Real]:
+    """Return the link pin's place from the crank's axis, to the order that products need."""
+    strip = max(mechanism.master.strip, LEAST_STRIP)
+    highest = order + ceil((digits * log(10) + GUARD) / (2 * strip))
+    place = link_pin_path(mechanism, highest, digits)
+    with mp.workdps(digits + 10):
+        return place | {1: place.get(1, mp.mpc(0)) + 1}
+
+
+def _correlation(left: Mapping[int, Real], right: Mapping[int, Real], n: int) -> Real:
+    """Return the sum over k of left_k conj(right_{k-n})."""
+    return mp.fsum(x * mp.conj(right[k - n]) for k, x in left.items() if k - n in right)

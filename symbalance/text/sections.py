@@ -7,7 +7,7 @@ contradict each other are refused with file, line, value, rule and remedy.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
@@ -173,14 +173,19 @@ class Section:
             self.guarded(lambda v=v: checked_whole(v, name, 1, highest, remedy), name) for v in found
         )
 
-    def guarded(self, make: Callable[[], T], key: str = "") -> T:
-        """Return what `make` returns, its refusal said of the line of `key`, or of the key it names."""
+    def guarded(self, make: Callable[[], T], key: str = "", elsewhere: Sequence[Section] = ()) -> T:
+        """Return what `make` returns, its refusal said of the line of `key`, or of the key it names.
+
+        That key may stand in one of the tables `elsewhere` instead of this one.
+        """
         try:
             return make()
         except SymbalanceError as problem:
             named = re.match(r"\w+", problem.what)
-            at = key or (named[0] if named and named[0] in self.table else "")
-            raise problem.within(self.place(at)) from None
+            word = key or (named[0] if named else "")
+            at = next((table for table in (self, *elsewhere) if word in table), None)
+            place = self.place(key) if at is None else at.place(word)
+            raise problem.within(place) from None
 
 
 def read_sections(text: str, place: str, keys: TableKeys, remedy: str = "correct the line") -> Section:

@@ -3,7 +3,7 @@ r"""The torque on the crank: inertia exact in lambda, gas from a pressure trace 
 Torque is positive on the crank in the sense of rotation; the frame gets the opposite. theta is the crank
 angle, a cylinder's own angle theta + throw - bank. One cylinder's harmonics are `symbalance.kinematics`.
 
-    inertia_balance  their sum over a layout, order by order;  kinds: where cylinders are not alike
+    inertia_balance  their sum over a layout, order by order;  groups: where cylinders are not alike
     roll             the rods' part, and the whole moment that rolls the frame
     stars            star diagrams of all orders, halves in a four-stroke, closed or not: exact
     pressure         pressure traces;  csv_file reads them,  ideal makes them

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from symbalance.engine.layout import checked_strokes
+from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError
 from symbalance.text.csv_rows import Row, check_units, rows_of, without_headers
 from symbalance.text.files import read_text

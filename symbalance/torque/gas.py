@@ -9,16 +9,15 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.linkages import plain
-from symbalance.kinematics.slider_crank import checked_order, checked_ratio
+from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.measurements import measured
 from symbalance.text.numbers import Real, exact
 from symbalance.torque.ideal import IdealCycle
 from symbalance.torque.inertia_balance import checked_known, checked_layout
-from symbalance.torque.kinds import torque_kinds
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
 from symbalance.torque.stars import Star, firing_pin_passings, firing_stars, stars_of
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
@@ -68,7 +67,7 @@ class GasTorque:
     dead centre. r is cylinder 1's. Orders that close among like cylinders, and in all, are absent.
     """
 
-    layout: Layout
+    layout: Engine
     kinds: tuple[GasKind, ...]
     highest: int
     orders: tuple[GasOrder, ...]
@@ -98,7 +97,7 @@ class GasTorque:
 
 
 def gas_torque(
-    layout: Layout,
+    layout: Engine,
     trace: PressureTrace | IdealCycle,
     order: int = 6,
     *,
@@ -128,7 +127,7 @@ def gas_torque(
 
 
 def gas_kinds(
-    layout: Layout,
+    layout: Engine,
     trace: PressureTrace | IdealCycle,
     *,
     ratio: object = None,
@@ -136,22 +135,23 @@ def gas_kinds(
 ) -> tuple[GasKind, ...]:
     """Return the cylinders by kind, each with its tangential pressure."""
     below, tops = _checked(layout, trace, ambient), firing_pin_passings(layout)
-    if layout.is_uniform:
-        known = checked_ratio(checked_known(layout, ratio))
-        return (GasKind(_tangential(SliderCrank(known), trace, below), tops, 1.0),)
     layout = layout if ratio is None else layout.with_ratio(ratio)
+    radius = {c.number: r for c, r in zip(layout.cylinders, layout.radii, strict=True)}
+    groups = layout.grouped(
+        lambda c: (c.mechanism or SliderCrank(checked_known(layout, None)), radius[c.number])
+    )
     return tuple(
         GasKind(
-            _tangential(kind.mechanism, trace, below),
-            {c.number: tops[c.number] for c in kind.cylinders},
-            float(kind.radius),
+            _tangential(mechanism, trace, below),
+            {c.number: tops[c.number] for c in cylinders},
+            float(size),
         )
-        for kind in torque_kinds(layout)
+        for (mechanism, size), cylinders in groups.items()
     )
 
 
 def tangential_pressure(
-    layout: Layout,
+    layout: Engine,
     trace: PressureTrace | IdealCycle,
     *,
     ratio: object = None,
@@ -161,7 +161,7 @@ def tangential_pressure(
     return _of_first(layout, gas_kinds(layout, trace, ratio=ratio, ambient=ambient))
 
 
-def _of_first(layout: Layout, kinds: tuple[GasKind, ...]) -> TangentialPressure:
+def _of_first(layout: Engine, kinds: tuple[GasKind, ...]) -> TangentialPressure:
     return next(kind.tangential for kind in kinds if layout.first.number in kind.tops)
 
 
@@ -172,7 +172,7 @@ def _tangential(
     return TangentialPressure(own, plain(mechanism).length, below, mechanism)
 
 
-def _checked(layout: Layout, trace: object, ambient: object) -> float:
+def _checked(layout: Engine, trace: object, ambient: object) -> float:
     """Return the pressure below the pistons; refuse it, or a trace that does not fit the layout."""
     checked_layout(layout)
     if not isinstance(trace, PressureTrace | IdealCycle):

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
 
-from symbalance.engine.layout import checked_strokes
+from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank
 from symbalance.kinematics.pistons import Piston

@@ -10,44 +10,35 @@ rod counts as two masses, one at each end; what its inertia differs by is `roll`
 order is absent exactly where its geometry is zero.
 
 Where cylinders are not alike (offset axes, link rods, masses and strokes of their own) the components
-hold the kinematics too, to 40 digits, in units of m r^2 omega^2 of cylinder 1 (`kinds`).
+hold the kinematics too, to 40 digits, in units of m r^2 omega^2 of cylinder 1 (`groups`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
 from mpmath import mp
 
-from symbalance.engine.layout import Layout
-from symbalance.engine.trains import CrankTrain
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import QUARTER, Component
-from symbalance.kinematics.inertia import default_power, torque_series, torque_values
-from symbalance.kinematics.kinetic import inertia_harmonics
+from symbalance.kinematics.coefficients import INERTIA, Kinematics
+from symbalance.kinematics.kinetic import inertia_harmonics, link_pin_harmonics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.text.numbers import Real
-from symbalance.torque.kinds import joined, torque_kinds
+from symbalance.torque.groups import (
+    Part,
+    has_common_torque,
+    link_pin_masses,
+    summed_groups,
+    torque_groups,
+)
 from symbalance.torque.stars import summed
 
 DIGITS = 30
-
-
-@dataclass(frozen=True)
-class Kinematics:
-    """The coefficients of one cylinder's torque: their letter, their unit, series and exact values."""
-
-    letter: str
-    unit: str
-    series: Callable[[int, int], Series]
-    values: Callable[[int, Fraction, int], dict[int, Real]]
-    power: Callable[[int], int]
-
-
-INERTIA = Kinematics("t", "m r^2 omega^2", torque_series, torque_values, default_power)
 
 
 @dataclass(frozen=True)
@@ -71,7 +62,7 @@ class TorqueBalance:
     [(2, 4, pi/2), (4, 4, pi/2), (6, 4, pi/2)]
     """
 
-    layout: Layout
+    layout: Engine
     highest: int
     components: Mapping[int, Component] = field(hash=False)
     power: int | None = None
@@ -138,13 +129,13 @@ class TorqueBalance:
         return tuple(found)
 
 
-def _check_own(layout: Layout, ratio: object) -> None:
+def _check_own(layout: Engine, ratio: object) -> None:
     if ratio is not None and checked_ratio(ratio) != layout.ratio:
         rule = "cannot be set for cylinders that are not alike"
         raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
 
 
-def checked_known(layout: Layout, ratio: object) -> Fraction:
+def checked_known(layout: Engine, ratio: object) -> Fraction:
     """Return a rod ratio: the one given, else the layout's, or refuse."""
     known = checked_layout(layout).ratio if ratio is None else ratio
     if known is None:
@@ -153,21 +144,16 @@ def checked_known(layout: Layout, ratio: object) -> Fraction:
     return checked_ratio(known)
 
 
-def checked_layout(layout: object) -> Layout:
+def checked_layout(layout: object) -> Engine:
     """Return a layout, or refuse what is none."""
-    if not isinstance(layout, Layout):
+    if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
     return layout
 
 
-def first_sizes(layout: Layout) -> CrankTrain:
-    """Return the sizes of the first cylinder, which are all cylinders' where they are alike."""
-    return checked_layout(layout).train_of(layout.first)
-
-
 def inertia_torque(
-    layout: Layout, order: int = 12, *, ratio: object = None, power: int | None = None
+    layout: Engine, order: int = 12, *, ratio: object = None, power: int | None = None
 ) -> TorqueBalance:
     """Return the inertia torque of a layout to an order, each order exact.
 
@@ -183,16 +169,19 @@ def inertia_torque(
     checked_layout(layout)
     if ratio is not None:
         layout = layout.with_ratio(ratio)
-    if not layout.is_uniform:
-        _check_no_power(layout, power)
-        components = joined(torque_kinds(layout), inertia_harmonics, lambda kind: kind.size, order)
-        return TorqueBalance(layout, order, components, kinematics=None)
-    components = sine_components(layout, order)
-    _check_power(power, list(components))
-    return TorqueBalance(layout, order, components, power)
+    if has_common_torque(layout):
+        components = sine_components(layout, order)
+        _check_power(power, list(components))
+        return TorqueBalance(layout, order, components, power)
+    _check_no_power(layout, power)
+    parts: list[Part] = [
+        (g.cylinders, inertia_harmonics(g.mechanism, order), g.size) for g in torque_groups(layout)
+    ]
+    parts += [(on, link_pin_harmonics(m, order), size) for m, size, on in link_pin_masses(layout)]
+    return TorqueBalance(layout, order, summed_groups(parts), kinematics=None)
 
 
-def sine_components(layout: Layout, highest: int) -> dict[int, Component]:
+def sine_components(layout: Engine, highest: int) -> dict[int, Component]:
     """Return the components that do not vanish; orders a modulus apart share them, and the work."""
     modulus = highest + 1 if layout.has_symbols else layout.modulus
     seen: dict[int, Component] = {}
@@ -203,7 +192,7 @@ def sine_components(layout: Layout, highest: int) -> dict[int, Component]:
     return {n: c for n, c in found.items() if not c.is_zero()}
 
 
-def _check_no_power(layout: Layout, power: int | None) -> None:
+def _check_no_power(layout: Engine, power: int | None) -> None:
     if power is not None:
         rule = f"is for cylinders that are alike, and those of {layout.name} are not"
         raise SymbalanceError(f"power = {power}", rule, "leave it out: the numbers hold all powers")

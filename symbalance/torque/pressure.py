@@ -14,7 +14,7 @@ from functools import cached_property
 from itertools import pairwise
 from math import isfinite, pi
 
-from symbalance.engine.layout import checked_strokes
+from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.measurements import reading
 from symbalance.text.numbers import listed

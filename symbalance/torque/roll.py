@@ -7,6 +7,7 @@ hands on at its end. The frame has the rest of what changes H:
 
 The crank and what turns with it have a steady H; a mass that goes along an axis beside the crank's has
 one that changes (the inertia force F acts at the arm e), and a rod's two end masses belong to those two.
+A mass on a link pin neither turns steadily nor goes along an axis: its force acts where the pin is.
 What is left of the rod is its couple. T holds, by virtual work, the masses' kinetic energy, the rods'
 (-J_x omega^2 phi' phi'') and the gas, which enters M by T alone: with centred cylinders and rods that are
 two masses M = -T. Balance shafts off the crank's axis add their moment (`shafts`).
@@ -19,59 +20,49 @@ from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.forces.shafts import shaft_moment, shaft_terms
-from symbalance.kinematics.kinetic import beside_harmonics, rocking_harmonics, rod_harmonics
-from symbalance.kinematics.rod import (
-    rocking_couple_series,
-    rocking_couple_values,
-    rod_torque_series,
-    rod_torque_values,
+from symbalance.kinematics.coefficients import OF_RODS, ROCKING, RODS, Kinematics
+from symbalance.kinematics.kinetic import (
+    beside_harmonics,
+    link_pin_moments,
+    rocking_harmonics,
+    rod_harmonics,
 )
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.numbers import real
+from symbalance.torque.groups import (
+    Part,
+    has_common_torque,
+    link_pin_masses,
+    summed_groups,
+    torque_groups,
+)
 from symbalance.torque.inertia_balance import (
-    Kinematics,
     TorqueBalance,
     checked_layout,
     inertia_torque,
     sine_components,
 )
-from symbalance.torque.kinds import Kind, joined, torque_kinds
 
-UNIT = "J_x omega^2"
 MILLI = 1000
 """Millimetres in a metre."""
 
 
-def _rod_power(order: int) -> int:
-    """Return the power of 1/lambda that keeps two terms of u_order."""
-    return 6 if order == 2 else order + 2
-
-
-def _rocking_power(order: int) -> int:
-    """Return the power of 1/lambda that keeps two terms of k_order."""
-    return order + 2
-
-
-RODS = Kinematics("u", UNIT, rod_torque_series, rod_torque_values, _rod_power)
-ROCKING = Kinematics("k", UNIT, rocking_couple_series, rocking_couple_values, _rocking_power)
-
-
-def has_rods(layout: Layout) -> bool:
+def has_rods(layout: Engine) -> bool:
     """Tell whether some rod's inertia is given and is not that of two masses."""
     return any(excesses(layout))
 
 
-def first_excess(layout: Layout) -> Fraction:
+def first_excess(layout: Engine) -> Fraction:
     """Return J_x in kg mm^2 of the first rod that has one: the unit of the rods' parts."""
     return next(filter(None, excesses(layout)), Fraction(0))
 
 
-def rod_torque(layout: Layout, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+def rod_torque(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return what the rods' own inertia adds to the torque on the crank, in J_x omega^2.
 
     J_x is that of the first rod that has one; it comes from `rod_mass`, `rod_centre` and `rod_inertia`.
@@ -79,23 +70,25 @@ def rod_torque(layout: Layout, order: int = 12, *, ratio: object = None) -> Torq
     return _of_rods(layout, order, ratio, RODS)
 
 
-def rod_couple(layout: Layout, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+def rod_couple(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return the couple of the rods' own inertia on the frame, in J_x omega^2, as in `rod_torque`."""
     return _of_rods(layout, order, ratio, ROCKING)
 
 
-def beside_moment(layout: Layout, order: int = 12, *, ratio: object = None) -> TorqueBalance:
-    """Return the moment about the crank's axis of inertia forces that act beside it: offset cylinders'.
+def beside_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+    """Return the moment about the crank's axis of inertia forces that act beside it.
 
-    Units of m r^2 omega^2 of cylinder 1; empty where no axis is offset.
+    They are those of pistons whose axes are offset, and of masses on link pins. Units of m r^2 omega^2
+    of cylinder 1; empty where there are none.
     """
     layout = _at_ratio(layout, order, ratio)
-    kinds = [] if layout.is_uniform else torque_kinds(layout)
-    components = joined(kinds, beside_harmonics, lambda kind: kind.size, order)
-    return TorqueBalance(layout, order, components, kinematics=None)
+    groups = [] if has_common_torque(layout) else torque_groups(layout)
+    parts: list[Part] = [(g.cylinders, beside_harmonics(g.mechanism, order), g.size) for g in groups]
+    parts += [(on, link_pin_moments(m, order), size) for m, size, on in link_pin_masses(layout)]
+    return TorqueBalance(layout, order, summed_groups(parts), kinematics=None)
 
 
-def roll_moment(layout: Layout, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+def roll_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return the whole inertia moment on the frame about the crank, in m r^2 omega^2 of cylinder 1.
 
     It is that of pistons, rods and balance shafts together.
@@ -147,7 +140,7 @@ class TorqueReport:
         return torque_latex(self, standalone=standalone)
 
     @property
-    def layout(self) -> Layout:
+    def layout(self) -> Engine:
         """The layout, at the rod ratio asked for."""
         return self.inertia.layout
 
@@ -157,7 +150,7 @@ class TorqueReport:
         return not (self.excess or self.beside.components or self.shafts)
 
 
-def torque_report(layout: Layout, order: int = 12, *, ratio: object = None) -> TorqueReport:
+def torque_report(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueReport:
     """Return a layout's inertia torque with all that goes to the frame."""
     inertia = inertia_torque(layout, order, ratio=ratio)
     layout = inertia.layout
@@ -171,14 +164,14 @@ def torque_report(layout: Layout, order: int = 12, *, ratio: object = None) -> T
     return TorqueReport(inertia, rod, rocking, beside, shafts, excess, frame)
 
 
-def mass_scale(layout: Layout) -> Fraction | None:
+def mass_scale(layout: Engine) -> Fraction | None:
     """Return m r^2 of cylinder 1 in kg mm^2, None where its mass or its stroke is not known."""
     first = layout.first
-    mass, stroke = layout.train_of(first).reciprocating_mass, layout.stroke_of(first)
-    return mass * stroke * stroke / 4 if mass and stroke else None
+    mass, radius = first.reciprocating_mass, first.radius
+    return mass * radius * radius if mass and radius else None
 
 
-def _checked_scale(layout: Layout) -> Fraction:
+def _checked_scale(layout: Engine) -> Fraction:
     scale = mass_scale(layout)
     if scale is None:
         rule = "has rods with inertia, but no reciprocating mass or no stroke to compare it with"
@@ -186,30 +179,27 @@ def _checked_scale(layout: Layout) -> Fraction:
     return scale
 
 
-def _of_rods(layout: Layout, order: int, ratio: object, kinematics: Kinematics) -> TorqueBalance:
+def _of_rods(layout: Engine, order: int, ratio: object, kinematics: Kinematics) -> TorqueBalance:
     layout = _at_ratio(layout, order, ratio)
     unit = first_excess(layout)
     if not unit:
-        return TorqueBalance(layout, order, {}, kinematics=kinematics, unit=UNIT)
-    if layout.is_uniform and {*excesses(layout)} == {unit}:
+        return TorqueBalance(layout, order, {}, kinematics=kinematics, unit=OF_RODS)
+    if has_common_torque(layout) and {*excesses(layout)} == {unit}:
         odd = kinematics is ROCKING
         found = {n: c for n, c in sine_components(layout, order).items() if n % 2 == odd}
-        return TorqueBalance(layout, order, found, kinematics=kinematics, unit=UNIT)
-
-    def size(kind: Kind) -> Fraction:
-        return kind.excess / unit
-
+        return TorqueBalance(layout, order, found, kinematics=kinematics, unit=OF_RODS)
     harmonics = rocking_harmonics if kinematics is ROCKING else rod_harmonics
-    components = joined(torque_kinds(layout), harmonics, size, order)
-    return TorqueBalance(layout, order, components, kinematics=None, unit=UNIT)
+    parts: list[Part] = [
+        (g.cylinders, harmonics(g.mechanism, order), g.excess / unit) for g in torque_groups(layout)
+    ]
+    return TorqueBalance(layout, order, summed_groups(parts), kinematics=None, unit=OF_RODS)
 
 
-def _at_ratio(layout: Layout, order: int, ratio: object) -> Layout:
+def _at_ratio(layout: Engine, order: int, ratio: object) -> Engine:
     checked_order(order)
     return checked_layout(layout) if ratio is None else checked_layout(layout).with_ratio(ratio)
 
 
-def excesses(layout: Layout) -> list[Fraction]:
+def excesses(layout: Engine) -> list[Fraction]:
     """Return every rod's J_x in kg mm^2, 0 where its inertia is not given."""
-    rods = (layout.train_of(c).rod_split for c in layout.cylinders)
-    return [rod.excess if rod else Fraction(0) for rod in rods]
+    return [c.excess for c in layout.cylinders]

@@ -20,15 +20,16 @@ from math import pi
 
 from mpmath import mp
 
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.forces.shafts import shaft_terms
 from symbalance.text.measurements import measured, positive
 from symbalance.text.numbers import Real, checked_whole
 from symbalance.torque.flywheel import Fluctuation, extremes, flywheel_inertia, speed_fluctuation
 from symbalance.torque.gas import GasKind, gas_kinds
+from symbalance.torque.groups import has_common_torque
 from symbalance.torque.ideal import IdealCycle
-from symbalance.torque.inertia_balance import inertia_torque
+from symbalance.torque.inertia_balance import checked_layout, inertia_torque
 from symbalance.torque.pressure import PressureTrace
 from symbalance.torque.roll import MILLI, first_excess, rod_torque
 from symbalance.torque.stars import firing_pin_passings
@@ -80,7 +81,7 @@ class RunningCylinder:
 class CrankTorque:
     """A running engine's torque on its crank, SI: `area` of one piston in m^2, `omega` in rad/s."""
 
-    layout: Layout
+    layout: Engine
     cylinders: tuple[RunningCylinder, ...]
     area: float
     omega: float
@@ -222,19 +223,18 @@ class CrankTorque:
 
     def inertia_terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) of the inertia torque in N m, the rods' own included."""
-        ratio = self.cylinder.ratio if self.layout.is_uniform else None
         unit, rods = self.mass * (self.radius * self.omega) ** 2, float(first_excess(self.layout))
         total: dict[Fraction, Real] = {}
         parts = [(inertia_torque(self.layout, order), unit)]
         parts += [(rod_torque(self.layout, order), rods / MILLI**2 * self.omega**2)] if rods else []
         for balance, scale in parts:
-            for n, cos, sin in balance.terms(ratio, 20):
+            for n, cos, sin in balance.terms(digits=20):
                 total[n] = total.get(n, mp.mpc(0)) + mp.mpc(cos, sin) * scale
         return tuple((n, total[n].real, total[n].imag) for n in sorted(total))
 
 
 def crank_torque(
-    layout: Layout,
+    layout: Engine,
     trace: PressureTrace | IdealCycle,
     *,
     bore: object,
@@ -256,27 +256,27 @@ def crank_torque(
     >>> round(four.mean, 1), round(four.work, 1), round(four.fluctuation.of_torque, 2)
     (141.6, 1780.0, 2.78)
     """
-    kinds = gas_kinds(layout, trace, ratio=ratio, ambient=ambient)
-    if not layout.is_uniform:
+    if not has_common_torque(checked_layout(layout)):
         _check_own(layout, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
+    layout = layout if ratio is None else layout.with_ratio(ratio)
+    kinds = gas_kinds(layout, trace, ambient=ambient)
     width = positive(bore, "bore") / MILLI
     tangential = {number: kind.tangential for kind in kinds for number in kind.tops}
     tops, cylinders = firing_pin_passings(layout), []
     for cylinder in layout.cylinders:
-        own, rod = tangential[cylinder.number], layout.train_of(cylinder).rod_split
-        length = _given(stroke, layout.stroke_of(cylinder), "stroke", "mm")
-        known = layout.train_of(cylinder).reciprocating_mass
+        own = tangential[cylinder.number]
+        length = _given(stroke, cylinder.stroke, "stroke", "mm")
+        known = cylinder.reciprocating_mass
         mass = float(_given(reciprocating_mass, known, "reciprocating_mass", "kg"))
         top = float(tops[cylinder.number]) * pi / 180 + own.piston.top
-        excess = float(rod.excess) / MILLI**2 if rod else 0.0
+        excess = float(cylinder.excess) / MILLI**2
         cylinders.append(RunningCylinder(own, top, float(length) / (2 * MILLI), mass, excess))
     return CrankTorque(layout, tuple(cylinders), pi * width**2 / 4, _omega(rpm))
 
 
-def _check_own(layout: Layout, **given: object) -> None:
-    trains = [layout.train_of(c) for c in layout.cylinders]
+def _check_own(layout: Engine, **given: object) -> None:
     for name, value in given.items():
-        if value is not None and any(getattr(train, name) is not None for train in trains):
+        if value is not None and any(getattr(c, name) is not None for c in layout.cylinders):
             rule = f"cannot be set for all cylinders of {layout.name}, which are not alike"
             raise SymbalanceError(f"{name} = {shown(value)}", rule, "give it in the engine file")
 

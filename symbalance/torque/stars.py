@@ -14,7 +14,7 @@ from fractions import Fraction
 from math import lcm
 
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.exact.angles import Angle
 from symbalance.exact.phasor import Phasor, checked_modulus
@@ -38,7 +38,7 @@ class Star:
         return self.resultant.is_zero()
 
 
-def firing_pin_passings(layout: Layout) -> dict[int, Fraction]:
+def firing_pin_passings(layout: Engine) -> dict[int, Fraction]:
     """Return the crank angle at which each cylinder's pin passes its axis to fire, degrees, 0 to a cycle.
 
     Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
@@ -81,7 +81,7 @@ def _checked_delay(cylinder: Cylinder) -> Cylinder:
     return cylinder
 
 
-def firing_stars(layout: Layout, order: int = 6) -> tuple[Star, ...]:
+def firing_stars(layout: Engine, order: int = 6) -> tuple[Star, ...]:
     """Return the stars of all orders of the gas torque to `order`: halves in a four-stroke.
 
     Vectors stand where the pins pass the cylinders' axes: like cylinders are moved from there alike.

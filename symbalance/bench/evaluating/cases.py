@@ -11,7 +11,7 @@ from symbalance.codegen import Evaluator, planned_for, to_function
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.waves import Wave
 from symbalance.engine.catalogue import load
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.forces.resultants import Balance, balance
 
 ALL = "all"
@@ -36,7 +36,7 @@ class Case:
     ratio: Fraction | None = None
 
     @cached_property
-    def layout(self) -> Layout:
+    def layout(self) -> Engine:
         """The preset."""
         return load(self.engine)
 

@@ -32,7 +32,7 @@ from symbalance.bench.stability.truth import (
 )
 from symbalance.codegen import Evaluator, planned_for, to_function
 from symbalance.codegen.targets import IN_MEMORY, files
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.forces.resultants import balance
 
 Array = Any
@@ -47,7 +47,7 @@ ALL_ORDERS = 64
 class Asked:
     """An output, its engine and rod ratio, and the orders: to `order`, or with a tolerance all."""
 
-    layout: Layout
+    layout: Engine
     name: str
     ratio: Fraction
     order: int = 12

@@ -17,7 +17,7 @@ from symbalance.bench.timing import progress
 from symbalance.codegen import OUTPUTS
 from symbalance.engine.builders import from_firing_order, inline, vee
 from symbalance.engine.catalogue import load, presets
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 
 NEAR = 4.0
 """What is aimed at for |theta| <= 1e6, in u of the amplitude; NumPy's functions state a little more."""
@@ -43,7 +43,7 @@ float32 angles (taken as exact) give float32 values: in units of 2^-24 of the am
 displacement in float32 ulp of itself. naive: the same sums in float32."""
 
 
-def asked_of(layout: Layout, order: int = 12, tolerance: float | None = None) -> Iterator[Asked]:
+def asked_of(layout: Engine, order: int = 12, tolerance: float | None = None) -> Iterator[Asked]:
     """Yield what an engine has: its forces and couples that do not vanish, a piston's acceleration."""
     ratio = layout.ratio or REAL
     for name in OUTPUTS:
@@ -67,17 +67,17 @@ def near(quick: bool) -> Part:
 
 def alike() -> list[str]:
     """Return the catalogue's engines with one kind of cylinder, which is what `truth` knows of."""
-    return [preset.name for preset in presets() if load(preset.name).is_uniform]
+    return [preset.name for preset in presets() if load(preset.name).has_common_harmonics]
 
 
-def engine_case(what: str, layout: Layout, points: Points, **orders: Any) -> Case:
+def engine_case(what: str, layout: Engine, points: Points, **orders: Any) -> Case:
     """Return the worst output of an engine."""
     return tried(
         what, NEAR, OF_AMPLITUDE, lambda: largest(list(output_cases(layout, points, **orders)), what)
     )
 
 
-def output_cases(layout: Layout, points: Points, **orders: Any) -> Iterator[Case]:
+def output_cases(layout: Engine, points: Points, **orders: Any) -> Iterator[Case]:
     """Yield a case for every output."""
     for asked in asked_of(layout, **orders):
         yield asked.case(asked.name, points, asked.stated, f"{asked.name}: ")
@@ -173,7 +173,7 @@ def stated_case(asked: Asked, points: Points, note: str = "") -> list[Case]:
     return [tried(what, NEAR, OF_AMPLITUDE, lambda: asked.case(what, points, asked.stated, note))]
 
 
-def twenty_four() -> list[tuple[Layout, str]]:
+def twenty_four() -> list[tuple[Engine, str]]:
     """Return engines of 24 cylinders, evenly firing or with odd angles, and what is left of them."""
     numbers = list(range(1, 25))
     row = inline(numbers, name="24 in line")

@@ -15,13 +15,13 @@ from symbalance.bench.stability.truth import Points, U
 from symbalance.bench.timing import progress
 from symbalance.engine.builders import inline
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 
 RATIOS = (Fraction(10_000_001, 10_000_000), Fraction(101, 100), Fraction(7, 2), Fraction(10**6))
 DISPLACEMENT, VELOCITY = 4.0, 4.0
 """Stated bounds: ulp of the value itself, and u of the amplitude."""
 REAL = Fraction(7, 2)
-Measure = Callable[[Layout, Points, Fraction], dict[str, Callable[[], Case]]]
+Measure = Callable[[Engine, Points, Fraction], dict[str, Callable[[], Case]]]
 SAYS = """\
 The displacement is held to ulp of its own value, however small that is; naive: 1 - cos + λ(1 - √(1 -
 sin²/λ²)). The velocity to u = 2^-53 of its amplitude; naive: sin (1 + cos/√(λ² - sin²))."""
@@ -30,7 +30,7 @@ sin²/λ²)). The velocity to u = 2^-53 of its amplitude; naive: sin (1 + cos/�
 def part(quick: bool) -> Part:
     """Return the cases of one piston, on every target."""
     count = 50 if quick else 1200
-    single, turned = inline(throws=[0]), Layout([Cylinder(1, throw="360/7")])
+    single, turned = inline(throws=[0]), Engine([Cylinder(1, throw="360/7")])
     regions = (
         ("displacement near TDC, 5e-324 to 0.1 rad", single, small(count)),
         ("displacement at 2πn, n to 166000, and around", single, near_turns(count)),
@@ -51,7 +51,7 @@ def anywhere(count: int) -> Array:
     return np.concatenate([random_angles(4 * count), wide, bottom[np.abs(bottom) <= 1e6], closest()])
 
 
-def everywhere(one: Measure, what: str, layout: Layout, theta: Array, quick: bool) -> list[Case]:
+def everywhere(one: Measure, what: str, layout: Engine, theta: Array, quick: bool) -> list[Case]:
     """Return a case on every target, the worst over the rod ratios; quickly, others than NumPy at 3.5."""
     progress(what)
     points, found = Points(theta), {target: [] for target in targets()}
@@ -62,7 +62,7 @@ def everywhere(one: Measure, what: str, layout: Layout, theta: Array, quick: boo
     return [largest(cases, f"{what}, {target}") for target, cases in found.items()]
 
 
-def displaced(layout: Layout, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
+def displaced(layout: Engine, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
     """Return, by target, the measuring of the displacement at one rod ratio, in ulp of itself."""
     asked = Asked(layout, "piston.displacement", ratio, 1)
     truth, lam = asked.truth(points), float(ratio)
@@ -78,7 +78,7 @@ def displaced(layout: Layout, points: Points, ratio: Fraction) -> dict[str, Call
     return {target: partial(make, target) for target in targets()}
 
 
-def velocity(layout: Layout, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
+def velocity(layout: Engine, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
     """Return, by target, the measuring of the velocity at one rod ratio, in u of its amplitude."""
     asked = Asked(layout, "piston.velocity", ratio, 1)
     truth, lam = asked.truth(points), float(ratio)

@@ -18,7 +18,7 @@ import numpy as np
 from mpmath import mp
 
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.text.numbers import Real
 
 Array = Any
@@ -106,7 +106,7 @@ def _truth(values: Array, scale: int = 0) -> Truth:
     return Truth(np.ldexp(high, scale), np.ldexp(low, scale))
 
 
-def weights(layout: Layout, name: str) -> list[tuple[Real, Fraction]]:
+def weights(layout: Engine, name: str) -> list[tuple[Real, Fraction]]:
     """Return what every cylinder's force counts in an output, and by how many turns it leads.
 
     Vertical or lateral: cos or sin of the bank, times the arm in a couple; the piston's own: 1.
@@ -122,14 +122,14 @@ def weights(layout: Layout, name: str) -> list[tuple[Real, Fraction]]:
         ]
 
 
-def terms(layout: Layout, name: str, order: int, ratio: Fraction) -> list[Term]:
+def terms(layout: Engine, name: str, order: int, ratio: Fraction) -> list[Term]:
     """Return an output's harmonics to an order; what is smaller than NOTHING of its parts is zero."""
     with mp.workdps(DIGITS):
         vectors = ((n, a, _vector(layout, name, n)) for n, a in coefficients(order, ratio).items())
         return [Term(n, a * z.real, -a * z.imag) for n, a, z in vectors if abs(z) > NOTHING]
 
 
-def _vector(layout: Layout, name: str, n: int) -> Real:
+def _vector(layout: Engine, name: str, n: int) -> Real:
     """Return z with the output's part in order n = A_n Re(z e^(i n theta)), from every cylinder."""
     kind, _, part = name.partition(".")
     if part in ("forward", "backward"):
@@ -142,7 +142,7 @@ def _vector(layout: Layout, name: str, n: int) -> Real:
     return mp.fsum(w * _turn(n * turns) for w, turns in weights(layout, name))
 
 
-def _arm(layout: Layout, cylinder: Cylinder, kind: str) -> Fraction:
+def _arm(layout: Engine, cylinder: Cylinder, kind: str) -> Fraction:
     return cylinder.station - layout.mean_station if kind == "couple" else Fraction(1)
 
 
@@ -217,7 +217,7 @@ def accelerations_at(points: Points, places: Sequence[tuple[Real, Fraction]], ra
     return _truth(total)
 
 
-def piston_at(points: Points, part: str, layout: Layout, ratio: Fraction) -> Truth:
+def piston_at(points: Points, part: str, layout: Engine, ratio: Fraction) -> Truth:
     """Return a piston's displacement or velocity; relative digits are kept near dead centres."""
     one: Callable[[Real, Real], Real] = {"displacement": _displacement, "velocity": _velocity}[part]
     with mp.workdps(DIGITS):

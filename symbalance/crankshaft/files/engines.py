@@ -12,8 +12,8 @@ from symbalance.crankshaft.files.crank_keys import FILE_KEYS
 from symbalance.crankshaft.files.operation import Operation
 from symbalance.crankshaft.files.supports import Supports
 from symbalance.engine.catalogue import preset_names
+from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import engine_from
-from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError, encodable_name
 from symbalance.text.files import read_text
 from symbalance.text.sections import Section, read_sections
@@ -23,7 +23,7 @@ from symbalance.text.sections import Section, read_sections
 class RunningEngine:
     """A layout, its crank, its bearings and how it runs."""
 
-    layout: Layout
+    layout: Engine
     crank: Crank
     supports: Supports
     operation: Operation
@@ -31,7 +31,7 @@ class RunningEngine:
     @property
     def mass(self) -> float:
         """The reciprocating mass of the first cylinder in kg."""
-        return float(self.layout.train_of(self.layout.first).reciprocating_mass or 0)
+        return float(self.layout.first.reciprocating_mass or 0)
 
     def at_speeds(self, rpm: Sequence[float]) -> RunningEngine:
         """Return the same engine with other speeds to run at."""
@@ -47,7 +47,7 @@ def read_running_engine(path: str | Path) -> RunningEngine:
     layout = engine_from(file, encodable_name(Path(path).stem))
     folder = Path(path).parent
     for cylinder in layout.cylinders:
-        if layout.train_of(cylinder).reciprocating_mass is None:
+        if cylinder.reciprocating_mass is None:
             what = f"{place}: cylinder {cylinder.number}"
             raise SymbalanceError(what, "has no reciprocating_mass", "give it in [crank_train], in kg")
     crank = geometry.read_crank(_section(file, "crankshaft"), layout)

@@ -15,7 +15,7 @@ from math import pi
 from symbalance.crankshaft.checks import check_geometry
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Material, Part, Pin, Web, WebCounterweight
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.text.sections import Section
 
@@ -28,7 +28,7 @@ PITCH_TOLERANCE = 1e-3
 Group = tuple[Cylinder, ...]
 
 
-def read_crank(section: Section, layout: Layout) -> Crank:
+def read_crank(section: Section, layout: Engine) -> Crank:
     """Return the crank of [crankshaft] for a layout; lengths in mm, moduli in GPa, kg, kg mm^2."""
     bays = _joined(_bays(layout), section)
     pins = _read_pins(section, bays, layout)
@@ -45,7 +45,7 @@ def read_crank(section: Section, layout: Layout) -> Crank:
     return crank
 
 
-def _bays(layout: Layout) -> list[list[Group]]:
+def _bays(layout: Engine) -> list[list[Group]]:
     """Return the bays front to rear, each its pins, each the cylinders that share it."""
     if layout.has_symbols:
         raise SymbalanceError(layout.name, "has angles with symbols", "a crankshaft needs numbers")
@@ -96,24 +96,22 @@ def _joined(bays: list[list[Group]], section: Section) -> list[list[Group]]:
     return found
 
 
-def _read_pins(section: Section, bays: list[list[Group]], layout: Layout) -> list[Pin]:
+def _read_pins(section: Section, bays: list[list[Group]], layout: Engine) -> list[Pin]:
     table = section.section("pin")
     groups = [pin for bay in bays for pin in bay]
     sizes = [table.numbers(key, len(groups)) for key in ROUND]
     pins = []
     for group, diameter, length, bore, fillet in zip(groups, *sizes, strict=True):
-        radius = _crank_radius(section, layout, group)
+        radius = _crank_radius(section, group)
         angle = 2 * pi * float(group[0].throw.turns % 1)
         numbers = tuple(c.number for c in group)
         pins.append(Pin(diameter, length, radius, angle, numbers, bore, fillet))
     return pins
 
 
-def _crank_radius(section: Section, layout: Layout, group: Group) -> float:
+def _crank_radius(section: Section, group: Group) -> float:
     """Return the crank radius in m that a pin's cylinders agree on; a link rod's is its master's."""
-    by_number = {c.number: c for c in layout.cylinders}
-    owners = [by_number[c.link.master] if c.link else c for c in group]
-    strokes = {layout.train_of(c).stroke for c in owners}
+    strokes = {c.stroke for c in group}
     stroke = strokes.pop()
     if stroke is None:
         what = f"cylinder {group[0].number}"
@@ -222,9 +220,9 @@ def _chain(
     return tuple(parts)
 
 
-def _check_pitch(section: Section, crank: Crank, layout: Layout, groups: Sequence[Group]) -> None:
+def _check_pitch(section: Section, crank: Crank, layout: Engine, groups: Sequence[Group]) -> None:
     """Refuse a chain whose pins do not stand where the cylinders do."""
-    pitch = layout.crank_train.pitch
+    pitch = layout.pitch
     if pitch is None:
         return
     middles = [

@@ -8,9 +8,8 @@ from math import pi
 from pathlib import Path
 
 from symbalance.crankshaft.files.crank_keys import MOST_RPM
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.engine.trains import ROD
-from symbalance.engine.unlike import mechanism_of
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import RodSplit
 from symbalance.text.sections import Section
@@ -67,7 +66,7 @@ class Operation:
         return pi * self.bore**2 / 4
 
 
-def read_operation(section: Section, layout: Layout, folder: Path) -> Operation:
+def read_operation(section: Section, layout: Engine, folder: Path) -> Operation:
     """Return what [running] says: bore in mm, speeds in rpm, pressures in bar absolute, kg, kg mm^2."""
     rod, ideal = _rod(section, layout), _ideal(section, layout)
     big_end_mass = _big_end_mass(section, rod)
@@ -118,12 +117,12 @@ def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
     return ordered
 
 
-def _trace(section: Section, layout: Layout, folder: Path) -> PressureTrace:
+def _trace(section: Section, layout: Engine, folder: Path) -> PressureTrace:
     path = folder / section.value("pressure")
     return section.guarded(lambda: read_pressure(path, strokes=layout.strokes), "pressure")
 
 
-def _ideal(section: Section, layout: Layout) -> IdealCycle | None:
+def _ideal(section: Section, layout: Engine) -> IdealCycle | None:
     """Return the ideal cycle asked for, None where a pressure trace is given."""
     if "pressure" in section:
         return None
@@ -134,22 +133,22 @@ def _ideal(section: Section, layout: Layout) -> IdealCycle | None:
     )
 
 
-def _first(section: Section, ideal: IdealCycle, layout: Layout) -> PressureTrace:
-    return section.guarded(lambda: ideal.trace(mechanism_of(layout, layout.first)), "compression")
+def _first(section: Section, ideal: IdealCycle, layout: Engine) -> PressureTrace:
+    return section.guarded(lambda: ideal.trace(layout.first.known_mechanism), "compression")
 
 
-def _rod(section: Section, layout: Layout) -> RodSplit | None:
+def _rod(section: Section, layout: Engine) -> RodSplit | None:
     given = [key for key in ROD if key in section]
     if not given:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
-        return layout.train_of(layout.first).rod_split
-    length = layout.train_of(layout.first).rod
+        return layout.first.rod_split
+    length = layout.first.sizes.rod
     if length is None:
         raise section.refusal(
             given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]"
         )
     mass, centre, inertia = (section.value(key) for key in ROD)
     rod = section.guarded(lambda: RodSplit(mass, length, centre, inertia), "rod_centre")
-    share = layout.crank_train.reciprocating_mass
+    share = layout.first.reciprocating_mass
     if share is not None and rod.reciprocating > share:
         rule = f"puts {float(rod.reciprocating):.6g} kg at the piston, above reciprocating_mass"
         raise section.refusal(
@@ -167,7 +166,7 @@ def _big_end_mass(section: Section, rod: RodSplit | None) -> float:
     return section.number("big_end_mass")
 
 
-def _check_rods(section: Section, layout: Layout, rod: RodSplit | None, big_end_mass: float) -> None:
+def _check_rods(section: Section, layout: Engine, rod: RodSplit | None, big_end_mass: float) -> None:
     """Refuse one rod's masses and inertia for all where rods differ, or hang on link pins."""
     key = next((k for k in ("rod_mass", "big_end_mass") if k in section), "")
     what, place = f"{key} = {section.table[key]}" if key else "rod_mass", section.place(key)
@@ -175,11 +174,8 @@ def _check_rods(section: Section, layout: Layout, rod: RodSplit | None, big_end_
         rule = f"of cylinder {layout.link_pins[0]} would sit on its link pin, and is put on the crank pin"
         remedy = "give big_end_mass = 0 and no rod_mass: what a link pin's mass adds is not computed"
         raise SymbalanceError(what, rule, remedy, place)
-    trains = [layout.train_of(c) for c in layout.cylinders]
-    unlike = (
-        len({t.rod for t in trains}) > 1 or len({tuple(getattr(t, k) for k in ROD) for t in trains}) > 1
-    )
-    if rod is not None and unlike:
+    rods = {tuple(getattr(c.sizes, key) for key in ("rod", *ROD)) for c in layout.cylinders}
+    if rod is not None and len(rods) > 1:
         rule = "is one rod's, and the engine's rods are not alike"
         raise SymbalanceError(what, rule, "give big_end_mass, and no rod_mass", place)
 

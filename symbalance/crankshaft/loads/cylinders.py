@@ -13,8 +13,7 @@ from symbalance.crankshaft.loads.motion import Complex, Motion, link_arm, motion
 from symbalance.crankshaft.loads.pressures import pressures
 from symbalance.crankshaft.rotor import Array
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import mechanism_of
+from symbalance.engine.engine import Engine
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
 from symbalance.kinematics.pistons import Piston
 from symbalance.torque import PressureTrace, firing_pin_passings
@@ -85,8 +84,7 @@ class RodForces:
 
     @cached_property
     def _mechanisms(self) -> dict[int, Mechanism]:
-        layout = self.engine.layout
-        return {n: mechanism_of(layout, c) for n, c in self._cylinders.items()}
+        return {n: c.known_mechanism for n, c in self._cylinders.items()}
 
     @cached_property
     def _tops(self) -> dict[int, float]:
@@ -109,13 +107,11 @@ class RodForces:
         return 2 * pi * float(self._cylinders[number].bank.turns)
 
     def _mass(self, number: int) -> float:
-        return float(self.engine.layout.train_of(self._cylinders[number]).reciprocating_mass or 0)
+        return float(self._cylinders[number].reciprocating_mass or 0)
 
     def _radius(self, number: int) -> float:
         """Return the crank radius in m; a link rod's is its master's."""
-        cylinder = self._cylinders[number]
-        owner = cylinder if cylinder.link is None else self._cylinders[cylinder.link.master]
-        return float(self.engine.layout.train_of(owner).stroke or 0) / 2 * MILLI
+        return float(self._cylinders[number].radius or 0) * MILLI
 
     def _length(self, number: int) -> float:
         """Return a rod's length in m."""
@@ -135,7 +131,7 @@ class RodForces:
         return (np.conj(arm) * self.own(cylinder.number, theta)).imag
 
 
-def firing_crank_angles(layout: Layout) -> dict[int, float]:
+def firing_crank_angles(layout: Engine) -> dict[int, float]:
     """Return theta at every piston's own firing top dead centre, in radians, 0 to under a cycle.
 
     >>> from symbalance.engine.catalogue import load
@@ -143,7 +139,7 @@ def firing_crank_angles(layout: Layout) -> dict[int, float]:
     [0.071, 240.071, 120.071, 479.929, 599.929, 359.929]
     """
     passes, cycle = firing_pin_passings(layout), layout.strokes * pi
-    pistons = {c.number: Piston(mechanism_of(layout, c)) for c in layout.cylinders}
+    pistons = {c.number: Piston(c.known_mechanism) for c in layout.cylinders}
     return {n: (float(passes[n]) * pi / 180 + p.top) % cycle for n, p in pistons.items()}
 
 

@@ -84,7 +84,7 @@ def gravity(masses: Array, theta: Array, standard: float = 9.80665) -> Array:
 
 def _shifts(engine: RunningEngine) -> dict[int, float]:
     """Return how far behind its pin's middle each cylinder stands, in m."""
-    pitch = float(engine.layout.crank_train.pitch or 0) * MILLI
+    pitch = float(engine.layout.pitch or 0) * MILLI
     stations = {c.number: float(c.station) for c in engine.layout.cylinders}
 
     def of(pin: Pin) -> dict[int, float]:

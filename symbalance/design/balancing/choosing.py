@@ -110,7 +110,7 @@ def left_at(
     if left is not None and served:
         pairs, served = pairs | left(pairs, served), []
     with mp.workdps(DIGITS):
-        unit = share_unit(found.layout, n) if found.is_uniform else mp.mpf(1)
+        unit = share_unit(found.layout, n) if found.kinematics else mp.mpf(1)
         for which, over in ((0, mp.mpf(1)), (1, real(weighting.length))):
             ahead, against = (decimal(pairs[s][which]) if s in pairs else mp.mpc(0) for s in (n, -n))
             total += _mean_square(ahead, against, n in served, -n in served, weighting) / over**2

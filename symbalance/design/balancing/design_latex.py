@@ -32,7 +32,7 @@ def design_latex(design: Design, *, standalone: bool = False) -> str:
     """Return a design as LaTeX, `standalone` as a document; a fragment needs amsmath and booktabs."""
     blocks = [
         r"{\large\textbf{Balancing}}",
-        rf"\textbf{{Layout.}} {heading_latex(design.before)}",
+        rf"\textbf{{Engine.}} {heading_latex(design.before)}",
         r"\textbf{Free in the layout as it is}, of the orders to remove." + _before(design),
         rf"\textbf{{Proposal.}} {summary(design)}",
         _proposed(design),
@@ -52,7 +52,7 @@ def _before(design: Design) -> str:
 def _proposed(design: Design) -> str:
     if not design.devices:
         return ""
-    coefficient = "A_n" if design.layout.is_uniform else ""
+    coefficient = "A_n" if design.layout.has_common_harmonics else ""
     lines = [
         rf"A share \(s\) at speed \(n\) is the unbalance \(U = s\,{coefficient}\, m r/n^2\)"
         r" (mass times radius); a speed below 0 turns against the crank;",

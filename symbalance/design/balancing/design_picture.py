@@ -78,7 +78,7 @@ def _draw(axis: Any, design: Design, order: int, kind: str) -> None:
 def _points(result: Balance, drawn: Ellipse) -> tuple[list[float], list[float]]:
     """Return the points an order's vector goes through in a turn of it, lateral and vertical."""
     with mp.workdps(20):
-        unit = share_unit(result.layout, drawn.order) if result.is_uniform else 1
+        unit = share_unit(result.layout, drawn.order) if result.kinematics else 1
         ahead, against = (complex(decimal(n) * unit) for n in (drawn.forward, drawn.backward))
         turns = [complex(mp.expjpi(mp.mpf(2 * i) / (POINTS - 1))) for i in range(POINTS)]
     places = [ahead * z + against * z.conjugate() for z in turns]

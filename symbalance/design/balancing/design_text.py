@@ -42,7 +42,7 @@ def _proposed(design: Design) -> str:
     if not design.devices:
         return ""
     lines = ["Proposed: mass times radius U = share · Aₙ m r/n² (order 1: share · m r)"]
-    if not design.layout.is_uniform:
+    if not design.layout.has_common_harmonics:
         lines = ["Proposed: mass times radius U = share · m r/n²"]
     if any(not d.weights for d in design.devices):
         lines.append("  every throw: a counterweight for its rotating mass and 1/2 of its reciprocating")

@@ -24,8 +24,8 @@ from symbalance.design.balancing.certifying import Claim, claims
 from symbalance.design.balancing.choosing import parts_of
 from symbalance.design.balancing.devices import Device, devices_for, for_rotating
 from symbalance.design.balancing.limits import Limits, checked_limits, checked_orders
-from symbalance.engine.layout import Layout
-from symbalance.engine.rotors import share_unit, unit_unbalance
+from symbalance.engine.engine import Engine
+from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.arithmetic import size_of
 from symbalance.exact.decimal_phasor import DIGITS
@@ -49,8 +49,8 @@ class Design:
     (True, [4, 6, 8, 10, 12])
     """
 
-    layout: Layout
-    balanced: Layout
+    layout: Engine
+    balanced: Engine
     remove: tuple[int, ...]
     devices: tuple[Device, ...]
     limits: Limits
@@ -98,8 +98,8 @@ class Design:
 
     def unbalance(self, device: Device, vector: Number) -> Real | None:
         """Return a weight's mass times radius in kg mm, None where the engine's sizes do not say."""
-        unit = unit_unbalance(self.balanced)
-        needs_ratio = abs(device.speed) > 1 and self.balanced.is_uniform
+        unit = self.balanced.unit_unbalance
+        needs_ratio = abs(device.speed) > 1 and self.balanced.has_common_harmonics
         if unit is None or (needs_ratio and self.balanced.ratio is None) or self.balanced.has_symbols:
             return None
         with mp.workdps(DIGITS):
@@ -108,7 +108,7 @@ class Design:
 
 
 def design_balance(
-    layout: Layout,
+    layout: Engine,
     remove: Sequence[int] = (1, 2),
     *,
     shafts: int | None = None,
@@ -152,8 +152,8 @@ def design_balance(
     return Design(layout, balanced, orders, devices, limits, before, balance(balanced, highest))
 
 
-def _checked(layout: object, ratio: object) -> Layout:
-    if not isinstance(layout, Layout):
+def _checked(layout: object, ratio: object) -> Engine:
+    if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
     return layout if ratio is None else layout.with_ratio(ratio)

@@ -14,9 +14,8 @@ from symbalance.design.balancing.choosing import Left, Pair, chosen, parts_of, t
 from symbalance.design.balancing.limits import Limits
 from symbalance.design.balancing.planes import Placed, in_planes
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight, directed
-from symbalance.engine.layout import Layout
-from symbalance.engine.rotors import rotating_shares, share_unit, unit_unbalance
-from symbalance.engine.unlike import sizes
+from symbalance.engine.engine import Engine
+from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError
 from symbalance.exact.arithmetic import added, decimal, size_of, station_of, summed
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
@@ -81,7 +80,7 @@ def _leaves(before: Balance, limits: Limits) -> Left | None:
     return left
 
 
-def _had(layout: Layout, weights: Sequence[Placed]) -> Pair:
+def _had(layout: Engine, weights: Sequence[Placed]) -> Pair:
     """Return the force and the couple about the mean of the stations that weights have."""
     plane = layout.mean_station
     return summed([w for _, w in weights]), summed([w.scaled(z - plane) for z, w in weights])
@@ -109,7 +108,7 @@ def _placed(
     return {s: [(z + plane, w) for z, w in side] for s, side in zip(served, both, strict=True)}
 
 
-def _had_all(layout: Layout, weights: Sequence[Placed], wanted: Pair) -> bool:
+def _had_all(layout: Engine, weights: Sequence[Placed], wanted: Pair) -> bool:
     had = _had(layout, weights)
     return all(added(w, -h).is_zero() for w, h in zip(wanted, had, strict=True))
 
@@ -128,15 +127,15 @@ def _device(before: Balance, speed: int, weights: Sequence[Placed], limits: Limi
     return Device(speed, on_crank, *_had(before.layout, weights), tuple(shares), parts)
 
 
-def _on_throws(layout: Layout) -> Device:
+def _on_throws(layout: Engine) -> Device:
     """Return counterweights for half of the reciprocating mass on every throw."""
     half = tuple(Counterweight(throw=c.number, overbalance="1/2") for c in layout.cylinders)
-    rows = zip(layout.cylinders, sizes(layout), strict=True)
+    rows = zip(layout.cylinders, layout.sizes, strict=True)
     pulls = [(c.station, directed(Phasor.of(1, {0: -size / 2}), c.throw)) for c, size in rows]
     return Device(1, True, *_had(layout, pulls), (), half)
 
 
-def _weights(layout: Layout, speed: int, targets: Pair, limits: Limits) -> list[Placed]:
+def _weights(layout: Engine, speed: int, targets: Pair, limits: Limits) -> list[Placed]:
     """Return stations and vectors, in the unit of the order, with the force and couple wanted."""
     plane, length = layout.mean_station, limits.weighting.length
     arms = _arms(layout, targets, limits.stations)
@@ -148,7 +147,7 @@ def _weights(layout: Layout, speed: int, targets: Pair, limits: Limits) -> list[
     return [(arm + plane, vector) for arm, vector in placed if not vector.is_zero()]
 
 
-def _arms(layout: Layout, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
+def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
     """Return the arms weights may have: the ends of the engine, and the one place that does alone."""
     plane = layout.mean_station
     if stations is not None:
@@ -162,21 +161,21 @@ def _arms(layout: Layout, targets: Pair, stations: tuple[Fraction, ...] | None) 
     return [*ends, alone] if near and alone is not None else ends
 
 
-def _share(layout: Layout, speed: int, vector: Number) -> Number:
+def _share(layout: Engine, speed: int, vector: Number) -> Number:
     """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
-    if layout.is_geometric or not layout.is_uniform or abs(speed) == 1:
+    if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
         return vector
     with mp.workdps(DIGITS):
         return DecimalPhasor(decimal(vector) / share_unit(layout, speed))
 
 
-def _bound(layout: Layout, speed: int, most: Fraction) -> Fraction:
+def _bound(layout: Engine, speed: int, most: Fraction) -> Fraction:
     """Return the largest vector a weight of so many kg mm may have, rounded to 12 digits."""
-    unit = unit_unbalance(layout)
+    unit = layout.unit_unbalance
     if unit is None:
         rule, remedy = "is in kg mm", "give stroke and reciprocating_mass in [crank_train]"
         raise SymbalanceError(f"most = {most}", rule, remedy)
-    if abs(speed) == 1 or not layout.is_geometric:
+    if abs(speed) == 1 or not layout.counts_in_orders:
         return most * speed * speed / unit
     per_share = share_unit(layout, speed)
     share = most * speed * speed / unit
@@ -187,12 +186,12 @@ def _bound(layout: Layout, speed: int, most: Fraction) -> Fraction:
         )
 
 
-def for_rotating(layout: Layout, devices: Sequence[Device]) -> list[Counterweight]:
+def for_rotating(layout: Engine, devices: Sequence[Device]) -> list[Counterweight]:
     """Return what balances rotating masses throw by throw: they count once there are counterweights."""
     added_weights = any(d.on_crank for d in devices) and not layout.balancers.counterweights
     if not added_weights or any(p.overbalance is not None for d in devices for p in _on_crank(d)):
         return []
-    pairs = zip(layout.cylinders, rotating_shares(layout), strict=True)
+    pairs = zip(layout.cylinders, layout.rotating_sizes, strict=True)
     return [Counterweight(throw=c.number, overbalance=0) for c, share in pairs if share]
 
 

@@ -26,8 +26,7 @@ import sympy
 from mpmath import mp
 
 from symbalance.engine.balancers import Counterweight, directed
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import sizes
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.arithmetic import (
     added,
@@ -47,7 +46,7 @@ from symbalance.text.numbers import Real, exact
 AIMS = ("squares", "largest")
 
 
-def overbalanced(layout: Layout, share: object = Fraction(1, 2)) -> Layout:
+def overbalanced(layout: Engine, share: object = Fraction(1, 2)) -> Engine:
     """Return the layout with a counterweight on every throw: all its rotating mass, `share` of the other.
 
     >>> from symbalance.engine.catalogue import load
@@ -55,9 +54,9 @@ def overbalanced(layout: Layout, share: object = Fraction(1, 2)) -> Layout:
     ()
     """
     part = exact(share, "overbalance")
-    if not isinstance(layout, Layout):
+    if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
     return layout.balanced_by(
         *(Counterweight(throw=c.number, overbalance=part) for c in layout.cylinders)
     )
@@ -72,7 +71,7 @@ class FirstOrder:
     backward: Number
 
 
-def first_order(layout: Layout, kind: str = "force") -> FirstOrder:
+def first_order(layout: Engine, kind: str = "force") -> FirstOrder:
     """Return f, g and b of a layout without counterweights.
 
     >>> from symbalance.engine.builders import inline
@@ -86,13 +85,13 @@ def first_order(layout: Layout, kind: str = "force") -> FirstOrder:
     terms = (found.force if kind == "force" else found.couple).terms
     plane = layout.mean_station
     arms = [Fraction(1) if kind == "force" else c.station - plane for c in layout.cylinders]
-    rows = zip(layout.cylinders, arms, sizes(layout), strict=True)
+    rows = zip(layout.cylinders, arms, layout.sizes, strict=True)
     pins = [directed(Phasor.of(1, {0: arm * size}), c.throw) for c, arm, size in rows]
     return FirstOrder(terms.get(1, ZERO), summed(pins), terms.get(-1, ZERO))
 
 
 def best_overbalance(
-    layout: Layout,
+    layout: Engine,
     *,
     vertical: object = 1,
     lateral: object = 1,

@@ -14,8 +14,7 @@ from fractions import Fraction
 
 from symbalance.design.balancing.planes import in_planes
 from symbalance.engine.balancers import Counterweight, Weight
-from symbalance.engine.layout import Layout
-from symbalance.engine.rotors import rotating_shares, unit_unbalance
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import Angle
 from symbalance.exact.arithmetic import summed
@@ -45,7 +44,7 @@ def _mass(value: object) -> Fraction:
     return mass
 
 
-def rotating_weights(layout: Layout) -> list[Weight]:
+def rotating_weights(layout: Engine) -> list[Weight]:
     """Return the rotating masses of an engine, in kg mm if its sizes are known, else in shares.
 
     >>> from symbalance.engine.builders import inline
@@ -54,9 +53,9 @@ def rotating_weights(layout: Layout) -> list[Weight]:
     >>> [w.vector.rational() for w in rotating_weights(inline("1-2", crank_train=train))]
     [Fraction(3, 2), Fraction(3, 2)]
     """
-    unit = unit_unbalance(layout)
+    unit = layout.unit_unbalance
     found = []
-    for cylinder, share in zip(layout.cylinders, rotating_shares(layout), strict=True):
+    for cylinder, share in zip(layout.cylinders, layout.rotating_sizes, strict=True):
         size = {"share": share} if unit is None else {"unbalance": share * unit}
         found += [Weight(cylinder.station, cylinder.throw, **size)] if share else []
     return found

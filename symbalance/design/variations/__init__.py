@@ -13,7 +13,6 @@ from symbalance.design.variations.extremes import WorstCase, worst_cases
 from symbalance.design.variations.formulas import SymbolicOrder, symbolic_order
 from symbalance.design.variations.measures import Shaking
 from symbalance.design.variations.sensitivity import STEPS, Sensitivity
-from symbalance.design.variations.shares import first_sizes
 from symbalance.design.variations.tolerances import UNITS, Tolerances
 from symbalance.design.variations.weighed import Part, PartSet, parse_parts, read_parts
 
@@ -31,7 +30,6 @@ __all__ = [
     "Tolerances",
     "WorstCase",
     "assign_parts",
-    "first_sizes",
     "parse_parts",
     "read_parts",
     "sensitivities",

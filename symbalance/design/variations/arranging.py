@@ -3,7 +3,9 @@ r"""Weighed parts to cylinders, so that the engine shakes least.
 A piston or rod of reciprocating mass p and rotating mass q in cylinder j adds to order n
 
     c_{+-n} = p r_j omega^2 f_{+-n}(j)/2 e^(i (bank_j +- n (throw_j - bank_j))),
-    c_1     = q r_j omega^2 e^(i throw_j)      of the rotating mass, in order 1 alone.
+    c_1     = q r_j omega^2 e^(i throw_j)      of the rotating mass, in order 1 alone:
+
+on a link pin it has both signs of all orders (`symbalance.design.variations.shares.rotating_pair`).
 
 Orders do not interfere in the mean over a turn, so the criterion is the square root of
 
@@ -31,9 +33,9 @@ from symbalance.design.variations.measures import (
 )
 from symbalance.design.variations.placements import Placement
 from symbalance.design.variations.problems import Problem, expected
-from symbalance.design.variations.shares import check_crank_pins, checked_layout, shares
+from symbalance.design.variations.shares import checked_layout, shares
 from symbalance.design.variations.weighed import PartSet, checked_sets
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.text.numbers import checked_whole, listed
 
@@ -52,7 +54,7 @@ class Assignment:
     listed order.
     """
 
-    layout: Layout
+    layout: Engine
     places: dict[int, dict[str, str]]
     criterion: float
     listed: float
@@ -67,7 +69,7 @@ class Assignment:
 
 
 def assign_parts(
-    layout: Layout,
+    layout: Engine,
     parts: object,
     *,
     orders: object = (1,),
@@ -93,8 +95,6 @@ def assign_parts(
         rule = f"must be at most {MOST_CYLINDERS}"
         raise SymbalanceError(f"{count} cylinders", rule, "assign the parts of one engine")
     sets = checked_sets(parts, count)
-    if any(part.rotating for one in sets for part in one.parts):
-        check_crank_pins(layout, "rod_rotating")
     asked = _checked_orders(orders)
     rows = shares(layout, max(asked))
     units = units_of(layout, rpm, lever, rows[1])
@@ -113,7 +113,7 @@ def _checked_orders(orders: object) -> list[int]:
 
 
 def _told(
-    layout: Layout,
+    layout: Engine,
     sets: Sequence[PartSet],
     problem: Problem,
     placed: Placement,

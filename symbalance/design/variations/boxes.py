@@ -19,14 +19,14 @@ from math import ceil, cos, floor, pi
 from mpmath import mp
 
 from symbalance.design.variations.sectors import Sector
-from symbalance.design.variations.shares import arms, checked_layout, first_sizes
+from symbalance.design.variations.shares import arms, checked_layout, mechanism_to
 from symbalance.design.variations.tolerances import Relative
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import forces_of, mechanism_of, sizes
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.mechanisms.moving_masses import piston_force
 
 FLAT = 1e-14
 Interval = tuple[float, float]
@@ -131,14 +131,14 @@ def _hull(values: Iterator[float] | Sequence[float]) -> Interval:
     return min(found), max(found)
 
 
-def boxes(layout: Layout, own: Relative, order: int, reference: object = None) -> dict[int, list[Box]]:
+def boxes(layout: Engine, own: Relative, order: int, reference: object = None) -> dict[int, list[Box]]:
     """Return n -> every cylinder's box, for each order to `order` that some engine in tolerance has."""
     checked_layout(layout)
-    masses, found = sizes(layout), []
-    cylinders = zip(layout.cylinders, masses, arms(layout, reference), strict=True)
+    cylinders = zip(layout.cylinders, layout.sizes, arms(layout, reference), strict=True)
+    found = []
     kinds: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}
     for cylinder, size, arm in cylinders:
-        key = (_mechanism(layout, cylinder, order), _radius(layout, cylinder))
+        key = (plain(mechanism_to(layout, cylinder, order)), _radius(layout, cylinder))
         if key not in kinds:
             kinds[key] = list(_corners(key[0], key[1], own, order))
         found.append((cylinder, (size, arm), kinds[key], _own_mass(layout, cylinder, own)))
@@ -150,24 +150,15 @@ def boxes(layout: Layout, own: Relative, order: int, reference: object = None) -
     }
 
 
-def _mechanism(layout: Layout, cylinder: Cylinder, order: int) -> Mechanism:
-    if layout.is_uniform and layout.ratio is None:
-        if order == 1:
-            return SliderCrank(Fraction(4))  # order 1 of a centred cylinder knows no rod
-        remedy = "give stroke and rod in mm, or --ratio"
-        raise SymbalanceError(f"engine {layout.name!r}", "has no rod ratio", remedy)
-    return plain(mechanism_of(layout, cylinder))
-
-
-def _radius(layout: Layout, cylinder: Cylinder) -> Fraction:
+def _radius(layout: Engine, cylinder: Cylinder) -> Fraction:
     """Return r_j/r_1, 1 where strokes are not given."""
-    stroke, (_, first) = layout.stroke_of(cylinder), first_sizes(layout)
-    return stroke / 2 / first if stroke and first else Fraction(1)
+    own, first = cylinder.radius, layout.first.radius
+    return own / first if own and first else Fraction(1)
 
 
-def _own_mass(layout: Layout, cylinder: Cylinder, own: Relative) -> tuple[float, float]:
+def _own_mass(layout: Engine, cylinder: Cylinder, own: Relative) -> tuple[float, float]:
     """Return the least and the largest mass over its own."""
-    mass, first = layout.train_of(cylinder).reciprocating_mass, first_sizes(layout)[0]
+    mass, first = cylinder.reciprocating_mass, layout.first.reciprocating_mass
     part = own.mass * first / mass if mass and first else own.mass
     if part > 1:
         what = f"mass = ±{float(part):.3g} of m"
@@ -177,7 +168,7 @@ def _own_mass(layout: Layout, cylinder: Cylinder, own: Relative) -> tuple[float,
 
 def _corners(mechanism: Mechanism, radius: Fraction, own: Relative, order: int) -> Iterator[Harmonics]:
     """Yield the nominal harmonics r f_n/r, and then those at the corners of the lengths' box."""
-    yield {n: complex(f) for n, f in forces_of(mechanism, order).items()}
+    yield {n: complex(f) for n, f in piston_force(mechanism, order).items()}
     lengths = (own.stroke / radius, own.rod / radius, own.offset / radius)
     if isinstance(mechanism, LinkRod) and (own.bank or any(lengths)):
         rule = "are not bounded where cylinders hang on link rods"
@@ -193,7 +184,7 @@ def _corners(mechanism: Mechanism, radius: Fraction, own: Relative, order: int) 
         ends[2].add(Fraction(0))  # where the even orders are least
     for r, length, e in product(*map(sorted, ends)):
         at = SliderCrank(length / r, e / r)
-        yield {n: complex(mp.mpc(f)) * float(r) for n, f in forces_of(at, order).items()}
+        yield {n: complex(mp.mpc(f)) * float(r) for n, f in piston_force(at, order).items()}
 
 
 def _box(

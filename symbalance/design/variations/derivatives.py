@@ -12,7 +12,8 @@ station    pitch (couples only)          c_{+-n}
 stroke     r of cylinder 1, of radius    f replaced by d(r f)/dr  (half of that for the stroke)
 rod        r                             f replaced by r df/dl
 offset     r                             f replaced by r df/de
-rotating   m of cylinder 1               c_1 = e^(i throw), c_-1 = 0, order 1 alone
+rotating   m of cylinder 1               c_1 = e^(i throw), c_-1 = 0, order 1 alone, of
+                                         rods on crank pins; `rotating_pair` of link rods
 =========  ============================  =============================================
 
 A turn of the crank pin (throw) keeps the axis, a turn of the axis (bank) keeps the pin. The geometry is
@@ -29,15 +30,15 @@ from mpmath import mp
 
 from symbalance.design.variations.hung import MOVING, clusters, hung_changes
 from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
-from symbalance.design.variations.shares import Share, check_crank_pins, first_sizes, shares
+from symbalance.design.variations.shares import Share, mechanism_to, rotating_pair, shares
 from symbalance.design.variations.slopes import Slopes, slopes
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import mechanism_of
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.kinematics.mechanisms import SliderCrank
+from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import Real, listed, real
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
@@ -46,7 +47,7 @@ LENGTHS = ("stroke", "rod", "offset")
 
 
 def sensitivities(
-    layout: Layout, order: int = 4, *, parameters: object = None, reference: object = None
+    layout: Engine, order: int = 4, *, parameters: object = None, reference: object = None
 ) -> list[Sensitivity]:
     """Return all derivatives to an order, those of the worst steps (`STEPS`) first.
 
@@ -86,18 +87,18 @@ def _checked_parameters(parameters: object) -> tuple[str, ...]:
     return asked
 
 
-def _slopes(layout: Layout, order: int) -> dict[int, dict[int, Slopes]]:
+def _slopes(layout: Engine, order: int) -> dict[int, dict[int, Slopes]]:
     """Return, by cylinder, the slopes of those that hang on no other and bear no other."""
     masters, found = clusters(layout), {}
     for cylinder in layout.cylinders:
-        mechanism = mechanism_of(layout, cylinder)
+        mechanism = mechanism_to(layout, cylinder, order)
         if isinstance(mechanism, SliderCrank) and cylinder.number not in masters:
             found[cylinder.number] = slopes(mechanism, order)
     return found
 
 
 def _of_order(
-    layout: Layout,
+    layout: Engine,
     n: int,
     name: str,
     own: Sequence[Share] | None,
@@ -105,8 +106,7 @@ def _of_order(
     reference: object,
 ) -> Iterator[Sensitivity]:
     if name == "rotating":
-        if n == 1:
-            yield from _rotating(layout, shares(layout, 1, reference)[1])
+        yield from _rotating(layout, n, shares(layout, 1, reference)[1])
         return
     if own is None and name not in LENGTHS:
         return
@@ -125,20 +125,22 @@ def _absent(share: Share, n: int) -> Share:
     return Share(share.number, n, share.axis, n * share.lead, share.arm, share.size, mp.mpc(0))
 
 
-def _rotating(layout: Layout, own: Sequence[Share]) -> Iterator[Sensitivity]:
-    check_crank_pins(layout, "rotating")
-    first = layout.stroke_of(layout.first)
-    for cylinder, share in zip(layout.cylinders, own, strict=True):
-        stroke = layout.stroke_of(cylinder)
-        radius = stroke / first if stroke and first else Fraction(1)
-        pin = Phasor.root(cylinder.throw.turns)
+def _rotating(layout: Engine, n: int, own: Sequence[Share]) -> Iterator[Sensitivity]:
+    """Yield what a rotating mass adds: on the crank pin to order 1 forward, on a link pin to all."""
+    for cylinder, share, radius in zip(layout.cylinders, own, layout.radii, strict=True):
+        pins = link_pin_force(cylinder.mechanism, n)
         with mp.workdps(DIGITS):
             factor = real(radius)
-        yield Sensitivity("rotating", share.number, 1, (pin, ZERO), factor, share.arm)
+        if pins:
+            ahead, against = (DecimalPhasor(z) for z in rotating_pair(cylinder, pins, n))
+            yield Sensitivity("rotating", share.number, n, (ahead, against), factor, share.arm)
+        elif n == 1:
+            pin = Phasor.root(cylinder.throw.turns)
+            yield Sensitivity("rotating", share.number, 1, (pin, ZERO), factor, share.arm)
 
 
 def _one(
-    layout: Layout, cylinder: Cylinder, share: Share, name: str, lengths: dict[int, dict[int, Slopes]]
+    layout: Engine, cylinder: Cylinder, share: Share, name: str, lengths: dict[int, dict[int, Slopes]]
 ) -> Sensitivity:
     n, value, size = share.order, share.value, share.size
     if name in LENGTHS:
@@ -161,16 +163,16 @@ def _decimal(exact: Phasor, value: Real) -> DecimalPhasor:
     return DecimalPhasor(value * evaluated_number(exact))
 
 
-def _over_mass(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
+def _over_mass(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
     """Return r_j/r_1: the share's size with its mass taken for that of cylinder 1."""
-    mass, first = layout.train_of(cylinder).reciprocating_mass, first_sizes(layout)[0]
+    mass, first = cylinder.reciprocating_mass, layout.first.reciprocating_mass
     return size * first / mass if mass and first else size
 
 
-def _over_radius(layout: Layout, cylinder: Cylinder, size: Fraction) -> Fraction:
+def _over_radius(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
     """Return m_j/m_1: the share's size with its radius taken for that of cylinder 1."""
-    stroke, (_, radius) = layout.stroke_of(cylinder), first_sizes(layout)
-    return size * 2 * radius / stroke if stroke and radius else size
+    own, radius = cylinder.radius, layout.first.radius
+    return size * radius / own if own and radius else size
 
 
 def _geometry(share: Share, name: str) -> tuple[Phasor, Phasor]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.symbol_sums import Polynomial, polynomial
 from symbalance.text.numbers import listed
@@ -14,7 +14,7 @@ from symbalance.text.numbers import listed
 LONGEST_PREFIX = 20
 
 
-def entries(layout: Layout, given: object, name: str) -> list[Polynomial] | None:
+def entries(layout: Engine, given: object, name: str) -> list[Polynomial] | None:
     """Return one polynomial a cylinder, None where nothing is given."""
     if given is None:
         return None

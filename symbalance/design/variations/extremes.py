@@ -36,7 +36,6 @@ from symbalance.design.variations.aims import (
     seen,
     sums_of,
     told,
-    unit,
 )
 from symbalance.design.variations.boxes import Box, boxes
 from symbalance.design.variations.derivatives import sensitivities
@@ -44,7 +43,7 @@ from symbalance.design.variations.made import NOTHING, Made, made_parts
 from symbalance.design.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
 from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
 from symbalance.design.variations.tolerances import Relative, Tolerances
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.phasor import ZERO
 from symbalance.forces.resultants import Balance, balance
@@ -79,7 +78,7 @@ class WorstCase:
 
 
 def worst_cases(
-    layout: Layout,
+    layout: Engine,
     tolerances: Tolerances,
     order: int = 4,
     *,
@@ -120,26 +119,55 @@ def worst_cases(
                     continue
                 single = _statistical([s for s in errors if s.order == n], own.steps, quantity, mode)
                 found.append(_worst(n, quantity, mode, rows, fixed, seen(*pair, mode), single))
-    return found + (_rotating(layout, own, reference) if own.rotating else [])
+    return found + (_rotating(layout, own, order, reference) if own.rotating else [])
 
 
-def _rotating(layout: Layout, own: Relative, reference: object) -> list[WorstCase]:
-    """Return what the rotating masses' own errors add up to, in order 1; they turn with the crank."""
-    errors = sensitivities(layout, 1, parameters=["rotating"], reference=reference)
-    found = []
-    for quantity in QUANTITIES:
-        sizes = [(e, float(own.rotating) * abs(e.values[0]) * e.weight(quantity)) for e in errors]
-        sectors = [Sector(-abs(x), abs(x), cmath.phase(e.values[0])) for e, x in sizes]
-        value, angle = largest_sum(sectors)
-        signs = {e.cylinder: _sign(x, cmath.phase(e.values[0]) - angle) for e, x in sizes}
-        reached = abs(sum(signs[e.cylinder] * x * unit(e.values[0]) for e, x in sizes))
-        single = hypot(*(x for _, x in sizes))
-        chosen = {
-            number: (1 + sign * float(own.rotating), 0.0, 0.0, 0.0) for number, sign in signs.items()
-        }
-        bound = max(value * (1 + ROUNDING), reached)
-        found.append(WorstCase(1, f"rotating {quantity}", "forward", 0.0, reached, bound, single, chosen))
+def _rotating(layout: Engine, own: Relative, order: int, reference: object) -> list[WorstCase]:
+    """Return what the rotating masses' own errors add up to: those on crank pins in order 1, forward."""
+    errors = sensitivities(layout, order, parameters=["rotating"], reference=reference)
+    step, found = float(own.rotating), []
+    for n in sorted({e.order for e in errors}):
+        rows = [e for e in errors if e.order == n]
+        for quantity in QUANTITIES:
+            parts = [_Error(e.cylinder, *(step * z for z in e.pair(quantity))) for e in rows]
+            found.append(_worst_errors(n, f"rotating {quantity}", parts, step))
     return found
+
+
+@dataclass(frozen=True)
+class _Error:
+    """What one rotating mass adds to c_n and c_-n where it is heavier by its tolerance."""
+
+    number: int
+    ahead: complex
+    against: complex
+
+    def across(self, direction: float) -> complex:
+        """Return what it adds to the component in a direction, as C + iS would turn."""
+        turned = self.ahead * cmath.rect(1, -direction)
+        return turned + self.against.conjugate() * cmath.rect(1, direction)
+
+
+def _worst_errors(n: int, quantity: str, parts: Sequence[_Error], step: float) -> WorstCase:
+    """Return the worst of masses that are each off by plus or minus its tolerance."""
+
+    def across(direction: float) -> Largest:
+        numbers = [part.across(direction) for part in parts]
+        return largest_sum([Sector(-abs(z), abs(z), cmath.phase(z)) for z in numbers])
+
+    turns = not any(part.against for part in parts)  # in a circle: every direction is the same
+    far = None if turns else farthest(lambda u: across(u).value)
+    direction = far.angle if far else 0.0
+    value, angle = across(direction)
+    signs = {p.number: _sign(1.0, cmath.phase(p.across(direction)) - angle) for p in parts}
+    ahead = sum(signs[p.number] * p.ahead for p in parts)
+    against = sum(signs[p.number] * p.against for p in parts)
+    reached = abs(ahead) + abs(against)
+    most = max((far.bound if far else value) * (1 + ROUNDING), reached)
+    single = hypot(*(abs(p.ahead) + abs(p.against) for p in parts))
+    chosen = {number: (1 + sign * step, 0.0, 0.0, 0.0) for number, sign in signs.items()}
+    mode = "forward" if turns else "largest"
+    return WorstCase(n, quantity, mode, 0.0, reached, most, single, chosen)
 
 
 def _sign(weight: float, away: float) -> int:
@@ -150,7 +178,7 @@ def _ideal(ideal: Balance, n: int, quantity: str) -> tuple[complex, complex]:
     """Return c_n and c_-n of the engine without errors: what cancels there is exactly 0."""
     spectrum = ideal.force if quantity == "force" else ideal.couple
     factor = 1.0
-    if ideal.is_uniform and n > 1:
+    if ideal.kinematics and n > 1:
         assert ideal.ratio is not None
         factor = float(acceleration_value(n, ideal.ratio))
     ahead, against = (spectrum.terms.get(signed, ZERO) for signed in (n, -n))

@@ -22,7 +22,7 @@ from typing import Any
 
 from symbalance.design.variations.entries import entries, symbols_in
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import Phasor
@@ -36,7 +36,7 @@ from symbalance.exact.symbol_sums import (
     polynomial,
     powered,
 )
-from symbalance.forces.resultants import default_power
+from symbalance.kinematics.coefficients import force_power
 from symbalance.kinematics.mechanisms import offset_series
 from symbalance.kinematics.slider_crank import Series, acceleration_series, checked_order
 from symbalance.text.numbers import checked_whole, exact
@@ -130,7 +130,7 @@ class SymbolicOrder:
 
 
 def symbolic_order(
-    layout: Layout,
+    layout: Engine,
     order: int,
     *,
     masses: object = None,
@@ -158,9 +158,9 @@ def symbolic_order(
     True
     """
     n = checked_order(order)
-    if not isinstance(layout, Layout):
+    if not isinstance(layout, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be a Layout", "build one with inline(...)"
+            f"layout = {shown(layout)}", "must be a Engine", "build one with inline(...)"
         )
     mass, radius = (
         entries(layout, v, k) or [UNIT] * len(layout.cylinders)
@@ -179,13 +179,13 @@ def symbolic_order(
     couple = _summed(
         layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], own
     )
-    alike = None if own else acceleration_series(n, default_power(n))
+    alike = None if own else acceleration_series(n, force_power(n))
     sizes = {"masses": masses, "stations": stations, "radii": radii, "rods": rods, "offsets": offsets}
     given = frozenset(x for key, v in sizes.items() for x in symbols_in(entries(layout, v, key)))
     return SymbolicOrder(n, alike, kept, force, couple, given)
 
 
-def _check_hung(layout: Layout) -> None:
+def _check_hung(layout: Engine) -> None:
     """Refuse link rods: the series of a rod on the pin are not theirs. A forked rod's are."""
     hung = next((c.number for c in layout.cylinders if c.link and c.link.radius), None)
     if hung is not None:
@@ -194,17 +194,16 @@ def _check_hung(layout: Layout) -> None:
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
 
 
-def _check_alike(layout: Layout) -> None:
+def _check_alike(layout: Engine) -> None:
     """Refuse cylinders that one A_n and one radius do not fit, where no lengths are given."""
-    trains = [(layout.train_of(c), layout.stroke_of(c)) for c in layout.cylinders]
-    unlike = len({(train.given_ratio, train.rod, stroke) for train, stroke in trains}) > 1
-    if unlike or any(train.offset for train, _ in trains):
+    lengths = {(c.sizes.given_ratio, c.sizes.rod, c.stroke) for c in layout.cylinders}
+    if len(lengths) > 1 or any(c.offset for c in layout.cylinders):
         rule = "has cylinders whose kinematics are not alike"
         remedy = "give radii, rods and offsets, as numbers or as letters"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
 
 
-def _arms(layout: Layout, stations: object, reference: object) -> list[Polynomial]:
+def _arms(layout: Engine, stations: object, reference: object) -> list[Polynomial]:
     """Return every cylinder's station from the reference plane."""
     given = entries(layout, stations, "stations")
     if given is None:
@@ -224,7 +223,7 @@ Kinematics = tuple[Polynomial, Polynomial]
 
 
 def _kinematics(
-    layout: Layout, n: int, radius: Sequence[Polynomial], rods: object, offsets: object, through: int
+    layout: Engine, n: int, radius: Sequence[Polynomial], rods: object, offsets: object, through: int
 ) -> list[Kinematics]:
     """Return every cylinder's A_n and B_n as polynomials in r/l and e/l."""
     rod, offset = entries(layout, rods, "rods"), entries(layout, offsets, "offsets")

@@ -23,10 +23,9 @@ from math import ceil, cosh, log, sqrt
 from mpmath import mp
 
 from symbalance.design.variations.sensitivity import Sensitivity
-from symbalance.design.variations.shares import Share, first_sizes
+from symbalance.design.variations.shares import Share
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import mechanism_of
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
@@ -41,7 +40,7 @@ NOTHING = mp.mpf(10) ** (10 - DIGITS)
 Pair = tuple[Real, Real]
 
 
-def clusters(layout: Layout) -> dict[int, list[Cylinder]]:
+def clusters(layout: Engine) -> dict[int, list[Cylinder]]:
     """Return the cylinders hung on each master, by its number."""
     found: dict[int, list[Cylinder]] = {}
     for cylinder in layout.cylinders:
@@ -138,7 +137,7 @@ def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> lis
 
 
 def hung_changes(
-    layout: Layout, own: dict[int, list[Share]], order: int, names: Sequence[str]
+    layout: Engine, own: dict[int, list[Share]], order: int, names: Sequence[str]
 ) -> Iterator[Sensitivity]:
     """Yield the derivatives of masters and link rods by the sizes of `MOVING` among `names`.
 
@@ -155,12 +154,12 @@ def hung_changes(
 
 
 def _derived(
-    layout: Layout, own: dict[int, list[Share]], order: int, name: str, moved: Sequence[Cylinder]
+    layout: Engine, own: dict[int, list[Share]], order: int, name: str, moved: Sequence[Cylinder]
 ) -> Iterator[Sensitivity]:
     """Yield one derivative's orders: the sums over the cylinders that the first one's size moves."""
     first, per = moved[0], [_lengths(layout, c, name) for c in moved]
     places = [layout.cylinders.index(c) for c in moved]
-    changed = [_coefficients(mechanism_of(layout, c), name, c is first, order) for c in moved]
+    changed = [_coefficients(c.known_mechanism, name, c is first, order) for c in moved]
     for n in range(1, order + 1):
         total, arms, size = [mp.mpc(0)] * 2, [mp.mpc(0)] * 2, mp.mpf(0)
         for place, cylinder, lengths, found in zip(places, moved, per, changed, strict=True):
@@ -177,13 +176,13 @@ def _derived(
             yield Sensitivity(name, first.number, n, force, mp.mpf(1), Fraction(0), couple)
 
 
-def _lengths(layout: Layout, cylinder: Cylinder, name: str) -> Real:
+def _lengths(layout: Engine, cylinder: Cylinder, name: str) -> Real:
     """Return what turns dy over its own radius into its share's unit, for one unit of the size."""
-    stroke, (_, radius) = layout.stroke_of(cylinder), first_sizes(layout)
-    if name in ("throw", "bank") or not stroke or not radius:
+    own, radius = cylinder.radius, layout.first.radius
+    if name in ("throw", "bank") or not own or not radius:
         return mp.mpf(1)
     with mp.workdps(DIGITS + GUARD):
-        return real(2 * radius / stroke)
+        return real(radius / own)
 
 
 def _pair(cylinder: Cylinder, share: Share, n: int, change: Real) -> Pair:

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 from symbalance.design.variations.sectors import Sector
 from symbalance.design.variations.sensitivity import evaluated_number
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import share_unit
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Spectrum
-from symbalance.forces.rotating import rotor_spectrum
+from symbalance.forces.planar_vectors import turning_spectrum
 from symbalance.text.numbers import exact
 
 
@@ -44,7 +44,7 @@ def _point(number: complex) -> list[Sector]:
     return [Sector(abs(number), abs(number), cmath.phase(number))] if number else []
 
 
-def made_parts(layout: Layout, order: int, reference: object = None) -> dict[int, dict[str, Made]]:
+def made_parts(layout: Engine, order: int, reference: object = None) -> dict[int, dict[str, Made]]:
     """Return n -> what turns adds to the "force" and to the "couple", for the orders it has.
 
     >>> from symbalance.engine.balancers import Counterweight
@@ -53,16 +53,15 @@ def made_parts(layout: Layout, order: int, reference: object = None) -> dict[int
     >>> made_parts(single, 4)[1]["force"].ahead
     (-0.5+0j)
     """
-    if not layout.balancers:
-        return {}
     plane = layout.mean_station if reference is None else exact(reference, "reference")
-    found = {kind: rotor_spectrum(layout, order, at) for kind, at in (("force", None), ("couple", plane))}
+    levels = {"force": None, "couple": plane}
+    found = {kind: turning_spectrum(layout, order, level) for kind, level in levels.items()}
     orders = sorted({n for spectrum in found.values() for n in spectrum.orders()})
     return {n: {kind: _part(layout, s, n) for kind, s in found.items()} for n in orders}
 
 
-def _part(layout: Layout, spectrum: Spectrum, n: int) -> Made:
-    factor = float(share_unit(layout, n)) if layout.is_geometric else 1.0
+def _part(layout: Engine, spectrum: Spectrum, n: int) -> Made:
+    factor = float(share_unit(layout, n)) if layout.counts_in_orders else 1.0
     ahead, against = (complex(evaluated_number(spectrum.terms.get(s, ZERO))) for s in (n, -n))
     return Made(ahead * factor, against * factor)
 

@@ -9,10 +9,11 @@ from math import pi, sqrt
 
 from symbalance.design.variations.bounds import Vector
 from symbalance.design.variations.made import NOTHING, made_parts
-from symbalance.design.variations.shares import Share, first_sizes
+from symbalance.design.variations.shares import Share, rotating_pair
 from symbalance.design.variations.symmetry import Generators
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
+from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import exact
 
 FASTEST = 100_000
@@ -39,10 +40,9 @@ class Units:
     names: tuple[str, str]
 
 
-def units_of(layout: Layout, rpm: object, lever: object, own: Sequence[Share]) -> Units:
+def units_of(layout: Engine, rpm: object, lever: object, own: Sequence[Share]) -> Units:
     """Return the units that the sizes given allow, and the lever that couples count at."""
-    _, radius = first_sizes(layout)
-    pitch = layout.crank_train.pitch
+    radius, pitch = layout.first.radius, layout.pitch
     force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
     if rpm is not None:
         speed = exact(rpm, "rpm")
@@ -63,13 +63,12 @@ def units_of(layout: Layout, rpm: object, lever: object, own: Sequence[Share]) -
     return Units(force, arm, spread, names)
 
 
-def generators(layout: Layout, orders: Sequence[Sequence[Share]], units: Units) -> Generators:
+def generators(layout: Engine, orders: Sequence[Sequence[Share]], units: Units) -> Generators:
     """Return, for each cylinder, what 1 kg of reciprocating and of rotating mass adds: real vectors."""
     found = []
-    own_radius, first = [layout.stroke_of(c) for c in layout.cylinders], layout.stroke_of(layout.first)
-    for place, cylinder in enumerate(layout.cylinders):
-        stroke = own_radius[place]
-        radius = units.force * (float(stroke / first) if stroke and first else 1.0)
+    for place, (cylinder, own_radius) in enumerate(zip(layout.cylinders, layout.radii, strict=True)):
+        radius = units.force * float(own_radius)
+        pins = link_pin_force(cylinder.mechanism, max(own[place].order for own in orders))
         sliding: list[float] = []
         turning: list[float] = []
         for own in orders:
@@ -77,26 +76,27 @@ def generators(layout: Layout, orders: Sequence[Sequence[Share]], units: Units) 
             f = complex(share.value) * radius / 2
             axis, lead = (2 * pi * float(x % 1) for x in (share.axis, share.lead))
             pair = (f * _turn(axis + lead), f.conjugate() * _turn(axis - lead))
-            pin = radius * _turn(2 * pi * float(cylinder.throw.turns)) if share.order == 1 else 0j
+            turned = [radius * complex(z) for z in rotating_pair(cylinder, pins, share.order)]
             sliding += _real(pair, float(share.arm), units.lever)
-            turning += _real((pin, 0j), float(share.arm), units.lever)
+            turning += _real((turned[0], turned[1]), float(share.arm), units.lever)
         found.append((tuple(sliding), tuple(turning)))
     return found
 
 
-def made_vector(layout: Layout, orders: Sequence[int], units: Units) -> Vector | None:
+def made_vector(layout: Engine, orders: Sequence[int], units: Units) -> Vector | None:
     """Return what counterweights, shafts and rotating masses add, in the form of `generators`.
 
-    None where the engine has no counterweights or shafts.
+    None where the engine has no counterweights or shafts, and no masses on link pins.
     """
-    if not layout.balancers:
+    by_order = made_parts(layout, max(orders))
+    if not layout.balancers and not by_order:
         return None
-    mass, _ = first_sizes(layout)
+    mass = layout.first.reciprocating_mass
     if not mass:
         rule = "are to be counted beside counterweights or shafts, which are in units of m r"
         remedy = "give reciprocating_mass, kg, in [crank_train]"
         raise SymbalanceError("whole masses", rule, remedy)
-    by_order, scale = made_parts(layout, max(orders)), units.force * float(mass)
+    scale = units.force * float(mass)
     found: list[float] = []
     for n in orders:
         kinds = by_order.get(n, NOTHING)

@@ -8,7 +8,7 @@ from typing import Any
 
 from symbalance.design.variations import STEPS, Sensitivity
 from symbalance.document.plain_tables import figure, numbered, table_latex, table_text
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.exact.spectrum import COMPONENTS
 from symbalance.forces.resultants import Resultant
 from symbalance.text.numbers import decimal_text
@@ -31,13 +31,13 @@ _ABOUT = (
 )
 
 
-def sensitivities_text(layout: Layout, found: Sequence[Sensitivity], order: int) -> str:
+def sensitivities_text(layout: Engine, found: Sequence[Sensitivity], order: int) -> str:
     """Return the table for a terminal."""
     head = [f"{layout.name}: sensitivities to order {order}", *_ABOUT]
     return table_text(head, _HEAD, _rows(found))
 
 
-def sensitivities_latex(layout: Layout, found: Sequence[Sensitivity], order: int) -> str:
+def sensitivities_latex(layout: Engine, found: Sequence[Sensitivity], order: int) -> str:
     """Return the table as a complete LaTeX document."""
     head = [f"{layout.name}: sensitivities to order {order}", *_ABOUT]
     return table_latex(head, _HEAD, _rows(found))
@@ -55,7 +55,7 @@ def _rows(found: Sequence[Sensitivity]) -> list[list[str]]:
     ]
 
 
-def sensitivities_json(layout: Layout, found: Sequence[Sensitivity], order: int) -> str:
+def sensitivities_json(layout: Engine, found: Sequence[Sensitivity], order: int) -> str:
     """Return every derivative as JSON: geometry exact, the factor to 20 digits, per what."""
     document = {
         "engine": layout.name,

@@ -10,16 +10,20 @@ that times `arm`, the station from the reference plane. Unit m r omega^2 of cyli
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
 from mpmath import mp
 
-from symbalance.engine.layout import Layout
-from symbalance.engine.unlike import forces_of, mechanism_of, sizes
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.decimal_phasor import DIGITS
+from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
+from symbalance.kinematics.mechanisms.moving_masses import piston_force
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.numbers import Real, exact
+from symbalance.text.numbers import Real, exact, real
 
 
 @dataclass(frozen=True)
@@ -36,31 +40,37 @@ class Share:
     """f_n to 40 digits."""
 
 
-def checked_layout(layout: object) -> Layout:
+def checked_layout(layout: object) -> Engine:
     """Return a layout whose angles and rod ratios are numbers, or refuse."""
-    if not isinstance(layout, Layout):
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Layout", 'load one: load("v12-60")')
+    if not isinstance(layout, Engine):
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", 'load one: load("v12-60")')
     if layout.has_symbols:
         rule, remedy = "has symbols for angles", "give numbers, or use symbolic_order"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
     return layout
 
 
-def check_crank_pins(layout: Layout, what: str) -> None:
-    """Refuse what takes all rotating masses to sit on crank pins where link pins bear some."""
-    if layout.link_pins:
-        rule = f"is of masses on the crank pin, and the rod of cylinder {layout.link_pins[0]} hangs on a"
-        rule += " link pin"
-        raise SymbalanceError(what, rule, "leave it out: what a link pin's mass adds is not computed")
+def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Real], n: int) -> tuple[Real, Real]:
+    """Return c_n and c_-n of 1 kg of a rod's rotating mass, over its r omega^2, in the engine's plane.
+
+    On the crank pin it turns: e^(i throw) forward in order 1. `pins` (`link_pin_force`) is what a link
+    pin adds to that in the cylinder's frame; it is empty for rods on the crank pin.
+    """
+    with mp.workdps(DIGITS):
+        pair = []
+        for signed in (n, -n):
+            turned = mp.expjpi(2 * real(cylinder.bank.turns + signed * cylinder.delay.turns))
+            circle = mp.expjpi(2 * real(cylinder.throw.turns)) if signed == 1 else mp.mpc(0)
+            pair.append(circle + pins.get(signed, mp.mpc(0)) * turned)
+        return pair[0], pair[1]
 
 
-def arms(layout: Layout, reference: object = None) -> list[Fraction]:
+def arms(layout: Engine, reference: object = None) -> list[Fraction]:
     """Return the stations from the reference plane, in pitches."""
-    plane = layout.mean_station if reference is None else exact(reference, "reference")
-    return [c.station - plane for c in layout.cylinders]
+    return layout.arms(None if reference is None else exact(reference, "reference"))
 
 
-def shares(layout: Layout, order: int, reference: object = None) -> dict[int, list[Share]]:
+def shares(layout: Engine, order: int, reference: object = None) -> dict[int, list[Share]]:
     """Return n -> every cylinder's share, for all orders to `order` that some cylinder has.
 
     >>> from symbalance.engine.catalogue import load
@@ -69,14 +79,8 @@ def shares(layout: Layout, order: int, reference: object = None) -> dict[int, li
     """
     checked_order(order)
     checked_layout(layout)
-    if layout.is_uniform and layout.ratio is None and order == 1:
-        own = [{1: mp.mpc(1)}] * len(layout.cylinders)
-    else:
-        if layout.is_uniform and layout.ratio is None:
-            remedy = "give stroke and rod in mm, or --ratio"
-            raise SymbalanceError(f"engine {layout.name!r}", "has no rod ratio", remedy)
-        own = [forces_of(mechanism_of(layout, c), order) for c in layout.cylinders]
-    rows = list(zip(layout.cylinders, arms(layout, reference), sizes(layout), own, strict=True))
+    own = [piston_force(mechanism_to(layout, c, order), order) for c in layout.cylinders]
+    rows = list(zip(layout.cylinders, arms(layout, reference), layout.sizes, own, strict=True))
     return {
         n: [
             Share(c.number, n, c.bank.turns, n * c.delay.turns, arm, size, f.get(n, mp.mpc(0)))
@@ -86,7 +90,11 @@ def shares(layout: Layout, order: int, reference: object = None) -> dict[int, li
     }
 
 
-def first_sizes(layout: Layout) -> tuple[Fraction | None, Fraction | None]:
-    """Return the reciprocating mass in kg and the crank radius in mm of cylinder 1, None if not given."""
-    mass, stroke = layout.train_of(layout.first).reciprocating_mass, layout.stroke_of(layout.first)
-    return mass, None if stroke is None else stroke / 2
+def mechanism_to(layout: Engine, cylinder: Cylinder, order: int) -> Mechanism:
+    """Return a cylinder's mechanism; of an unknown rod ratio, which order 1 needs not, one of ratio 4."""
+    if cylinder.mechanism is None and order == 1:
+        return SliderCrank(Fraction(4))
+    if cylinder.mechanism is None and layout.has_common_harmonics:
+        remedy = "give stroke and rod in mm, or --ratio"
+        raise SymbalanceError(f"engine {layout.name!r}", "has no rod ratio", remedy)
+    return cylinder.known_mechanism

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from math import pi
 from typing import Any
 
-from symbalance.design.variations import UNITS, Tolerances, WorstCase, first_sizes
+from symbalance.design.variations import UNITS, Tolerances, WorstCase
 from symbalance.document.plain_tables import figure, table_latex, table_text
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.numbers import exact
 
@@ -21,7 +21,7 @@ _HEAD = ["order", "", "of", "as drawn", "worst", "at most", "RSS"]
 
 
 def tolerances_text(
-    layout: Layout, tolerances: Tolerances, found: Sequence[WorstCase], rpm: object = None
+    layout: Engine, tolerances: Tolerances, found: Sequence[WorstCase], rpm: object = None
 ) -> str:
     """Return the table for a terminal, in N and N m where a speed is given."""
     scale = _scale(layout, rpm)
@@ -29,14 +29,14 @@ def tolerances_text(
 
 
 def tolerances_latex(
-    layout: Layout, tolerances: Tolerances, found: Sequence[WorstCase], rpm: object = None
+    layout: Engine, tolerances: Tolerances, found: Sequence[WorstCase], rpm: object = None
 ) -> str:
     """Return the table as a complete LaTeX document."""
     scale = _scale(layout, rpm)
     return table_latex(_about(layout, tolerances, scale, rpm), _HEAD, _rows(found, scale))
 
 
-def _about(layout: Layout, tolerances: Tolerances, scale: Scale, rpm: object) -> list[str]:
+def _about(layout: Engine, tolerances: Tolerances, scale: Scale, rpm: object) -> list[str]:
     given = [f"{name} ±{_size(name, getattr(tolerances, name))}" for name in UNITS]
     listed = ", ".join(text for name, text in zip(UNITS, given, strict=True) if getattr(tolerances, name))
     speed = "" if rpm is None else f", at {rpm} rpm"
@@ -56,14 +56,14 @@ def _size(name: str, value: object) -> str:
     return text if text.endswith("%") else f"{text} {UNITS[name]}"
 
 
-def _scale(layout: Layout, rpm: object) -> Scale:
+def _scale(layout: Engine, rpm: object) -> Scale:
     """Return the units of force and couple: m r omega^2 (a), or N and N m at a speed."""
     if rpm is None:
         return 1.0, 1.0, "m r ω²", "m r ω² a"
     speed = exact(rpm, "rpm")
     if not 0 < speed <= FASTEST:
         raise SymbalanceError(f"rpm = {shown(rpm)}", f"must lie in (0, {FASTEST}]", "turns a minute")
-    (mass, radius), pitch = first_sizes(layout), layout.crank_train.pitch
+    mass, radius, pitch = layout.first.reciprocating_mass, layout.first.radius, layout.pitch
     if not mass or radius is None:
         key = "stroke" if radius is None else "reciprocating_mass"
         raise SymbalanceError("rpm", f"needs the engine's {key}", f"give {key} in [crank_train]")
@@ -85,7 +85,7 @@ def _rows(found: Sequence[WorstCase], scale: Scale) -> list[list[str]]:
 
 
 def tolerances_json(
-    layout: Layout, tolerances: Tolerances, found: Sequence[WorstCase], rpm: object = None
+    layout: Engine, tolerances: Tolerances, found: Sequence[WorstCase], rpm: object = None
 ) -> str:
     """Return the same as JSON, with the errors of the engine that reaches each worst."""
     scale = _scale(layout, rpm)

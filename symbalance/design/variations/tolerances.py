@@ -6,8 +6,7 @@ from dataclasses import dataclass, fields
 from fractions import Fraction
 from math import pi
 
-from symbalance.design.variations.shares import first_sizes
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.numbers import exact
 
@@ -54,10 +53,9 @@ class Tolerances:
         for name in UNITS:
             object.__setattr__(self, name, _checked(name, given.get(name, 0)))
 
-    def relative(self, layout: Layout) -> Relative:
+    def relative(self, layout: Engine) -> Relative:
         """Return them in the units of `sensitivities`, for a layout that has the sizes they need."""
-        mass, radius = first_sizes(layout)
-        pitch = layout.crank_train.pitch
+        mass, radius, pitch = layout.first.reciprocating_mass, layout.first.radius, layout.pitch
         units = {"m": (mass, "reciprocating_mass"), "a": (pitch, "pitch"), "r": (radius, "stroke")}
         turned = {"throw": self.throw, "bank": self.bank}
         found: dict[str, Fraction | float] = {k: float(v) * pi / 180 for k, v in turned.items()}

@@ -9,8 +9,8 @@ from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 
+from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine, read_engine_file
-from symbalance.engine.layout import Layout
 from symbalance.errors import SymbalanceError, shown
 
 _FOLDER = Path(__file__).parent
@@ -57,7 +57,7 @@ def _unknown(name: str) -> SymbalanceError:
     return SymbalanceError(f"engine {shown(name)!r}", "is no preset and no .toml file", hint)
 
 
-def load(engine: str | Path) -> Layout:
+def load(engine: str | Path) -> Engine:
     """Return the layout of an engine file (a name ending in .toml or with a path separator) or preset.
 
     >>> load("v12-60").firing_order()

@@ -14,7 +14,7 @@ from math import gcd
 from typing import Any
 
 from symbalance.engine.cylinders import MOST_CYLINDERS
-from symbalance.engine.layout import checked_strokes
+from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import degrees
 from symbalance.text.numbers import checked_whole, exact, listed

@@ -26,7 +26,7 @@ from mpmath import mp
 
 from symbalance.engine.builders import inline
 from symbalance.engine.cylinders import MOST_CYLINDERS
-from symbalance.engine.layout import Layout, checked_strokes
+from symbalance.engine.engine import Engine, checked_strokes
 from symbalance.engine.stars.firings import Firing, firing_orders
 from symbalance.errors import SymbalanceError
 from symbalance.exact.phasor import Phasor
@@ -68,7 +68,7 @@ class StarClass:
         return tuple(Fraction(-360 * ray, self.directions) % 360 for ray in self.rays)
 
     @cached_property
-    def layout(self) -> Layout:
+    def layout(self) -> Engine:
         """The in-line engine on this crank."""
         return inline(throws=self.throws, strokes=self.strokes)
 

@@ -19,7 +19,7 @@ from fractions import Fraction
 from itertools import permutations, product
 from math import gcd, prod
 
-from symbalance.engine.layout import Layout
+from symbalance.engine.engine import Engine
 from symbalance.engine.tops import firing_dead_centres, has_moved, top_angles
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import Angle
@@ -79,7 +79,7 @@ class Firing:
 
 
 def firing_orders(
-    layout: Layout, *, even_only: bool = True, simultaneous: bool = False, within: object = 0
+    layout: Engine, *, even_only: bool = True, simultaneous: bool = False, within: object = 0
 ) -> list[Firing]:
     """Return all firing orders a crank allows, its lowest-numbered cylinder first; `fires` is ignored.
 
@@ -114,7 +114,7 @@ def firing_orders(
     return sorted(found)
 
 
-def evenest(layout: Layout) -> list[Firing]:
+def evenest(layout: Engine) -> list[Firing]:
     """Return the firing orders with the least sum of squared intervals: the even ones, if there are any.
 
     Intervals alone are compared, not whether the banks fire by turns.
@@ -132,7 +132,7 @@ def evenest(layout: Layout) -> list[Firing]:
     return [firing for firing, size in zip(orders, squares, strict=True) if size == least]
 
 
-def known_firing(layout: Layout) -> Firing:
+def known_firing(layout: Engine) -> Firing:
     """Return the firing order a layout's `fires` say, its lowest-numbered cylinder first.
 
     Intervals are those between top dead centres.
@@ -156,7 +156,7 @@ def known_firing(layout: Layout) -> Firing:
     return _firing({number: (angle - start) % cycle for number, angle in fires.items()}, cycle)
 
 
-def intervals(layout: Layout) -> tuple[Fraction, ...]:
+def intervals(layout: Engine) -> tuple[Fraction, ...]:
     """Return the degrees after each firing of a layout whose `fires` are known: between dead centres.
 
     >>> from symbalance.engine.catalogue import load
@@ -166,14 +166,14 @@ def intervals(layout: Layout) -> tuple[Fraction, ...]:
     return known_firing(layout).intervals
 
 
-def is_even(layout: Layout) -> bool:
+def is_even(layout: Engine) -> bool:
     """Tell whether a layout whose `fires` are known fires evenly."""
     return known_firing(layout).is_even
 
 
-def _checked(layout: object) -> Layout:
-    if not isinstance(layout, Layout):
-        rule = "must be a Layout"
+def _checked(layout: object) -> Engine:
+    if not isinstance(layout, Engine):
+        rule = "must be a Engine"
         raise SymbalanceError(f"layout = {shown(layout)}", rule, "build one, as inline(throws=[0, 180])")
     return layout
 
@@ -185,7 +185,7 @@ def _checked_within(within: object) -> Fraction:
     return degrees
 
 
-def _groups(layout: Layout, within: Fraction) -> dict[Fraction, list[int]]:
+def _groups(layout: Engine, within: Fraction) -> dict[Fraction, list[int]]:
     """Return the cylinders by the degrees at which they first reach top dead centre, cylinder 1 at 0."""
     cylinders = sorted(layout.cylinders, key=lambda c: c.number)
     moved = top_angles(layout) if has_moved(layout) else {}

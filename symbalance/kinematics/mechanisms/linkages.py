@@ -58,6 +58,11 @@ class SliderCrank:
         """The rod's length over r."""
         return self.ratio
 
+    @property
+    def is_centred(self) -> bool:
+        """Whether the axis passes through the crank's: then A_n has a closed form, and B_n is 0."""
+        return not self.offset
+
     @cached_property
     def strip(self) -> float:
         """A half-width a of a strip |Im p| <= a in which |sin phi| <= 1; the widest there is."""
@@ -104,6 +109,11 @@ class LinkRod:
         if self.link_radius == 0:
             return self.length > 1 + abs(self.offset)
         return _link_reach(self, 1.0) < SAFE * float(self.length)
+
+    @property
+    def is_centred(self) -> bool:
+        """Never: even a fork-and-blade rod is told apart, and `plain` says what it is."""
+        return False
 
     @property
     def lead(self) -> Fraction:

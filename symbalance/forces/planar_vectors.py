@@ -1,0 +1,270 @@
+r"""The planar force and couple of an engine: sums over its cylinders, and what turns beside them.
+
+A mass that moves with a cylinder's mechanism pushes with h_n e^(inp) for every n of either sign
+(`symbalance.kinematics.mechanisms.moving_masses`), p = theta + throw - bank, in the cylinder's frame.
+In the engine's plane, vertical + i lateral, in units of m r omega^2 of cylinder 1, with s = m r of the
+mass over that and w a weight (1 for the force, the lever arm for the couple),
+
+    c_n = sum over groups of h_n sum over the group's cylinders of w s e^(i (bank + n (throw - bank))).
+
+The inner sum is geometry, a number of a cyclotomic field: where it vanishes the order is gone, exactly.
+Where there is one group of centred cylinders, h_n = A_n/2 for both signs stands apart: components are the
+geometry itself, whatever lambda is, and angles may hold symbols. Else c_n is a number of 40 digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import lcm
+
+from mpmath import mp
+
+from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.engine import Engine
+from symbalance.engine.rotors import Rotor
+from symbalance.errors import SymbalanceError
+from symbalance.exact.angles import SymbolPart
+from symbalance.exact.arithmetic import added, decimal
+from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.phasor import ZERO, Phasor
+from symbalance.exact.spectrum import Number, Spectrum, SymbolicPhasor
+from symbalance.kinematics.mechanisms import Mechanism, force_tail
+from symbalance.kinematics.mechanisms.moving_masses import (
+    has_link_pin,
+    link_pin_force,
+    link_pin_tail,
+    piston_force,
+)
+from symbalance.kinematics.slider_crank import surviving
+from symbalance.text.numbers import Real, real
+
+HALF = Fraction(1, 2)
+
+
+@dataclass(frozen=True)
+class MovingMass:
+    """One mass of each cylinder of a group: its force, and its m r over the unit's by cylinder."""
+
+    mechanism: Mechanism
+    cylinders: tuple[Cylinder, ...]
+    shares: tuple[Fraction, ...]
+    on_link_pin: bool
+
+    def force(self, order: int) -> dict[int, Real]:
+        """Return n -> 2 h_n for n of both signs up to an order, in m r omega^2."""
+        with mp.workdps(DIGITS):
+            if self.on_link_pin:
+                return {n: 2 * h for n, h in link_pin_force(self.mechanism, order).items()}
+            forces = piston_force(self.mechanism, order)
+            return forces | {-n: mp.conj(f) for n, f in forces.items()}
+
+    def tail(self, order: int) -> Real:
+        """Return a proved bound on the harmonics above an order, both signs of one n together."""
+        return (
+            link_pin_tail(self.mechanism, order)
+            if self.on_link_pin
+            else force_tail(self.mechanism, order)
+        )
+
+
+def moving_masses(layout: Engine) -> Iterator[MovingMass]:
+    """Yield what moves with the cylinders' mechanisms: pistons, then what sits on link pins.
+
+    A rotating mass on the crank pin turns steadily and is a `rotor`; one on a link pin is that and, here,
+    what the link pin adds to the crank pin's circle.
+    """
+    _check_numbers(layout)
+    places = {c.number: i for i, c in enumerate(layout.cylinders)}
+    for group in layout.groups:
+        mechanism, sizes = group.cylinders[0].known_mechanism, (group.size,) * len(group.cylinders)
+        yield MovingMass(mechanism, group.cylinders, sizes, on_link_pin=False)
+    for group in layout.groups:
+        if group.mechanism is None or not has_link_pin(group.mechanism):
+            continue
+        turning = layout.rotating_sizes
+        shares = tuple(turning[places[c.number]] for c in group.cylinders)
+        if any(shares):
+            yield MovingMass(group.mechanism, group.cylinders, shares, on_link_pin=True)
+
+
+def _check_numbers(layout: Engine) -> None:
+    if layout.has_symbols:
+        rule = "has angles with symbols, and cylinders that are not alike"
+        remedy = "give the angles in numbers, or take symbolic_order"
+        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
+
+
+def planar_vectors(
+    layout: Engine, order: int, reference: Fraction | None = None
+) -> tuple[Spectrum, Spectrum]:
+    """Return the free force, and the couple about a station (default: the mean), to an order.
+
+    In units of each order's A_n m r omega^2 where the engine `counts_in_orders`, else of m r omega^2.
+    """
+    plane = layout.mean_station if reference is None else reference
+    ones, arms = [Fraction(1)] * len(layout.cylinders), [c.station - plane for c in layout.cylinders]
+    turning, apart = layout.rotors, layout.counts_in_orders
+    force, couple = (cylinder_spectrum(layout, order, weights) for weights in (ones, arms))
+    about = with_rotors(couple, turning, order, plane, apart)
+    return with_rotors(force, turning, order, None, apart), about
+
+
+def cylinder_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
+    """Return the sum of weight times every cylinder's force, to an order, less what turns steadily."""
+    if not layout.counts_in_orders:
+        return _spectrum_of(moving_masses(layout), layout, order, weights)
+    return geometry(layout, [n for n in range(1, order + 1) if surviving(n)], weights)
+
+
+def link_pin_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
+    """Return the part of `cylinder_spectrum` that masses on link pins add, in m r omega^2."""
+    if not any(has_link_pin(c.mechanism) and c.rotating_mass for c in layout.cylinders):
+        return Spectrum({})
+    on_pins = (mass for mass in moving_masses(layout) if mass.on_link_pin)
+    return _spectrum_of(on_pins, layout, order, weights)
+
+
+def _spectrum_of(
+    masses: Iterable[MovingMass], layout: Engine, order: int, weights: Sequence[Fraction]
+) -> Spectrum:
+    weight = {c.number: w for c, w in zip(layout.cylinders, weights, strict=True)}
+    total: dict[int, DecimalPhasor] = {}
+    for mass in masses:
+        own = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
+        forces = mass.force(order)
+        exact = _exact_terms(mass.cylinders, layout.modulus, range(1, order + 1), own)
+        for n, phasor in exact.items():
+            if n not in forces:
+                continue
+            with mp.workdps(DIGITS):
+                part = DecimalPhasor(decimal(phasor) * forces[n])
+            total[n] = total[n] + part if n in total else part
+    numbers: dict[int, Number] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
+    return Spectrum(numbers)
+
+
+def left_out_above(layout: Engine, order: int, weights: Sequence[Real]) -> Real:
+    """Return a proved bound on the sum of |weight| times every cylinder's harmonics above `order`.
+
+    In units of m r omega^2 of cylinder 1: the sum of |w_j| s_j times each moving mass's tail.
+    """
+    weight = {c.number: abs(w) for c, w in zip(layout.cylinders, weights, strict=True)}
+    total = mp.mpf(0)
+    for mass in moving_masses(layout):
+        reach = mp.fsum(
+            weight[c.number] * real(s) for c, s in zip(mass.cylinders, mass.shares, strict=True)
+        )
+        total += mass.tail(order) * reach
+    return total
+
+
+def geometry(layout: Engine, orders: Sequence[int], weights: Sequence[Fraction]) -> Spectrum:
+    """Return the sum over cylinders of weight times the unit order n, for each of `orders`.
+
+    >>> from symbalance.engine.builders import inline
+    >>> geometry(inline("1-2-3-4-5-6-7"), range(1, 15), [Fraction(1)] * 7).orders()
+    [7, 14]
+    """
+    modulus = layout.modulus  # refuses angles too fine together, beside symbols too
+    if not layout.has_symbols:
+        return Spectrum(_exact_terms(layout.cylinders, modulus, orders, weights))
+    return _with_symbols(layout.cylinders, orders, weights)
+
+
+def _exact_terms(
+    cylinders: Sequence[Cylinder], modulus: int, orders: Sequence[int], weights: Sequence[Fraction]
+) -> dict[int, Phasor]:
+    denominator = lcm(*(w.denominator for w in weights))
+    rows = [
+        (_units(c.bank.turns, modulus), _units(c.delay.turns, modulus), int(w * denominator))
+        for c, w in zip(cylinders, weights, strict=True)
+        if w
+    ]
+    half = Fraction(1, 2 * denominator)
+    seen: dict[int, Phasor] = {}  # a sum depends on its order modulo m only
+    terms: dict[int, Phasor] = {}
+    for n in orders:
+        for signed in (n, -n):
+            residue = signed % modulus
+            if residue not in seen:
+                total = Phasor.of(modulus, _summed(rows, residue, modulus))
+                seen[residue] = ZERO if total.is_zero() else total.scaled(half)
+            if seen[residue] is not ZERO:
+                terms[signed] = seen[residue]
+    return terms
+
+
+def _units(turns: Fraction, modulus: int) -> int:
+    return turns.numerator * (modulus // turns.denominator)
+
+
+def _summed(rows: Iterable[tuple[int, int, int]], n: int, modulus: int) -> dict[int, int]:
+    total: dict[int, int] = {}
+    for bank, delay, weight in rows:
+        exponent = (bank + n * delay) % modulus
+        total[exponent] = total.get(exponent, 0) + weight
+    return total
+
+
+def _with_symbols(
+    cylinders: Sequence[Cylinder], orders: Sequence[int], weights: Sequence[Fraction]
+) -> Spectrum:
+    terms: dict[int, Number] = {}
+    for n in orders:
+        for signed in (n, -n):
+            total = SymbolicPhasor({})
+            for cylinder, weight in zip(cylinders, weights, strict=True):
+                turned = cylinder.bank + cylinder.delay.scaled(signed)
+                part: SymbolPart = turned.symbols
+                phasor = Phasor.root(turned.turns).scaled(weight * HALF)
+                total = total + SymbolicPhasor.of({part: phasor})
+            terms[signed] = total
+    return Spectrum.of(terms)
+
+
+def turning_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
+    """Return what rotors and masses on link pins add to the force, or to the couple about `plane`."""
+    weights = [Fraction(1) if plane is None else c.station - plane for c in layout.cylinders]
+    pins = link_pin_spectrum(layout, highest, weights)
+    return with_rotors(pins, layout.rotors, highest, plane, layout.counts_in_orders)
+
+
+def with_rotors(
+    vector: Spectrum, turning: Sequence[Rotor], highest: int, plane: Fraction | None, apart: bool
+) -> Spectrum:
+    """Return a force, or a couple about `plane`, with that of what turns added to it.
+
+    `apart` says that components are exact; else they are decimals.
+    """
+    if not turning:
+        return vector
+    total = dict(vector.terms)
+    for n, number in rotor_spectrum(turning, highest, plane).terms.items():
+        total[n] = added(total[n], number) if n in total else number
+    if not apart:
+        total = {n: _decimal(number) for n, number in total.items()}
+    return Spectrum.of(total)
+
+
+def rotor_spectrum(turning: Sequence[Rotor], highest: int, plane: Fraction | None) -> Spectrum:
+    """Return what turns adds to the force, or to the couple about `plane`, up to an order.
+
+    >>> from symbalance.engine.balancers import Counterweight
+    >>> from symbalance.engine.builders import inline
+    >>> single = inline("1").balanced_by(Counterweight(throw=1, overbalance="1/2"))
+    >>> rotor_spectrum(single.rotors, 12, None).component(1, "vertical").cos
+    -1/2
+    """
+    total: dict[int, Number] = {}
+    for rotor in turning:
+        if abs(rotor.speed) <= highest:
+            arm = Fraction(1) if plane is None else rotor.station - plane
+            part = rotor.vector.scaled(arm)
+            total[rotor.speed] = added(total[rotor.speed], part) if rotor.speed in total else part
+    return Spectrum.of(total)
+
+
+def _decimal(number: Number) -> DecimalPhasor:
+    return number if isinstance(number, DecimalPhasor) else DecimalPhasor(decimal(number))

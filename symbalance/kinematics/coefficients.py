@@ -1,0 +1,59 @@
+"""The coefficients that all like cylinders have in common: A_n of the force, t_n, u_n, k_n of torques.
+
+Of centred cylinders that are alike, an order of the engine is one such coefficient, which is the
+kinematics of one cylinder, times a sum over angles, which is geometry: the two are shown apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.kinematics.inertia import default_power as torque_power
+from symbalance.kinematics.inertia import torque_series, torque_values
+from symbalance.kinematics.rod import (
+    rocking_couple_series,
+    rocking_couple_values,
+    rod_torque_series,
+    rod_torque_values,
+)
+from symbalance.kinematics.slider_crank import Series, acceleration_series, acceleration_values
+from symbalance.text.numbers import Real
+
+
+@dataclass(frozen=True)
+class Kinematics:
+    """The coefficients of one cylinder: letter, unit, series through a power, values, usual power.
+
+    `series(n, power)` is the coefficient of order n through (1/lambda)^power, `values(order, ratio,
+    digits)` maps every n to its value exact in lambda, `power(n)` is the power that keeps two terms.
+    """
+
+    letter: str
+    unit: str
+    series: Callable[[int, int], Series]
+    values: Callable[[int, Fraction, int], dict[int, Real]]
+    power: Callable[[int], int]
+
+
+def force_power(order: int) -> int:
+    """Return the power of 1/lambda that keeps two terms of A_order (A_1 = 1 has but one)."""
+    return order + 1 if order > 1 else 0
+
+
+def rod_power(order: int) -> int:
+    """Return the power of 1/lambda that keeps two terms of u_order."""
+    return 6 if order == 2 else order + 2
+
+
+def rocking_power(order: int) -> int:
+    """Return the power of 1/lambda that keeps two terms of k_order."""
+    return order + 2
+
+
+OF_RODS = "J_x omega^2"
+FORCE = Kinematics("A", "m r omega^2", acceleration_series, acceleration_values, force_power)
+INERTIA = Kinematics("t", "m r^2 omega^2", torque_series, torque_values, torque_power)
+RODS = Kinematics("u", OF_RODS, rod_torque_series, rod_torque_values, rod_power)
+ROCKING = Kinematics("k", OF_RODS, rocking_couple_series, rocking_couple_values, rocking_power)

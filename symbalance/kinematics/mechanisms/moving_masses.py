@@ -1,0 +1,93 @@
+r"""The force of every mass that a mechanism moves: at its piston, and at its link pin.
+
+A mass whose place is w(p) = sum of w_n e^(inp) over r (height + i lateral, in the cylinder's frame)
+pushes with -w'' = sum of n^2 w_n e^(inp), in m r omega^2.
+
+- The piston moves along the axis: w is real, n^2 w_n = (A_n - i B_n)/2, and w_-n = conj(w_n).
+- A mass on the crank pin has w = e^(ip): it turns steadily.
+- A link pin stands at w = e^(ip) + L e^(i (chi - phi(p + D))), phi the master rod's angle, lam and eps
+  its ratio and offset. With q = p + D, e^(-i phi(q)) = cos phi - i sin phi, where cos phi =
+  (y(q) - cos q)/lam of the master's height y, and sin phi = (sin q - eps)/lam: known harmonics.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from mpmath import mp
+
+from symbalance.exact.decimal_phasor import DIGITS
+from symbalance.kinematics.mechanisms.fourier import force_harmonics, series_of
+from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank, plain
+from symbalance.kinematics.mechanisms.tails import force_tail
+from symbalance.kinematics.slider_crank import acceleration_values
+from symbalance.text.numbers import Real, real
+
+
+def piston_force(mechanism: Mechanism, order: int) -> dict[int, Real]:
+    """Return n -> f_n = A_n - i B_n, n = 1..order, to 40 digits; orders that symmetry removes are absent.
+
+    >>> [(n, mp.nstr(f.real, 6)) for n, f in piston_force(SliderCrank(4), 4).items()]
+    [(1, '1.0'), (2, '0.254025'), (4, '-0.00409811')]
+    """
+    mechanism = plain(mechanism)
+    with mp.workdps(DIGITS):  # mpc rounds to the working precision, whatever the caller's is
+        if isinstance(mechanism, SliderCrank) and mechanism.is_centred:
+            values = acceleration_values(order, mechanism.ratio, DIGITS)
+            return {n: mp.mpc(a) for n, a in values.items() if n <= order}
+        return {n: mp.mpc(a, -b) for n, (a, b) in force_harmonics(mechanism, order, DIGITS).items()}
+
+
+def has_link_pin(mechanism: Mechanism | None) -> bool:
+    """Tell whether the rod hangs on a pin beside the crank pin, which moves with the master rod."""
+    return isinstance(mechanism, LinkRod) and mechanism.link_radius != 0
+
+
+def link_pin_path(mechanism: LinkRod, order: int, digits: int = DIGITS) -> dict[int, Real]:
+    """Return n -> w_n, |n| <= order, of a link pin's place as seen from the crank pin, over r.
+
+    >>> pin = link_pin_path(LinkRod(SliderCrank(4), "1/9", "3/4", "13/4", "1/9"), 2)
+    >>> [mp.nstr(pin[n].real, 6) for n in (-2, -1, 0, 1, 2)]
+    ['0.00103385', '0.0718167', '0.73814', '-0.0718167', '0.00103385']
+    """
+    master, turn = mechanism.master, mechanism.bank_difference
+    heights = series_of(master, order, digits, "height")
+    with mp.workdps(digits + 10):
+        length, aside = real(master.ratio), real(master.offset)
+        arm = real(mechanism.link_radius) * mp.expjpi(2 * real(mechanism.lead))
+        half = mp.mpf(1) / 2
+        path = {}
+        for n in range(-order, order + 1):
+            height = heights.get(abs(n), mp.mpc(0))
+            cosine = mp.conj(height) if n < 0 else height
+            if abs(n) == 1:
+                cosine -= half
+            sine = {1: mp.mpc(0, -half), -1: mp.mpc(0, half), 0: mp.mpc(-aside)}.get(n, mp.mpc(0))
+            swung = (cosine - mp.mpc(0, 1) * sine) / length
+            if swung:
+                path[n] = arm * swung * mp.expjpi(2 * real(n * turn))
+        return path
+
+
+def link_pin_force(mechanism: Mechanism | None, order: int) -> dict[int, Real]:
+    """Return n -> n^2 w_n, 0 < |n| <= order, of a mass on the link pin less that of one on the crank pin.
+
+    In m r omega^2, to 40 digits; empty where the rod runs on the crank pin.
+    """
+    if not isinstance(mechanism, LinkRod) or not has_link_pin(mechanism):
+        return {}
+    path = link_pin_path(mechanism, order)
+    with mp.workdps(DIGITS):
+        return {n: n * n * w for n, w in path.items() if n}
+
+
+def link_pin_tail(mechanism: Mechanism | None, order: int) -> Real:
+    """Return a proved bound on the sum of |n^2 w_n|, |n| > order >= 1, of the link pin's force.
+
+    Above order 1 n^2 w_n is L/lam times the master piston's, whose bound is `force_tail`.
+    """
+    if not isinstance(mechanism, LinkRod) or not has_link_pin(mechanism):
+        return mp.mpf(0)
+    with mp.workdps(DIGITS):
+        scale = mechanism.link_radius / Fraction(mechanism.master.ratio)
+        return force_tail(mechanism.master, order) * real(scale)
