@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,19 @@ from symbalance.text.files import read_text
 from symbalance.text.sections import Section, read_sections
 
 LINK = ("master", "link_angle", "link_radius")
+
+
+SCHEMA = "engine-file.schema.json"
+
+
+def schema_text() -> str:
+    """Return the JSON Schema of engine files (draft 2020-12), which editors check them by.
+
+    >>> import json
+    >>> json.loads(schema_text())["properties"]["strokes"]["enum"]
+    [2, 4]
+    """
+    return (files("symbalance.engine") / SCHEMA).read_text(encoding="utf-8")
 
 
 def read_engine_file(path: str | Path) -> Engine:

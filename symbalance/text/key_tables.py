@@ -300,11 +300,22 @@ class TableKeys:
         return lines
 
 
+def json_schema(keys: TableKeys, name: str, title: str, description: str) -> Schema:
+    """Return the JSON Schema of a file; `name` is its identifier, a URI."""
+    head = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$id": name,
+        "title": title,
+        "description": description,
+    }
+    return {**head, **keys.schema()}
+
+
 def _row(key: Key) -> str:
     default = "**required**" if key.required else key.fallback
     if isinstance(key.kind, TableKeys):
         value = "list of tables" if key.listed else "table"
     else:
-        value = " ".join(p for p in (key.kind.words, key.kind.range) if p)
+        value = f"{key.kind.words} {key.kind.range}".strip()
     cells = (f"`{key.name}`", value, key.unit.name, default, key.meaning)
     return f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |"

@@ -188,7 +188,7 @@ class Text:
     @property
     def range(self) -> str:
         """How long it may be."""
-        return "" if self.longest is None else f"one line of 1 to {self.longest} characters"
+        return "" if self.longest is None else f"in one line of 1 to {self.longest} characters"
 
     def schema(self) -> Schema:
         """Return the schema; control characters are left to the reader, but for the ends of lines."""
@@ -209,18 +209,18 @@ class Choice:
 
     @property
     def words(self) -> str:
-        """Text or a whole number, as the values are."""
-        return "text" if isinstance(self.values[0], str) else "whole number"
+        """The values."""
+        return " or ".join(_quoted(v) for v in self.values)
 
     @property
     def plural(self) -> str:
         """The same of several."""
-        return f"{self.words}s"
+        return f"values {self.words}"
 
     @property
     def range(self) -> str:
-        """The values."""
-        return " or ".join(_quoted(v) for v in self.values)
+        """Nothing more: `words` are the values."""
+        return ""
 
     def read(self, value: object, name: str, remedy: str) -> Any:
         """Return the value, or refuse another one, or one of another type."""
@@ -264,7 +264,8 @@ class ListOf:
     @property
     def range(self) -> str:
         """The range of each element, and how many there must be."""
-        return "; ".join(p for p in (self.kind.range, "one or more" if self.least else "") if p)
+        parts = (*self.kind.range.split("; "), "one or more" if self.least else "")
+        return "; ".join(dict.fromkeys(p for p in parts if p))
 
     def read(self, value: object, name: str, remedy: str) -> list[Any]:
         """Return the elements, each read as its kind is; a refusal says which by its number."""

@@ -131,7 +131,7 @@ CRANKSHAFT = TableKeys(
         Key("pulley", _disc("pulley", "What turns at the front end."), "At the front end"),
         Key("flywheel", _disc("flywheel", "What turns at the rear end."), "At the rear end"),
     ),
-    meaning="The crankshaft's shape, for `symbalance crankshaft`, as the two tables below.",
+    meaning="The crankshaft's shape, for `symbalance crankshaft`.",
 )
 
 BEARINGS = TableKeys(
@@ -179,7 +179,7 @@ BEARINGS = TableKeys(
         Together(("housing_vertical", "housing_lateral"), "in N/m"),
         Needs("housing_damping", "housing_vertical", "add housing_vertical = ..., in N/m"),
     ),
-    "The main bearings: one number for all, or a list from the front.",
+    "The main bearings, for `symbalance crankshaft`: one number for all, or a list from the front.",
 )
 
 STRENGTH = TableKeys(
@@ -305,7 +305,7 @@ RUNNING = TableKeys(
             "give one or the other",
         ),
     ),
-    "How the engine runs.",
+    "How the engine runs, for `symbalance crankshaft`.",
 )
 
 FILE_KEYS = ENGINE_FILE.with_kinds({"crankshaft": CRANKSHAFT, "bearings": BEARINGS, "running": RUNNING})
