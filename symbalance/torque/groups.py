@@ -15,20 +15,17 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
-from symbalance.exact.arithmetic import decimal
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
 from symbalance.kinematics.mechanisms.moving_masses import has_link_pin
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import Complex
 from symbalance.torque.stars import summed
 
-Part = tuple[tuple[Cylinder, ...], Mapping[int, Real], Fraction]
+Part = tuple[tuple[Cylinder, ...], Mapping[int, Complex], Fraction]
 """Like cylinders, n -> C + iS of one of them, and what that is multiplied with."""
 
 
@@ -100,13 +97,12 @@ def summed_groups(parts: Iterable[Part]) -> dict[int, Component]:
         for n, number in harmonics.items() if weight else ():
             star = star_number(cylinders, n)
             if number and star:
-                with mp.workdps(DIGITS):
-                    part = DecimalPhasor(number * star * real(weight))
+                part = DecimalPhasor(number * star * weight)
                 total[n] = total[n] + part if n in total else part
     return {n: Component(total[n]) for n in sorted(total) if not total[n].is_zero()}
 
 
-def star_number(cylinders: tuple[Cylinder, ...], n: int) -> Real:
+def star_number(cylinders: tuple[Cylinder, ...], n: int) -> Complex:
     """Return the sum of e^(-i n delta_j), an exact 0 where it vanishes."""
     star = summed([c.delay.scaled(-n) for c in cylinders])
-    return mp.mpf(0) if star.is_zero() else decimal(star)
+    return Complex(0) if star.is_zero() else star.evaluated()
