@@ -40,9 +40,7 @@ def coefficient(n: int, ratio):
 
 def size(vector):
     """Return a weight's size and direction, as one complex number."""
-    from symbalance.exact.arithmetic import decimal
-
-    return decimal(vector)
+    return mp.mpc(vector.evaluated())
 
 
 def turning(layout: sb.Engine):

@@ -31,7 +31,6 @@ from symbalance.engine.engine import Engine
 from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.exact.phasor import ONE, Phasor
 from symbalance.exact.radicals import (
-    evaluated,
     exact_form,
     radical_form,
     square_root_form,
@@ -192,14 +191,14 @@ def close(expression: sympy.Expr, expected: mp.mpf) -> bool:
 
 @given(reals())
 def test_a_real_number_and_its_expression_agree(number: Phasor) -> None:
-    assert close(exact_form(number), evaluated(number, 35))
+    assert close(exact_form(number), number.real_value(35))
 
 
 @settings(max_examples=25)
 @given(reals())
 def test_cosines_and_radicals_are_one_number(number: Phasor) -> None:
     small = number.primitive()
-    expected = evaluated(small, 35)
+    expected = small.real_value(35)
     assert close(trigonometric_form(small), expected)
     radicals = radical_form(small)
     if radicals is not None:
@@ -212,7 +211,7 @@ def test_radicals_where_they_exist(modulus: int) -> None:
     for k in range(modulus):
         cosine = Phasor.of(modulus, {k: 1}).real()
         assert not exact_form(cosine).has(sympy.cos, sympy.sin)
-        assert close(exact_form(cosine), evaluated(cosine, 35))
+        assert close(exact_form(cosine), cosine.real_value(35))
 
 
 @pytest.mark.parametrize("modulus", [7, 9, 11, 13, 17, 32])
@@ -229,13 +228,13 @@ def test_a_square_root_is_the_root_of_the_square(number: Phasor) -> None:
     assume(not number.is_zero())
     square = number.times(number.conjugate())
     with mp.workdps(45):
-        expected = mp.sqrt(evaluated(square, 40))
+        expected = mp.sqrt(square.real_value(40))
     assert close(square_root_form(square), expected)
 
 
 @given(reals(), st.integers(5, 60))
 def test_a_decimal_has_the_digits_it_promises(number: Phasor, digits: int) -> None:
-    few, many = evaluated(number, digits), evaluated(number, 2 * digits + 20)
+    few, many = number.real_value(digits), number.real_value(2 * digits + 20)
     with mp.workdps(200):
         assert abs(few - many) <= abs(many) * mp.mpf(10) ** -digits
 
@@ -249,7 +248,7 @@ def test_a_decimal_survives_any_cancellation(n: int) -> None:
         power = power.times(base)
     with mp.workdps(60):
         expected = (2 * mp.cospi(mp.mpf(4) / 15) - 2) ** n
-        assert abs(evaluated(power, 30) / expected - 1) < mp.mpf(10) ** -29
+        assert abs(power.real_value(30) / expected - 1) < mp.mpf(10) ** -29
 
 
 # Engines ------------------------------------------------------------------------------------------

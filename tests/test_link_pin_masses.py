@@ -12,7 +12,6 @@ from link_pins import force_series, torque_and_moment
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.design.variations.sensitivity import evaluated_number
 from symbalance.design.variations.weighed import parse_parts
 from symbalance.engine.engine_file import parse_engine
 from symbalance.engine.trains import OWN
@@ -136,7 +135,7 @@ def test_forces_and_couples_have_what_link_pins_add_to_the_crank_pins_circle(cas
 
 def complex_of(spectrum, n: int) -> complex:
     number = spectrum.terms.get(n)
-    return 0j if number is None else complex(evaluated_number(number))
+    return 0j if number is None else complex(number.evaluated())
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Protocol
 
-from mpmath import mp
-
 from symbalance.codegen.waves import (
     ACCELERATION,
     COUPLE,
@@ -27,8 +25,8 @@ from symbalance.forces.planar_vectors import left_out_above
 from symbalance.forces.resultants import Balance, balance
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, acceleration_values, checked_ratio
 from symbalance.kinematics.truncation import left_out
-from symbalance.text.numbers import Real, listed, real
-from symbalance.text.reals import DIGITS
+from symbalance.text.numbers import listed
+from symbalance.text.reals import DIGITS, Real, cospi, fsum, ldexp, sinpi
 from symbalance.torque.groups import has_common_torque
 
 PISTON = ("displacement", "velocity", "acceleration")
@@ -52,7 +50,7 @@ UNITS = {
 }
 FIRST_TRY = 48
 """Orders looked at first for a tolerance; enough for any engine's rod ratio."""
-NOTHING = mp.mpf(10) ** (5 - DIGITS)
+NOTHING = Fraction(1, 10 ** (DIGITS - 5))
 """Weights smaller than this are rounding of weights that cancel."""
 
 
@@ -108,8 +106,7 @@ def truncated(result: Balance, names: Iterable[str], ratio: Fraction) -> tuple[W
 
     Orders too small to show in a double, together 2^-57 of the largest, are dropped.
     """
-    with mp.workdps(DIGITS + 10):
-        return tuple(_Asked(result, name, ratio).truncated() for name in names)
+    return tuple(_Asked(result, name, ratio).truncated() for name in names)
 
 
 def within(result: Balance, names: Iterable[str], ratio: Fraction, tolerance: float) -> tuple[Wave, ...]:
@@ -118,8 +115,7 @@ def within(result: Balance, names: Iterable[str], ratio: Fraction, tolerance: fl
     The unit of `tolerance` is the output's with every keyword 1: m r omega^2, times a for couples. 0 asks
     for everything that can show in a double: the bound then is 2^-57 of the largest harmonic.
     """
-    with mp.workdps(DIGITS + 10):
-        return tuple(_Asked(result, name, ratio).within(tolerance) for name in names)
+    return tuple(_Asked(result, name, ratio).within(tolerance) for name in names)
 
 
 @dataclass(frozen=True)
@@ -153,13 +149,13 @@ class _Asked:
     def within(self, tolerance: float) -> Wave:
         if self.part in ("displacement", "velocity"):
             return self.truncated()
-        order, bound = min(FIRST_TRY + self.fastest(), HIGHEST_ORDER), mp.inf
+        order = min(FIRST_TRY + self.fastest(), HIGHEST_ORDER)
         while True:
             terms, beyond = self.terms(order), self.beyond(order)
             sizes = [t.size for t in terms]
-            wanted = tolerance or mp.ldexp(max(sizes, default=mp.mpf(0)), -57)
+            wanted, bound = tolerance or ldexp(max(sizes, default=Real(0)), -57), fsum(sizes) + beyond
             for kept in range(len(sizes) + 1):
-                bound = mp.fsum(sizes[kept:]) + beyond
+                bound = fsum(sizes[kept:]) + beyond
                 if bound <= wanted or not sizes:
                     through = int(terms[kept - 1].order) if kept else 0
                     closed = self.closed() if kept else None
@@ -218,7 +214,7 @@ class _Asked:
         """Return a proved bound on what all orders above `order` add to the output."""
         weights = self._weights()
         if self.result.kinematics:
-            return mp.fsum(abs(w) for w in weights) * left_out(order, self.ratio)
+            return fsum(abs(w) for w in weights) * left_out(order, self.ratio)
         layout = self.result.layout
         parts = [
             weight * self._onto(cylinder)
@@ -226,11 +222,11 @@ class _Asked:
         ]
         return left_out_above(layout, order, parts)
 
-    def _onto(self, cylinder: Cylinder) -> Real:
+    def _onto(self, cylinder: Cylinder) -> Real | Fraction:
         """Return how much of a cylinder's force the output can hold at most."""
         if self.part not in ("vertical", "lateral"):
-            return mp.mpf(1) / 2
-        return (mp.cospi if self.part == "vertical" else mp.sinpi)(2 * real(cylinder.bank.turns))
+            return Fraction(1, 2)
+        return (cospi if self.part == "vertical" else sinpi)(2 * cylinder.bank.turns)
 
     def closed(self) -> Closed | None:
         """Return the closed form of every order at once; the forward and backward parts have none."""
@@ -239,42 +235,41 @@ class _Asked:
             kind = "secondary" if self.part == "acceleration" else self.part
             turns = self.result.layout.first.delay.turns
             first = self.terms(1) if kind == "secondary" else ()
-            return Closed(kind, self.ratio, ((mp.mpf(1), turns),), first)
+            return Closed(kind, self.ratio, ((Real(1), turns),), first)
         alone = self.result.kinematics and self.fastest() <= 1
         if self.part not in ("vertical", "lateral") or not alone:
             return None
         merged: dict[Fraction, Real] = {}
         for weight, cylinder in zip(self._weights(), cylinders, strict=True):
             turns = cylinder.delay.turns % Fraction(1, 2)
-            merged.setdefault(turns, mp.mpf(0))
-            merged[turns] += weight * self._onto(cylinder)
+            merged[turns] = merged.get(turns, Real(0)) + weight * self._onto(cylinder)
         places = tuple((w, turns) for turns, w in sorted(merged.items()) if abs(w) > NOTHING)
         return Closed("secondary", self.ratio, places, self.terms(1)) if places else None
 
     def _weights(self) -> list[Real]:
         cylinders = self.result.layout.cylinders
         if self.kind == "piston":
-            return [mp.mpf(1)]
+            return [Real(1)]
         if self.kind == "force":
-            return [mp.mpf(1)] * len(cylinders)
+            return [Real(1)] * len(cylinders)
         reference = self.result.reference
         plane = self.result.layout.mean_station if reference is None else reference
         arms = (c.station - plane for c in cylinders)
-        return [real(arm) for arm in arms]
+        return [Real(arm) for arm in arms]
 
 
 def shown_terms(terms: tuple[Term, ...]) -> tuple[Term, ...]:
     """Return the harmonics without the last ones that cannot show in a double: 2^-57 of the largest."""
     sizes = [t.size for t in terms]
-    least = mp.ldexp(max(sizes, default=mp.mpf(0)), -57)
-    kept = next(i for i in range(len(terms) + 1) if mp.fsum(sizes[i:]) <= least)
+    least = ldexp(max(sizes, default=Real(0)), -57)
+    kept = next(i for i in range(len(terms) + 1) if fsum(sizes[i:]) <= least)
     return terms[:kept]
 
 
 def _turned(n: int, coefficient: Real, turns: Fraction) -> Term:
     """Return coefficient * cos n (theta + 2 pi turns)."""
-    turned = 2 * real(n * turns)
-    return Term(Fraction(n), coefficient * mp.cospi(turned), -coefficient * mp.sinpi(turned))
+    turned = 2 * n * turns
+    return Term(Fraction(n), coefficient * cospi(turned), -coefficient * sinpi(turned))
 
 
 def upward(bound: Real) -> float:

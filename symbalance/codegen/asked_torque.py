@@ -10,16 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.codegen.asked import shown_terms, upward
 from symbalance.codegen.waves import RODS, TORQUE, TORQUE_ITSELF, TORQUE_PER_RADIUS, Term, Wave
 from symbalance.errors import SymbalanceError
 from symbalance.forces.resultants import Balance
 from symbalance.kinematics.inertia import torque_left_out
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
-from symbalance.text.numbers import Real
-from symbalance.text.reals import DIGITS
+from symbalance.text.reals import DIGITS, Real, fsum, ldexp
 from symbalance.torque import CrankTorque, TorqueBalance, inertia_torque, rod_torque, roll_moment
 from symbalance.torque.groups import has_common_torque
 from symbalance.torque.roll import MILLI, first_excess
@@ -53,17 +50,16 @@ def torque_wave(result: Result, name: str, ratio: Fraction, order: int, toleranc
 
     The tolerance's unit is that of the torque with every keyword 1.
     """
-    with mp.workdps(DIGITS + 10):
-        if name in (GAS, TOTAL):
-            return _running(_checked_running(result, name), name, order, tolerance)
-        if tolerance is None:
-            return _to(result, name, ratio, order, order)
-        if name == INERTIA and has_common_torque(result.layout):
-            return _within(result, ratio, tolerance)
-        if tolerance:
-            rule = f"has no proven bound for {name} here"
-            raise SymbalanceError(f"tolerance = {tolerance:g}", rule, "give the highest order instead")
-        return _to(result, name, ratio, MANY_ORDERS, order)
+    if name in (GAS, TOTAL):
+        return _running(_checked_running(result, name), name, order, tolerance)
+    if tolerance is None:
+        return _to(result, name, ratio, order, order)
+    if name == INERTIA and has_common_torque(result.layout):
+        return _within(result, ratio, tolerance)
+    if tolerance:
+        rule = f"has no proven bound for {name} here"
+        raise SymbalanceError(f"tolerance = {tolerance:g}", rule, "give the highest order instead")
+    return _to(result, name, ratio, MANY_ORDERS, order)
 
 
 def _to(result: Result, name: str, ratio: Fraction, order: int, asked: int) -> Wave:
@@ -79,26 +75,25 @@ def _wave(name: str, **fields: object) -> Wave:
 def _terms(result: Result, name: str, ratio: Fraction, order: int) -> tuple[Term, ...]:
     makers: dict[str, Callable[..., TorqueBalance]]
     makers = {INERTIA: inertia_torque, ROD: rod_torque, FRAME: roll_moment}
-    layout, scale = result.layout, mp.mpf(1)
+    layout, scale = result.layout, Fraction(1)
     if has_common_torque(layout):
         layout = layout.with_ratio(ratio)
     if name == ROD:
-        excess = first_excess(layout)
-        scale = mp.mpf(excess.numerator) / excess.denominator / MILLI**2
+        scale = first_excess(layout) / MILLI**2
     found = makers[name](layout, order).terms(digits=DIGITS)
     return tuple(Term(n, cos * scale, sin * scale) for n, cos, sin in found)
 
 
 def _within(result: Result, ratio: Fraction, tolerance: float) -> Wave:
     """Return like cylinders' inertia torque with the fewest orders whose proven bound is within reach."""
-    count, order, bound = len(result.layout.cylinders), FIRST_TRY, mp.inf
+    count, order = len(result.layout.cylinders), FIRST_TRY
     while True:
         terms = _terms(result, INERTIA, ratio, order)
         beyond = count * torque_left_out(order, ratio)
         sizes = [t.size for t in terms]
-        wanted = tolerance or mp.ldexp(max(sizes, default=mp.mpf(1)), -57)
+        wanted, bound = tolerance or ldexp(max(sizes, default=Real(1)), -57), fsum(sizes) + beyond
         for kept in range(len(sizes) + 1):
-            bound = mp.fsum(sizes[kept:]) + beyond
+            bound = fsum(sizes[kept:]) + beyond
             if bound <= wanted:
                 through = int(terms[kept - 1].order) if kept else 0
                 return _wave(INERTIA, terms=terms[:kept], through=through, left_out=upward(bound))
@@ -124,6 +119,5 @@ def _running(made: CrankTorque, name: str, order: int, tolerance: float | None) 
     found, mean, scale = made.terms(order), made.mean, 1.0
     if name == GAS:
         found, scale = made.gas_terms(order), made.radius
-    terms = tuple(Term(n, mp.mpf(cos) / scale, mp.mpf(sin) / scale) for n, cos, sin in found)
-    real: Real = mp.mpf(mean) / scale
-    return _wave(name, terms=shown_terms(terms), through=order, mean=real)
+    terms = tuple(Term(n, Real(cos) / scale, Real(sin) / scale) for n, cos, sin in found)
+    return _wave(name, terms=shown_terms(terms), through=order, mean=Real(mean) / scale)

@@ -8,12 +8,13 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
-from mpmath import mp
 
 from symbalance.document.expressions import latex, text
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
-from symbalance.exact.spectrum import Component, Number, SymbolicPhasor
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.spectrum import Component
+from symbalance.text.reals import atan2, nstr, pi
 
 LONGEST = 34
 """An exact size whose text is longer than this is printed rounded."""
@@ -80,41 +81,40 @@ def _weight(weight: Weight, style: Style) -> str:
     return f"{_size(weight.vector, weight.in_kg_mm, style)}, station {station}"
 
 
-def _size(vector: Number, in_kg_mm: bool, style: Style) -> str:
+def _size(vector: Amplitude, in_kg_mm: bool, style: Style) -> str:
     printed, unit = size(vector, style), " kg mm" if in_kg_mm else ""
     return f"{'' if in_kg_mm else 'share '}{style.math(printed)}{unit} at {direction(vector, style)}"
 
 
-def size(vector: Number, style: Style = TEXT) -> str:
+def size(vector: Amplitude, style: Style = TEXT) -> str:
     """Return a weight's size: exactly if that is short, else rounded."""
     part = Component(vector)
     exact = style.number(part.amplitude)
     if len(text(part.amplitude)) <= LONGEST and not part.amplitude.has(sympy.Float):
         return exact
-    return exact if isinstance(vector, SymbolicPhasor) else style.nearly + rounded(size_of(vector))
+    return exact if vector.has_symbols else style.nearly + rounded(size_of(vector))
 
 
-def nearly(vector: Number, style: Style = TEXT) -> str:
+def nearly(vector: Amplitude, style: Style = TEXT) -> str:
     """Return a weight's size rounded, empty where the exact one says it all or symbols stand in it."""
     exact = size(vector, style)
-    if isinstance(vector, SymbolicPhasor) or exact.startswith(style.nearly):
+    if vector.has_symbols or exact.startswith(style.nearly):
         return ""
     near = rounded(size_of(vector)).removesuffix(".0")
     return "" if near == exact else near
 
 
-def size_of(vector: Number) -> Any:
+def size_of(vector: Amplitude) -> Any:
     """Return a weight's size in decimals."""
-    with mp.workdps(30):
-        return mp.hypot(*Component(vector).decimal())
+    return vector.size()
 
 
 def rounded(value: Any) -> str:
     """Return a decimal to five digits."""
-    return str(mp.nstr(value, 5))
+    return nstr(value, 5)
 
 
-def direction(vector: Number, style: Style = TEXT) -> str:
+def direction(vector: Amplitude, style: Style = TEXT) -> str:
     """Return a weight's direction in degrees from straight up, rounded where it is no fine fraction.
 
     >>> from symbalance.exact.phasor import Phasor
@@ -125,9 +125,11 @@ def direction(vector: Number, style: Style = TEXT) -> str:
     turned = phase * 180 / sympy.pi
     if turned.is_Rational:
         return style.math(f"{style.number(turned)}{style.degree}")
-    if isinstance(vector, SymbolicPhasor):
+    if vector.has_symbols:
         return style.math(style.number(phase))
-    return style.math(f"{style.nearly}{rounded(mp.mpf(sympy.N(turned, 15)))}{style.degree}")
+    near = vector.evaluated()
+    degrees = atan2(near.imag, near.real) * 180 / pi()
+    return style.math(f"{style.nearly}{rounded(degrees)}{style.degree}")
 
 
 def _rational(number: Fraction | None) -> sympy.Expr:

@@ -16,10 +16,10 @@ from typing import Any
 
 from symbalance.engine.cylinders import Cylinder
 from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle, angle
-from symbalance.exact.decimal_phasor import DecimalPhasor
-from symbalance.exact.phasor import Phasor
-from symbalance.exact.spectrum import Number, SymbolicPhasor
+from symbalance.exact.phasor import ONE, Phasor
+from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, surviving
 from symbalance.text.numbers import LARGEST_QUOTIENT, checked_whole, exact, listed
 
@@ -43,7 +43,7 @@ class Weight:
     """
 
     station: Fraction
-    vector: Number = field(hash=False)
+    vector: Amplitude = field(hash=False)
     in_kg_mm: bool
 
     def __init__(
@@ -58,29 +58,22 @@ class Weight:
         set_field(self, "vector", directed(_size(share, unbalance), angle(phase, "phase")))
 
 
-def _size(share: object, unbalance: object) -> Number:
+def _size(share: object, unbalance: object) -> Amplitude:
     name, value = ("unbalance", unbalance) if share is None else ("share", share)
-    if isinstance(value, Phasor | SymbolicPhasor | DecimalPhasor):
+    if isinstance(value, Amplitude):
         return value
     return Phasor.of(1, {0: exact(value, name, LARGEST_QUOTIENT)})
 
 
-def directed(size: Number, direction: Angle) -> Number:
+def directed(size: Amplitude, direction: Angle) -> Amplitude:
     """Return a number turned by an angle, which may hold symbols."""
     turned = size.turned(direction.turns)
     if not direction.symbols:
         return turned
-    if isinstance(turned, DecimalPhasor):
+    if turned.is_decimal:
         rule = "cannot hold symbols beside a decimal share"
         raise SymbalanceError(f"angle = {direction.as_text()}", rule, "give it in degrees")
-    return times_symbols(turned, direction)
-
-
-def times_symbols(number: Phasor | SymbolicPhasor, direction: Angle) -> SymbolicPhasor:
-    """Return a number times e^(i s), s the symbolic part of an angle."""
-    parts = number.parts if isinstance(number, SymbolicPhasor) else {(): number}
-    only = Angle(Fraction(0), direction.symbols)
-    return SymbolicPhasor.of({(Angle(Fraction(0), s) + only).symbols: p for s, p in parts.items()})
+    return turned.times(SymbolicPhasor.of({direction.symbols: ONE}))
 
 
 @dataclass(frozen=True, init=False)
@@ -259,8 +252,7 @@ class Balancers:
         vectors = [w.vector for s in self.shafts for w in s.weights]
         vectors += [c.weight.vector for c in self.counterweights if c.weight]
         for vector in vectors:
-            parts = vector.parts.values() if isinstance(vector, SymbolicPhasor) else [vector]
-            turned += [p.modulus for p in parts if isinstance(p, Phasor)]
+            turned += vector.moduli
         return turned
 
 

@@ -13,17 +13,17 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from mpmath import mp
-
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.engine.trains import OWN
 from symbalance.errors import SymbalanceError
+from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
-from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import Phasor
-from symbalance.exact.spectrum import Component, Number
+from symbalance.exact.spectrum import Component
+from symbalance.exact.symbolic_phasor import SymbolicPhasor
+from symbalance.text.reals import Real, nstr
 
 DIGITS = 30
 Row = list[tuple[str, Any]]
@@ -161,18 +161,15 @@ def _unit(weight: Weight) -> str:
     return "unbalance" if weight.in_kg_mm else "share"
 
 
-def _simple(vector: Number) -> list[tuple[Fraction | str, Fraction]]:
+def _simple(vector: Amplitude) -> list[tuple[Fraction | str, Fraction]]:
     """Return sizes and degrees of weights that add up to a vector: one, if fractions say it."""
-    if isinstance(vector, DecimalPhasor):
-        rows = zip(vector.parts(), (0, 90), strict=True)
-        return [
-            (str(mp.nstr(x, DIGITS, min_fixed=1, max_fixed=0)), Fraction(degrees))
-            for x, degrees in rows
-            if x
-        ]
-    if not isinstance(vector, Phasor):
+    if vector.is_decimal:
+        value = vector.evaluated()
+        parts = ((value.real, 0), (value.imag, 90))
+        return [(_decimal(x), Fraction(degrees)) for x, degrees in parts if x]
+    if isinstance(vector, SymbolicPhasor):
         _degrees(Angle(Fraction(0), next(s for s in vector.parts if s)))
-        raise AssertionError  # every symbol is refused
+    assert isinstance(vector, Phasor)  # every symbol is refused
     if vector.is_zero():
         return [(Fraction(0), Fraction(0))]
     short = min(vector.primitive(), vector, key=lambda p: len(p.terms))
@@ -186,8 +183,8 @@ def _simple(vector: Number) -> list[tuple[Fraction | str, Fraction]]:
     return [(Fraction(c), Fraction(360 * k, short.modulus)) for k, c in sorted(short.terms.items())]
 
 
-def _decimal(value: Any) -> str:
-    return str(mp.nstr(value, DIGITS, min_fixed=1, max_fixed=0))
+def _decimal(value: Real) -> str:
+    return nstr(value, DIGITS, min_fixed=1, max_fixed=0)
 
 
 def _pi() -> Any:

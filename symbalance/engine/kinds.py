@@ -8,7 +8,7 @@ from fractions import Fraction
 from symbalance.document.decimals import shown
 from symbalance.engine.engine import Engine, Group
 from symbalance.kinematics.mechanisms import LinkRod
-from symbalance.text.numbers import real
+from symbalance.text.reals import Real
 
 MOST_NAMED = 8
 """Cylinders of one kind that are named one by one."""
@@ -97,4 +97,4 @@ def _cells(layout: Engine, group: Group) -> tuple[str, ...]:
 
 
 def _decimal(number: Fraction) -> str:
-    return shown(real(number))
+    return shown(Real(number))

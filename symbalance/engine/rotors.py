@@ -13,16 +13,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from mpmath import mp
-
 from symbalance.engine.balancers import Counterweight, Weight, directed
 from symbalance.errors import SymbalanceError
-from symbalance.exact.arithmetic import decimal
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import Phasor
-from symbalance.exact.spectrum import Number
 from symbalance.kinematics.slider_crank import acceleration_values
-from symbalance.text.numbers import Real
+from symbalance.text.reals import DIGITS, Real
 
 if TYPE_CHECKING:
     from symbalance.engine.engine import Engine
@@ -33,7 +30,7 @@ class Rotor:
     """A vector that turns at `speed` times the crank's speed, at a station, its axis at (x, y) mm."""
 
     speed: int
-    vector: Number
+    vector: Amplitude
     station: Fraction
     x: Fraction = Fraction(0)
     y: Fraction = Fraction(0)
@@ -68,7 +65,7 @@ def _rotating(layout: Engine) -> list[Rotor]:
     return [Rotor(1, directed(Phasor.of(1, {0: s}), c.throw), c.station) for c, s in pairs if s]
 
 
-def _in_units(layout: Engine, weight: Weight, speed: int) -> Number:
+def _in_units(layout: Engine, weight: Weight, speed: int) -> Amplitude:
     """Return a weight's force over the unit of its order; decimals where that is no longer exact."""
     if weight.in_kg_mm:
         unit = layout.unit_unbalance
@@ -79,8 +76,7 @@ def _in_units(layout: Engine, weight: Weight, speed: int) -> Number:
         return weight.vector.scaled(speed * speed / unit)
     if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
         return weight.vector
-    with mp.workdps(DIGITS):
-        return DecimalPhasor(decimal(weight.vector) * share_unit(layout, speed))
+    return DecimalPhasor(weight.vector.evaluated() * share_unit(layout, speed))
 
 
 def share_unit(layout: Engine, speed: int) -> Real:
@@ -90,7 +86,7 @@ def share_unit(layout: Engine, speed: int) -> Real:
     """
     n = abs(speed)
     if n == 1 or not layout.has_common_harmonics:
-        return mp.mpf(1)
+        return Real(1)
     if layout.ratio is None:
         rule, remedy = f"has no rod ratio, and A_{n} depends on it", "give stroke and rod, or ratio"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)

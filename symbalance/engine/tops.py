@@ -11,13 +11,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank, dead_centres
-from symbalance.text.numbers import exact, real
+from symbalance.text.numbers import exact
+from symbalance.text.reals import pi
 
 FINEST = Fraction(1, 1_000_000)
 """Moved dead centres are irrational: they are given to a millionth of a degree."""
@@ -34,8 +33,8 @@ def lead(mechanism: Mechanism) -> Fraction:
     """
     if isinstance(mechanism, SliderCrank) and not mechanism.offset:
         return Fraction(0)
-    with mp.workdps(30):  # whatever precision the caller has set
-        return int(mp.nint(mp.degrees(dead_centres(mechanism).top) / real(FINEST))) * FINEST
+    degrees = dead_centres(mechanism, 30).top * 180 / pi(30)
+    return round(degrees / FINEST) * FINEST
 
 
 def has_moved(layout: Engine) -> bool:

@@ -35,6 +35,10 @@ class Amplitude(ABC):
 
     rank: ClassVar[int]
     """The place among the kinds: of two the higher one can hold the other."""
+    has_symbols: ClassVar[bool] = False
+    """Whether symbols may stand in it, so that it has no decimals."""
+    is_decimal: ClassVar[bool] = False
+    """Whether it is a number of some digits, with no exact form."""
 
     @classmethod
     @abstractmethod
@@ -71,6 +75,16 @@ class Amplitude(ABC):
     @abstractmethod
     def evaluated(self, digits: int = DIGITS) -> Complex:
         """Return the number in decimals, each part to `digits` digits; one with symbols is refused."""
+
+    @property
+    @abstractmethod
+    def most(self) -> float:
+        """The sum of its terms' sizes: of a number of one term its size, of others no less than that."""
+
+    @property
+    @abstractmethod
+    def moduli(self) -> list[int]:
+        """The orders of the cyclotomic fields that its exact parts are numbers of."""
 
     @property
     @abstractmethod

@@ -31,14 +31,15 @@ class DecimalPhasor(Amplitude):
 
     value: Complex
     rank: ClassVar[int] = 2
+    is_decimal: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "value", Complex(self.value))
 
     @classmethod
     def holding(cls, number: Amplitude) -> DecimalPhasor:
-        """Return an exact number in decimals; one with symbols is refused."""
-        return cls(number.evaluated(DIGITS))
+        """Return a number in decimals; one with symbols is refused."""
+        return number if isinstance(number, DecimalPhasor) else cls(number.evaluated(DIGITS))
 
     def is_zero(self) -> bool:
         """Tell whether it is 0 itself, as sums that cancel are."""
@@ -73,10 +74,15 @@ class DecimalPhasor(Amplitude):
         real, imaginary = (x if abs(x) > least else Real(0) for x in (self.value.real, self.value.imag))
         return Complex(real, imaginary)
 
-    def parts(self) -> tuple[Real, Real]:
-        """Return the real and the imaginary part; what is but rounding of the other is 0."""
-        value = self.evaluated()
-        return value.real, value.imag
+    @property
+    def most(self) -> float:
+        """The size."""
+        return float(abs(self.value))
+
+    @property
+    def moduli(self) -> list[int]:
+        """None: it is of no such field."""
+        return []
 
     @property
     def spelling(self) -> object:

@@ -263,6 +263,16 @@ class Phasor(Amplitude):
                 raise AssertionError(f"{self} is called non-zero, and has no digit")
 
     @property
+    def most(self) -> float:
+        """The sum of its terms' sizes."""
+        return sum(abs(float(Fraction(c))) for c in self.terms.values())
+
+    @property
+    def moduli(self) -> list[int]:
+        """The order of its field."""
+        return [self.modulus]
+
+    @property
     def spelling(self) -> object:
         """The terms, in the field they are written in."""
         return self.modulus, frozenset(self.terms.items())

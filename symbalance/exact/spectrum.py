@@ -21,7 +21,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from symbalance.exact.amplitude import QUARTER
+from symbalance.exact.amplitude import QUARTER, Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
@@ -39,10 +39,6 @@ MOST_IN_A_SQUARE = 60
 """An amplitude whose square has more terms is written as the root of C^2 + S^2."""
 
 
-Number = Phasor | SymbolicPhasor | DecimalPhasor
-"""The three kinds of amplitude."""
-
-
 @dataclass(frozen=True, eq=False)
 class Component:
     """One order of one component: C cos n theta + S sin n theta = amplitude cos(n theta - phase).
@@ -54,9 +50,9 @@ class Component:
     (-1, sqrt(3), 2, 2*pi/3)
     """
 
-    number: Number
+    number: Amplitude
 
-    def __getstate__(self) -> dict[str, Number]:
+    def __getstate__(self) -> dict[str, Amplitude]:
         """Leave out the expressions: SymPy evaluates on unpickling what stands here unevaluated."""
         return {"number": self.number}
 
@@ -130,7 +126,7 @@ class Component:
         return value.real, value.imag
 
 
-def _real_form(number: Number) -> sympy.Expr:
+def _real_form(number: Amplitude) -> sympy.Expr:
     """Return the real part as a SymPy expression."""
     if isinstance(number, Phasor):
         return exact_form(number.real())
@@ -138,6 +134,7 @@ def _real_form(number: Number) -> sympy.Expr:
         return _float(number.evaluated().real)
     import sympy
 
+    assert isinstance(number, SymbolicPhasor)
     terms = []
     for symbols, phasor in number.parts.items():
         angle = Angle(Fraction(0), symbols).expression()
@@ -194,13 +191,13 @@ def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:
 class Spectrum:
     """The orders of one planar vector: `terms` maps +n and -n to c_n; orders that vanish are absent."""
 
-    terms: Mapping[int, Number] = field(hash=False)
+    terms: Mapping[int, Amplitude] = field(hash=False)
     _components: dict[tuple[object, object, str], Component] = field(
         default_factory=dict, init=False, compare=False, repr=False
     )
 
     @staticmethod
-    def of(terms: Mapping[int, Number]) -> Spectrum:
+    def of(terms: Mapping[int, Amplitude]) -> Spectrum:
         """Return the spectrum of the terms that are not zero."""
         return Spectrum({n: c for n, c in terms.items() if not c.is_zero()})
 
@@ -240,7 +237,7 @@ class Spectrum:
         return component
 
 
-def _component(forward: Number, backward: Number, name: str) -> Component:
+def _component(forward: Amplitude, backward: Amplitude, name: str) -> Component:
     forward = forward.conjugate()
     match name:
         case "vertical":

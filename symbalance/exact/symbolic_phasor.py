@@ -24,6 +24,7 @@ class SymbolicPhasor(Amplitude):
 
     parts: Mapping[SymbolPart, Phasor] = field(hash=False)
     rank: ClassVar[int] = 1
+    has_symbols: ClassVar[bool] = True
 
     @staticmethod
     def of(parts: Mapping[SymbolPart, Phasor]) -> SymbolicPhasor:
@@ -77,6 +78,16 @@ class SymbolicPhasor(Amplitude):
             return self.parts.get((), ZERO).evaluated(digits)
         rule, remedy = "holds symbols, and has no decimal value", "give the angles in numbers"
         raise SymbalanceError("an angle", rule, remedy)
+
+    @property
+    def most(self) -> float:
+        """The sum of its terms' sizes."""
+        return sum(phasor.most for phasor in self.parts.values())
+
+    @property
+    def moduli(self) -> list[int]:
+        """The order of each part's field."""
+        return [phasor.modulus for phasor in self.parts.values()]
 
     @property
     def spelling(self) -> object:

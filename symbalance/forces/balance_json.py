@@ -10,7 +10,7 @@ import sympy
 
 from symbalance.engine.balancers import Balancers, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
-from symbalance.exact.spectrum import COMPONENTS, Component, SymbolicPhasor
+from symbalance.exact.spectrum import COMPONENTS, Component
 from symbalance.forces.resultants import Balance, Order, Resultant, checked_balance
 from symbalance.forces.roll_rows import roll_rows
 from symbalance.kinematics.mechanisms import LinkRod
@@ -139,7 +139,7 @@ def _resultant(resultant: Resultant) -> dict[str, Any]:
 @lru_cache(maxsize=4096)
 def component_values(component: Component) -> dict[str, Any]:
     """Return a component's values, none of which can be changed: documents share them."""
-    symbolic = isinstance(component.number, SymbolicPhasor) and not component.is_zero()
+    symbolic = component.number.has_symbols and not component.is_zero()
     cos, sin, phase = str(component.cos), str(component.sin), component.phase
     return {
         "cos": cos,

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import re
 
-from mpmath import mp
-
 from symbalance.document.decimals import shown
 from symbalance.document.expressions import latex, ratio_latex
 from symbalance.document.latex_parts import escaped as _escaped
@@ -21,6 +19,7 @@ from symbalance.forces.roll_rows import roll_rows
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, rotating, rows
 from symbalance.forces.wide_formulas import LONGEST_CELL, broken, exact_forms
 from symbalance.kinematics.series_printing import series_latex
+from symbalance.text.reals import Real
 
 LONGEST_SERIES = 160
 LONGEST_NUMERATOR = 30
@@ -201,8 +200,7 @@ def _series(order: Order) -> str:
     power, lead = min(order.coefficient.terms.items())
     if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
         return series_latex(order.coefficient, ellipsis=True)
-    with mp.workdps(30):  # whatever precision the caller has set
-        rounded = _number(shown(mp.mpf(lead.numerator) / lead.denominator))
+    rounded = _number(shown(Real(lead)))
     return rf"{rounded}\ldots\,\lambda^{{-{power}}} + \cdots"
 
 

@@ -19,20 +19,19 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
 
-from mpmath import mp
-
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import Rotor
 from symbalance.errors import SymbalanceError
+from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import SymbolPart
-from symbalance.exact.arithmetic import added, decimal
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.exact.spectrum import Number, Spectrum, SymbolicPhasor
+from symbalance.exact.spectrum import Spectrum
+from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.kinematics.bodies import RECIPROCATING, ROTATING, Body, bodies
 from symbalance.kinematics.slider_crank import surviving
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import Real, fsum
 
 HALF = Fraction(1, 2)
 MASSES = (RECIPROCATING, ROTATING)
@@ -116,10 +115,9 @@ def _spectrum_of(
         for n, phasor in exact.items():
             if n not in forces:
                 continue
-            with mp.workdps(DIGITS):
-                part = DecimalPhasor(2 * decimal(phasor) * forces[n])
+            part = DecimalPhasor(2 * phasor.evaluated() * forces[n])
             total[n] = total[n] + part if n in total else part
-    numbers: dict[int, Number] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
+    numbers: dict[int, Amplitude] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
     return Spectrum(numbers)
 
 
@@ -129,11 +127,9 @@ def left_out_above(layout: Engine, order: int, weights: Sequence[Real]) -> Real:
     In units of m r omega^2 of cylinder 1: the sum of |w_j| s_j times each moving mass's tail.
     """
     weight = {c.number: abs(w) for c, w in zip(layout.cylinders, weights, strict=True)}
-    total = mp.mpf(0)
+    total = Real(0)
     for mass in moving_masses(layout):
-        reach = mp.fsum(
-            weight[c.number] * real(s) for c, s in zip(mass.cylinders, mass.shares, strict=True)
-        )
+        reach = fsum(weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True))
         total += mass.body.tail(order) * reach
     return total
 
@@ -189,7 +185,7 @@ def _summed(rows: Iterable[tuple[int, int, int]], n: int, modulus: int) -> dict[
 def _with_symbols(
     cylinders: Sequence[Cylinder], orders: Sequence[int], weights: Sequence[Fraction]
 ) -> Spectrum:
-    terms: dict[int, Number] = {}
+    terms: dict[int, Amplitude] = {}
     for n in orders:
         for signed in (n, -n):
             total = SymbolicPhasor({})
@@ -220,9 +216,9 @@ def with_rotors(
         return vector
     total = dict(vector.terms)
     for n, number in rotor_spectrum(turning, highest, plane).terms.items():
-        total[n] = added(total[n], number) if n in total else number
+        total[n] = total[n] + number if n in total else number
     if not apart:
-        total = {n: _decimal(number) for n, number in total.items()}
+        total = {n: DecimalPhasor.holding(number) for n, number in total.items()}
     return Spectrum.of(total)
 
 
@@ -235,14 +231,10 @@ def rotor_spectrum(turning: Sequence[Rotor], highest: int, plane: Fraction | Non
     >>> rotor_spectrum(single.rotors, 12, None).component(1, "vertical").cos
     -1/2
     """
-    total: dict[int, Number] = {}
+    total: dict[int, Amplitude] = {}
     for rotor in turning:
         if abs(rotor.speed) <= highest:
             arm = Fraction(1) if plane is None else rotor.station - plane
             part = rotor.vector.scaled(arm)
-            total[rotor.speed] = added(total[rotor.speed], part) if rotor.speed in total else part
+            total[rotor.speed] = total[rotor.speed] + part if rotor.speed in total else part
     return Spectrum.of(total)
-
-
-def _decimal(number: Number) -> DecimalPhasor:
-    return number if isinstance(number, DecimalPhasor) else DecimalPhasor(decimal(number))

@@ -22,7 +22,8 @@ from symbalance.exact.spectrum import Component, Spectrum
 from symbalance.forces.planar_vectors import planar_vectors
 from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
-from symbalance.text.numbers import Real, exact
+from symbalance.text.numbers import exact
+from symbalance.text.reals import Real
 
 
 @dataclass(frozen=True)

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import sympy
-from mpmath import mp
 
 from symbalance.document.decimals import SHOWN_DIGITS, shown
-from symbalance.exact.decimal_phasor import DecimalPhasor
-from symbalance.exact.spectrum import Component, SymbolicPhasor
+from symbalance.exact.spectrum import Component
 from symbalance.forces.resultants import Balance, Order, Resultant
+from symbalance.text.reals import atan2, hypot, pi
 
+NEAR = Fraction(1, 10**20)
+"""Of such a part; a phase as far off is another number."""
 PLAIN_PARTS = 60
 """Parts of pi that a decimal component's phase is recognised in: 3 degrees."""
 
@@ -28,30 +30,28 @@ class Row:
     @property
     def has_symbols(self) -> bool:
         """Whether the component depends on a symbolic angle."""
-        return isinstance(self.component.number, SymbolicPhasor)
+        return self.component.number.has_symbols
 
     @property
     def is_decimal(self) -> bool:
         """Whether the component is a number of some digits, with no exact form."""
-        return isinstance(self.component.number, DecimalPhasor)
+        return self.component.number.is_decimal
 
     def decimals(self) -> tuple[str, str, str, str] | None:
         """Return cos, sin, amplitude and phase in decimals, or None with symbols in them."""
         if self.has_symbols:
             return None
         cos, sin = self.component.decimal(SHOWN_DIGITS + 10)
-        with mp.workdps(30):  # whatever precision the caller has set
-            values = (cos, sin, mp.hypot(cos, sin), mp.atan2(sin, cos))
+        values = (cos, sin, hypot(cos, sin), atan2(sin, cos))
         cos_text, sin_text, amplitude, phase = (shown(v) for v in values)
         return cos_text, sin_text, amplitude, phase
 
     def phase_in_turns(self) -> sympy.Expr | None:
         """Return the phase of a decimal component where it is a plain fraction of pi, else None."""
         cos, sin = self.component.decimal(SHOWN_DIGITS + 24)
-        with mp.workdps(SHOWN_DIGITS + 30):
-            parts = mp.atan2(sin, cos) / mp.pi * PLAIN_PARTS
-            near = int(mp.nint(parts))
-            return sympy.pi * near / PLAIN_PARTS if abs(parts - near) < mp.mpf(10) ** -20 else None
+        parts = atan2(sin, cos) / pi() * PLAIN_PARTS
+        near = round(parts)
+        return sympy.pi * near / PLAIN_PARTS if abs(parts - near) < NEAR else None
 
     def exact(self) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, sympy.Expr]:
         """Return cos, sin, amplitude and phase exactly; an endless amplitude as the root of C^2 + S^2."""

@@ -14,16 +14,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError
-from symbalance.exact.arithmetic import added
-from symbalance.exact.decimal_phasor import DIGITS
+from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
-from symbalance.exact.spectrum import Component, Number
-from symbalance.text.numbers import Real
+from symbalance.exact.spectrum import Component
+from symbalance.text.reals import DIGITS, Real
 
 
 def shaft_moment(layout: Engine) -> dict[int, Component]:
@@ -40,7 +37,7 @@ def shaft_moment(layout: Engine) -> dict[int, Component]:
     >>> shaft_moment(four.balanced_by(*pair))[2].sin  # -2 * 140/40
     -7
     """
-    total: dict[int, Number] = {}
+    total: dict[int, Amplitude] = {}
     for rotor in layout.rotors if has_shafts_aside(layout) else ():
         if not (rotor.x or rotor.y):
             continue
@@ -52,9 +49,9 @@ def shaft_moment(layout: Engine) -> dict[int, Component]:
         moment, n = rotor.vector.scaled(above), abs(rotor.speed)
         quarter = Fraction(1, 4)
         if right:
-            moment = added(moment, rotor.vector.turned(-quarter).scaled(right))
+            moment += rotor.vector.turned(-quarter).scaled(right)
         part = moment.conjugate().turned(quarter) if rotor.speed > 0 else moment.turned(-quarter)
-        total[n] = added(total.get(n, ZERO), part)
+        total[n] = total.get(n, ZERO) + part
     return {n: Component(c) for n, c in sorted(total.items()) if not c.is_zero()}
 
 
@@ -68,6 +65,5 @@ def shaft_terms(layout: Engine, order: int) -> Iterator[tuple[int, Real, Real]]:
     for n, part in shaft_moment(layout).items():
         if n <= order:
             cos, sin = part.decimal(DIGITS)
-            with mp.workdps(DIGITS):
-                unit = share_unit(layout, n) if layout.counts_in_orders else mp.mpf(1)
-                yield n, cos * unit, sin * unit
+            unit = share_unit(layout, n) if layout.counts_in_orders else 1
+            yield n, cos * unit, sin * unit

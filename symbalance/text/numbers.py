@@ -16,13 +16,8 @@ from numbers import Real as RealNumber
 from operator import index
 from typing import Any
 
-from mpmath import mp
-
 from symbalance.errors import SymbalanceError, shown, written
-from symbalance.text.reals import nstr
-
-Real = Any
-"""A decimal of many digits, an mpmath `mpf`: mpmath ships no types."""
+from symbalance.text.reals import Real, nstr
 
 LONGEST_TEXT = 250
 LARGEST = 10**9
@@ -146,15 +141,6 @@ def listed(values: Any, name: str, example: str = "[0, 120, 240]") -> list[Any]:
     if isinstance(values, str | bytes | dict) or not isinstance(values, Iterable):
         raise SymbalanceError(f"{name} = {shown(values)}", "must be a list", f"as in {example}")
     return list(values)
-
-
-def real(value: int | Fraction) -> Real:
-    """Return a rational as an mpmath number, rounded once to the working precision.
-
-    >>> real(Fraction(1, 4))
-    mpf('0.25')
-    """
-    return mp.mpf(value.numerator) / value.denominator
 
 
 LONGEST_SHOWN = 10**6

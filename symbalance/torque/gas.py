@@ -7,15 +7,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.linkages import plain
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.measurements import measured
-from symbalance.text.numbers import Real, exact
+from symbalance.text.numbers import exact
+from symbalance.text.reals import Real
 from symbalance.torque.ideal import IdealCycle
 from symbalance.torque.inertia_balance import checked_known, checked_layout
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
@@ -93,7 +92,7 @@ class GasTorque:
 
     def terms(self) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) in bar for each order; the digits are those of doubles."""
-        return tuple((o.order, mp.mpf(o.number.real), mp.mpf(o.number.imag)) for o in self.orders)
+        return tuple((o.order, Real(o.number.real), Real(o.number.imag)) for o in self.orders)
 
 
 def gas_torque(

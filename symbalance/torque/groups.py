@@ -15,16 +15,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
-from symbalance.exact.arithmetic import decimal
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.kinematics.bodies import EXCESS, RECIPROCATING, ROTATING, Body, bodies
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import Complex
 from symbalance.torque.stars import summed
 
 MASSES = (RECIPROCATING, ROTATING)
@@ -85,20 +82,19 @@ def summed_moment(groups: Sequence[TorqueGroup], order: int) -> dict[int, Compon
     return _summed([(group, group.body.moment(order)) for group in groups])
 
 
-def _summed(parts: Sequence[tuple[TorqueGroup, Mapping[int, Real]]]) -> dict[int, Component]:
+def _summed(parts: Sequence[tuple[TorqueGroup, Mapping[int, Complex]]]) -> dict[int, Component]:
     """Return the sum of the groups' harmonics times their stars, to 40 digits."""
     total: dict[int, DecimalPhasor] = {}
     for group, harmonics in parts:
         for n, number in harmonics.items():
             star = star_number(group.cylinders, n)
             if number and star:
-                with mp.workdps(DIGITS):
-                    part = DecimalPhasor(number * star * real(group.size))
+                part = DecimalPhasor(number * star * group.size)
                 total[n] = total[n] + part if n in total else part
     return {n: Component(total[n]) for n in sorted(total) if not total[n].is_zero()}
 
 
-def star_number(cylinders: tuple[Cylinder, ...], n: int) -> Real:
+def star_number(cylinders: tuple[Cylinder, ...], n: int) -> Complex:
     """Return the sum of e^(-i n delta_j), an exact 0 where it vanishes."""
     star = summed([c.delay.scaled(-n) for c in cylinders])
-    return mp.mpf(0) if star.is_zero() else decimal(star)
+    return Complex(0) if star.is_zero() else star.evaluated()

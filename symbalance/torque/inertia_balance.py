@@ -20,14 +20,12 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
 
-from mpmath import mp
-
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import QUARTER, Component
 from symbalance.kinematics.coefficients import INERTIA, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real
 from symbalance.torque.groups import has_common_torque, summed_torque, torque_groups
 from symbalance.torque.stars import summed
 
@@ -104,7 +102,8 @@ class TorqueBalance:
         """Return (order, C t_n, S t_n) for each order, in `unit`, exact in lambda to `digits`.
 
         >>> from symbalance.engine.builders import inline
-        >>> [(order, mp.nstr(s, 6)) for order, _, s in inertia_torque(inline("1-3-4-2"), 2).terms(4)]
+        >>> from symbalance.text.reals import nstr
+        >>> [(order, nstr(s, 6)) for order, _, s in inertia_torque(inline("1-3-4-2"), 2).terms(4)]
         [(Fraction(2, 1), '-2.00052')]
         """
         if not self.components:
@@ -114,12 +113,8 @@ class TorqueBalance:
             return tuple((Fraction(n), *c.decimal(digits)) for n, c in self.components.items())
         known = checked_known(self.layout, ratio)
         values = self.kinematics.values(max(self.components), known, digits)
-        found = []
-        with mp.workdps(digits + 10):
-            for n, component in self.components.items():
-                cos, sin = component.decimal(digits + 10)
-                found.append((Fraction(n), cos * values[n], sin * values[n]))
-        return tuple(found)
+        parts = {n: component.decimal(digits + 10) for n, component in self.components.items()}
+        return tuple((Fraction(n), c * values[n], s * values[n]) for n, (c, s) in parts.items())
 
 
 def _check_own(layout: Engine, ratio: object) -> None:

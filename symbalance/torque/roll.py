@@ -18,17 +18,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.forces.shafts import shaft_moment, shaft_terms
 from symbalance.kinematics.bodies import EXCESS
 from symbalance.kinematics.coefficients import OF_RODS, ROCKING, RODS, Kinematics
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.numbers import real
+from symbalance.text.reals import DIGITS, Complex
 from symbalance.torque.groups import has_common_torque, summed_moment, summed_torque, torque_groups
 from symbalance.torque.inertia_balance import (
     TorqueBalance,
@@ -95,8 +93,7 @@ def roll_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> Tor
     terms += [(n, c, s, Fraction(1)) for n, c, s in shaft_terms(layout, order)]
     total: dict[int, DecimalPhasor] = {}
     for n, cos, sin, weight in terms:
-        with mp.workdps(DIGITS):
-            number = DecimalPhasor(mp.mpc(cos, sin) * real(weight))
+        number = DecimalPhasor(Complex(cos, sin) * weight)
         total[int(n)] = total[int(n)] + number if int(n) in total else number
     components = {n: Component(total[n]) for n in sorted(total) if not total[n].is_zero()}
     return TorqueBalance(layout, order, components, kinematics=None)

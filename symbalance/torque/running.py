@@ -18,13 +18,12 @@ from fractions import Fraction
 from functools import cached_property
 from math import pi
 
-from mpmath import mp
-
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.forces.shafts import shaft_terms
 from symbalance.text.measurements import measured, positive
-from symbalance.text.numbers import Real, checked_whole
+from symbalance.text.numbers import checked_whole
+from symbalance.text.reals import Complex, Real
 from symbalance.torque.flywheel import Fluctuation, extremes, flywheel_inertia, speed_fluctuation
 from symbalance.torque.gas import GasKind, gas_kinds
 from symbalance.torque.groups import has_common_torque
@@ -195,10 +194,10 @@ class CrankTorque:
 
     def terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) of the whole torque in N m, halves included, without the mean."""
-        total: dict[Fraction, Real] = {}
+        total: dict[Fraction, Complex] = {}
         for part in (self.gas_terms(order), self.inertia_terms(order)):
             for n, cos, sin in part:
-                total[n] = total.get(n, mp.mpc(0)) + mp.mpc(cos, sin)
+                total[n] = total.get(n, Complex(0)) + Complex(cos, sin)
         return tuple((n, total[n].real, total[n].imag) for n in sorted(total))
 
     def gas_terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
@@ -208,7 +207,7 @@ class CrankTorque:
         for kind in kinds:
             for n, number in kind.numbers(self.layout.strokes, order).items():
                 found[n] = found.get(n, 0j) + number * unit
-        return tuple((n, mp.mpf(found[n].real), mp.mpf(found[n].imag)) for n in sorted(found))
+        return tuple((n, Real(found[n].real), Real(found[n].imag)) for n in sorted(found))
 
     @cached_property
     def _kinds(self) -> tuple[GasKind, ...]:
@@ -224,12 +223,12 @@ class CrankTorque:
     def inertia_terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) of the inertia torque in N m, the rods' own included."""
         unit, rods = self.mass * (self.radius * self.omega) ** 2, float(first_excess(self.layout))
-        total: dict[Fraction, Real] = {}
+        total: dict[Fraction, Complex] = {}
         parts = [(inertia_torque(self.layout, order), unit)]
         parts += [(rod_torque(self.layout, order), rods / MILLI**2 * self.omega**2)] if rods else []
         for balance, scale in parts:
             for n, cos, sin in balance.terms(digits=20):
-                total[n] = total.get(n, mp.mpc(0)) + mp.mpc(cos, sin) * scale
+                total[n] = total.get(n, Complex(0)) + Complex(cos, sin) * scale
         return tuple((n, total[n].real, total[n].imag) for n in sorted(total))
 
 

@@ -16,9 +16,11 @@ from math import lcm
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
+from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.phasor import Phasor, checked_modulus
-from symbalance.exact.spectrum import Component, Number, SymbolicPhasor
+from symbalance.exact.spectrum import Component
+from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.kinematics.slider_crank import checked_order
 
 
@@ -109,7 +111,7 @@ def stars_of(tops: Mapping[int, Fraction], strokes: int, order: int) -> tuple[St
     return tuple(stars)
 
 
-def summed(angles: Sequence[Angle]) -> Number:
+def summed(angles: Sequence[Angle]) -> Amplitude:
     """Return the sum of e^(i angle), exactly."""
     if any(a.symbols for a in angles):
         total = SymbolicPhasor({})

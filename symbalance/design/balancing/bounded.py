@@ -15,10 +15,9 @@ from fractions import Fraction
 from itertools import chain, combinations, islice
 
 from symbalance.design.balancing.planes import Placed, in_planes
-from symbalance.exact.arithmetic import added, decimal, size_of, summed
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.arithmetic import total
 from symbalance.exact.phasor import Phasor
-from symbalance.exact.spectrum import Number
-from symbalance.text.numbers import real
 
 ROUNDS = 4000
 FINE = 10**9
@@ -29,7 +28,7 @@ MENDED = 1e-6
 
 
 def bounded(
-    force: Number, couple: Number, arms: Sequence[Fraction], most: Fraction, length: Fraction
+    force: Amplitude, couple: Amplitude, arms: Sequence[Fraction], most: Fraction, length: Fraction
 ) -> list[Placed]:
     """Return vectors no larger than `most` at `arms` (each once) that miss force and couple least.
 
@@ -48,10 +47,10 @@ def bounded(
 
 
 def _in_few(
-    force: Number, couple: Number, arms: Sequence[Fraction], most: Fraction, length: Fraction
+    force: Amplitude, couple: Amplitude, arms: Sequence[Fraction], most: Fraction, length: Fraction
 ) -> list[Placed] | None:
     """Return vectors with force and couple in the fewest planes where least squares are small."""
-    f, c, limit = complex(decimal(force)), complex(decimal(couple)), float(most) * (1 + 1e-9)
+    f, c, limit = complex(force.evaluated()), complex(couple.evaluated()), float(most) * (1 + 1e-9)
     choices = chain.from_iterable(combinations(arms, k) for k in range(2, len(arms) + 1))
     for places in islice(choices, MOST_CHOICES):
         if _largest(f, c, [float(z) for z in places]) <= limit:
@@ -70,39 +69,39 @@ def _largest(force: complex, couple: complex, places: Sequence[float]) -> float:
 
 
 def _all_within(placed: Sequence[Placed], most: Fraction) -> bool:
-    return all(size_of(w) <= real(most) for _, w in placed)
+    return all(w.size() <= most for _, w in placed)
 
 
 def _mended(
-    force: Number,
-    couple: Number,
+    force: Amplitude,
+    couple: Amplitude,
     near: Sequence[Placed],
     arms: Sequence[Fraction],
     most: Fraction,
     length: Fraction,
 ) -> list[Placed] | None:
     """Return vectors with force and couple, of some that nearly have them; None if they cannot have."""
-    missed = added(force, -summed([w for _, w in near]))
-    lever = added(couple, -summed([w.scaled(z) for z, w in near]))
-    had, little = dict(near), real(most) * MENDED
-    free = [z for z in arms if z not in had or size_of(had[z]) < real(most) * (1 - 100 * MENDED)]
-    if len(free) < 2 or max(size_of(missed), size_of(lever) / real(length)) > little:
+    missed = force - total(w for _, w in near)
+    lever = couple - total(w.scaled(z) for z, w in near)
+    had, little = dict(near), float(most) * MENDED
+    free = [z for z in arms if z not in had or had[z].size() < float(most) * (1 - 100 * MENDED)]
+    if len(free) < 2 or max(missed.size(), lever.size() / length) > little:
         return None
     for arm, more in in_planes(missed, lever, free, spread="even", length=length):
-        had[arm] = added(had[arm], more) if arm in had else more
+        had[arm] = had[arm] + more if arm in had else more
     found = sorted(had.items(), reverse=True, key=lambda pair: pair[0])
     return found if _all_within(found, most) else None
 
 
 def _near(
-    force: Number, couple: Number, arms: Sequence[Fraction], most: Fraction, length: Fraction
+    force: Amplitude, couple: Amplitude, arms: Sequence[Fraction], most: Fraction, length: Fraction
 ) -> list[Placed]:
     """Return vectors no larger than `most`, in fractions, that miss force and couple least."""
     return jointly([(force, couple)], arms, most, length, Fraction(0))[0]
 
 
 def jointly(
-    targets: Sequence[tuple[Number, Number]],
+    targets: Sequence[tuple[Amplitude, Amplitude]],
     arms: Sequence[Fraction],
     most: Fraction,
     length: Fraction,
@@ -119,7 +118,8 @@ def jointly(
     """
     scale, rows = float(most), [float(z / length) for z in arms]
     wanted = [
-        (complex(decimal(f)) / scale, complex(decimal(c)) / scale / float(length)) for f, c in targets
+        (complex(f.evaluated()) / scale, complex(c.evaluated()) / scale / float(length))
+        for f, c in targets
     ]
     placed = [
         [(arm, _fraction(w).scaled(most)) for arm, w in zip(arms, side, strict=True)]

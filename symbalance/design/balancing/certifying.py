@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
-from symbalance.exact.spectrum import Component, Number, Spectrum
+from symbalance.exact.spectrum import Component, Spectrum
 from symbalance.forces.resultants import Balance
 
 
@@ -21,8 +22,8 @@ class Claim:
 
     signed: int
     kind: str
-    before: Number
-    after: Number
+    before: Amplitude
+    after: Amplitude
 
     @property
     def is_zero(self) -> bool:
@@ -44,10 +45,8 @@ class Claim:
         return Component(self.after.conjugate() if self.signed > 0 else self.after)
 
 
-def _same(before: Number, after: Number) -> bool:
-    from symbalance.exact.arithmetic import added
-
-    return added(before, -after).is_zero()
+def _same(before: Amplitude, after: Amplitude) -> bool:
+    return (before - after).is_zero()
 
 
 def claims(before: Balance, after: Balance, orders: Sequence[int]) -> list[Claim]:

@@ -15,18 +15,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.design.balancing.limits import Weighting
 from symbalance.engine.rotors import share_unit
-from symbalance.exact.arithmetic import added, decimal
-from symbalance.exact.decimal_phasor import DIGITS
+from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
-from symbalance.exact.spectrum import Number
 from symbalance.forces.resultants import Balance
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import Complex, Real
 
-Pair = tuple[Number, Number]
+Pair = tuple[Amplitude, Amplitude]
 """The force and the couple of one signed order."""
 Left = Callable[[dict[int, Pair], Sequence[int]], dict[int, Pair]]
 """What the parts served of one order's leave, by speed, where weights cannot have what they should."""
@@ -51,7 +47,7 @@ def targets_of(parts: dict[int, Pair], speed: int, other_served: bool, tilt: Fra
     if other_served or not tilt:
         return -own[0], -own[1]
     wanted = [part.conjugate().scaled(-tilt) for part in other]
-    return added(wanted[0], -own[0]), added(wanted[1], -own[1])
+    return wanted[0] - own[0], wanted[1] - own[1]
 
 
 def chosen(
@@ -68,7 +64,7 @@ def chosen(
     tells what the weights there may be leave, where that is not as little as wished for.
     """
     orders = sorted({abs(n) for n in able})
-    best: dict[int, tuple[Real, list[int]]] = {0: (mp.mpf(0), [])}
+    best: dict[int, tuple[Real, list[int]]] = {0: (Real(0), [])}
     for n in orders:
         options = _options(found, n, [s for s in (n, -n) if s in able], free, weighting, left)
         reached: dict[int, tuple[Real, list[int]]] = {}
@@ -106,21 +102,20 @@ def left_at(
 ) -> Real:
     """Return what an order leaves with those of its parts served as well as can be, (m r omega^2)^2."""
     pairs = parts_of(found, [n])
-    total = mp.mpf(0)
+    total = Real(0)
     if left is not None and served:
         pairs, served = pairs | left(pairs, served), []
-    with mp.workdps(DIGITS):
-        unit = share_unit(found.layout, n) if found.kinematics else mp.mpf(1)
-        for which, over in ((0, mp.mpf(1)), (1, real(weighting.length))):
-            ahead, against = (decimal(pairs[s][which]) if s in pairs else mp.mpc(0) for s in (n, -n))
-            total += _mean_square(ahead, against, n in served, -n in served, weighting) / over**2
-        return total * unit**2
+    unit = share_unit(found.layout, n) if found.kinematics else Real(1)
+    for which, over in ((0, Fraction(1)), (1, weighting.length)):
+        ahead, against = (pairs[s][which].evaluated() if s in pairs else Complex(0) for s in (n, -n))
+        total += _mean_square(ahead, against, n in served, -n in served, weighting) / over**2
+    return total * unit**2
 
 
-def _mean_square(a: Real, b: Real, ahead: bool, against: bool, weighting: Weighting) -> Real:
-    v, side = real(weighting.vertical), real(weighting.lateral)
+def _mean_square(a: Complex, b: Complex, ahead: bool, against: bool, weighting: Weighting) -> Real:
+    v, side = weighting.vertical, weighting.lateral
     if ahead and against:
-        return mp.mpf(0)
+        return Real(0)
     if ahead or against:
         return 4 * v * side / (v + side) * abs(b if ahead else a) ** 2
     return (v + side) * (abs(a) ** 2 + abs(b) ** 2) + 2 * (v - side) * (a * b).real

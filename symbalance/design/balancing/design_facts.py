@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from symbalance.design.balancing import Design, Device
 from symbalance.design.balancing.certifying import Claim
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
-from symbalance.exact.spectrum import Number
-from symbalance.text.numbers import Real
+from symbalance.exact.amplitude import Amplitude
+from symbalance.text.reals import Real
 
 VERDICTS = {
     "absent": "none before",
@@ -25,7 +25,7 @@ class PlacedWeight:
 
     device: Device
     station: str
-    vector: Number
+    vector: Amplitude
     unbalance: Real | None
 
 

@@ -8,7 +8,8 @@ from typing import Any
 from symbalance.design.balancing import Design, Device
 from symbalance.design.balancing.certifying import Claim
 from symbalance.design.balancing.design_facts import left_ellipses, summary
-from symbalance.exact.spectrum import Component, Number
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.spectrum import Component
 from symbalance.forces.balance_json import VALUE_DIGITS, component_values, document
 from symbalance.text.numbers import decimal_text
 
@@ -65,12 +66,12 @@ def _device(design: Design, device: Device) -> dict[str, Any]:
     }
 
 
-def _unbalance(design: Design, device: Device, vector: Number) -> str | None:
+def _unbalance(design: Design, device: Device, vector: Amplitude) -> str | None:
     size = design.unbalance(device, vector)
     return None if size is None else decimal_text(size, VALUE_DIGITS)
 
 
-def _vector(number: Number) -> dict[str, Any]:
+def _vector(number: Amplitude) -> dict[str, Any]:
     return dict(component_values(Component(number)))
 
 

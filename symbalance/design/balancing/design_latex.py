@@ -23,6 +23,7 @@ from symbalance.engine.balancer_facts import LATEX, direction, nearly, rounded, 
 from symbalance.forces.balance_latex import heading_latex, resultants_latex
 from symbalance.forces.resultants import balance
 from symbalance.forces.wide_formulas import LONGEST_CELL
+from symbalance.text.reals import pi
 
 _KEPT = r"\begingroup\makeatletter\@beginparpenalty=10000\relax\makeatother"
 """Keeps the title of a table on its page."""
@@ -107,20 +108,23 @@ def _left(design: Design) -> str:
 
 
 def _ellipse(kind: str, left: Ellipse) -> list[str]:
-    axes = [_axis(left.major), _axis(left.minor)]
-    tilt = "" if left.shape == "circle" else _degrees(left.direction)
+    axes = [_axis(left, i) for i in range(2)]
+    tilt = "" if left.shape == "circle" else _degrees(left)
     return [str(left.order), kind, *axes, tilt, shape(left)]
 
 
-def _axis(value: sympy.Expr) -> str:
-    formula = latex(value)
-    if len(formula) <= LONGEST_CELL or value.free_symbols:
+def _axis(left: Ellipse, which: int) -> str:
+    axis = (left.major, left.minor)[which]
+    formula = latex(axis)
+    if len(formula) <= LONGEST_CELL or axis.free_symbols:
         return rf"\({formula}\)"
-    return rf"\(\approx {number_latex(rounded(sympy.N(value, 15)))}\)"
+    return rf"\(\approx {number_latex(rounded(left.decimal_axes[which]))}\)"
 
 
-def _degrees(angle: sympy.Expr) -> str:
-    turned = angle * 180 / sympy.pi
-    if turned.is_Rational or angle.free_symbols:
-        return rf"\({latex(turned)}^\circ\)" if turned.is_Rational else rf"\({latex(angle)}\)"
-    return rf"\(\approx {float(turned):.5g}^\circ\)"
+def _degrees(left: Ellipse) -> str:
+    turned = left.direction * 180 / sympy.pi
+    if turned.is_Rational:
+        return rf"\({latex(turned)}^\circ\)"
+    if turned.free_symbols:
+        return rf"\({latex(left.direction)}\)"
+    return rf"\(\approx {float(left.decimal_direction * 180 / pi()):.5g}^\circ\)"

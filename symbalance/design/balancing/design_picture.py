@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import io
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
-
-from mpmath import mp
 
 from symbalance.design.balancing import Design
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
 from symbalance.engine.rotors import share_unit
 from symbalance.errors import MissingPartError, SymbalanceError
-from symbalance.exact.arithmetic import decimal
 from symbalance.forces.resultants import Balance
+from symbalance.text.reals import expjpi
 
 ENDINGS = (".png", ".pdf", ".svg")
 POINTS = 361
@@ -77,9 +76,8 @@ def _draw(axis: Any, design: Design, order: int, kind: str) -> None:
 
 def _points(result: Balance, drawn: Ellipse) -> tuple[list[float], list[float]]:
     """Return the points an order's vector goes through in a turn of it, lateral and vertical."""
-    with mp.workdps(20):
-        unit = share_unit(result.layout, drawn.order) if result.kinematics else 1
-        ahead, against = (complex(decimal(n) * unit) for n in (drawn.forward, drawn.backward))
-        turns = [complex(mp.expjpi(mp.mpf(2 * i) / (POINTS - 1))) for i in range(POINTS)]
+    unit = share_unit(result.layout, drawn.order) if result.kinematics else 1
+    ahead, against = (complex(n.evaluated(20) * unit) for n in (drawn.forward, drawn.backward))
+    turns = [complex(expjpi(Fraction(2 * i, POINTS - 1), 20)) for i in range(POINTS)]
     places = [ahead * z + against * z.conjugate() for z in turns]
     return [p.imag for p in places], [p.real for p in places]

@@ -17,10 +17,12 @@ from symbalance.design.balancing.design_facts import (
     summary,
     weights,
 )
+from symbalance.design.balancing.ellipses import Ellipse
 from symbalance.document.expressions import text
 from symbalance.document.grid import WIDTH, grid
 from symbalance.engine.balancer_facts import TEXT, direction, nearly, rounded, size
 from symbalance.forces.balance_text import heading_text, resultants_text
+from symbalance.text.reals import pi
 
 LONGEST_AXIS = 16
 
@@ -82,22 +84,25 @@ def _left(design: Design) -> list[str]:
         return []
     rows = []
     for kind, left in found:
-        axes = [_axis(left.major), _axis(left.minor)]
-        tilt = _degrees(left.direction)
-        rows.append([str(left.order), kind, *axes, tilt if left.shape != "circle" else "", shape(left)])
+        axes = [_axis(left, i) for i in range(2)]
+        tilt = "" if left.shape == "circle" else _degrees(left)
+        rows.append([str(left.order), kind, *axes, tilt, shape(left)])
     head = ["order", "", "long semi-axis", "short", "direction", "drawn"]
     return ["\n".join(["Left of the orders to remove", *grid([head, *rows])])]
 
 
-def _axis(value: sympy.Expr) -> str:
-    exact = text(value)
-    if len(exact) <= LONGEST_AXIS or value.free_symbols:
+def _axis(left: Ellipse, which: int) -> str:
+    axis = (left.major, left.minor)[which]
+    exact = text(axis)
+    if len(exact) <= LONGEST_AXIS or axis.free_symbols:
         return exact
-    return f"≈ {rounded(sympy.N(value, 15))}"
+    return f"≈ {rounded(left.decimal_axes[which])}"
 
 
-def _degrees(angle: sympy.Expr) -> str:
-    turned = angle * 180 / sympy.pi
+def _degrees(left: Ellipse) -> str:
+    turned = left.direction * 180 / sympy.pi
     if turned.is_Rational:
         return f"{text(turned)}°"
-    return text(angle) if angle.free_symbols else f"≈ {float(turned):.5g}°"
+    if turned.free_symbols:
+        return text(left.direction)
+    return f"≈ {float(left.decimal_direction * 180 / pi()):.5g}°"

@@ -18,8 +18,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mpmath import mp
-
 from symbalance.design.balancing.certifying import Claim, claims
 from symbalance.design.balancing.choosing import parts_of
 from symbalance.design.balancing.devices import Device, devices_for, for_rotating
@@ -27,11 +25,9 @@ from symbalance.design.balancing.limits import Limits, checked_limits, checked_o
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError, shown
-from symbalance.exact.arithmetic import size_of
-from symbalance.exact.decimal_phasor import DIGITS
-from symbalance.exact.spectrum import Number
+from symbalance.exact.amplitude import Amplitude
 from symbalance.forces.resultants import Balance, balance
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real
 
 SHOWN = 12
 """Orders up to this one are listed in what remains."""
@@ -96,15 +92,13 @@ class Design:
         """Whether every order to remove is proved to be zero, force and couple."""
         return all(claim.is_zero for claim in self.claims)
 
-    def unbalance(self, device: Device, vector: Number) -> Real | None:
+    def unbalance(self, device: Device, vector: Amplitude) -> Real | None:
         """Return a weight's mass times radius in kg mm, None where the engine's sizes do not say."""
         unit = self.balanced.unit_unbalance
         needs_ratio = abs(device.speed) > 1 and self.balanced.has_common_harmonics
         if unit is None or (needs_ratio and self.balanced.ratio is None) or self.balanced.has_symbols:
             return None
-        with mp.workdps(DIGITS):
-            size = size_of(vector) * share_unit(self.balanced, device.speed)
-            return size * unit.numerator / unit.denominator / device.speed**2
+        return vector.size() * share_unit(self.balanced, device.speed) * unit / device.speed**2
 
 
 def design_balance(

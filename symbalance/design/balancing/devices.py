@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from math import floor
 from typing import Any
-
-from mpmath import mp
 
 from symbalance.design.balancing.bounded import bounded, jointly
 from symbalance.design.balancing.choosing import Left, Pair, chosen, parts_of, targets_of
@@ -17,12 +16,11 @@ from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight, dir
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError
-from symbalance.exact.arithmetic import added, decimal, size_of, station_of, summed
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.arithmetic import station_of, total
+from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.exact.spectrum import Number
 from symbalance.forces.resultants import Balance
-from symbalance.text.numbers import real
 
 
 @dataclass(frozen=True)
@@ -35,8 +33,8 @@ class Device:
 
     speed: int
     on_crank: bool
-    force: Number
-    couple: Number
+    force: Amplitude
+    couple: Amplitude
     weights: tuple[Placed, ...]
     parts: tuple[Counterweight | BalanceShaft, ...] = field(compare=False)
 
@@ -83,11 +81,11 @@ def _leaves(before: Balance, limits: Limits) -> Left | None:
 def _had(layout: Engine, weights: Sequence[Placed]) -> Pair:
     """Return the force and the couple about the mean of the stations that weights have."""
     plane = layout.mean_station
-    return summed([w for _, w in weights]), summed([w.scaled(z - plane) for z, w in weights])
+    return total(w for _, w in weights), total(w.scaled(z - plane) for z, w in weights)
 
 
 def _sum(one: Pair, other: Pair) -> Pair:
-    return added(one[0], other[0]), added(one[1], other[1])
+    return one[0] + other[0], one[1] + other[1]
 
 
 def _placed(
@@ -110,7 +108,7 @@ def _placed(
 
 def _had_all(layout: Engine, weights: Sequence[Placed], wanted: Pair) -> bool:
     had = _had(layout, weights)
-    return all(added(w, -h).is_zero() for w, h in zip(wanted, had, strict=True))
+    return all((w - h).is_zero() for w, h in zip(wanted, had, strict=True))
 
 
 def _device(before: Balance, speed: int, weights: Sequence[Placed], limits: Limits) -> Device:
@@ -142,7 +140,7 @@ def _weights(layout: Engine, speed: int, targets: Pair, limits: Limits) -> list[
     placed = in_planes(*targets, arms, spread=limits.spread, length=length)
     if limits.most is not None:
         bound = _bound(layout, speed, limits.most)
-        if any(size_of(vector) > real(bound) for _, vector in placed):
+        if any(vector.size() > bound for _, vector in placed):
             placed = bounded(*targets, sorted(set(arms), reverse=True), bound, length)
     return [(arm + plane, vector) for arm, vector in placed if not vector.is_zero()]
 
@@ -161,12 +159,11 @@ def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) 
     return [*ends, alone] if near and alone is not None else ends
 
 
-def _share(layout: Engine, speed: int, vector: Number) -> Number:
+def _share(layout: Engine, speed: int, vector: Amplitude) -> Amplitude:
     """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
     if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
         return vector
-    with mp.workdps(DIGITS):
-        return DecimalPhasor(decimal(vector) / share_unit(layout, speed))
+    return DecimalPhasor(vector.evaluated() / share_unit(layout, speed))
 
 
 def _bound(layout: Engine, speed: int, most: Fraction) -> Fraction:
@@ -179,11 +176,7 @@ def _bound(layout: Engine, speed: int, most: Fraction) -> Fraction:
         return most * speed * speed / unit
     per_share = share_unit(layout, speed)
     share = most * speed * speed / unit
-    with mp.workdps(DIGITS):
-        return (
-            Fraction(int(mp.floor(abs(share.numerator * 10**12 / (share.denominator * per_share)))))
-            / 10**12
-        )
+    return Fraction(floor(abs(share * 10**12 / per_share)), 10**12)
 
 
 def for_rotating(layout: Engine, devices: Sequence[Device]) -> list[Counterweight]:

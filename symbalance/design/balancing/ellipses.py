@@ -13,14 +13,15 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import sympy
-from mpmath import mp
 
 from symbalance.errors import SymbalanceError, shown
-from symbalance.exact.arithmetic import product, size_of
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.decimal_phasor import LEAST
 from symbalance.exact.phasor import ZERO
-from symbalance.exact.spectrum import Component, Number
+from symbalance.exact.spectrum import Component
 from symbalance.forces.resultants import Balance, checked_balance
-from symbalance.text.numbers import Real, checked_whole
+from symbalance.text.numbers import checked_whole
+from symbalance.text.reals import Exact, Real, atan2, expj
 
 
 @dataclass(frozen=True)
@@ -37,8 +38,8 @@ class Ellipse:
     """
 
     order: int
-    forward: Number
-    backward: Number
+    forward: Amplitude
+    backward: Amplitude
 
     @cached_property
     def _sizes(self) -> tuple[sympy.Expr, sympy.Expr]:
@@ -62,15 +63,26 @@ class Ellipse:
     @property
     def sense(self) -> int:
         """+1 if it is run through with the crank, -1 against it, 0 for a straight line."""
-        with mp.workdps(40):
-            gap = size_of(self.forward) - size_of(self.backward)
-            small = abs(gap) < mp.mpf(10) ** -30 * (1 + size_of(self.forward))
-        return 0 if small else (1 if gap > 0 else -1)
+        forward, backward = self.forward.size(), self.backward.size()
+        gap = forward - backward
+        return 0 if abs(gap) <= LEAST * (forward + backward) else (1 if gap > 0 else -1)
+
+    @property
+    def decimal_axes(self) -> tuple[Real, Real]:
+        """The long and the short semi-axis in decimals; with symbols refused."""
+        forward, backward = self.forward.size(), self.backward.size()
+        return forward + backward, abs(forward - backward)
+
+    @property
+    def decimal_direction(self) -> Real:
+        """Where the long semi-axis points in decimals, as `direction`; with symbols refused."""
+        both = self.forward.times(self.backward).evaluated()
+        return atan2(both.imag, both.real) / 2
 
     @cached_property
     def direction(self) -> sympy.Expr:
         """Where the long semi-axis points, radians from straight up, + to the right; 0 for a circle."""
-        both = product(self.forward, self.backward)
+        both = self.forward.times(self.backward)
         return sympy.S.Zero if both.is_zero() else Component(both).phase / 2
 
     @property
@@ -83,18 +95,11 @@ class Ellipse:
             return "ellipse"
         return "ellipse" if self.sense else "line"
 
-    def reach(self, direction: Real) -> Real:
+    def reach(self, direction: Exact | Real) -> Real:
         """Return how far it reaches along a direction (radians from straight up): its amplitude there."""
-        with mp.workdps(40):
-            turned = mp.expj(-direction)
-            ahead, against = (_complex(n) * turned for n in (self.forward, self.backward))
-            return abs(mp.conj(ahead) + against)
-
-
-def _complex(number: Number) -> Real:
-    from symbalance.exact.arithmetic import decimal
-
-    return decimal(number)
+        turned = expj(-direction)
+        forward, backward = (n.evaluated() * turned for n in (self.forward, self.backward))
+        return abs(forward.conjugate() + backward)
 
 
 def ellipse(result: Balance, order: int = 1, kind: str = "force") -> Ellipse:

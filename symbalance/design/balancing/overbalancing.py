@@ -23,25 +23,17 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy
-from mpmath import mp
 
 from symbalance.engine.balancers import Counterweight, directed
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
-from symbalance.exact.arithmetic import (
-    added,
-    decimal,
-    imaginary_part,
-    norm,
-    product,
-    quotient,
-    real_part,
-    summed,
-)
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.arithmetic import quotient, total
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.exact.spectrum import Component, Number
+from symbalance.exact.spectrum import Component
 from symbalance.forces.resultants import balance
-from symbalance.text.numbers import Real, exact
+from symbalance.text.numbers import exact
+from symbalance.text.reals import Real, sqrt
 
 AIMS = ("squares", "largest")
 
@@ -66,9 +58,9 @@ def overbalanced(layout: Engine, share: object = Fraction(1, 2)) -> Engine:
 class FirstOrder:
     """The first order of a force or couple as a function of overbalance: f - k g forward, b backward."""
 
-    forward: Number
-    per_share: Number
-    backward: Number
+    forward: Amplitude
+    per_share: Amplitude
+    backward: Amplitude
 
 
 def first_order(layout: Engine, kind: str = "force") -> FirstOrder:
@@ -87,7 +79,7 @@ def first_order(layout: Engine, kind: str = "force") -> FirstOrder:
     arms = [Fraction(1) if kind == "force" else c.station - plane for c in layout.cylinders]
     rows = zip(layout.cylinders, arms, layout.sizes, strict=True)
     pins = [directed(Phasor.of(1, {0: arm * size}), c.throw) for c, arm, size in rows]
-    return FirstOrder(terms.get(1, ZERO), summed(pins), terms.get(-1, ZERO))
+    return FirstOrder(terms.get(1, ZERO), total(pins), terms.get(-1, ZERO))
 
 
 def best_overbalance(
@@ -116,16 +108,15 @@ def best_overbalance(
         )
     tilt = _tilt(vertical, lateral)
     parts = first_order(layout, kind)
-    square = norm(parts.per_share)
+    square = parts.per_share.norm()
     if square.is_zero():
         rule = f"leaves the {kind} as it is: counterweights on its throws cancel"
         raise SymbalanceError("overbalance", rule, "design counterweights by station: design_balance")
-    along = product(parts.forward, parts.per_share.conjugate())
-    across = product(parts.per_share, parts.backward)
-    if aim == "largest" and not (imaginary_part(along).is_zero() and imaginary_part(across).is_zero()):
+    along = parts.forward.times(parts.per_share.conjugate())
+    across = parts.per_share.times(parts.backward)
+    if aim == "largest" and not (along.imaginary().is_zero() and across.imaginary().is_zero()):
         return _least_largest(parts, exact(vertical, "vertical"), exact(lateral, "lateral"))
-    total = added(real_part(along), real_part(across).scaled(tilt))
-    return quotient(total, square)
+    return quotient(along.real() + across.real().scaled(tilt), square)
 
 
 def _tilt(vertical: object, lateral: object) -> Fraction:
@@ -138,7 +129,7 @@ def _tilt(vertical: object, lateral: object) -> Fraction:
     return (up - side) / (up + side)
 
 
-def best_forward(backward: Number, vertical: object = 1, lateral: object = 1) -> Number:
+def best_forward(backward: Amplitude, vertical: object = 1, lateral: object = 1) -> Amplitude:
     """Return the forward part that leaves least beside a backward one that cannot be had away.
 
     -(v - l)/(v + l) conj(backward): 0, a circle, where both directions weigh the same; and likewise
@@ -148,7 +139,7 @@ def best_forward(backward: Number, vertical: object = 1, lateral: object = 1) ->
     >>> best_forward(Phasor.of(1, {0: 1}), 1, 0).rational()  # a force straight to the side
     Fraction(-1, 1)
     """
-    if not isinstance(backward, Number):
+    if not isinstance(backward, Amplitude):
         what, rule = f"backward = {shown(backward)}", "must be a part of an order, a Phasor"
         raise SymbalanceError(what, rule, "give first_order(layout).backward")
     return backward.conjugate().scaled(-_tilt(vertical, lateral))
@@ -161,13 +152,12 @@ def _least_largest(parts: FirstOrder, vertical: Fraction, lateral: Fraction) -> 
     both meet. Every candidate is a SymPy number; decimals choose.
     """
     curves = [_parabola(parts, sign, w * w) for w, sign in ((vertical, 1), (lateral, -1))]
-    with mp.workdps(30):
-        near = [[decimal(x).real for x in curve] for curve in curves]
-        found = [i for i, w in enumerate((vertical, lateral)) if w]
-        places = [(near[i][1] / near[i][0], i) for i in found]
-        gap = [one - other for one, other in zip(*near, strict=True)]
-        places += [(k, sign) for k, sign in _crossings(gap, vertical == lateral)]
-        worth = [max(a * k * k - 2 * b * k + c for a, b, c in near) for k, _ in places]
+    near = [[x.evaluated().real for x in curve] for curve in curves]
+    found = [i for i, w in enumerate((vertical, lateral)) if w]
+    places = [(near[i][1] / near[i][0], i) for i in found]
+    gap = [one - other for one, other in zip(*near, strict=True)]
+    places += [(k, sign) for k, sign in _crossings(gap, vertical == lateral)]
+    worth = [max(a * k * k - 2 * b * k + c for a, b, c in near) for k, _ in places]
     best = min(range(len(places)), key=worth.__getitem__)
     exactly = [[Component(x).cos for x in curve] for curve in curves]
     if best < len(found):
@@ -183,24 +173,24 @@ def _crossings(gap: Sequence[Real], level: bool) -> list[tuple[Real, int]]:
     if level:
         return [(c / (2 * b), 0)] if b else []
     square = b * b - a * c
-    return [((b + sign * mp.sqrt(square)) / a, sign) for sign in (1, -1)] if square >= 0 else []
+    return [((b + sign * sqrt(square)) / a, sign) for sign in (1, -1)] if square >= 0 else []
 
 
-def _parabola(parts: FirstOrder, sign: int, weight: Fraction) -> list[Number]:
+def _parabola(parts: FirstOrder, sign: int, weight: Fraction) -> list[Amplitude]:
     """Return a, b and c of weight |conj(f - k g) + sign b|^2 = a k^2 - 2 b k + c."""
-    still = added(parts.forward.conjugate(), parts.backward.scaled(sign))
+    still = parts.forward.conjugate() + parts.backward.scaled(sign)
     moved = parts.per_share.conjugate()
-    cross = real_part(product(still, moved.conjugate()))
-    return [number.scaled(weight) for number in (norm(moved), cross, norm(still))]
+    cross = still.times(moved.conjugate()).real()
+    return [number.scaled(weight) for number in (moved.norm(), cross, still.norm())]
 
 
-def amplitudes(parts: FirstOrder, share: Fraction) -> tuple[object, object]:
+def amplitudes(parts: FirstOrder, share: Fraction) -> tuple[Real, Real]:
     """Return the vertical and the lateral amplitude left at an overbalance, in decimals.
 
     >>> from symbalance.engine.builders import inline
     >>> [str(x) for x in amplitudes(first_order(inline("1")), Fraction(1, 2))]
     ['0.5', '0.5']
     """
-    left = added(parts.forward, -parts.per_share.scaled(share)).conjugate()
-    with mp.workdps(30):
-        return tuple(+abs(decimal(added(left, parts.backward.scaled(s)))) for s in (1, -1))  # type: ignore
+    left = (parts.forward - parts.per_share.scaled(share)).conjugate()
+    vertical, lateral = ((left + parts.backward.scaled(s)).size(30) for s in (1, -1))
+    return vertical, lateral

@@ -21,16 +21,21 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from symbalance.errors import SymbalanceError
-from symbalance.exact.arithmetic import added, station_of
-from symbalance.exact.spectrum import Number
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.arithmetic import station_of
 
-Placed = tuple[Fraction, Number]
+Placed = tuple[Fraction, Amplitude]
 """An arm, and the vector that turns there."""
 SPREADS = ("ends", "even")
 
 
 def in_planes(
-    force: Number, couple: Number, arms: Sequence[Fraction], *, spread: str = "ends", length: Fraction
+    force: Amplitude,
+    couple: Amplitude,
+    arms: Sequence[Fraction],
+    *,
+    spread: str = "ends",
+    length: Fraction,
 ) -> list[Placed]:
     """Return vectors at some of `arms` with that force and couple, in the unit of the two.
 
@@ -59,24 +64,24 @@ def in_planes(
     return _ends(force, couple, places) if spread == "ends" else _even(force, couple, places)
 
 
-def _ends(force: Number, couple: Number, places: Sequence[Fraction]) -> list[Placed]:
+def _ends(force: Amplitude, couple: Amplitude, places: Sequence[Fraction]) -> list[Placed]:
     front, rear = places[0], places[-1]
     over = 1 / (front - rear)
-    first = added(couple, -force.scaled(rear)).scaled(over)
-    second = added(force.scaled(front), -couple).scaled(over)
+    first = (couple - force.scaled(rear)).scaled(over)
+    second = (force.scaled(front) - couple).scaled(over)
     return [(z, w) for z, w in ((front, first), (rear, second)) if not w.is_zero()]
 
 
-def _even(force: Number, couple: Number, places: Sequence[Fraction]) -> list[Placed]:
+def _even(force: Amplitude, couple: Amplitude, places: Sequence[Fraction]) -> list[Placed]:
     count, total, squares = len(places), sum(places), sum(z * z for z in places)
     over = 1 / Fraction(count * squares - total * total)
-    level = added(force.scaled(squares), -couple.scaled(total)).scaled(over)
-    slope = added(couple.scaled(count), -force.scaled(total)).scaled(over)
-    found = [(z, added(level, slope.scaled(z))) for z in places]
+    level = (force.scaled(squares) - couple.scaled(total)).scaled(over)
+    slope = (couple.scaled(count) - force.scaled(total)).scaled(over)
+    found = [(z, level + slope.scaled(z)) for z in places]
     return [(z, w) for z, w in found if not w.is_zero()]
 
 
-def _nearest(force: Number, couple: Number, arm: Fraction, length: Fraction) -> Placed:
+def _nearest(force: Amplitude, couple: Amplitude, arm: Fraction, length: Fraction) -> Placed:
     """Return the vector at one arm that misses force and couple least, in the sense of a length."""
     square = length * length
-    return arm, added(force, couple.scaled(arm / square)).scaled(1 / (1 + arm * arm / square))
+    return arm, (force + couple.scaled(arm / square)).scaled(1 / (1 + arm * arm / square))

@@ -16,9 +16,9 @@ from symbalance.design.balancing.planes import in_planes
 from symbalance.engine.balancers import Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
-from symbalance.exact.arithmetic import summed
-from symbalance.exact.spectrum import Number
+from symbalance.exact.arithmetic import total
 from symbalance.text.numbers import exact, listed
 
 
@@ -61,7 +61,7 @@ def rotating_weights(layout: Engine) -> list[Weight]:
     return found
 
 
-def rotating_unbalance(weights: Iterable[Weight], plane: object = 0) -> tuple[Number, Number]:
+def rotating_unbalance(weights: Iterable[Weight], plane: object = 0) -> tuple[Amplitude, Amplitude]:
     """Return the force and the couple about a station that turning weights leave, in their unit.
 
     >>> force, couple = rotating_unbalance([Weight(1, 0, unbalance=5), Weight(-1, 180, unbalance=5)])
@@ -69,7 +69,7 @@ def rotating_unbalance(weights: Iterable[Weight], plane: object = 0) -> tuple[Nu
     (True, Fraction(10, 1))
     """
     rows, station = _checked(weights), exact(plane, "plane")
-    return summed([w.vector for w in rows]), summed([w.vector.scaled(w.station - station) for w in rows])
+    return total(w.vector for w in rows), total(w.vector.scaled(w.station - station) for w in rows)
 
 
 def balanced_weights(
@@ -99,7 +99,7 @@ def balanced_weights(
     return [_counterweight(vector, station, in_kg_mm) for station, vector in placed]
 
 
-def _counterweight(vector: Number, station: Fraction, in_kg_mm: bool) -> Counterweight:
+def _counterweight(vector: Amplitude, station: Fraction, in_kg_mm: bool) -> Counterweight:
     if not in_kg_mm:
         return Counterweight(Angle(Fraction(0)), station, share=vector)
     return Counterweight(Angle(Fraction(0)), station, unbalance=vector)

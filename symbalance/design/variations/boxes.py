@@ -16,8 +16,6 @@ from functools import cached_property
 from itertools import product
 from math import ceil, cos, floor, pi
 
-from mpmath import mp
-
 from symbalance.design.variations.sectors import Sector
 from symbalance.design.variations.shares import arms, checked_layout, mechanism_to
 from symbalance.design.variations.tolerances import Relative
@@ -184,7 +182,7 @@ def _corners(mechanism: Mechanism, radius: Fraction, own: Relative, order: int) 
         ends[2].add(Fraction(0))  # where the even orders are least
     for r, length, e in product(*map(sorted, ends)):
         at = SliderCrank(length / r, e / r)
-        yield {n: complex(mp.mpc(f)) * float(r) for n, f in piston_force(at, order).items()}
+        yield {n: complex(f) * float(r) for n, f in piston_force(at, order).items()}
 
 
 def _box(

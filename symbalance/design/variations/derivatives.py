@@ -26,20 +26,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.design.variations.hung import MOVING, clusters, hung_changes
-from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
+from symbalance.design.variations.sensitivity import Sensitivity
 from symbalance.design.variations.shares import Share, mechanism_to, rotating_pair, shares
 from symbalance.design.variations.slopes import Slopes, slopes
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.kinematics.mechanisms import SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
-from symbalance.text.numbers import Real, listed, real
+from symbalance.text.numbers import listed
+from symbalance.text.reals import Complex, Real
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 PARAMETERS = ("mass", "throw", "bank", "station", "stroke", "rod", "offset", "rotating")
@@ -122,15 +121,14 @@ def _of_order(
 
 def _absent(share: Share, n: int) -> Share:
     """Return the share of an order that a cylinder does not have."""
-    return Share(share.number, n, share.axis, n * share.lead, share.arm, share.size, mp.mpc(0))
+    return Share(share.number, n, share.axis, n * share.lead, share.arm, share.size, Complex(0))
 
 
 def _rotating(layout: Engine, n: int, own: Sequence[Share]) -> Iterator[Sensitivity]:
     """Yield what a rotating mass adds: on the crank pin to order 1 forward, on a link pin to all."""
     for cylinder, share, radius in zip(layout.cylinders, own, layout.radii, strict=True):
         pins = link_pin_force(cylinder.mechanism, n)
-        with mp.workdps(DIGITS):
-            factor = real(radius)
+        factor = Real(radius)
         if pins:
             ahead, against = (DecimalPhasor(z) for z in rotating_pair(cylinder, pins, n))
             yield Sensitivity("rotating", share.number, n, (ahead, against), factor, share.arm)
@@ -149,18 +147,16 @@ def _one(
         size = _over_mass(layout, cylinder, size)
     ahead, against = _geometry(share, name)
     if value.imag and value.real:  # a link rod: nothing exact to hold
-        with mp.workdps(DIGITS):
-            pair = (_decimal(ahead, value), _decimal(against, mp.conj(value)))
-            return Sensitivity(name, share.number, n, pair, real(size), share.arm)
+        pair = (_decimal(ahead, value), _decimal(against, value.conjugate()))
+        return Sensitivity(name, share.number, n, pair, Real(size), share.arm)
     quarter = QUARTER if value.imag else Fraction(0)
-    with mp.workdps(DIGITS):
-        factor = (value.imag if value.imag else value.real) * real(size)
+    factor = (value.imag if value.imag else value.real) * size
     pair = (ahead.turned(quarter), against.turned(-quarter))
     return Sensitivity(name, share.number, n, pair, factor, share.arm)
 
 
-def _decimal(exact: Phasor, value: Real) -> DecimalPhasor:
-    return DecimalPhasor(value * evaluated_number(exact))
+def _decimal(exact: Phasor, value: Complex) -> DecimalPhasor:
+    return DecimalPhasor(value * exact.evaluated())
 
 
 def _over_mass(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:

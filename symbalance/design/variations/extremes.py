@@ -41,7 +41,7 @@ from symbalance.design.variations.boxes import Box, boxes
 from symbalance.design.variations.derivatives import sensitivities
 from symbalance.design.variations.made import NOTHING, Made, made_parts
 from symbalance.design.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
-from symbalance.design.variations.sensitivity import Sensitivity, evaluated_number
+from symbalance.design.variations.sensitivity import Sensitivity
 from symbalance.design.variations.tolerances import Relative, Tolerances
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
@@ -182,7 +182,7 @@ def _ideal(ideal: Balance, n: int, quantity: str) -> tuple[complex, complex]:
         assert ideal.ratio is not None
         factor = float(acceleration_value(n, ideal.ratio))
     ahead, against = (spectrum.terms.get(signed, ZERO) for signed in (n, -n))
-    return complex(evaluated_number(ahead)) * factor, complex(evaluated_number(against)) * factor
+    return complex(ahead.evaluated()) * factor, complex(against.evaluated()) * factor
 
 
 def _statistical(

@@ -26,7 +26,6 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import Phasor
-from symbalance.exact.spectrum import SymbolicPhasor
 from symbalance.exact.symbol_sums import (
     Polynomial,
     SymbolComponent,
@@ -36,6 +35,7 @@ from symbalance.exact.symbol_sums import (
     polynomial,
     powered,
 )
+from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.kinematics.coefficients import force_power
 from symbalance.kinematics.mechanisms import offset_series
 from symbalance.kinematics.slider_crank import Series, acceleration_series, checked_order

@@ -20,24 +20,21 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil, cosh, log, sqrt
 
-from mpmath import mp
-
 from symbalance.design.variations.sensitivity import Sensitivity
 from symbalance.design.variations.shares import Share
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
+from symbalance.exact.decimal_phasor import LEAST, DecimalPhasor
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
 from symbalance.kinematics.mechanisms.fourier import MOST_POINTS, means
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import DIGITS, Complex, Real, digits_of, expjpi, fixed
+from symbalance.text.reals import sqrt as root
 
 MOVING = ("throw", "bank", "stroke", "rod", "offset")
 """Sizes that may move other cylinders than their own."""
 GUARD = 12
-NOTHING = mp.mpf(10) ** (10 - DIGITS)
-"""Beside the sum of its parts' sizes: what is no more is rounding."""
-Pair = tuple[Real, Real]
+Pair = tuple[Complex, Complex]
 
 
 def clusters(layout: Engine) -> dict[int, list[Cylinder]]:
@@ -53,59 +50,58 @@ def clusters(layout: Engine) -> dict[int, list[Cylinder]]:
 class _Rod:
     """One rod at one crank angle, lengths over its crank radius: w, tan phi, sin phi, 1/cos phi, l."""
 
-    place: Real
+    place: Complex
     tangent: Real
     sine: Real
     secant: Real
-    length: Real
+    length: Fraction
 
-    def height(self, moved: Real, length: Real, aside: Real) -> Real:
+    def height(self, moved: Complex, length: int, aside: int) -> Real:
         """Return dy for dw, dl and de."""
         return moved.real - self.tangent * (moved.imag - aside) + length * self.secant
 
-    def turn(self, moved: Real, length: Real, aside: Real) -> Real:
+    def turn(self, moved: Complex, length: int, aside: int) -> Real:
         """Return dphi for dw, dl and de."""
         return (moved.imag - aside - self.sine * length) * self.secant / self.length
 
 
-def _rod(place: Real, mechanism: Mechanism) -> _Rod:
-    length = real(mechanism.length)
-    sine = (place.imag - real(mechanism.offset)) / length
-    secant = 1 / mp.sqrt((1 - sine) * (1 + sine))
-    return _Rod(place, sine * secant, sine, secant, length)
+def _rod(place: Complex, mechanism: Mechanism) -> _Rod:
+    sine = (place.imag - mechanism.offset) / mechanism.length
+    secant = 1 / root((1 - sine) * (1 + sine))
+    return _Rod(place, sine * secant, sine, secant, mechanism.length)
 
 
-def _change(name: str, rod: _Rod, pin: Real) -> tuple[Real, Real, Real]:
+def _change(name: str, rod: _Rod, pin: Complex) -> tuple[Complex, int, int]:
     """Return dw, dl and de of a rod whose own size grows by one; `pin` is the crank's part of w."""
-    moved = {"throw": 1j * pin, "bank": -1j * rod.place, "stroke": pin}.get(name, mp.mpc(0))
-    return moved, mp.mpf(name == "rod"), mp.mpf(name == "offset")
+    moved = {"throw": 1j * pin, "bank": -1j * rod.place, "stroke": pin}.get(name, Complex(0))
+    return moved, int(name == "rod"), int(name == "offset")
 
 
-def _hung_change(name: str, link: LinkRod, pin: Real, of_master: Real) -> Real:
+def _hung_change(name: str, link: LinkRod, pin: Complex, of_master: Complex) -> Complex:
     """Return dw of a link pin where a size of its master grows by one."""
-    axis = mp.expjpi(2 * real(link.bank_difference))
+    axis = expjpi(2 * link.bank_difference, pin.digits)
     master = _rod(pin * axis, link.master)
     turn = master.turn(*_change(name, master, pin * axis))
-    moved = {"throw": 1j * pin, "stroke": pin}.get(name, mp.mpc(0))
+    moved = {"throw": 1j * pin, "stroke": pin}.get(name, Complex(0))
     return moved + 1j * of_master * ((name == "bank") - turn)
 
 
-def _samples(mechanism: Mechanism, name: str, own: bool, points: int) -> Iterator[Real]:
+def _samples(mechanism: Mechanism, name: str, own: bool, points: int, digits: int) -> Iterator[Real]:
     """Yield dy over the radius at evenly spread angles, for a size of its own or of its master's."""
     for i in range(points):
-        pin = mp.expjpi(mp.mpf(2 * i) / points)
-        arm = mp.mpc(0)
+        pin = expjpi(Fraction(2 * i, points), digits)
+        arm = Complex(0)
         if isinstance(mechanism, LinkRod):
-            axis = mp.expjpi(2 * real(mechanism.bank_difference))
+            axis = expjpi(2 * mechanism.bank_difference, digits)
             sine = _rod(pin * axis, mechanism.master).sine
-            turned = mp.expjpi(2 * real(mechanism.lead)) * mp.mpc(mp.sqrt((1 - sine) * (1 + sine)), -sine)
-            arm = real(mechanism.link_radius) * turned
+            turned = expjpi(2 * mechanism.lead, digits) * Complex(root((1 - sine) * (1 + sine)), -sine)
+            arm = mechanism.link_radius * turned
         rod = _rod(pin + arm, mechanism)
         if own:
             yield rod.height(*_change(name, rod, pin))
         else:
             assert isinstance(mechanism, LinkRod)
-            yield rod.height(_hung_change(name, mechanism, pin, arm), mp.mpf(0), mp.mpf(0))
+            yield rod.height(_hung_change(name, mechanism, pin, arm), 0, 0)
 
 
 def _grid(mechanism: Mechanism, order: int) -> tuple[int, int]:
@@ -128,12 +124,11 @@ def _grid(mechanism: Mechanism, order: int) -> tuple[int, int]:
     return 1 << ceil(needed).bit_length(), ceil(nepers / log(2)) + 48
 
 
-def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> list[Real]:
+def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> list[Complex]:
     """Return the Fourier coefficients of dy, n = 0..order."""
     points, bits = _grid(mechanism, order)
-    with mp.workprec(bits):
-        scaled = [int(mp.ldexp(x, bits)) for x in _samples(mechanism, name, own, points)]
-        return means(scaled, bits)[: order + 1]
+    samples = _samples(mechanism, name, own, points, digits_of(bits))
+    return means([fixed(x, bits) for x in samples], bits)[: order + 1]
 
 
 def hung_changes(
@@ -161,35 +156,35 @@ def _derived(
     places = [layout.cylinders.index(c) for c in moved]
     changed = [_coefficients(c.known_mechanism, name, c is first, order) for c in moved]
     for n in range(1, order + 1):
-        total, arms, size = [mp.mpc(0)] * 2, [mp.mpc(0)] * 2, mp.mpf(0)
+        total, arms, size = [Complex(0)] * 2, [Complex(0)] * 2, Real(0)
         for place, cylinder, lengths, found in zip(places, moved, per, changed, strict=True):
             share = own[min(own)][place]
-            with mp.workdps(DIGITS + GUARD):
-                pair = _pair(cylinder, share, n, found[n] * lengths)
-                if name == "bank" and cylinder is first:
-                    pair = _turned(pair, own.get(n), place)
-                total = [t + x for t, x in zip(total, pair, strict=True)]
-                arms = [t + x * real(share.arm) for t, x in zip(arms, pair, strict=True)]
-                size += sum(map(abs, pair)) * (1 + abs(real(share.arm)))
+            pair = _pair(cylinder, share, n, found[n] * lengths)
+            if name == "bank" and cylinder is first:
+                pair = _turned(pair, own.get(n), place)
+            total = [t + x for t, x in zip(total, pair, strict=True)]
+            arms = [t + x * share.arm for t, x in zip(arms, pair, strict=True)]
+            size += sum(map(abs, pair)) * (1 + abs(share.arm))
         force, couple = (_decimals(parts, size) for parts in (total, arms))
         if any(not x.is_zero() for x in (*force, *couple)):
-            yield Sensitivity(name, first.number, n, force, mp.mpf(1), Fraction(0), couple)
+            yield Sensitivity(name, first.number, n, force, Real(1), Fraction(0), couple)
 
 
-def _lengths(layout: Engine, cylinder: Cylinder, name: str) -> Real:
+def _lengths(layout: Engine, cylinder: Cylinder, name: str) -> Fraction:
     """Return what turns dy over its own radius into its share's unit, for one unit of the size."""
     own, radius = cylinder.radius, layout.first.radius
     if name in ("throw", "bank") or not own or not radius:
-        return mp.mpf(1)
-    with mp.workdps(DIGITS + GUARD):
-        return real(radius / own)
+        return Fraction(1)
+    return radius / own
 
 
-def _pair(cylinder: Cylinder, share: Share, n: int, change: Real) -> Pair:
+def _pair(cylinder: Cylinder, share: Share, n: int, change: Complex) -> Pair:
     """Return c_n and c_-n of a height's coefficient: the share's size holds mass and radius."""
-    delay, axis = 2 * real(n * cylinder.delay.turns), mp.expjpi(2 * real(cylinder.bank.turns))
-    value = n * n * change * real(share.size) * mp.expjpi(delay)
-    return value * axis, mp.conj(value) * axis
+    axis, delay = (
+        expjpi(2 * turns, DIGITS + GUARD) for turns in (cylinder.bank.turns, n * cylinder.delay.turns)
+    )
+    value = n * n * change * share.size * delay
+    return value * axis, value.conjugate() * axis
 
 
 def _turned(pair: Pair, rows: Sequence[Share] | None, place: int) -> Pair:
@@ -197,13 +192,13 @@ def _turned(pair: Pair, rows: Sequence[Share] | None, place: int) -> Pair:
     if rows is None:
         return pair
     share = rows[place]
-    value = share.value * real(share.size) / 2
-    ahead = value * mp.expjpi(2 * real(share.axis + share.lead))
-    against = mp.conj(value) * mp.expjpi(2 * real(share.axis - share.lead))
+    value = share.value * share.size / 2
+    ahead = value * expjpi(2 * (share.axis + share.lead), DIGITS + GUARD)
+    against = value.conjugate() * expjpi(2 * (share.axis - share.lead), DIGITS + GUARD)
     return pair[0] + 1j * ahead, pair[1] + 1j * against
 
 
-def _decimals(parts: Sequence[Real], size: Real) -> tuple[DecimalPhasor, DecimalPhasor]:
-    with mp.workdps(DIGITS):
-        ahead, against = (mp.mpc(0) if abs(x) <= NOTHING * size else +x for x in parts)
+def _decimals(parts: Sequence[Complex], size: Real) -> tuple[DecimalPhasor, DecimalPhasor]:
+    """Return sums as numbers, 0 where they are nothing beside the sum of their parts' sizes."""
+    ahead, against = (Complex(0) if abs(x) <= LEAST * size else x.rounded(DIGITS) for x in parts)
     return DecimalPhasor(ahead), DecimalPhasor(against)

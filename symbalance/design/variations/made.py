@@ -11,7 +11,6 @@ import cmath
 from dataclasses import dataclass
 
 from symbalance.design.variations.sectors import Sector
-from symbalance.design.variations.sensitivity import evaluated_number
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import share_unit
 from symbalance.exact.phasor import ZERO
@@ -62,7 +61,7 @@ def made_parts(layout: Engine, order: int, reference: object = None) -> dict[int
 
 def _part(layout: Engine, spectrum: Spectrum, n: int) -> Made:
     factor = float(share_unit(layout, n)) if layout.counts_in_orders else 1.0
-    ahead, against = (complex(evaluated_number(spectrum.terms.get(s, ZERO))) for s in (n, -n))
+    ahead, against = (complex(spectrum.terms.get(s, ZERO).evaluated()) for s in (n, -n))
     return Made(ahead * factor, against * factor)
 
 

@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from math import pi
 
-from mpmath import mp
-
-from symbalance.exact.decimal_phasor import DIGITS, DecimalPhasor
-from symbalance.exact.phasor import Phasor
-from symbalance.exact.radicals import evaluated
-from symbalance.exact.spectrum import Number, Spectrum
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.spectrum import Spectrum
 from symbalance.forces.resultants import Resultant
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real
 
 STEPS = {
     "mass": (Fraction(1, 100), "1 % of m"),
@@ -40,10 +37,10 @@ class Sensitivity:
     parameter: str
     cylinder: int
     order: int
-    geometry: tuple[Number, Number]
+    geometry: tuple[Amplitude, Amplitude]
     factor: Real
     arm: Fraction
-    couples: tuple[Number, Number] | None = None
+    couples: tuple[Amplitude, Amplitude] | None = None
     """The couple's own geometry, of sizes that move several cylinders, each at its station."""
 
     @cached_property
@@ -58,16 +55,16 @@ class Sensitivity:
             return self._resultant(Fraction(1), self.couples)
         return self._resultant(Fraction(1) if self.parameter == "station" else self.arm)
 
-    def _resultant(self, weight: Fraction, pair: tuple[Number, Number] | None = None) -> Resultant:
+    def _resultant(self, weight: Fraction, pair: tuple[Amplitude, Amplitude] | None = None) -> Resultant:
         ahead, against = (part.scaled(weight) for part in pair or self.geometry)
         return Resultant(Spectrum.of({self.order: ahead, -self.order: against}), self.order)
 
     @cached_property
     def largest(self) -> tuple[float, float]:
         """The largest moduli of the force's and the couple's change over a turn, for one unit."""
-        size = sum(map(_modulus, self.geometry)) * abs(float(self.factor))
+        size = sum(part.most for part in self.geometry) * abs(float(self.factor))
         if self.couples is not None:
-            return size, sum(map(_modulus, self.couples)) * abs(float(self.factor))
+            return size, sum(part.most for part in self.couples) * abs(float(self.factor))
         if self.parameter == "station":
             return 0.0, size
         return size, size * abs(float(self.arm))
@@ -84,8 +81,8 @@ class Sensitivity:
         weight = self.weight(quantity)
         return self.values[0] * weight, self.values[1] * weight
 
-    def _valued(self, pair: tuple[Number, Number]) -> tuple[complex, complex]:
-        ahead, against = (complex(evaluated_number(part)) * float(self.factor) for part in pair)
+    def _valued(self, pair: tuple[Amplitude, Amplitude]) -> tuple[complex, complex]:
+        ahead, against = (complex(part.evaluated()) * float(self.factor) for part in pair)
         return ahead, against
 
     def weight(self, quantity: str) -> float:
@@ -97,21 +94,5 @@ class Sensitivity:
     def step(self) -> tuple[float, float]:
         """Return `largest` for the step of `STEPS` in place of one unit."""
         step = STEPS[self.parameter][0]
-        by = float(mp.pi) / 180 if step is None else float(step)
+        by = pi / 180 if step is None else float(step)
         return self.largest[0] * by, self.largest[1] * by
-
-
-def _modulus(number: Number) -> float:
-    """Return the modulus of a rational times one root of unity, or of a decimal number."""
-    if isinstance(number, Phasor):
-        return sum(abs(float(Fraction(c))) for c in number.terms.values())
-    assert isinstance(number, DecimalPhasor)
-    return float(abs(number.value))
-
-
-def evaluated_number(number: Number) -> Real:
-    """Return a number of a geometry as an mpmath number."""
-    if isinstance(number, DecimalPhasor):
-        return number.value
-    assert isinstance(number, Phasor)
-    return mp.mpc(*(evaluated(x, DIGITS) for x in (number.real(), number.imaginary())))

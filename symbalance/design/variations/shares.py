@@ -14,16 +14,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
-from symbalance.exact.decimal_phasor import DIGITS
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.numbers import Real, exact, real
+from symbalance.text.numbers import exact
+from symbalance.text.reals import Complex, expjpi
 
 
 @dataclass(frozen=True)
@@ -36,7 +34,7 @@ class Share:
     lead: Fraction
     arm: Fraction
     size: Fraction
-    value: Real
+    value: Complex
     """f_n to 40 digits."""
 
 
@@ -50,19 +48,18 @@ def checked_layout(layout: object) -> Engine:
     return layout
 
 
-def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Real], n: int) -> tuple[Real, Real]:
+def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Complex], n: int) -> tuple[Complex, Complex]:
     """Return c_n and c_-n of 1 kg of a rod's rotating mass, over its r omega^2, in the engine's plane.
 
     On the crank pin it turns: e^(i throw) forward in order 1. `pins` (`link_pin_force`) is what a link
     pin adds to that in the cylinder's frame; it is empty for rods on the crank pin.
     """
-    with mp.workdps(DIGITS):
-        pair = []
-        for signed in (n, -n):
-            turned = mp.expjpi(2 * real(cylinder.bank.turns + signed * cylinder.delay.turns))
-            circle = mp.expjpi(2 * real(cylinder.throw.turns)) if signed == 1 else mp.mpc(0)
-            pair.append(circle + pins.get(signed, mp.mpc(0)) * turned)
-        return pair[0], pair[1]
+    pair = []
+    for signed in (n, -n):
+        turned = expjpi(2 * (cylinder.bank.turns + signed * cylinder.delay.turns))
+        circle = expjpi(2 * cylinder.throw.turns) if signed == 1 else Complex(0)
+        pair.append(circle + pins.get(signed, Complex(0)) * turned)
+    return pair[0], pair[1]
 
 
 def arms(layout: Engine, reference: object = None) -> list[Fraction]:
@@ -83,7 +80,7 @@ def shares(layout: Engine, order: int, reference: object = None) -> dict[int, li
     rows = list(zip(layout.cylinders, arms(layout, reference), layout.sizes, own, strict=True))
     return {
         n: [
-            Share(c.number, n, c.bank.turns, n * c.delay.turns, arm, size, f.get(n, mp.mpc(0)))
+            Share(c.number, n, c.bank.turns, n * c.delay.turns, arm, size, f.get(n, Complex(0)))
             for c, arm, size, f in rows
         ]
         for n in sorted({n for f in own for n in f})

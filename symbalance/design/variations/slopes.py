@@ -20,28 +20,27 @@ e^(-a N)) (Trefethen and Weideman, SIAM Review 56 (2014), theorem 3.2, numbered 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from functools import lru_cache
 from math import acosh, ceil, log, sqrt
 from typing import NamedTuple
 
-from mpmath import mp
-
 from symbalance.errors import SymbalanceError
-from symbalance.exact.decimal_phasor import DIGITS
 from symbalance.kinematics.mechanisms import SliderCrank, force_harmonics
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import DIGITS, Complex, Real, expjpi, fdot
+from symbalance.text.reals import sqrt as root
 
 GUARD = 10
 MOST_POINTS = 20_000
 
 
 class Slopes(NamedTuple):
-    """f_n of one cylinder and its derivatives by crank radius, rod and offset, each over r; mpmath."""
+    """f_n of one cylinder and its derivatives by crank radius, rod and offset, each over r."""
 
-    value: Real
-    stroke: Real
-    rod: Real
-    offset: Real
+    value: Complex
+    stroke: Complex
+    rod: Complex
+    offset: Complex
 
 
 def slopes(mechanism: SliderCrank, order: int, digits: int = DIGITS) -> dict[int, Slopes]:
@@ -49,7 +48,8 @@ def slopes(mechanism: SliderCrank, order: int, digits: int = DIGITS) -> dict[int
 
     `stroke` is the derivative by the crank radius: half of it is that by the stroke.
 
-    >>> [mp.nstr(x.real, 8) for x in slopes(SliderCrank(4), 2)[2][:3]]
+    >>> from symbalance.text.reals import nstr
+    >>> [nstr(x.real, 8) for x in slopes(SliderCrank(4), 2)[2][:3]]
     ['0.25402504', '0.51634683', '-0.065580447']
     """
     return dict(_slopes(mechanism, order, digits))
@@ -60,39 +60,35 @@ def _slopes(mechanism: SliderCrank, order: int, digits: int) -> tuple[tuple[int,
     forces = force_harmonics(mechanism, order, digits)
     changes = _means(mechanism, range(1, order + 1), digits)
     found = []
-    with mp.workdps(digits + GUARD):
-        ratio, offset = real(mechanism.ratio), real(mechanism.offset)
-        for n, (by_rod, by_offset) in changes.items():
-            value = mp.mpc(0)
-            if n in forces:
-                value = mp.mpc(forces[n][0], -forces[n][1])
-            radius = value - ratio * by_rod - offset * by_offset
-            found.append((n, Slopes(value, radius, by_rod, by_offset)))
+    for n, (by_rod, by_offset) in changes.items():
+        value = Complex(forces[n][0], -forces[n][1]) if n in forces else Complex(0)
+        radius = value - mechanism.ratio * by_rod - mechanism.offset * by_offset
+        found.append((n, Slopes(value, radius, by_rod, by_offset)))
     return tuple(found)
 
 
-def _means(mechanism: SliderCrank, orders: Sequence[int], digits: int) -> dict[int, tuple[Real, Real]]:
+def _means(
+    mechanism: SliderCrank, orders: Sequence[int], digits: int
+) -> dict[int, tuple[Complex, Complex]]:
     """Return n -> (df_n/dlam, df_n/deps); what symmetry makes zero is 0."""
     points, working = _points(mechanism, max(orders), digits)
     centred, found = mechanism.offset == 0, {}
-    with mp.workdps(working):
-        roots = [mp.expjpi(mp.mpf(2 * i) / points) for i in range(points)]
-        ratio, offset = real(mechanism.ratio), real(mechanism.offset)
-        sines = [(z.imag - offset) / ratio for z in roots]
-        secants = [1 / mp.sqrt((1 - x) * (1 + x)) for x in sines]
-        tangents = [x * y for x, y in zip(sines, secants, strict=True)]
-        for n in orders:
-            turned = [roots[-n * i % points] for i in range(points)]
-            by_rod = mp.mpc(0) if centred and n % 2 else _mean(secants, turned, n)
-            by_offset = mp.mpc(0) if centred and n % 2 == 0 else _mean(tangents, turned, n)
-            found[n] = (by_rod, by_offset)
+    roots = [expjpi(Fraction(2 * i, points), working) for i in range(points)]
+    sines = [(z.imag - mechanism.offset) / mechanism.ratio for z in roots]
+    secants = [1 / root((1 - x) * (1 + x)) for x in sines]
+    tangents = [x * y for x, y in zip(sines, secants, strict=True)]
+    for n in orders:
+        turned = [roots[-n * i % points] for i in range(points)]
+        by_rod = Complex(0) if centred and n % 2 else _mean(secants, turned, n)
+        by_offset = Complex(0) if centred and n % 2 == 0 else _mean(tangents, turned, n)
+        found[n] = (by_rod, by_offset)
     return found
 
 
-def _mean(samples: Sequence[Real], turned: Sequence[Real], n: int) -> Real:
+def _mean(samples: Sequence[Real], turned: Sequence[Complex], n: int) -> Complex:
     """Return 2 n^2 times a coefficient: real at even n, imaginary at odd n: sin p alone matters."""
-    total = 2 * n * n * mp.fdot(samples, turned) / len(samples)
-    return mp.mpc(0, total.imag) if n % 2 else mp.mpc(total.real)
+    total = 2 * n * n * fdot(samples, turned) / len(samples)
+    return Complex(0, total.imag) if n % 2 else Complex(total.real)
 
 
 def _points(mechanism: SliderCrank, order: int, digits: int) -> tuple[int, int]:

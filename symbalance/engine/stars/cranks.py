@@ -19,10 +19,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
-from math import factorial
+from math import factorial, floor
 from typing import TYPE_CHECKING
-
-from mpmath import mp
 
 from symbalance.engine.builders import inline
 from symbalance.engine.cylinders import MOST_CYLINDERS
@@ -32,6 +30,7 @@ from symbalance.errors import SymbalanceError
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Component
 from symbalance.text.numbers import checked_whole
+from symbalance.text.reals import cospi, ldexp
 
 if TYPE_CHECKING:
     import sympy
@@ -185,5 +184,5 @@ def _size(correlation: tuple[int, ...], order: int) -> int:
 @cache
 def _cosines(rays: int) -> tuple[int, ...]:
     """Return cos(2 pi k/M) in units of 2^-128."""
-    with mp.workprec(160):
-        return tuple(int(mp.floor(mp.ldexp(mp.cospi(mp.mpf(2 * k) / rays), 128))) for k in range(rays))
+    cosines = (cospi(Fraction(2 * k, rays), 50) for k in range(rays))
+    return tuple(floor(ldexp(cosine, 128)) for cosine in cosines)

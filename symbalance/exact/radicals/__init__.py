@@ -13,7 +13,6 @@ those numbers, and deeper towers, are written as rational combinations of cosine
 
 from symbalance.exact.radicals.characters import radical_form
 from symbalance.exact.radicals.cosines import trigonometric_form
-from symbalance.exact.radicals.decimals import evaluated
 from symbalance.exact.radicals.forms import exact_form, square_root_form
 
-__all__ = ["evaluated", "exact_form", "radical_form", "square_root_form", "trigonometric_form"]
+__all__ = ["exact_form", "radical_form", "square_root_form", "trigonometric_form"]
