@@ -26,6 +26,7 @@ from symbalance.cli import run
 from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.files.crank_keys import FILE_KEYS
 from symbalance.crankshaft.files.described import reference_of_keys, schema_of_engine_files
+from symbalance.crankshaft.files.operation import Strength
 from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.engine.engine_file import SCHEMA, parse_engine, schema_text
 from symbalance.errors import SymbalanceError
@@ -384,7 +385,8 @@ def out_of_range(kind: Any) -> list[Any]:
             high = [] if kind.high is None else [kind.high] if kind.open_high else [kind.high + 1]
             bounds = [Decimal(float(n)) for n in low + high]
             bounds += [] if isinstance(kind, Measured) else [10**9 + 1]
-            return bounds + (["-1/2"] if kind.low is not None and kind.low >= 0 else [])
+            bounds += ["-1/2"] if kind.low is not None and kind.low >= 0 else []
+            return bounds + (["0", ".0/7"] if kind.open_low else [])
         case Whole():
             return [kind.low - 1, kind.high + 1, *([] if kind.but is None else [kind.but])]
         case OneOrList():
@@ -577,6 +579,12 @@ def test_what_the_reader_takes_the_schema_takes_too(kind: str, value: Any) -> No
         assert not fits or any(isinstance(v, str | Decimal) for v in flat)
     else:
         assert fits
+
+
+def test_the_strength_that_is_not_given_is_the_usual_one(folder: File) -> None:
+    path = folder / "engine.toml"
+    path.write_text(CRANK + IDEAL, encoding="utf-8")
+    assert read_running_engine(path).operation.strength == Strength()
 
 
 def test_defaults_are_those_of_the_builders() -> None:
