@@ -12,7 +12,6 @@ from mpmath import mp
 from symbalance.codegen.waves import (
     ACCELERATION,
     COUPLE,
-    DIGITS,
     FORCE,
     LENGTH,
     SPEED,
@@ -29,6 +28,7 @@ from symbalance.forces.resultants import Balance, balance
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, acceleration_values, checked_ratio
 from symbalance.kinematics.truncation import left_out
 from symbalance.text.numbers import Real, listed, real
+from symbalance.text.reals import DIGITS
 from symbalance.torque.groups import has_common_torque
 
 PISTON = ("displacement", "velocity", "acceleration")

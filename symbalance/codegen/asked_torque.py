@@ -13,12 +13,13 @@ from fractions import Fraction
 from mpmath import mp
 
 from symbalance.codegen.asked import shown_terms, upward
-from symbalance.codegen.waves import DIGITS, RODS, TORQUE, TORQUE_ITSELF, TORQUE_PER_RADIUS, Term, Wave
+from symbalance.codegen.waves import RODS, TORQUE, TORQUE_ITSELF, TORQUE_PER_RADIUS, Term, Wave
 from symbalance.errors import SymbalanceError
 from symbalance.forces.resultants import Balance
 from symbalance.kinematics.inertia import torque_left_out
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.numbers import Real
+from symbalance.text.reals import DIGITS
 from symbalance.torque import CrankTorque, TorqueBalance, inertia_torque, rod_torque, roll_moment
 from symbalance.torque.groups import has_common_torque
 from symbalance.torque.roll import MILLI, first_excess

@@ -10,7 +10,7 @@ from symbalance.codegen.cosines import Cosine
 from symbalance.codegen.crests import Crest
 from symbalance.codegen.kernels import Kernel
 from symbalance.codegen.waves import Closed
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real
 
 
 class Bases:

@@ -17,22 +17,19 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.codegen.cosines import LIMIT, Cosine, cut, per_point, sine_lines, sine_tail
 from symbalance.codegen.kernels import Kernel
 from symbalance.codegen.waves import Closed
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import Real, cos, pi, sin, sqrt
 
 COMPRESSED = Fraction(1, 2)
 """Above this rho^2 the form in cos theta is used, below it the one in cos 2 theta."""
 
 
 def squares(ratio: Fraction) -> tuple[Real, Real]:
-    """Return k'^2 = 1 - rho^2 and rho^2, to the working precision."""
+    """Return k'^2 = 1 - rho^2 and rho^2."""
     square = 1 / (ratio * ratio)
-    rest = 1 - square
-    return real(rest), real(square)
+    return Real(1 - square), Real(square)
 
 
 def uses_double_angle(ratio: Fraction) -> bool:
@@ -44,18 +41,18 @@ def secondary_cosine(ratio: Fraction, turns: Fraction) -> Cosine:
     """Return the cosine E(theta + 2 pi turns) is computed from."""
     step = 2 if uses_double_angle(ratio) else 1
     phase = -step * turns
-    return Cosine(Fraction(step), mp.mpf(0) + _nearest(phase))
+    return Cosine(Fraction(step), Real(_nearest(phase)))
 
 
-def _nearest(turns: Fraction) -> Real:
-    """Return the turns within (-1/2, 1/2], as a 40-digit number."""
-    return real(turns - round(turns))
+def _nearest(turns: Fraction) -> Fraction:
+    """Return the turns within (-1/2, 1/2]."""
+    return turns - round(turns)
 
 
 def secondary_lines(kernel: Kernel, ratio: Fraction, cosine: str, mark: str) -> str:
     """Add the lines of E, from the cosine's name; return the name of the result."""
     rest, square = squares(ratio)
-    rho = kernel.constant("RHO", mp.sqrt(square), "r/l")
+    rho = kernel.constant("RHO", sqrt(square), "r/l")
     if uses_double_angle(ratio):
         half = kernel.constant("MEAN_SQUARE", (1 + rest) / 2, "1 - rho^2/2")
         swing = kernel.constant("HALF_SQUARE", square / 2, "rho^2/2")
@@ -74,7 +71,7 @@ def secondary_lines(kernel: Kernel, ratio: Fraction, cosine: str, mark: str) -> 
 def velocity_lines(kernel: Kernel, closed: Closed, cosine: str, sine: str) -> str:
     """Add the lines of a piston's velocity over r omega, from cos and sin of its crank angle."""
     rest, square = squares(closed.ratio)
-    rho = kernel.constant("RHO", mp.sqrt(square), "r/l")
+    rho = kernel.constant("RHO", sqrt(square), "r/l")
     gap = kernel.constant("GAP", rest, "1 - rho^2")
     full = kernel.constant("RHO_SQUARE", square, "rho^2")
     d = kernel.line("d", f"{gap} + {full}*{cosine}*{cosine}", "1 - rho^2 sin^2 theta")
@@ -87,15 +84,14 @@ def displacement_base(kernel: Kernel, closed: Closed, name: str) -> None:
     The angle is reduced in three parts, so that what is left of it keeps its digits near a dead centre;
     what the last subtraction and the sine's last sum round off is carried along.
     """
-    with mp.workdps(90):
-        most = int(mp.mpf(LIMIT) / (2 * mp.pi)) + 3
-        bits = 53 - most.bit_length()
-        shift = -2 * mp.pi * _nearest(closed.places[0][1])
-        period, at = ([*cut(value, bits - 3, bits, 2)] for value in (2 * mp.pi, shift))
+    turn = 2 * pi(90)
+    bits = 53 - (int(LIMIT / turn) + 3).bit_length()
+    shift = -turn * _nearest(closed.places[0][1])
+    period, at = ([*cut(value, bits - 3, bits, 2)] for value in (turn, shift))
     p1, p2, p3 = (kernel.constant(f"TURN_{i}", part) for i, part in enumerate(period, 1))
     s1, s2, s3 = (kernel.constant(f"TOP_{i}", part) for i, part in enumerate(at, 1))
-    turns = kernel.constant("PER_RADIAN_P", 1 / (2 * mp.pi), "turns in a radian")
-    top = kernel.constant("TOP_TURNS", at[0] / (2 * mp.pi), "where the piston is at the top")
+    turns = kernel.constant("PER_RADIAN_P", 1 / turn, "turns in a radian")
+    top = kernel.constant("TOP_TURNS", at[0] / turn, "where the piston is at the top")
     kernel.line("pn", f"rint(theta*{turns} - {top})", "whole turns")
     kernel.line("pa", f"theta - ({s1} + pn*{p1})", "exact")
     kernel.line("pb", f"{s2} + pn*{p2}", "exact")
@@ -106,8 +102,7 @@ def displacement_base(kernel: Kernel, closed: Closed, name: str) -> None:
     kernel.line("pside", "side(pr)")
     kernel.line("ph", "0.5*abs(pr)", "half of it, and beside it what is left to a quarter turn")
     kernel.line("pl", "0.5*(pside*lost)")
-    with mp.workdps(40):
-        high, low = kernel.constant("HALF_PI_1", mp.pi / 2), mp.pi / 2 - mp.mpf(float(mp.pi / 2))
+    high, low = kernel.constant("HALF_PI_1", pi() / 2), pi() / 2 - float(pi() / 2)
     kernel.line("pc", f"({high} - ph) + ({kernel.constant('HALF_PI_2', low)} - pl)")
     kernel.line("upper", "0.5 + 0.5*side(pc - ph)", "1 in the upper half of the stroke, 0 in the lower")
     kernel.line("py", "upper*ph + (1.0 - upper)*pc", "the smaller of the two")
@@ -125,7 +120,7 @@ def displacement_on_grid(kernel: Kernel, closed: Closed, name: str) -> None:
     whole = f" + {kernel.constant('TOP_TURNS_BEFORE', turns)}" if turns else ""
     kernel.line("pn", f"rint(index*{per_point(kernel)}{whole})", "whole turns")
     kernel.line("pm", f"(index - pn*points){shift}")
-    kernel.line("half_step", f"{kernel.constant('PI', mp.pi)}/points", "half the angle of a point")
+    kernel.line("half_step", f"{kernel.constant('PI', pi())}/points", "half the angle of a point")
     kernel.line("ph", "pm*half_step", "half the crank angle")
     sine_lines(kernel, "ps", "ph", "p")
     kernel.line(name, "ps*ps")
@@ -133,16 +128,16 @@ def displacement_on_grid(kernel: Kernel, closed: Closed, name: str) -> None:
 
 def displacement_far(kernel: Kernel, closed: Closed, name: str) -> None:
     """Add the same for any other angle, from the library's own cosine and sine."""
-    half = mp.pi * _nearest(closed.places[0][1])
-    cos, sin = kernel.constant("COS_TOP", mp.cos(half)), kernel.constant("SIN_TOP", mp.sin(half))
-    kernel.line("ps", f"sin(0.5*theta)*{cos} + cos(0.5*theta)*{sin}")
+    half = pi() * _nearest(closed.places[0][1])
+    c, s = kernel.constant("COS_TOP", cos(half)), kernel.constant("SIN_TOP", sin(half))
+    kernel.line("ps", f"sin(0.5*theta)*{c} + cos(0.5*theta)*{s}")
     kernel.line(name, "ps*ps")
 
 
 def displacement_lines(kernel: Kernel, closed: Closed, square: str) -> str:
     """Return the displacement over r from sin^2(theta/2), adding what it needs."""
     rest, rho_square = squares(closed.ratio)
-    rho = kernel.constant("RHO", mp.sqrt(rho_square), "r/l")
+    rho = kernel.constant("RHO", sqrt(rho_square), "r/l")
     gap = kernel.constant("GAP", rest, "1 - rho^2")
     full = kernel.constant("RHO_SQUARE", rho_square, "rho^2")
     c = kernel.line("pc", f"1.0 - 2.0*{square}", "cos(theta)")

@@ -19,14 +19,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-
-from mpmath import mp
+from math import ceil, log2
 
 from symbalance.codegen.kernels import Kernel, horner
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Exact, Real, cos, ldexp, nint, pi, sin, solve, sqrt
 
 LIMIT = 2.0**20
 """The largest |theta| in radians that is reduced exactly."""
+DIGITS = 70
+"""Of pi where a period is cut into parts of 53 bits and less."""
 SINE_DEGREE = 17
 
 
@@ -37,12 +38,15 @@ def sine_coefficients() -> tuple[float, ...]:
     Interpolated at Chebyshev's points in x^2, in 40 digits; a little beyond pi/2, for angles rounded up.
     """
     count = (SINE_DEGREE - 1) // 2
-    with mp.workdps(40):
-        end = (mp.pi / 2 + mp.mpf(2) ** -10) ** 2
-        nodes = [end * (1 + mp.cos(mp.pi * (2 * i + 1) / (2 * count))) / 2 for i in range(count)]
-        rows = mp.matrix([[u**j for j in range(count)] for u in nodes])
-        values = [(mp.sin(mp.sqrt(u)) / mp.sqrt(u) - 1) / u for u in nodes]
-        return tuple(float(c) for c in mp.lu_solve(rows, mp.matrix(values)))
+    end = (pi() / 2 + 2.0**-10) ** 2
+    return sine_polynomial(end, count)
+
+
+def sine_polynomial(end: Real, count: int) -> tuple[float, ...]:
+    """Return `count` coefficients of (sin x/x - 1)/x^2 in powers of x^2, on 0 < x^2 < end."""
+    nodes = [end * (1 + cos(pi() * (2 * i + 1) / (2 * count))) / 2 for i in range(count)]
+    rows = [[u**j for j in range(count)] for u in nodes]
+    return tuple(float(c) for c in solve(rows, [(sin(sqrt(u)) / sqrt(u) - 1) / u for u in nodes]))
 
 
 @dataclass(frozen=True)
@@ -54,9 +58,7 @@ class Cosine:
 
     def near(self, kernel: Kernel, name: str, mark: str) -> None:
         """Add the lines that compute it into `name` for |theta| <= LIMIT; `mark` keeps names apart."""
-        with mp.workdps(70):
-            x = _folded(self, kernel, mark)
-        sine_lines(kernel, name, x, mark)
+        sine_lines(kernel, name, _folded(self, kernel, mark), mark)
 
     def on_grid(self, kernel: Kernel, name: str, mark: str) -> None:
         """Add the lines at theta = 2 pi index/points: whole numbers take the turns off, exactly."""
@@ -71,7 +73,7 @@ class Cosine:
         n = kernel.line(f"n{mark}", f"rint({index}*{per_point(kernel, under)}{shift})", "whole periods")
         back = f" - {around}*SHIFT_TURNS{mark}" if self.phase else ""
         m = kernel.line(f"m{mark}", f"({index} - {n}*{around}){back}")
-        half = kernel.constant("HALF_PI", mp.pi / 2)
+        half = kernel.constant("HALF_PI", pi() / 2)
         step = kernel.line(f"step_{under}", f"{half}/{around}", "a quarter of the angle of a point")
         x = kernel.line(f"x{mark}", f"({around} - 4.0*abs({m}))*{step}", "a quarter less that")
         sine_lines(kernel, name, x, mark)
@@ -99,10 +101,11 @@ def far_cosine(cosine: Cosine, kernel: Kernel, name: str, mark: str) -> str:
     c, s = _power(kernel, c, s, cosine.step.numerator, base)
     if cosine.phase == 0:
         return kernel.line(name, c)
-    turned = 2 * mp.pi * cosine.phase
-    cos = kernel.constant(f"COS_SHIFT{mark}", mp.cos(turned))
-    sin = kernel.constant(f"SIN_SHIFT{mark}", mp.sin(turned))
-    return kernel.line(name, f"{c}*{cos} + {s}*{sin}")
+    turned = 2 * pi() * cosine.phase
+    cosine_of, sine_of = (
+        kernel.constant(f"{word}_SHIFT{mark}", f(turned)) for word, f in (("COS", cos), ("SIN", sin))
+    )
+    return kernel.line(name, f"{c}*{cosine_of} + {s}*{sine_of}")
 
 
 def sine_lines(kernel: Kernel, name: str, x: str, mark: str) -> None:
@@ -136,8 +139,8 @@ def _folded(cosine: Cosine, kernel: Kernel, mark: str) -> str:
     but the last is exact, on the grid of P_1, for |theta| >= 1 their product with s too, and the
     last one's rounding is small where x is.
     """
-    s = mp.mpf(cosine.step.numerator) / cosine.step.denominator
-    period = 2 * mp.pi / s
+    s = cosine.step
+    period = 2 * pi(DIGITS) / s
     parts = _reduction(period, cosine.phase, kernel, mark, s)
     quarter = _two(kernel, f"QUARTER{mark}", period / 4, parts.grid, s)
     n, t, times = parts.count, parts.rest, "" if s == 1 else f"{float(s)!r}*"
@@ -156,17 +159,16 @@ def _folded(cosine: Cosine, kernel: Kernel, mark: str) -> str:
 
 def crest_angle(step: Fraction, phase: Real, kernel: Kernel, mark: str) -> tuple[str, str]:
     """Add the lines of n, half periods to the nearest crest or trough, and of r, the angle from there."""
-    with mp.workdps(70):
-        half = mp.pi * step.denominator / step.numerator
-        parts = _reduction(half, 2 * phase, kernel, mark)
-        n = parts.count
-        if not phase:
-            left = kernel.line(f"t{mark}h", f"{parts.rest} - {n}*{parts.high}", "exact")
-            return n, kernel.line(f"r{mark}", f"{left} - {n}*{parts.low}", "what is left of the angle")
-        shift = _two(kernel, f"SHIFT{mark}", 2 * half * phase, parts.grid)
-        left = kernel.line(f"t{mark}h", f"{parts.rest} - ({shift[0]} + {n}*{parts.high})", "exact")
-        small = f"({n}*{parts.low} + {shift[1]})"
-        return n, kernel.line(f"r{mark}", f"{left} - {small}", "what is left of the angle")
+    half = pi(DIGITS) / step
+    parts = _reduction(half, 2 * phase, kernel, mark)
+    n = parts.count
+    if not phase:
+        left = kernel.line(f"t{mark}h", f"{parts.rest} - {n}*{parts.high}", "exact")
+        return n, kernel.line(f"r{mark}", f"{left} - {n}*{parts.low}", "what is left of the angle")
+    shift = _two(kernel, f"SHIFT{mark}", 2 * half * phase, parts.grid)
+    left = kernel.line(f"t{mark}h", f"{parts.rest} - ({shift[0]} + {n}*{parts.high})", "exact")
+    small = f"({n}*{parts.low} + {shift[1]})"
+    return n, kernel.line(f"r{mark}", f"{left} - {small}", "what is left of the angle")
 
 
 @dataclass(frozen=True)
@@ -180,11 +182,11 @@ class _Reduction:
     grid: int
 
 
-def _reduction(period: Real, phase: Real, kernel: Kernel, mark: str, times: Real = mp.one) -> _Reduction:
+def _reduction(period: Real, phase: Real, kernel: Kernel, mark: str, times: Exact = 1) -> _Reduction:
     """Add the lines of n, with `low` already multiplied by `times`."""
-    most = int(mp.mpf(LIMIT) / period) + 3
+    most = int(LIMIT / period) + 3
     bits = 53 - most.bit_length()
-    grid = bits - int(mp.ceil(mp.log(period, 2)))
+    grid = bits - ceil(log2(period))
     *first, high, low = _split(kernel, period, grid, most, mark, times)
     count = f"theta*{kernel.constant(f'PER_RADIAN{mark}', 1 / period, 'periods in a radian')}"
     if phase:
@@ -194,10 +196,10 @@ def _reduction(period: Real, phase: Real, kernel: Kernel, mark: str, times: Real
     return _Reduction(n, rest, high, low, grid)
 
 
-def _split(kernel: Kernel, period: Real, grid: int, most: int, mark: str, times: Real) -> list[str]:
+def _split(kernel: Kernel, period: Real, grid: int, most: int, mark: str, times: Exact) -> list[str]:
     """Cut the period into parts on grids and a last double, till what is left does not matter."""
     bits = 53 - most.bit_length()
-    count = next(k for k in (1, 2, 3) if mp.ldexp(most, 5 - grid - (k - 1) * bits) < period)
+    count = next(k for k in (1, 2, 3) if ldexp(most, 5 - grid - (k - 1) * bits) < period)
     parts = cut(period, grid, bits, count)
     parts[-1] *= times
     note = "the period, cut so that n times the first part is exact"
@@ -208,10 +210,10 @@ def _split(kernel: Kernel, period: Real, grid: int, most: int, mark: str, times:
 
 
 def _on_grid(value: Real, bits: int) -> Real:
-    return mp.ldexp(mp.nint(mp.ldexp(value, bits)), -bits)
+    return ldexp(nint(ldexp(value, bits)), -bits)
 
 
-def _two(kernel: Kernel, name: str, value: Real, grid: int, times: Real = mp.one) -> tuple[str, str]:
+def _two(kernel: Kernel, name: str, value: Real, grid: int, times: Exact = 1) -> tuple[str, str]:
     high, low = cut(value, grid, 0, 1)
     return kernel.constant(f"{name}_1", high), kernel.constant(f"{name}_2", low * times)
 

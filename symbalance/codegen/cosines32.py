@@ -25,14 +25,12 @@ from fractions import Fraction
 from functools import lru_cache
 from math import lcm
 
-from mpmath import mp
-
 from symbalance.codegen.bases import Bases
-from symbalance.codegen.cosines import Cosine, cut
+from symbalance.codegen.cosines import Cosine, cut, sine_polynomial
 from symbalance.codegen.crests import Crest
 from symbalance.codegen.kernels import Kernel, horner
 from symbalance.codegen.waves import Closed
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real, ldexp, nint, pi
 
 LIMIT32 = 2.0**31
 """The largest |theta| in radians that is cut into parts without loss."""
@@ -50,12 +48,7 @@ def sine32_coefficients(margin: float) -> tuple[float, ...]:
     Off by at most 0.01 u32 there for the margin of order 24; degree 9 would be by 0.6.
     """
     count = (SINE32_DEGREE - 1) // 2
-    with mp.workdps(40):
-        end = (mp.pi / 2 + margin) ** 2
-        nodes = [end * (1 + mp.cos(mp.pi * (2 * i + 1) / (2 * count))) / 2 for i in range(count)]
-        rows = mp.matrix([[u**j for j in range(count)] for u in nodes])
-        values = [(mp.sin(mp.sqrt(u)) / mp.sqrt(u) - 1) / u for u in nodes]
-        return tuple(float(c) for c in mp.lu_solve(rows, mp.matrix(values)))
+    return sine_polynomial((pi() / 2 + margin) ** 2, count)
 
 
 def single_kernel(bases: Bases, wanted: tuple[str, ...]) -> Kernel:
@@ -64,7 +57,7 @@ def single_kernel(bases: Bases, wanted: tuple[str, ...]) -> Kernel:
         return Kernel()
     kernel, steps = Kernel(), bases.steps()
     under = lcm(*(step.denominator for step in steps))
-    margin = 2 * float(mp.pi) * REST * (1 + float(max(steps)) * under)
+    margin = 2 * float(pi()) * REST * (1 + float(max(steps)) * under)
     turn_lines(kernel, under)
     single = _Single(kernel, under, margin)
     for i, cosine in enumerate(bases.cosines, 1):
@@ -79,19 +72,18 @@ def single_kernel(bases: Bases, wanted: tuple[str, ...]) -> Kernel:
 def turn_lines(kernel: Kernel, under: int) -> None:
     """Add f and e with f + e = theta/(2 pi under) less whole numbers."""
     rest = "theta"
-    with mp.workdps(40):
-        turns = 1 / (2 * mp.pi * under)
-        for i, (name, power) in enumerate(CUTS):
-            kernel.line(name, f"rint({_times(rest, -power)})", f"theta = 2^{power} {name} + ...")
-            after = CUTS[i + 1][0] if i + 1 < len(CUTS) else "d"
-            kernel.line(f"to_{after}", f"{rest} - {_times(name, power)}", "exact")
-            rest = f"to_{after}"
-            share = mp.ldexp(turns, power)
-            parts = cut(share - mp.nint(share), 12, 12, 2)
-            note = f"2^{power}/(2 pi{f' {under}' if under > 1 else ''}) less whole turns, cut in three"
-            for j, part in enumerate(parts, 1):
-                kernel.constant(f"{name.upper()}{j}", part, note if j == 1 else "")
-        kernel.constant("D3", turns)
+    turns = 1 / (2 * pi() * under)
+    for i, (name, power) in enumerate(CUTS):
+        kernel.line(name, f"rint({_times(rest, -power)})", f"theta = 2^{power} {name} + ...")
+        after = CUTS[i + 1][0] if i + 1 < len(CUTS) else "d"
+        kernel.line(f"to_{after}", f"{rest} - {_times(name, power)}", "exact")
+        rest = f"to_{after}"
+        share = ldexp(turns, power)
+        parts = cut(share - nint(share), 12, 12, 2)
+        note = f"2^{power}/(2 pi{f' {under}' if under > 1 else ''}) less whole turns, cut in three"
+        for j, part in enumerate(parts, 1):
+            kernel.constant(f"{name.upper()}{j}", part, note if j == 1 else "")
+    kernel.constant("D3", turns)
     kernel.line("middle", "((z*Z2 + a*A2) + b*B2) + c*C2", "exact, multiples of 2^-24 below 1")
     kernel.line("near_middle", "rint(middle*4096.0)/4096.0", "on the grid 2^-12")
     kernel.line("coarse", "((z*Z1 + a*A1) + b*B1) + near_middle", "exact, multiples of 2^-12")
@@ -115,8 +107,7 @@ class _Single:
 
     def part(self, step: Fraction, phase: Real, mark: str) -> tuple[str, str]:
         """Return step theta - phase in turns: the exact part, as a line's name, and the rest."""
-        with mp.workdps(40):
-            high, low = cut(phase, 12, 0, 1)
+        high, low = cut(phase, 12, 0, 1)
         exact = self._less(f"{float(step * self.under)!r}*f", high, f"PHASE{mark}_1")
         rest = self._less(f"{float(step * self.under)!r}*e", low, f"PHASE{mark}_2")
         return self.kernel.line(f"y{mark}", exact, "exact"), rest
@@ -149,7 +140,7 @@ class _Single:
         """Add name = sin^2 of half a piston's crank angle."""
         turns = closed.places[0][1]
         away = round(turns) - turns
-        exact, rest = self.part(Fraction(1), mp.mpf(away.numerator) / away.denominator, "_top")
+        exact, rest = self.part(Fraction(1), Real(away), "_top")
         v = self.kernel.line("v_top", f"{exact} - rint({exact})", "exact: turns from the top")
         h = self.kernel.line("x_top", f"{self._pi(1)}*({v} + ({rest}))", "half the crank angle")
         sine = self.sine("sin_top", h, "_top")
@@ -166,4 +157,4 @@ class _Single:
         return self.kernel.line(name, f"{x} + {x}*{u}*({horner(names, u)})")
 
     def _pi(self, times: int) -> str:
-        return self.kernel.constant("TAU" if times == 2 else "PI", times * mp.pi)
+        return self.kernel.constant("TAU" if times == 2 else "PI", times * pi())

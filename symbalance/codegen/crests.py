@@ -18,12 +18,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from mpmath import mp
 
 from symbalance.codegen.cosines import Cosine, crest_angle, far_cosine, per_point, sine_lines
 from symbalance.codegen.kernels import Kernel
 from symbalance.codegen.rounding import Grid
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real, pi
 
 ARGUMENT = 7.0
 """What m errs at most, in u of itself: the reduction, s r/2, the sine, its square."""
@@ -57,7 +56,7 @@ class Crest:
         )
         n = kernel.line(f"n{mark}", f"rint(2.0*({turned}{shift}))", "half turns")
         left = f"({times!r}*index - 0.5*{n}*({under!r}*points))/({under!r}*points){shift}"
-        h = kernel.line(f"x{mark}", f"{kernel.constant('PI', mp.pi)}*({left})", "half of psi'")
+        h = kernel.line(f"x{mark}", f"{kernel.constant('PI', pi())}*({left})", "half of psi'")
         self._from_half(kernel, n, h, mark)
 
     def _from_half(self, kernel: Kernel, n: str, h: str, mark: str) -> None:
@@ -71,7 +70,7 @@ class Crest:
         """Add the lines for any other angle."""
         m, sigma, q = self.names(mark)
         c = far_cosine(Cosine(self.step, self.phase), kernel, f"cos_p{mark}", mark)
-        quarter = Cosine(self.step, self.phase + mp.mpf(1) / 4)
+        quarter = Cosine(self.step, self.phase + 0.25)
         s = far_cosine(quarter, kernel, f"sin_p{mark}", f"{mark}q")
         kernel.line(sigma, f"side({c})")
         kernel.line(m, f"2.0*{s}*{s}/(1.0 + abs({c}))")

@@ -72,7 +72,7 @@ class Evaluator:
         return self._module["on_grid"](points, turns, **keywords)
 
     def self_test(self) -> None:
-        """Compare with mpmath's values at the angles the source holds; AssertionError past a bound."""
+        """Compare with the true values at the angles the source holds; AssertionError past a bound."""
         self._module["self_test"]()
 
     def __getstate__(self) -> dict[str, Any]:

@@ -13,9 +13,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
-from typing import Any
-
-from mpmath import mp
 
 from symbalance.codegen.bases import Bases
 from symbalance.codegen.closed import (
@@ -26,9 +23,9 @@ from symbalance.codegen.closed import (
 )
 from symbalance.codegen.kernels import NAME, Kernel
 from symbalance.codegen.polynomials import family
-from symbalance.codegen.waves import DIGITS, Closed, Wave
+from symbalance.codegen.waves import Closed, Wave
 from symbalance.codegen.ways import polynomials, prefix
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import Exact, Real
 
 ROOT = {"numpy": 3, "octave": 3}
 """Additions or multiplications one division or square root is worth; compiled: `COMPILED_ROOT`."""
@@ -55,12 +52,10 @@ class Output:
     closed: bool = False
     scaled: bool = False
 
-    def value(self, theta: Any) -> Real:
-        """Return what the formula stands for at a crank angle, to mpmath's working precision."""
+    def value(self, theta: Exact | Real) -> Real:
+        """Return what the formula stands for at a crank angle, to its digits, 40 if it has none."""
         closed = self.wave.closed
-        return (
-            closed.value(mp.mpf(theta)) if closed is not None and self.closed else self.wave.value(theta)
-        )
+        return closed.value(theta) if closed is not None and self.closed else self.wave.value(theta)
 
     @property
     def prefix(self) -> str:
@@ -86,11 +81,6 @@ class Plan:
 
 def plan(waves: Sequence[Wave], ratio: Fraction, target: str) -> Plan:
     """Return the cheapest plan for `waves` on a target, by the rule above."""
-    with mp.workdps(DIGITS + 10):  # whatever precision the caller has set
-        return _plan(waves, ratio, target)
-
-
-def _plan(waves: Sequence[Wave], ratio: Fraction, target: str) -> Plan:
     bases, tail = Bases(), Kernel()
     outputs = tuple(_planned(wave, target, bases, tail) for wave in waves)
     wanted = tail.names().union(*(NAME.findall(o.formula) for o in outputs))
@@ -134,7 +124,7 @@ def _draft(
 
 def _by_mean(wave: Wave, bases: Bases, tail: Kernel) -> Output:
     """Return a constant; a cosine times 0 gives it the angles' shape, and NaN where they are lost."""
-    formula = f"{_mean(wave, tail)} + 0.0*{bases.name(Fraction(1), mp.mpf(0))}"
+    formula = f"{_mean(wave, tail)} + 0.0*{bases.name(Fraction(1), Real(0))}"
     return Output(wave, formula, abs(float(wave.mean)), 2.0, "the mean alone", scaled=True)
 
 
@@ -171,7 +161,7 @@ def _closed(closed: Closed, own: str, bases: Bases, tail: Kernel) -> str:
     if closed.kind == "displacement":
         return displacement_lines(tail, closed, bases.square(closed))
     if closed.kind == "velocity":
-        phase = real(-closed.places[0][1])
+        phase = Real(-closed.places[0][1])
         cosine, sine = bases.name(Fraction(1), phase), bases.name(Fraction(1), phase + 0.25)
         return velocity_lines(tail, closed, cosine, sine)
     parts = []

@@ -11,13 +11,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
 
-from mpmath import mp
-
 from symbalance.codegen.kernels import Kernel, horner
-from symbalance.codegen.waves import DIGITS, Term
-from symbalance.text.numbers import Real
+from symbalance.codegen.waves import Term
+from symbalance.text.reals import DIGITS, Complex, Real, atan2, expjpi, nint, pi
 
-ALIGNED = mp.mpf(10) ** (8 - DIGITS)
+ALIGNED = Fraction(1, 10 ** (DIGITS - 8))
 """Sines smaller than this, of the largest harmonic, are rounding of the coefficients."""
 FEW_TERMS = 3
 """Harmonics that may each have a cosine of their own."""
@@ -40,27 +38,26 @@ def family(terms: Sequence[Term]) -> Family:
 
     Where there is none of either the largest needs no sine.
 
-    >>> one = Term(Fraction(2), mp.mpf(0), mp.mpf(3))
+    >>> one = Term(Fraction(2), Real(0), Real(3))
     >>> found = family([one])
     >>> found.step, float(found.phase), float(found.even[1])
     (Fraction(2, 1), 0.25, 3.0)
     """
     step = _step([t.order for t in terms])
-    with mp.workdps(DIGITS):
-        numbers = {int(t.order / step): mp.mpc(t.cos, t.sin) for t in terms}
-        count, largest = max(numbers), max(abs(z) for z in numbers.values())
-        for phase in _phases(numbers):
-            turned = {k: z * mp.expjpi(-2 * k * phase) for k, z in numbers.items()}
-            if all(abs(z.imag) <= ALIGNED * largest for z in turned.values()):
-                return Family(step, phase, _row(turned, count, "real"), ())
-        for phase in _phases({k: z * -1j for k, z in numbers.items()}):
-            turned = {k: z * mp.expjpi(-2 * k * phase) for k, z in numbers.items()}
-            if all(abs(z.real) <= ALIGNED * largest for z in turned.values()):
-                return Family(step, phase, (), _row(turned, count, "imag"))
-        chief = max(numbers, key=lambda k: abs(numbers[k]))  # the largest needs no sine: least is rounded
-        phase = _phases({chief: numbers[chief]})[0]
-        turned = {k: z * mp.expjpi(-2 * k * phase) for k, z in numbers.items()}
-        return Family(step, phase, _row(turned, count, "real"), _row(turned, count, "imag", chief))
+    numbers = {int(t.order / step): Complex(t.cos, t.sin) for t in terms}
+    count, largest = max(numbers), max(abs(z) for z in numbers.values())
+    for phase in _phases(numbers):
+        turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+        if all(abs(z.imag) <= ALIGNED * largest for z in turned.values()):
+            return Family(step, phase, _row(turned, count, "real"), ())
+    for phase in _phases({k: z * -1j for k, z in numbers.items()}):
+        turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+        if all(abs(z.real) <= ALIGNED * largest for z in turned.values()):
+            return Family(step, phase, (), _row(turned, count, "imag"))
+    chief = max(numbers, key=lambda k: abs(numbers[k]))  # the largest needs no sine: least is rounded
+    phase = _phases({chief: numbers[chief]})[0]
+    turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+    return Family(step, phase, _row(turned, count, "real"), _row(turned, count, "imag", chief))
 
 
 def decompositions(terms: Sequence[Term]) -> list[list[Family]]:
@@ -85,21 +82,21 @@ def _step(orders: Sequence[Fraction]) -> Fraction:
     return Fraction(gcd(*(int(n * under) for n in orders)), under)
 
 
-def _phases(numbers: dict[int, Real]) -> list[Real]:
+def _phases(numbers: dict[int, Complex]) -> list[Real]:
     """Return the phases, in turns, at which the lowest harmonic is a pure cosine, nearest to 0 first."""
     lowest = min(numbers)
-    first = mp.arg(numbers[lowest]) / (2 * mp.pi)
-    found = [(first + mp.mpf(j) / 2) / lowest for j in range(2 * lowest)]
-    nearest = [x - mp.nint(x) for x in found]
-    return sorted((mp.mpf(0) if abs(x) < ALIGNED else x for x in nearest), key=abs)
+    first = atan2(numbers[lowest].imag, numbers[lowest].real) / (2 * pi())
+    phases = [(first + j / 2) / lowest for j in range(2 * lowest)]
+    nearest = [x - nint(x) for x in phases]
+    return sorted((Real(0) if abs(x) < ALIGNED else x for x in nearest), key=abs)
 
 
-def _row(numbers: dict[int, Real], count: int, part: str, without: int = 0) -> tuple[Real, ...]:
+def _row(numbers: dict[int, Complex], count: int, part: str, without: int = 0) -> tuple[Real, ...]:
     """Return one part of the numbers by order; what is but rounding of the coefficients is 0."""
     least = ALIGNED * max(abs(z) for z in numbers.values())
     parts = {k: getattr(z, part) for k, z in numbers.items() if k != without}
     kept = {k: x for k, x in parts.items() if abs(x) > least}
-    return tuple(kept.get(k, mp.mpf(0)) for k in range(count + 1))
+    return tuple(kept.get(k, Real(0)) for k in range(count + 1))
 
 
 def powers(chebyshev: Sequence[Real], kind: str = "T") -> list[Real]:
@@ -109,7 +106,7 @@ def powers(chebyshev: Sequence[Real], kind: str = "T") -> list[Real]:
     ([0, -3, 0, 4], [-1, 0, 4])
     """
     before, here = ([1], [0, 1]) if kind == "T" else ([0], [1])
-    total = [mp.mpf(0)] * max(len(chebyshev), 1)
+    total = [Real(0)] * max(len(chebyshev), 1)
     for a in chebyshev:
         for j, p in enumerate(before):
             total[j] += a * p

@@ -1,5 +1,7 @@
 """What a scene asks for, as numbers: each output a sum of harmonics or a closed form, to 40 digits.
 
+The digits are those the coefficients carry before they are rounded, once, to a double.
+
 A `Wave` is all the evaluators know of a result. Whatever has a spectrum can be evaluated by making
 waves of it: forces and couples, torque (half orders included) alike.
 """
@@ -8,14 +10,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
-from mpmath import mp
+from symbalance.text.reals import Exact, Real, cos, fsum, hypot, pi, sin, sqrt
 
-from symbalance.text.numbers import Real, real
-
-DIGITS = 40
-"""Digits the coefficients carry before they are rounded, once, to a double."""
+ZERO = Real(0)
 
 
 @dataclass(frozen=True)
@@ -26,16 +24,19 @@ class Term:
     cos: Real
     sin: Real
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "cos", Real(self.cos))
+        object.__setattr__(self, "sin", Real(self.sin))
+
     @property
     def size(self) -> Real:
         """The harmonic's amplitude."""
-        with mp.workdps(DIGITS):
-            return mp.hypot(self.cos, self.sin)
+        return hypot(self.cos, self.sin)
 
-    def at(self, theta: Any) -> Real:
-        """Return the harmonic at a crank angle, to mpmath's working precision."""
-        angle = theta * self.order.numerator / self.order.denominator
-        return self.cos * mp.cos(angle) + self.sin * mp.sin(angle)
+    def at(self, theta: Real) -> Real:
+        """Return the harmonic at a crank angle, to its digits."""
+        angle = theta * self.order
+        return self.cos * cos(angle) + self.sin * sin(angle)
 
 
 @dataclass(frozen=True)
@@ -76,12 +77,16 @@ class Closed:
     places: tuple[tuple[Real, Fraction], ...]
     first: tuple[Term, ...] = ()
 
-    def value(self, theta: Any) -> Real:
-        """Return the function at a crank angle, to mpmath's working precision."""
-        rho = real(1 / self.ratio)
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "places", tuple((Real(weight), turns) for weight, turns in self.places))
+
+    def value(self, theta: Exact | Real) -> Real:
+        """Return the function at a crank angle (radians), to its digits, 40 where it carries none."""
+        theta = Real(theta)
+        rho, turn = Real(1 / self.ratio, theta.digits), 2 * pi(theta.digits)
         part = {"secondary": _secondary, "displacement": _displacement, "velocity": _velocity}[self.kind]
-        moved = (weight * part(theta + 2 * mp.pi * real(turns), rho) for weight, turns in self.places)
-        return mp.fsum(moved) + mp.fsum(term.at(theta) for term in self.first)
+        moved = (weight * part(theta + turn * turns, rho) for weight, turns in self.places)
+        return fsum(moved) + fsum(term.at(theta) for term in self.first)
 
     def peaks(self) -> list[float]:
         """Return turns of the crank where the largest value may be: a grid, and pistons in mid-stroke.
@@ -93,18 +98,18 @@ class Closed:
 
 
 def _secondary(theta: Real, rho: Real) -> Real:
-    cos, sin, rest = mp.cos(theta), mp.sin(theta), (1 - rho) * (1 + rho)
-    return rho * (cos**4 - rest * sin**4) / (rest + (rho * cos) ** 2) ** mp.mpf(1.5)
+    c, s, rest = cos(theta), sin(theta), (1 - rho) * (1 + rho)
+    return rho * (c**4 - rest * s**4) / (rest + (rho * c) ** 2) ** 1.5
 
 
 def _displacement(theta: Real, rho: Real) -> Real:
-    root = mp.sqrt(1 - (rho * mp.sin(theta)) ** 2)
-    return 2 * mp.sin(theta / 2) ** 2 + rho * mp.sin(theta) ** 2 / (1 + root)
+    root = sqrt(1 - (rho * sin(theta)) ** 2)
+    return 2 * sin(theta / 2) ** 2 + rho * sin(theta) ** 2 / (1 + root)
 
 
 def _velocity(theta: Real, rho: Real) -> Real:
-    root = mp.sqrt((1 - rho) * (1 + rho) + (rho * mp.cos(theta)) ** 2)
-    return mp.sin(theta) * (1 + rho * mp.cos(theta) / root)
+    root = sqrt((1 - rho) * (1 + rho) + (rho * cos(theta)) ** 2)
+    return sin(theta) * (1 + rho * cos(theta) / root)
 
 
 @dataclass(frozen=True)
@@ -122,14 +127,20 @@ class Wave:
     through: int = 0
     left_out: float | None = None
     closed: Closed | None = None
-    mean: Real = 0
+    mean: Real = ZERO
 
-    def value(self, theta: Any) -> Real:
-        """Return the harmonics' sum at a crank angle (radians), or a closed form that stands alone."""
-        theta = mp.mpf(theta)
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mean", Real(self.mean))
+
+    def value(self, theta: Exact | Real) -> Real:
+        """Return the harmonics' sum at a crank angle (radians), or a closed form that stands alone.
+
+        The value has the digits of the angle, 40 where it carries none.
+        """
+        theta = Real(theta)
         if self.closed is not None and not self.terms:
             return self.closed.value(theta)
-        return self.mean + mp.fsum(term.at(theta) for term in self.terms)
+        return self.mean + fsum(term.at(theta) for term in self.terms)
 
     def amplitude(self) -> float:
         """Return the largest size over all angles: sampled, so a lower bound, within 1 in 1000."""
@@ -138,8 +149,8 @@ class Wave:
         if self.closed is not None and not self.terms:
             if self.closed.kind == "displacement":
                 return 2.0
-            with mp.workdps(20):
-                return float(max(abs(self.value(2 * mp.pi * mp.mpf(x))) for x in self.closed.peaks()))
+            turn = 2 * pi(20)
+            return float(max(abs(self.value(turn * x)) for x in self.closed.peaks()))
         turns = 2 * max((t.order.denominator for t in self.terms), default=1)
         theta = np.linspace(0.0, turns * np.pi, 1 + 96 * max(16, self.through))
         total = np.full_like(theta, float(self.mean))

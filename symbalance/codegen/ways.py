@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from mpmath import mp
 
 from symbalance.codegen import rounding
 from symbalance.codegen.bases import Bases
@@ -19,7 +18,7 @@ from symbalance.codegen.crests import reinsch_lines, rounding_of_reinsch
 from symbalance.codegen.kernels import Kernel
 from symbalance.codegen.polynomials import Family, clenshaw_lines, decompositions, power_lines, powers
 from symbalance.codegen.waves import Wave
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real
 
 MANY = 11.0
 """Rounding, in u of the amplitude, above which the first order goes apart, or Reinsch's way is gone."""
@@ -87,7 +86,7 @@ class _Way:
         if any(found.even):
             parts.append(_recurrence(found.even, "T", self.by_powers[0], own, cosine, tail))
         if any(found.odd):
-            sine = bases.name(found.step, found.phase + mp.mpf(1) / 4)
+            sine = bases.name(found.step, found.phase + 0.25)
             over = _recurrence(found.odd, "U", self.by_powers[1], own + "S", cosine, tail)
             parts.append(f"{sine}*({over})")
         return " + ".join(parts)

@@ -18,10 +18,9 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from mpmath import mp
-
 from symbalance.codegen.cosines import cut
 from symbalance.codegen.kernels import Kernel, Line
+from symbalance.text.reals import pi
 
 FARTHEST = 2.0**50
 """The largest |theta| in radians the wide lines reduce; doubles lie 1/4 rad apart there."""
@@ -48,19 +47,17 @@ def widened(near: Kernel) -> Kernel:
     if not near.lines:
         return near
     kernel = Kernel(list(near.constants), [])
-    with mp.workdps(60):
-        span = 2 * mp.pi * MANY
-        whole = int(mp.nint(span))
-        rest = span - whole
-        first, second, third = cut(rest, 39, 39, 2)
-        per = kernel.constant("PER_RADIAN_MANY", 1 / span, f"times {MANY} turns in a radian")
-        whole = kernel.constant("MANY_TURNS", whole, f"{MANY} turns in radians, cut in four")
-        part = kernel.constant("MANY_TURNS_REST", rest, "what lies beyond the whole number")
-        names = [
-            kernel.constant("MANY_TURNS_2", first, "of so few bits that times `many` it is exact"),
-            kernel.constant("MANY_TURNS_3", second),
-            kernel.constant("MANY_TURNS_4", third),
-        ]
+    span = 2 * pi(60) * MANY
+    rest = span - round(span)
+    first, second, third = cut(rest, 39, 39, 2)
+    per = kernel.constant("PER_RADIAN_MANY", 1 / span, f"times {MANY} turns in a radian")
+    whole = kernel.constant("MANY_TURNS", round(span), f"{MANY} turns in radians, cut in four")
+    part = kernel.constant("MANY_TURNS_REST", rest, "what lies beyond the whole number")
+    names = [
+        kernel.constant("MANY_TURNS_2", first, "of so few bits that times `many` it is exact"),
+        kernel.constant("MANY_TURNS_3", second),
+        kernel.constant("MANY_TURNS_4", third),
+    ]
     kernel.line("many", f"rint(theta*{per})", f"times {MANY} turns")
     kernel.line("g", f"rint(many*{part}*{GRID!r})/{GRID!r}", "exact from here to theta")
     kernel.line("beyond_1", f"many*{names[0]} - g", "exact: what theta leaves out")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from symbalance.text.numbers import Real, decimal_text
+from symbalance.text.numbers import decimal_text
+from symbalance.text.reals import Real
 
 SHOWN_DIGITS = 6
 
@@ -10,8 +11,7 @@ SHOWN_DIGITS = 6
 def shown(value: Real, digits: int = SHOWN_DIGITS) -> str:
     """Return a decimal as tables print it.
 
-    >>> from mpmath import mp
-    >>> shown(mp.mpf("7.43790327e-5")), shown(mp.mpf(3))
+    >>> shown(Real("7.43790327e-5")), shown(Real(3))
     ('7.4379e-5', '3')
     """
     text = decimal_text(value, digits)

@@ -4,8 +4,9 @@ In: fractions of a turn, rational weights, symbols. Out: sums that say, provably
 their exact forms.
 
     angles           exact fractions of a turn, with room for symbols
-    phasor           numbers of a cyclotomic field;  decimal_phasor: 40 digits, where none is exact
-    arithmetic       sums and products of either kind;  symbol_sums: with letters for masses, lengths
+    amplitude        what every amplitude can do, and the three kinds:  phasor: of a cyclotomic field;
+                     symbolic_phasor: with symbols for angles;  decimal_phasor: 40 digits, none exact
+    arithmetic       ratios of amplitudes;  symbol_sums: sums with letters for masses and lengths
     radicals         how such a number is written: roots, or cosines where there are none
     spectrum         one series for a planar vector: +n turns with the crank, -n against it
 """

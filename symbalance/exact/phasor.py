@@ -19,11 +19,17 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache
 from math import lcm, prod
+from typing import Any, ClassVar, overload
 
 from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.amplitude import Amplitude
+from symbalance.text.reals import DIGITS, Complex, Real, cospi, fsum
 
 LARGEST_RADICAL = 40_000
 """The product of the primes of a modulus may not pass this: it bounds the work of one reduction."""
+
+MOST_DIGITS = 1_000_000
+"""Where the search for a number's first digit ends."""
 
 Coefficient = int | Fraction
 
@@ -115,7 +121,7 @@ def _reduced(modulus: int, terms: Mapping[int, Coefficient]) -> dict[int, Coeffi
 
 
 @dataclass(frozen=True, eq=False)
-class Phasor:
+class Phasor(Amplitude):
     """A number of Q(zeta_m): the sum of coefficient times zeta^exponent over `terms`.
 
     `terms` stay as they were added up, exponents in [0, m): short, and fit to be printed. `normal` holds
@@ -129,6 +135,12 @@ class Phasor:
 
     modulus: int
     terms: Mapping[int, Coefficient]
+    rank: ClassVar[int] = 0
+
+    @classmethod
+    def holding(cls, number: Phasor) -> Phasor:
+        """Return the number itself: there is no kind below this one."""
+        return number
 
     @staticmethod
     def of(modulus: int, terms: Mapping[int, Coefficient]) -> Phasor:
@@ -159,7 +171,22 @@ class Phasor:
         step = modulus // self.modulus
         return self if step == 1 else Phasor(modulus, {k * step: c for k, c in self.terms.items()})
 
-    def __add__(self, other: Phasor) -> Phasor:
+    @overload
+    def __add__(self, other: Phasor) -> Phasor: ...
+    @overload
+    def __add__(self, other: Amplitude) -> Any: ...
+    def __add__(self, other: Amplitude) -> Any:
+        return self.plus(other) if type(other) is Phasor else super().__add__(other)
+
+    @overload
+    def __sub__(self, other: Phasor) -> Phasor: ...
+    @overload
+    def __sub__(self, other: Amplitude) -> Any: ...
+    def __sub__(self, other: Amplitude) -> Any:
+        return self + -other
+
+    def plus(self, other: Phasor) -> Phasor:
+        """Return the sum of two numbers of cyclotomic fields."""
         if not other.terms:
             return self
         if not self.terms:
@@ -172,9 +199,6 @@ class Phasor:
 
     def __neg__(self) -> Phasor:
         return Phasor(self.modulus, {k: -c for k, c in self.terms.items()})
-
-    def __sub__(self, other: Phasor) -> Phasor:
-        return self + -other
 
     def scaled(self, factor: Coefficient) -> Phasor:
         """Return the number times a rational."""
@@ -190,8 +214,16 @@ class Phasor:
         step, by = modulus // self.modulus, turns.numerator * (modulus // turns.denominator)
         return Phasor(modulus, {(k * step + by) % modulus: c for k, c in self.terms.items()})
 
-    def times(self, other: Phasor) -> Phasor:
+    @overload
+    def times(self, other: Phasor) -> Phasor: ...
+    @overload
+    def times(self, other: Amplitude) -> Any: ...
+    def times(self, other: Amplitude) -> Any:
         """Return the product of two numbers."""
+        return self.multiplied(other) if type(other) is Phasor else super().times(other)
+
+    def multiplied(self, other: Phasor) -> Phasor:
+        """Return the product of two numbers of cyclotomic fields."""
         modulus = lcm(self.modulus, other.modulus)
         left, above = cleared(self.lifted(modulus).terms)
         right, below = cleared(other.lifted(modulus).terms)
@@ -211,13 +243,29 @@ class Phasor:
         """Return the image under zeta -> zeta^unit, with `unit` prime to the modulus."""
         return Phasor(self.modulus, {k * unit % self.modulus: c for k, c in self.terms.items()})
 
-    def real(self) -> Phasor:
-        """Return the real part."""
-        return (self + self.conjugate()).scaled(Fraction(1, 2))
+    def evaluated(self, digits: int = DIGITS) -> Complex:
+        """Return the number in decimals, each part to `digits` significant digits."""
+        return Complex(self.real().real_value(digits), self.imaginary().real_value(digits))
 
-    def imaginary(self) -> Phasor:
-        """Return the imaginary part, a real number of the field with i added."""
-        return self.turned(Fraction(-1, 4)).real()
+    def real_value(self, digits: int = DIGITS) -> Real:
+        """Return a real number to `digits` significant digits and five more, whatever cancels in it."""
+        if self.is_zero():
+            return Real(0, digits + 5)
+        size = sum(abs(Fraction(c)) for c in self.terms.values())
+        working = digits + 15
+        while True:
+            cosines = ((c, cospi(Fraction(2 * k, self.modulus), working)) for k, c in self.terms.items())
+            value = fsum((cosine * c for c, cosine in cosines), working)
+            if abs(value) > size / 10 ** (working - digits - 5):
+                return value.rounded(digits + 5)
+            working *= 2
+            if working > MOST_DIGITS:
+                raise AssertionError(f"{self} is called non-zero, and has no digit")
+
+    @property
+    def spelling(self) -> object:
+        """The terms, in the field they are written in."""
+        return self.modulus, frozenset(self.terms.items())
 
     def primitive(self) -> Phasor:
         """Return the same number, reduced, in the smallest cyclotomic field that holds it.

@@ -10,8 +10,7 @@ number C + iS (its modulus is the amplitude, its argument the phase):
     vertical  conj(c_n) + c_-n            forward   conj(c_n)
     lateral   i (conj(c_n) - c_-n)        backward  c_-n
 
-With a symbolic angle in the layout a number is a `SymbolicPhasor`: exponentials of independent symbols
-are linearly independent, so zero is still decided by normal form.
+A number is an `Amplitude` of one of three kinds: exact, with symbols for some angles, or in decimals.
 """
 
 from __future__ import annotations
@@ -22,76 +21,26 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from mpmath import mp
-
-from symbalance.exact.angles import Angle, SymbolPart
+from symbalance.exact.amplitude import QUARTER
+from symbalance.exact.angles import Angle
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.exact.radicals import evaluated, exact_form, square_root_form
-from symbalance.text.numbers import Real
+from symbalance.exact.radicals import exact_form, square_root_form
+from symbalance.exact.symbolic_phasor import SymbolicPhasor
+from symbalance.text.reals import Real, atan2, pi
 
 if TYPE_CHECKING:
     import sympy
 
 COMPONENTS = ("vertical", "lateral", "forward", "backward")
-QUARTER = Fraction(1, 4)
 SHOWN = 30
 """Digits of a number that has no exact form."""
 MOST_IN_A_SQUARE = 60
 """An amplitude whose square has more terms is written as the root of C^2 + S^2."""
 
 
-@dataclass(frozen=True)
-class SymbolicPhasor:
-    """A sum of e^(i s) times a `Phasor`, over distinct symbolic angles s."""
-
-    parts: Mapping[SymbolPart, Phasor] = field(hash=False)
-
-    @staticmethod
-    def of(parts: Mapping[SymbolPart, Phasor]) -> SymbolicPhasor:
-        """Return the sum with its zero parts dropped."""
-        return SymbolicPhasor({s: p for s, p in parts.items() if not p.is_zero()})
-
-    def is_zero(self) -> bool:
-        """Tell whether the number is zero for all values of the symbols: a proof either way."""
-        return not self.parts
-
-    def __add__(self, other: SymbolicPhasor) -> SymbolicPhasor:
-        total = dict(self.parts)
-        for symbols, phasor in other.parts.items():
-            total[symbols] = total.get(symbols, ZERO) + phasor
-        return SymbolicPhasor.of(total)
-
-    def __neg__(self) -> SymbolicPhasor:
-        return SymbolicPhasor({s: -p for s, p in self.parts.items()})
-
-    def __sub__(self, other: SymbolicPhasor) -> SymbolicPhasor:
-        return self + -other
-
-    def scaled(self, factor: int | Fraction) -> SymbolicPhasor:
-        """Return the number times a rational."""
-        return SymbolicPhasor.of({s: p.scaled(factor) for s, p in self.parts.items()})
-
-    def turned(self, turns: Fraction) -> SymbolicPhasor:
-        """Return the number times e^(2 pi i turns)."""
-        return SymbolicPhasor({s: p.turned(turns) for s, p in self.parts.items()})
-
-    def norm(self) -> SymbolicPhasor:
-        """Return the number times its conjugate."""
-        total = SymbolicPhasor({})
-        for left, p in self.parts.items():
-            for right, q in self.parts.items():
-                between = Angle(Fraction(0), left) - Angle(Fraction(0), right)
-                total = total + SymbolicPhasor.of({between.symbols: p.times(q.conjugate())})
-        return total
-
-    def conjugate(self) -> SymbolicPhasor:
-        """Return the complex conjugate, the symbols being real."""
-        parts = {tuple((x, -f) for x, f in s): p.conjugate() for s, p in self.parts.items()}
-        return SymbolicPhasor(parts)
-
-
 Number = Phasor | SymbolicPhasor | DecimalPhasor
+"""The three kinds of amplitude."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,8 +91,7 @@ class Component:
         if isinstance(self.number, SymbolicPhasor):
             return _symbolic_amplitude(self.number)
         if isinstance(self.number, DecimalPhasor):
-            with mp.workdps(SHOWN + 5):
-                return _float(mp.hypot(*self.number.parts()))
+            return _float(self.number.size())
         aligned = self._aligned
         if aligned is not None:
             return exact_form(aligned[1])
@@ -177,14 +125,9 @@ class Component:
         return _polar(self.number)
 
     def decimal(self, digits: int = 30) -> tuple[Real, Real]:
-        """Return the two coefficients to `digits` significant digits each."""
-        if isinstance(self.number, SymbolicPhasor) and self.number.parts:
-            raise TypeError("a component with symbols has no decimal value")
-        if isinstance(self.number, DecimalPhasor):
-            return self.number.parts()
-        if not isinstance(self.number, Phasor):
-            return mp.mpf(0), mp.mpf(0)
-        return evaluated(self.number.real(), digits), evaluated(self.number.imaginary(), digits)
+        """Return the two coefficients to `digits` significant digits each; symbols are refused."""
+        value = self.number.evaluated(digits)
+        return value.real, value.imag
 
 
 def _real_form(number: Number) -> sympy.Expr:
@@ -192,7 +135,7 @@ def _real_form(number: Number) -> sympy.Expr:
     if isinstance(number, Phasor):
         return exact_form(number.real())
     if isinstance(number, DecimalPhasor):
-        return _float(number.parts()[0])
+        return _float(number.evaluated().real)
     import sympy
 
     terms = []
@@ -213,13 +156,13 @@ def _float(value: Real) -> sympy.Expr:
 def _decimal_phase(number: DecimalPhasor) -> sympy.Expr:
     import sympy
 
-    cos, sin = number.parts()
+    value = number.evaluated()
+    cos, sin = value.real, value.imag
     if not sin:
         return sympy.S.Zero if cos >= 0 else sympy.pi
     if not cos:
         return sympy.pi / 2 if sin > 0 else -sympy.pi / 2
-    with mp.workdps(SHOWN + 5):
-        return _float(mp.atan2(sin, cos))
+    return _float(atan2(sin, cos))
 
 
 def _symbolic_amplitude(number: SymbolicPhasor) -> sympy.Expr:
@@ -238,10 +181,9 @@ def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:
     if number.is_zero():
         return Fraction(0), ZERO
     steps = 4 * number.modulus
-    real, imaginary = evaluated(number.real(), 15), evaluated(number.imaginary(), 15)
-    with mp.workdps(30):  # whatever precision the caller has set
-        argument = mp.atan2(imaginary, real) / (2 * mp.pi)
-        turns = Fraction(int(mp.nint(argument * steps)), steps)
+    value = number.evaluated(15)
+    argument = atan2(value.imag, value.real) / (2 * pi(20))
+    turns = Fraction(round(argument * steps), steps)
     amplitude = number.turned(-turns)
     if not amplitude.imaginary().is_zero():
         return None
@@ -253,7 +195,7 @@ class Spectrum:
     """The orders of one planar vector: `terms` maps +n and -n to c_n; orders that vanish are absent."""
 
     terms: Mapping[int, Number] = field(hash=False)
-    _made: dict[tuple[int, str], Component] = field(
+    _components: dict[tuple[object, object, str], Component] = field(
         default_factory=dict, init=False, compare=False, repr=False
     )
 
@@ -281,54 +223,32 @@ class Spectrum:
     def __add__(self, other: Spectrum) -> Spectrum:
         total = dict(self.terms)
         for n, number in other.terms.items():
-            total[n] = _sum(total[n], number) if n in total else number
+            total[n] = total[n] + number if n in total else number
         return Spectrum.of(total)
 
     def component(self, order: int, name: str) -> Component:
         """Return the vertical, lateral, forward or backward component of an order.
 
-        Orders that share their numbers (n and n + m do) share their components, and the work in them.
+        Orders whose numbers are written alike (n and n + m often are) share their components, and the
+        work in them.
         """
-        key = (self._alike.get(order, 0), name)
-        if key not in self._made:
-            ahead, against = self.terms.get(order, ZERO), self.terms.get(-order, ZERO)
-            self._made[key] = _component(ahead, against, name)
-        return self._made[key]
-
-    @cached_property
-    def _alike(self) -> dict[int, int]:
-        """The lowest order that has an order's two numbers: the same objects, which a copy keeps so."""
-        lowest: dict[tuple[int, int], int] = {}  # by id, while `terms` holds the objects; kept nowhere
-        return {
-            n: lowest.setdefault((id(self.terms.get(n, ZERO)), id(self.terms.get(-n, ZERO))), n)
-            for n in self.orders()
-        }
+        forward, backward = self.terms.get(order, ZERO), self.terms.get(-order, ZERO)
+        key = (forward.spelling, backward.spelling, name)
+        component = self._components.get(key)
+        if component is None:  # of two threads that come here at once, both get the one that is kept
+            component = self._components.setdefault(key, _component(forward, backward, name))
+        return component
 
 
-def _component(ahead: Number, against: Number, name: str) -> Component:
-    ahead = ahead.conjugate()
+def _component(forward: Number, backward: Number, name: str) -> Component:
+    forward = forward.conjugate()
     match name:
         case "vertical":
-            return Component(_sum(ahead, against))
+            return Component(forward + backward)
         case "lateral":
-            return Component(_sum(ahead, -against).turned(QUARTER))
+            return Component((forward - backward).turned(QUARTER))
         case "forward":
-            return Component(ahead)
+            return Component(forward)
         case "backward":
-            return Component(against)
+            return Component(backward)
     raise KeyError(name)
-
-
-def _sum(left: Number, right: Number) -> Number:
-    """Return the sum of two numbers, of one kind or of both."""
-    if isinstance(left, Phasor) and isinstance(right, Phasor):
-        return left + right
-    if isinstance(left, DecimalPhasor) and isinstance(right, DecimalPhasor):
-        return left + right
-    if isinstance(left, DecimalPhasor) or isinstance(right, DecimalPhasor):
-        return left if right.is_zero() else right  # an absent order is a Phasor's zero
-    return _symbolic(left) + _symbolic(right)
-
-
-def _symbolic(number: Phasor | SymbolicPhasor) -> SymbolicPhasor:
-    return number if isinstance(number, SymbolicPhasor) else SymbolicPhasor.of({(): number})

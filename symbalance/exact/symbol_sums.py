@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.phasor import Phasor
-from symbalance.exact.spectrum import Component, SymbolicPhasor
+from symbalance.exact.spectrum import Component
+from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.text.numbers import exact
 
 if TYPE_CHECKING:

@@ -90,7 +90,7 @@ def dirichlet_quotient(count: Count, order: Count, spacing: sympy.Expr) -> sympy
     import sympy
 
     n, N, spacing = _read(order, "order"), _counted(count), _read(spacing, "spacing")
-    turns = sympy.simplify(n * spacing / (2 * sympy.pi))
+    turns = sympy.cancel(n * spacing / (2 * sympy.pi))
     quotient = sympy.sin(N * n * spacing / 2) / sympy.sin(n * spacing / 2)
     limit = N * sympy.cos(sympy.pi * turns * (N - 1))
     if turns.is_integer is True:

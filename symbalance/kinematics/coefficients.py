@@ -19,7 +19,7 @@ from symbalance.kinematics.rod import (
     rod_torque_values,
 )
 from symbalance.kinematics.slider_crank import Series, acceleration_series, acceleration_values
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real
 
 
 @dataclass(frozen=True)

@@ -32,19 +32,18 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import lru_cache
-from math import comb
-
-from mpmath import mp
+from math import ceil, comb
 
 from symbalance.kinematics.slider_crank import (
     Series,
     checked_order,
     checked_power,
     checked_ratio,
+    rho_root_q,
     rod_angle_series,
 )
 from symbalance.kinematics.truncation import ROUNDING, SLOW
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real, fsum, hyp2f1, log
 
 
 @lru_cache(maxsize=4096)
@@ -90,7 +89,8 @@ def default_power(order: int) -> int:
 def torque_values(order: int, ratio: Fraction, digits: int = 20) -> dict[int, Real]:
     """Return every t_n to `order`, exact in lambda, to `digits` significant digits.
 
-    >>> {n: mp.nstr(t, 8) for n, t in torque_values(4, Fraction(4)).items()}
+    >>> from symbalance.text.reals import nstr
+    >>> {n: nstr(t, 8) for n, t in torque_values(4, Fraction(4)).items()}
     {1: '0.063506261', 2: '-0.50013014', 3: '-0.19205557', 4: '-0.016129031'}
     """
     checked_order(order)
@@ -98,24 +98,15 @@ def torque_values(order: int, ratio: Fraction, digits: int = 20) -> dict[int, Re
 
 
 def _values(order: int, ratio: Fraction, digits: int) -> dict[int, Real]:
-    with mp.workdps(digits + 20):  # E_i + E_{i+1} loses a factor 1 - q: 6 digits at most
-        rho, root, q = _rho_root_q(ratio)
-        rates = _rod_rates(order + 2, rho, root, q)
-        found = {}
-        for n in range(1, order + 1):
-            if n % 2:
-                found[n] = n * (rates[n] - (rates[abs(n - 2)] + rates[n + 2]) / 2) / 2
-            else:
-                found[n] = -n * root / (rho * rho) * (-q) ** (n // 2) - (n == 2)
-        return found
-
-
-def _rho_root_q(ratio: Fraction) -> tuple[Real, Real, Real]:
-    """Return rho, k' and q to the working precision, however near rho is to 0 or 1."""
-    over, under = ratio.numerator, ratio.denominator
-    rho = mp.mpf(under) / over
-    root = mp.sqrt(mp.mpf(over * over - under * under)) / over
-    return rho, root, (rho / (1 + root)) ** 2
+    rho, root, q = rho_root_q(ratio, digits + 20)  # E_i + E_{i+1} loses a factor 1 - q: 6 digits at most
+    rates = _rod_rates(order + 2, rho, root, q)
+    values = {}
+    for n in range(1, order + 1):
+        if n % 2:
+            values[n] = n * (rates[n] - (rates[abs(n - 2)] + rates[n + 2]) / 2) / 2
+        else:
+            values[n] = -n * root / (rho * rho) * (-q) ** (n // 2) - (n == 2)
+    return values
 
 
 def _rod_rates(order: int, rho: Real, root: Real, q: Real) -> dict[int, Real]:
@@ -128,15 +119,15 @@ def _rod_rates(order: int, rho: Real, root: Real, q: Real) -> dict[int, Real]:
     values = [_laplace(k, root, q) for k in (top, top - 1)]
     both = q + 1 / q
     for k in range(top - 1, 0, -1):
-        values.append(-(k * both * values[-1] + (k + mp.mpf(0.5)) * values[-2]) / (k - mp.mpf(0.5)))
+        values.append(-(k * both * values[-1] + (k + 0.5) * values[-2]) / (k - 0.5))
     values.reverse()
     return {2 * i + 1: rho * (values[i] + values[i + 1]) / 2 for i in range(top)}
 
 
 def _laplace(k: int, root: Real, q: Real) -> Real:
     """Return E_k."""
-    lead = mp.binomial(2 * k, k) / mp.mpf(4) ** k * (-q) ** k
-    return 4 / (1 + root) * lead * mp.hyp2f1(mp.mpf(0.5), k + mp.mpf(0.5), k + 1, q * q)
+    lead = Fraction(comb(2 * k, k), 4**k) * (-q) ** k
+    return 4 / (1 + root) * lead * hyp2f1(0.5, k + 0.5, k + 1, q * q)
 
 
 def torque_left_out(order: int, ratio: Fraction) -> Real:
@@ -144,38 +135,37 @@ def torque_left_out(order: int, ratio: Fraction) -> Real:
 
     It is the sum of the |t_n| left out: the odd ones are attained at 90 degrees, the even ones not.
 
-    >>> mp.nstr(torque_left_out(6, Fraction(4)), 6)
+    >>> from symbalance.text.reals import nstr
+    >>> nstr(torque_left_out(6, Fraction(4)), 6)
     '5.33138e-5'
     """
     checked_order(order)
     ratio = checked_ratio(ratio)
-    with mp.workdps(30):  # whatever precision the caller has set
-        rho, root, q = _rho_root_q(ratio)
-        first = max(order // 2 + 1, 2)
-        gap = 2 * root / (1 + root)  # 1 - q, without its rounding
-        even = 2 * root / (rho * rho) * q**first * (first * gap + q) / (gap * gap)
-        if order == 1:
-            even += 1 - 2 * root / (1 + root) ** 2
-        odd = _odd_tail(order + 1 + order % 2, ratio, q, gap) if q < SLOW else _odd_rest(order, ratio)
-        return (even + odd) * ROUNDING
+    rho, root, q = rho_root_q(ratio, 30)
+    first = max(order // 2 + 1, 2)
+    gap = 2 * root / (1 + root)  # 1 - q, without its rounding
+    even = 2 * root / (rho * rho) * q**first * (first * gap + q) / (gap * gap)
+    if order == 1:
+        even += 1 - 2 * root / (1 + root) ** 2
+    odd = _odd_tail(order + 1 + order % 2, ratio, q, gap) if q < SLOW else _odd_rest(order, ratio)
+    return (even + odd) * ROUNDING
 
 
 def _odd_tail(first: int, ratio: Fraction, q: Real, gap: Real) -> Real:
     """Return the sum of the |t_n| from the odd n = `first` on, the geometric rest added."""
-    last = first + 2 * (2 + int(mp.ceil(mp.log(mp.mpf(10) ** -7) / mp.log(q))))
+    last = first + 2 * (2 + ceil(-7 * log(10) / log(q)))
     values = _values(last, ratio, 20)
     rest = abs(values[last]) * (q / gap + 2 * q / (last * gap * gap))
-    return mp.fsum(abs(values[n]) for n in range(first, last + 1, 2)) + rest
+    return fsum(abs(values[n]) for n in range(first, last + 1, 2)) + rest
 
 
 def _odd_rest(order: int, ratio: Fraction) -> Real:
     """Return rho/k' less the odd |t_n| to `order`, with the digits that takes."""
     digits = 30
     while True:
-        with mp.workdps(digits):
-            rho, root, _ = _rho_root_q(ratio)
-            values = _values(order, ratio, digits)
-            rest = rho / root - mp.fsum(abs(values[n]) for n in range(1, order + 1, 2))
-            if rest > mp.mpf(10) ** (10 - digits) * rho / root:
-                return rest
+        rho, root, _ = rho_root_q(ratio, digits)
+        values = _values(order, ratio, digits)
+        rest = rho / root - fsum(abs(values[n]) for n in range(1, order + 1, 2))
+        if rest > Fraction(1, 10 ** (digits - 10)) * rho / root:
+            return rest
         digits *= 2

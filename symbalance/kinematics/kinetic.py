@@ -17,8 +17,6 @@ from collections.abc import Mapping
 from functools import lru_cache
 from math import ceil, log
 
-from mpmath import mp
-
 from symbalance.kinematics.inertia import torque_values
 from symbalance.kinematics.mechanisms import (
     LinkRod,
@@ -31,42 +29,42 @@ from symbalance.kinematics.mechanisms.fourier import series_of
 from symbalance.kinematics.mechanisms.linkages import plain
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_path
 from symbalance.kinematics.rod import rod_torque_values
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Complex, Real, csum, digits_of, fixed, ldexp
 
 GUARD = 12.0
 """Nepers for what the bounds' constants and the sums over k may add."""
 LEAST_STRIP = 1e-9
 
 
-def inertia_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Real]:
+def inertia_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Complex]:
     """Return n -> C + iS of the torque of a mass on a mechanism's piston, over m r^2 omega^2.
 
+    >>> from symbalance.text.reals import nstr
     >>> found = inertia_harmonics(SliderCrank(4, "1/2"), 2)
-    >>> [mp.nstr(found[n], 6) for n in found]
+    >>> [nstr(found[n], 6) for n in found]
     ['(0.00862598 + 0.0651292j)', '(0.132415 - 0.492229j)']
     """
     mechanism = plain(mechanism)
     if isinstance(mechanism, SliderCrank) and not mechanism.offset:
-        return {n: mp.mpc(0, t) for n, t in torque_values(order, mechanism.ratio, digits).items()}
+        return {n: Complex(0, t) for n, t in torque_values(order, mechanism.ratio, digits).items()}
     return _of_square(mechanism, order, digits, "height")
 
 
-def rod_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Real]:
+def rod_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Complex]:
     """Return n -> C + iS of the torque of a moment of inertia that turns with the rod, over J omega^2."""
     mechanism = plain(mechanism)
     if isinstance(mechanism, SliderCrank) and not mechanism.offset:
-        return {n: mp.mpc(0, u) for n, u in rod_torque_values(order, mechanism.ratio, digits).items()}
+        return {n: Complex(0, u) for n, u in rod_torque_values(order, mechanism.ratio, digits).items()}
     return _of_square(mechanism, order, digits, "rod-angle")
 
 
-def rocking_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Real]:
+def rocking_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Complex]:
     """Return n -> C + iS of phi'': the couple of a moment of inertia on the rod, over J omega^2."""
     angles = rod_angle_harmonics(mechanism, order, digits)
-    with mp.workdps(digits + 10):
-        return {n: -2 * n * n * mp.conj(d) for n, d in angles.items() if n}
+    return {n: -2 * n * n * d.conjugate() for n, d in angles.items() if n}
 
 
-def beside_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Real]:
+def beside_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Complex]:
     """Return n -> C + iS of the inertia force's moment about the crank, over m r^2 omega^2: -eps F.
 
     The force acts along the cylinder's axis, which passes the crank at eps r.
@@ -75,27 +73,23 @@ def beside_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict
     if not offset:
         return {}
     forces = force_harmonics(mechanism, order, digits)
-    with mp.workdps(digits + 10):
-        arm = -mp.mpf(offset.numerator) / offset.denominator
-        return {n: arm * mp.mpc(a, b) for n, (a, b) in forces.items()}
+    return {n: Complex(a, b) * -offset for n, (a, b) in forces.items()}
 
 
 @lru_cache(maxsize=256)
-def _of_square(mechanism: Mechanism, order: int, digits: int, quantity: str) -> dict[int, Real]:
+def _of_square(mechanism: Mechanism, order: int, digits: int, quantity: str) -> dict[int, Complex]:
     nepers, strip = digits * log(10) + GUARD, max(mechanism.strip, LEAST_STRIP)
     highest = order + ceil(nepers / (2 * strip))
     series = series_of(mechanism, highest, digits, quantity)
     bits = ceil((nepers + strip * order) / log(2)) + 64
-    with mp.workprec(bits + 64):
-        rates = {n: mp.mpc(0, n) * c for n, c in series.items() if n}
-        whole = {n: (int(mp.ldexp(u.real, bits)), int(mp.ldexp(u.imag, bits))) for n, u in rates.items()}
-        found = {}
-        for n in range(1, order + 1):
-            real, imaginary = _product(whole, n)
-            if real or imaginary:
-                square = mp.mpc(mp.ldexp(real, -2 * bits), mp.ldexp(imaginary, -2 * bits))
-                found[n] = mp.mpc(0, n) * mp.conj(square)
-        return found
+    # i n (a + ib) = -n b + i n a
+    rates = {n: (fixed(-n * c.imag, bits), fixed(n * c.real, bits)) for n, c in series.items() if n}
+    torques, working = {}, digits_of(bits)
+    for n in range(1, order + 1):
+        real, imaginary = (ldexp(Real(x, working), -2 * bits) for x in _product(rates, n))
+        if real or imaginary:
+            torques[n] = Complex(n * imaginary, n * real)  # i n conj(real + i imaginary)
+    return torques
 
 
 def _product(rates: Mapping[int, tuple[int, int]], n: int) -> tuple[int, int]:
@@ -111,45 +105,42 @@ def _product(rates: Mapping[int, tuple[int, int]], n: int) -> tuple[int, int]:
     return real, imaginary
 
 
-def link_pin_harmonics(mechanism: LinkRod, order: int, digits: int = 40) -> dict[int, Real]:
+def link_pin_harmonics(mechanism: LinkRod, order: int, digits: int = 40) -> dict[int, Complex]:
     """Return n -> C + iS of the torque of a mass on a link pin, over m r^2 omega^2: -1/2 d/dp |w'|^2.
 
     w is the pin's place (`symbalance.kinematics.mechanisms.moving_masses`); with u_n = i n w_n, n of both
     signs, C_n + i S_n = i n conj(sum over k of u_k conj(u_{k-n})).
     """
     place = _whole_path(mechanism, order, digits)
-    with mp.workdps(digits + 10):
-        rates = {n: mp.mpc(0, n) * w for n, w in place.items()}
-        squares = {n: _correlation(rates, rates, n) for n in range(1, order + 1)}
-        return {n: mp.mpc(0, n) * mp.conj(s) for n, s in squares.items() if s}
+    rates = {n: w * Complex(0, n) for n, w in place.items()}
+    squares = {n: _correlation(rates, rates, n) for n in range(1, order + 1)}
+    return {n: s.conjugate() * Complex(0, n) for n, s in squares.items() if s}
 
 
-def link_pin_moments(mechanism: LinkRod, order: int, digits: int = 40) -> dict[int, Real]:
+def link_pin_moments(mechanism: LinkRod, order: int, digits: int = 40) -> dict[int, Complex]:
     """Return n -> C + iS of the moment about the crank of a link pin mass's force, over m r^2 omega^2.
 
     The force -w'' acts at w: with g_n = sum over k of k^2 w_k conj(w_{k-n}) the moment Im(conj(w) (-w''))
     has C_n + i S_n = conj((g_n - conj(g_-n))/i).
     """
     place = _whole_path(mechanism, order, digits)
-    with mp.workdps(digits + 10):
-        forces = {n: n * n * w for n, w in place.items()}
-        found = {}
-        for n in range(1, order + 1):
-            both = _correlation(forces, place, n) - mp.conj(_correlation(forces, place, -n))
-            if both:
-                found[n] = mp.conj(both / mp.mpc(0, 1))
-        return found
+    forces = {n: w * (n * n) for n, w in place.items()}
+    moments = {}
+    for n in range(1, order + 1):
+        both = _correlation(forces, place, n) - _correlation(forces, place, -n).conjugate()
+        if both:
+            moments[n] = Complex(both.imag, both.real)
+    return moments
 
 
-def _whole_path(mechanism: LinkRod, order: int, digits: int) -> dict[int, Real]:
+def _whole_path(mechanism: LinkRod, order: int, digits: int) -> dict[int, Complex]:
     """Return the link pin's place from the crank's axis, to the order that products need."""
     strip = max(mechanism.master.strip, LEAST_STRIP)
     highest = order + ceil((digits * log(10) + GUARD) / (2 * strip))
     place = link_pin_path(mechanism, highest, digits)
-    with mp.workdps(digits + 10):
-        return place | {1: place.get(1, mp.mpc(0)) + 1}
+    return place | {1: place.get(1, Complex(0, 0, digits + 10)) + 1}
 
 
-def _correlation(left: Mapping[int, Real], right: Mapping[int, Real], n: int) -> Real:
+def _correlation(left: Mapping[int, Complex], right: Mapping[int, Complex], n: int) -> Complex:
     """Return the sum over k of left_k conj(right_{k-n})."""
-    return mp.fsum(x * mp.conj(right[k - n]) for k, x in left.items() if k - n in right)
+    return csum(x * right[k - n].conjugate() for k, x in left.items() if k - n in right)

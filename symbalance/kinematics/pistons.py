@@ -11,8 +11,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import ceil, cos, pi, sin, sqrt
 
-from mpmath import mp
-
 from symbalance.kinematics.mechanisms import DeadCentres, LinkRod, Mechanism, SliderCrank, dead_centres
 from symbalance.kinematics.mechanisms.fourier import series_of
 from symbalance.kinematics.mechanisms.linkages import plain
@@ -56,8 +54,7 @@ class Piston:
 
     @cached_property
     def _centres(self) -> DeadCentres:
-        with mp.workdps(30):
-            return dead_centres(self.mechanism)
+        return dead_centres(self.mechanism, 30)
 
     @cached_property
     def top(self) -> float:

@@ -16,12 +16,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.kinematics.inertia import torque_series, torque_values
 from symbalance.kinematics.mechanisms import rocking_series
 from symbalance.kinematics.slider_crank import Series, checked_order, rod_angle_value
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real
 
 
 def rod_torque_series(order: int, through: int) -> Series:
@@ -42,13 +40,12 @@ def rod_torque_series(order: int, through: int) -> Series:
 def rod_torque_values(order: int, ratio: Fraction, digits: int = 20) -> dict[int, Real]:
     """Return every u_n to `order`, n even, exact in lambda, to `digits` significant digits.
 
-    >>> {n: mp.nstr(u, 8) for n, u in rod_torque_values(4, Fraction(4)).items()}
+    >>> from symbalance.text.reals import nstr
+    >>> {n: nstr(u, 8) for n, u in rod_torque_values(4, Fraction(4)).items()}
     {2: '0.031241866', 4: '-0.0010080644'}
     """
-    with mp.workdps(digits + 20):
-        square = mp.mpf(ratio.denominator) ** 2 / mp.mpf(ratio.numerator) ** 2
-        values = torque_values(order, ratio, digits + 20)
-        return {n: square * (t + (n == 2)) for n, t in values.items() if n % 2 == 0}
+    values, square = torque_values(order, ratio, digits + 20), 1 / ratio**2
+    return {n: square * (t + (n == 2)) for n, t in values.items() if n % 2 == 0}
 
 
 def rocking_couple_series(order: int, through: int) -> Series:
@@ -63,5 +60,4 @@ def rocking_couple_series(order: int, through: int) -> Series:
 def rocking_couple_values(order: int, ratio: Fraction, digits: int = 20) -> dict[int, Real]:
     """Return every k_n to `order`, n odd, exact in lambda, to `digits` significant digits."""
     checked_order(order)
-    with mp.workdps(digits + 10):
-        return {n: -n * n * rod_angle_value(n, ratio, digits) for n in range(1, order + 1, 2)}
+    return {n: -n * n * rod_angle_value(n, ratio, digits) for n in range(1, order + 1, 2)}

@@ -14,8 +14,6 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.kinematics.slider_crank import (
     acceleration_value,
     acceleration_values,
@@ -23,10 +21,11 @@ from symbalance.kinematics.slider_crank import (
     checked_quantity,
     checked_ratio,
     integrated,
+    rho_root_q,
     rod_angle_value,
     root_mean,
 )
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real, asin, fsum
 
 SLOW = 0.9
 """Above this ratio of neighbouring terms the tail is found from the sum of all instead."""
@@ -41,47 +40,36 @@ def left_out(order: int, ratio: Fraction, quantity: str = "acceleration") -> Rea
 
     Every coefficient is taken exact in lambda; units r, r omega, r omega^2, m r omega^2 or rad.
 
-    >>> mp.nstr(left_out(6, Fraction(4)), 6)
+    >>> from symbalance.text.reals import nstr
+    >>> nstr(left_out(6, Fraction(4)), 6)
     '1.35724e-6'
     """
     checked_order(order)
     checked_quantity(quantity)
     ratio = checked_ratio(ratio)
-    with mp.workdps(30):  # whatever precision the caller has set
-        return _left_out(order, ratio, quantity)
-
-
-def _left_out(order: int, ratio: Fraction, quantity: str) -> Real:
     if quantity == "rod-angle":
         return _rod_angle_left_out(order + 1 + order % 2, ratio)
     first = order + 2 - order % 2 if order > 1 else 2
-    q = _q(ratio)
+    *_, q = rho_root_q(ratio, 30)
     if q < SLOW:
         return _tail(first, ratio, quantity, q)
     rest = _rest(first, ratio, quantity)
     return rest / first if quantity == "velocity" else rest
 
 
-def _q(ratio: Fraction) -> Real:
-    rho = mp.mpf(ratio.denominator) / ratio.numerator
-    return (rho / (1 + mp.sqrt((1 - rho) * (1 + rho)))) ** 2
-
-
 def _size(quantity: str, n: int, ratio: Fraction) -> Real:
-    weight = abs(integrated(quantity, n))
-    return abs(acceleration_value(n, ratio)) * weight.numerator / weight.denominator
+    return abs(acceleration_value(n, ratio)) * abs(integrated(quantity, n))
 
 
 def _tail(first: int, ratio: Fraction, quantity: str, q: Real) -> Real:
     """Return the sum of the terms from `first` on, with the geometric rest added."""
-    total, n = mp.mpf(0), first
+    total, n = Real(0, 30), first
     while True:
         size = _size(quantity, n, ratio)
         total += size
         k = n // 2
-        fall = q * max(mp.mpf(k + 1) * (k - 0.5) / (k * k), 1) if k > 1 else q * mp.mpf(1.125)
-        rest = size * fall / (1 - fall) if fall < 1 else mp.inf
-        if rest * RELATIVE.denominator < total * RELATIVE.numerator:
+        fall = q * max(Fraction((k + 1) * (2 * k - 1), 2 * k * k), 1) if k > 1 else q * 1.125
+        if fall < 1 and (rest := size * fall / (1 - fall)) < total * RELATIVE:
             return (total + rest) * ROUNDING
         n += 2
 
@@ -92,20 +80,18 @@ def _rest(first: int, ratio: Fraction, quantity: str) -> Real:
     weights = {n: abs(integrated(quantity, n)) for n in range(2, first, 2)}
     digits = 30
     while True:
-        with mp.workdps(digits):
-            values = acceleration_values(first - 1, ratio, digits)
-            kept = mp.fsum(abs(values[n]) * w.numerator / w.denominator for n, w in weights.items())
-            rest = _sum_of_all(quantity, ratio) - kept
-            if rest > mp.mpf(10) ** (10 - digits):
-                return rest * ROUNDING
+        values = acceleration_values(first - 1, ratio, digits)
+        kept = fsum(abs(values[n]) * w for n, w in weights.items())
+        rest = _sum_of_all(quantity, ratio, digits) - kept
+        if rest > Fraction(1, 10 ** (digits - 10)):
+            return rest * ROUNDING
         digits *= 2
 
 
-def _sum_of_all(quantity: str, ratio: Fraction) -> Real:
-    rho = mp.mpf(ratio.denominator) / ratio.numerator
-    root = mp.sqrt((1 - rho) * (1 + rho))
+def _sum_of_all(quantity: str, ratio: Fraction, digits: int) -> Real:
+    rho, root, _ = rho_root_q(ratio, digits)
     if quantity == "displacement":
-        return (root_mean(ratio) - root) / rho
+        return (root_mean(ratio, digits) - root) / rho
     return rho / root
 
 
@@ -116,26 +102,23 @@ def _rod_angle_left_out(first: int, ratio: Fraction) -> Real:
     the orders above p hold at most the powers above p: sum |R_n|, n >= p, is at most
     a_p rho^p/(1 - rho^2) with a_p <= 1/p.
     """
-    rho = mp.mpf(ratio.denominator) / ratio.numerator
-    gap = (1 - rho) * (1 + rho)
+    rho, root, _ = rho_root_q(ratio, 30)
     if rho * rho > SLOW:
         return _rod_angle_rest(first, ratio)
-    total, n = mp.mpf(0), first
+    total, n = Real(0, 30), first
     while True:
         total += abs(rod_angle_value(n, ratio))
         n += 2
-        rest = rho**n / (n * gap)
-        if rest * RELATIVE.denominator < total * RELATIVE.numerator:
+        rest = rho**n / (n * root**2)
+        if rest < total * RELATIVE:
             return (total + rest) * ROUNDING
 
 
 def _rod_angle_rest(first: int, ratio: Fraction) -> Real:
     digits = 30
     while True:
-        with mp.workdps(digits):
-            rho = mp.mpf(ratio.denominator) / ratio.numerator
-            kept = mp.fsum(abs(rod_angle_value(n, ratio, digits)) for n in range(1, first, 2))
-            rest = mp.asin(rho) - kept
-            if rest > mp.mpf(10) ** (10 - digits):
-                return rest * ROUNDING
+        kept = fsum(abs(rod_angle_value(n, ratio, digits)) for n in range(1, first, 2))
+        rest = asin(1 / ratio, digits) - kept
+        if rest > Fraction(1, 10 ** (digits - 10)):
+            return rest * ROUNDING
         digits *= 2

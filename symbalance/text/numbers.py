@@ -19,6 +19,7 @@ from typing import Any
 from mpmath import mp
 
 from symbalance.errors import SymbalanceError, shown, written
+from symbalance.text.reals import nstr
 
 Real = Any
 """A decimal of many digits, an mpmath `mpf`: mpmath ships no types."""
@@ -176,10 +177,10 @@ def short_text(number: Fraction, cut: str = "…") -> str:
 
 
 def decimal_text(value: Real, digits: int) -> str:
-    """Return an mpmath number to so many significant digits, exact zero as "0".
+    """Return a decimal to so many significant digits, exact zero as "0".
 
-    >>> from mpmath import mpf
-    >>> decimal_text(mpf(1) / 3, 5), decimal_text(mpf(0), 5)
+    >>> from symbalance.text.reals import Real
+    >>> decimal_text(Real(1) / 3, 5), decimal_text(Real(0), 5)
     ('0.33333', '0')
     """
-    return str(mp.nstr(value, digits, min_fixed=-4, max_fixed=digits)) if value else "0"
+    return nstr(value, digits, min_fixed=-4, max_fixed=digits) if value else "0"

@@ -5,11 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from math import ulp
 
-from mpmath import mp
-
+from symbalance.bench.judge import Number, mp
 from symbalance.bench.timing import Measurement, best
 from symbalance.kinematics.slider_crank import acceleration_floats
-from symbalance.text.numbers import Real
 
 HIGHEST = 40
 FASTER, MOST_OFF = 50, 4.0
@@ -47,7 +45,7 @@ def worst(values: dict[int, float], ratio: Fraction) -> float:
         return max(float(abs(values[n] - a) / ulp(float(abs(a)))) for n, a in true.items())
 
 
-def by_mpmath(ratio: Fraction, digits: int) -> dict[int, Real]:
+def by_mpmath(ratio: Fraction, digits: int) -> dict[int, Number]:
     """Return A_2 to A_40 from the closed form as it is written, each by itself.
 
     A_2k = (4 k^2/rho)(1 + k') C(1/2, k) q^k 2F1(-1/2, k - 1/2; k + 1; q^2), with q = (rho/(1 + k'))^2.

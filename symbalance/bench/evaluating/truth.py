@@ -10,12 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from mpmath import mp
 
 from symbalance.bench.evaluating.alternatives import cylinders, per_cylinder
 from symbalance.bench.evaluating.candidates import Floats
 from symbalance.bench.evaluating.cases import Case
-from symbalance.text.numbers import Real
+from symbalance.bench.judge import Number, mp
 
 DIGITS = 40
 FARTHEST = 1e6
@@ -41,7 +40,7 @@ class Truth:
     """True values at some angles, all orders; `amplitude` is the largest over two turns."""
 
     angles: Floats
-    values: tuple[Real, ...]
+    values: tuple[Number, ...]
     amplitude: float
 
     def error(self, function: Callable[[Floats], Floats]) -> Error:
@@ -66,11 +65,11 @@ def truth(case: Case, count: int = 300) -> Truth:
     return Truth(angles, values, amplitude)
 
 
-def _exact(theta: Real, rows: list[tuple[Real, Real]], ratio: Real) -> Real:
+def _exact(theta: Number, rows: list[tuple[Number, Number]], ratio: Number) -> Number:
     return mp.fsum(weight * _force(theta + lead, ratio) for weight, lead in rows if weight)
 
 
-def _force(p: Real, ratio: Real) -> Real:
+def _force(p: Number, ratio: Number) -> Number:
     """Return minus the second derivative of cos p + sqrt(lambda^2 - sin^2 p)."""
     cosine, sine = mp.cos_sin(p)
     root = mp.sqrt(ratio**2 - sine**2)

@@ -7,7 +7,8 @@ from math import inf, nextafter
 from typing import Any
 
 import numpy as np
-from mpmath import mp
+
+from symbalance.bench.judge import mp
 
 Array = Any
 REACH = 1e6

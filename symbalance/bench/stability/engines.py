@@ -7,8 +7,8 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from mpmath import mp
 
+from symbalance.bench.judge import mp
 from symbalance.bench.stability.angles import hard, random_angles
 from symbalance.bench.stability.asked import Asked, on_target, targets
 from symbalance.bench.stability.case import OF_AMPLITUDE, ULP, Case, Part, largest, measured, tried

@@ -7,8 +7,8 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from mpmath import mp
 
+from symbalance.bench.judge import mp
 from symbalance.bench.stability.angles import hard, quarters
 from symbalance.bench.stability.asked import Asked
 from symbalance.bench.stability.case import ULP, WRONG, Case, Part, largest, measured, tried

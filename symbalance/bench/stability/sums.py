@@ -7,13 +7,12 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from mpmath import mp
 
+from symbalance.bench.judge import Number, mp
 from symbalance.bench.stability.case import ULP, Case, Part, measured, tried
 from symbalance.bench.timing import progress
 from symbalance.document.symbols import symbol
 from symbalance.forces.summation import dirichlet_quotient, inline_couple, inline_sum
-from symbalance.text.numbers import Real
 
 BOUND = 1.0
 """ulp: SymPy evaluates to as many digits as a double holds."""
@@ -69,7 +68,7 @@ def quotient_case(what: str, places: list[tuple[int, int, int, Fraction]], as_fl
     return tried(what, BOUND, ULP, make)
 
 
-def cosines(N: int, n: int, h: Real) -> Real:
+def cosines(N: int, n: int, h: Number) -> Number:
     """Return the sum of cos n h (j - (N - 1)/2) over the cylinders, which is the quotient."""
     with mp.workdps(50):
         return mp.fsum(mp.cos(n * h * (mp.mpf(2 * j - N + 1) / 2)) for j in range(N))
@@ -80,7 +79,7 @@ def _quotient(N: int, n: int, h: float) -> float:
         return float(np.sin(np.float64(N * n * h / 2)) / np.sin(np.float64(n * h / 2)))
 
 
-def ulps(value: float, true: Real) -> float:
+def ulps(value: float, true: Number) -> float:
     """Return how many of its ulp a value is off; infinity where it is none."""
     if not np.isfinite(value):
         return float("inf")
@@ -112,7 +111,7 @@ def row_case(what: str, counts: tuple[int, ...], formula: Any, arms: bool) -> Ca
     return tried(what, BOUND, ULP, make)
 
 
-def summed(N: int, n: int, theta: Fraction, arms: bool) -> tuple[Real, float]:
+def summed(N: int, n: int, theta: Fraction, arms: bool) -> tuple[Number, float]:
     """Return the sum over the cylinders at a crank angle, and its amplitude."""
     with mp.workdps(50):
         angle, lag = n * mp.mpf(theta.numerator) / theta.denominator, 4 * mp.pi * n / N

@@ -15,11 +15,10 @@ from math import isqrt
 from typing import Any
 
 import numpy as np
-from mpmath import mp
 
+from symbalance.bench.judge import Number, mp
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.text.numbers import Real
 
 Array = Any
 BITS, DIGITS = 256, 100
@@ -49,8 +48,8 @@ class Term:
     """One harmonic, cos * cos(order theta) + sin * sin(order theta)."""
 
     order: int
-    cos: Real
-    sin: Real
+    cos: Number
+    sin: Number
 
 
 @dataclass(frozen=True)
@@ -82,7 +81,7 @@ class Points:
         return self._powers[n]
 
 
-def whole(value: Real) -> int:
+def whole(value: Number) -> int:
     """Return a number in units of 2^-BITS."""
     return int(mp.nint(mp.ldexp(value, BITS)))
 
@@ -106,7 +105,7 @@ def _truth(values: Array, scale: int = 0) -> Truth:
     return Truth(np.ldexp(high, scale), np.ldexp(low, scale))
 
 
-def weights(layout: Engine, name: str) -> list[tuple[Real, Fraction]]:
+def weights(layout: Engine, name: str) -> list[tuple[Number, Fraction]]:
     """Return what every cylinder's force counts in an output, and by how many turns it leads.
 
     Vertical or lateral: cos or sin of the bank, times the arm in a couple; the piston's own: 1.
@@ -129,7 +128,7 @@ def terms(layout: Engine, name: str, order: int, ratio: Fraction) -> list[Term]:
         return [Term(n, a * z.real, -a * z.imag) for n, a, z in vectors if abs(z) > NOTHING]
 
 
-def _vector(layout: Engine, name: str, n: int) -> Real:
+def _vector(layout: Engine, name: str, n: int) -> Number:
     """Return z with the output's part in order n = A_n Re(z e^(i n theta)), from every cylinder."""
     kind, _, part = name.partition(".")
     if part in ("forward", "backward"):
@@ -146,16 +145,16 @@ def _arm(layout: Engine, cylinder: Cylinder, kind: str) -> Fraction:
     return cylinder.station - layout.mean_station if kind == "couple" else Fraction(1)
 
 
-def _turn(turns: Fraction) -> Real:
+def _turn(turns: Fraction) -> Number:
     return mp.expjpi(2 * _number(turns % 1))
 
 
-def _number(value: Fraction) -> Real:
+def _number(value: Fraction) -> Number:
     return mp.mpf(value.numerator) / value.denominator
 
 
 @lru_cache(maxsize=64)
-def coefficients(order: int, ratio: Fraction) -> dict[int, Real]:
+def coefficients(order: int, ratio: Fraction) -> dict[int, Number]:
     """Return A_1 and every even A_n to an order, exact in lambda: A_2k = 4 k^2 c_k/rho.
 
     The c_k are the cosine coefficients of sqrt(1 - rho^2 sin^2 theta): Gauss's function where it
@@ -177,7 +176,7 @@ def coefficients(order: int, ratio: Fraction) -> dict[int, Real]:
         return found
 
 
-def gauss(n: int, ratio: Fraction) -> Real:
+def gauss(n: int, ratio: Fraction) -> Number:
     """Return A_n from Gauss's function: c_k = (1 + k') C(1/2, k) q^k 2F1(-1/2, k - 1/2; k + 1; q^2)."""
     k = n // 2
     with mp.workdps(DIGITS):
@@ -199,7 +198,7 @@ def harmonics_at(points: Points, sums: Sequence[Term]) -> Truth:
     return _truth(total >> BITS, scale)
 
 
-def accelerations_at(points: Points, places: Sequence[tuple[Real, Fraction]], ratio: Fraction) -> Truth:
+def accelerations_at(points: Points, places: Sequence[tuple[Number, Fraction]], ratio: Fraction) -> Truth:
     """Return the sum of weight times a piston's whole acceleration at theta + 2 pi turns.
 
     With c, s of the piston's own angle and R^2 = lambda^2 - s^2: c + (c^2 - s^2)/R + s^2 c^2/R^3.
@@ -219,7 +218,7 @@ def accelerations_at(points: Points, places: Sequence[tuple[Real, Fraction]], ra
 
 def piston_at(points: Points, part: str, layout: Engine, ratio: Fraction) -> Truth:
     """Return a piston's displacement or velocity; relative digits are kept near dead centres."""
-    one: Callable[[Real, Real], Real] = {"displacement": _displacement, "velocity": _velocity}[part]
+    one: Callable[[Number, Number], Number] = {"displacement": _displacement, "velocity": _velocity}[part]
     with mp.workdps(DIGITS):
         lead = 2 * mp.pi * _number(layout.first.delay.turns)
         values = [one(mp.mpf(float(angle)) + lead, _number(ratio)) for angle in points.theta]
@@ -227,11 +226,11 @@ def piston_at(points: Points, part: str, layout: Engine, ratio: Fraction) -> Tru
         return Truth(high, np.array([float(v - h) for v, h in zip(values, high, strict=True)]))
 
 
-def _displacement(p: Real, lam: Real) -> Real:
+def _displacement(p: Number, lam: Number) -> Number:
     square = mp.sin(p) ** 2
     return 2 * mp.sin(p / 2) ** 2 + square / (lam + mp.sqrt(lam * lam - square))
 
 
-def _velocity(p: Real, lam: Real) -> Real:
+def _velocity(p: Number, lam: Number) -> Number:
     c, s = mp.cos_sin(p)
     return s * (1 + c / mp.sqrt(lam * lam - s * s))

@@ -9,7 +9,6 @@ from math import gcd
 from typing import TYPE_CHECKING
 
 from symbalance.exact.phasor import ZERO, Phasor, cleared, prime_factors
-from symbalance.exact.radicals.decimals import evaluated
 from symbalance.exact.radicals.roots import tidy_root
 
 if TYPE_CHECKING:
@@ -41,7 +40,7 @@ def _part_form(part: Phasor, order: int) -> sympy.Expr:
         return sympy.Rational(value.numerator, value.denominator)
     square = radical_form(part.times(part).primitive())
     assert square is not None
-    return tidy_root(square) if evaluated(part, 15) > 0 else -tidy_root(square)
+    return tidy_root(square) if part.real_value(15) > 0 else -tidy_root(square)
 
 
 class _Character:

@@ -11,8 +11,6 @@ from __future__ import annotations
 from decimal import ROUND_CEILING, Context, Decimal
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.document.formula import Formula, Name, Number, Over, Scientific, equal
 from symbalance.kinematics.derivation.setting import LAM, RHO, L, Prose, R, Setting, prose
 from symbalance.kinematics.slider_crank import (
@@ -23,7 +21,7 @@ from symbalance.kinematics.slider_crank import (
     root_mean,
 )
 from symbalance.kinematics.truncation import left_out
-from symbalance.text.numbers import Real
+from symbalance.text.reals import Real, nstr
 
 RATIO = Fraction(4)
 """The rod ratio l/r at which bounds are given as numbers."""
@@ -65,10 +63,10 @@ def _with_unit(setting: Setting, value: Real) -> Formula:
 def rounded_up(value: Real) -> Scientific:
     """Return a bound to three digits, rounded up so that it stays one.
 
-    >>> rounded_up(mp.mpf("1.52541e-6"))
+    >>> rounded_up(Real("1.52541e-6"))
     Scientific(mantissa='1.53', exponent=-6)
     """
-    number = Context(prec=3, rounding=ROUND_CEILING).create_decimal(Decimal(str(mp.nstr(value, 15))))
+    number = Context(prec=3, rounding=ROUND_CEILING).create_decimal(Decimal(nstr(value, 15)))
     exponent = number.adjusted()
     if exponent >= -2:
         return Scientific(str(number), 0)
@@ -78,23 +76,20 @@ def rounded_up(value: Real) -> Scientific:
 def printed_error(order: int, found: Harmonics, ratio: Fraction = RATIO) -> Real:
     """Return a bound on |exact - the truncated series in `found`| over all crank angles.
 
+    >>> from symbalance.text.reals import nstr
     >>> from symbalance.kinematics.slider_crank import harmonics
-    >>> mp.nstr(printed_error(2, harmonics("force", 2)), 3)
+    >>> nstr(printed_error(2, harmonics("force", 2)), 3)
     '0.0082'
     """
-    with mp.workdps(30):  # whatever precision the caller has set
-        total = left_out(order, ratio, found.quantity)
-        for n, series in found.terms.items():
-            kept = abs(series.at(ratio))
-            total += _size(found.quantity, n, ratio) - mp.mpf(kept.numerator) / kept.denominator
-        if found.quantity == "displacement":
-            kept, rho = found.constant.at(ratio), mp.mpf(ratio.denominator) / ratio.numerator
-            total += 1 + (1 - root_mean(ratio)) / rho - mp.mpf(kept.numerator) / kept.denominator
-        return total
+    total = left_out(order, ratio, found.quantity)
+    for n, series in found.terms.items():
+        total += _size(found.quantity, n, ratio) - abs(series.at(ratio))
+    if found.quantity == "displacement":
+        total += 1 + (1 - root_mean(ratio)) * ratio - found.constant.at(ratio)
+    return total
 
 
 def _size(quantity: str, n: int, ratio: Fraction) -> Real:
     if quantity == "rod-angle":
         return abs(rod_angle_value(n, ratio))
-    weight = abs(integrated(quantity, n))
-    return abs(acceleration_value(n, ratio)) * weight.numerator / weight.denominator
+    return abs(acceleration_value(n, ratio)) * abs(integrated(quantity, n))

@@ -16,10 +16,9 @@ Source: Trefethen and Weideman, The exponentially convergent trapezoidal rule, S
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from functools import lru_cache
 from math import ceil, log
-
-from mpmath import mp
 
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms.linkages import (
@@ -31,7 +30,8 @@ from symbalance.kinematics.mechanisms.linkages import (
 )
 from symbalance.kinematics.mechanisms.motion import height, rod_angle
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.numbers import Real, checked_whole
+from symbalance.text.numbers import checked_whole
+from symbalance.text.reals import Complex, Real, cos, digits_of, expjpi, fixed, ldexp, pi
 
 MOST_POINTS = 20_000
 MOST_DIGITS = 1000
@@ -41,7 +41,7 @@ GUARD_BITS = 48
 """Bits for the roundings of the samples, where the rod nearly lies across too."""
 
 
-def harmonics_of(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, Real]:
+def harmonics_of(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, Complex]:
     """Return n -> c_n, n = 0..order, of the height y(p) = sum of c_n e^(inp) over r, c_-n = conj(c_n).
 
     Every c_n is within 10^-digits e^(-a order) of the truth, a > 0 as in the module's head: `digits`
@@ -49,9 +49,10 @@ def harmonics_of(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int
     zero are left out; of a slider-crank the even ones are real. Refused where the rod comes so
     near to lying across that the rule would take more than `MOST_POINTS` points.
 
+    >>> from symbalance.text.reals import nstr
     >>> from symbalance.kinematics.mechanisms import SliderCrank
     >>> for n, c in harmonics_of(SliderCrank(4, "1/2"), 3).items():
-    ...     print(n, mp.nstr(c, 8))
+    ...     print(n, nstr(c, 8))
     0 (3.9037849 + 0.0j)
     1 (0.5 - 0.064583693j)
     2 (0.032564602 + 0.0j)
@@ -65,30 +66,31 @@ def force_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> dict[
 
     A_n - i B_n = 2 n^2 c_n of `harmonics_of`, with its errors times that.
 
+    >>> from symbalance.text.reals import nstr
     >>> from symbalance.kinematics.mechanisms import SliderCrank
-    >>> mp.nstr(force_harmonics(SliderCrank(4), 4)[2][0], 12)
+    >>> nstr(force_harmonics(SliderCrank(4), 4)[2][0], 12)
     '0.254025042307'
     """
     heights = harmonics_of(mechanism, order, digits)
-    with mp.workdps(digits + 10):
-        found = {n: 2 * n * n * c for n, c in heights.items() if n}
-        return {n: (c.real, -c.imag) for n, c in found.items()}
+    forces = {n: c * (2 * n * n) for n, c in heights.items() if n}
+    return {n: (c.real, -c.imag) for n, c in forces.items()}
 
 
-def rod_angle_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, Real]:
+def rod_angle_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, Complex]:
     """Return n -> d_n, n = 0..order, of the rod's angle phi(p) = sum of d_n e^(inp) in radians.
 
     Errors and left out orders as in `harmonics_of`. Without offset d_n = -i R_n/2, n odd, with R_n of
     `symbalance.kinematics.slider_crank`.
 
+    >>> from symbalance.text.reals import nstr
     >>> from symbalance.kinematics.mechanisms import SliderCrank
-    >>> {n: mp.nstr(c, 8) for n, c in rod_angle_harmonics(SliderCrank(4), 4).items()}
+    >>> {n: nstr(c, 8) for n, c in rod_angle_harmonics(SliderCrank(4), 4).items()}
     {1: '(0.0 - 0.12600023j)', 3: '(0.0 + 0.00033743188j)'}
     """
     return dict(_harmonics(plain(mechanism), *_checked(order, digits), "rod-angle"))
 
 
-def series_of(mechanism: Mechanism, order: int, digits: int, quantity: str) -> dict[int, Real]:
+def series_of(mechanism: Mechanism, order: int, digits: int, quantity: str) -> dict[int, Complex]:
     """Return the harmonics of the "height" or the "rod-angle" to any order, which is not checked.
 
     For products of series, whose factors are needed beyond the order of the product.
@@ -103,16 +105,16 @@ def _checked(order: int, digits: int) -> tuple[int, int]:
 @lru_cache(maxsize=256)
 def _harmonics(
     mechanism: Mechanism, order: int, digits: int, quantity: str
-) -> tuple[tuple[int, Real], ...]:
+) -> tuple[tuple[int, Complex], ...]:
     nepers = digits * log(10) + mechanism.strip * order + GUARD
     points, bits = _points(mechanism, order, nepers), ceil(nepers / log(2)) + GUARD_BITS
     orders = [n for n in range(order + 1) if _survives(mechanism, n, quantity)]
-    with mp.workprec(bits + int(mechanism.length).bit_length()):
-        found_means = means(_samples(mechanism, quantity, points, bits), bits)
-        found = {n: _pure(mechanism, n, found_means[n]) for n in orders}
-        if quantity == "height":
-            found[1] = found.get(1, mp.mpc(0)) + 0.5
-    return tuple(sorted(found.items()))
+    working = digits_of(bits + int(mechanism.length).bit_length())
+    of_orders = means(_samples(mechanism, quantity, points, bits, working), bits)
+    series = {n: _pure(mechanism, n, of_orders[n]) for n in orders}
+    if quantity == "height":
+        series[1] = series.get(1, Complex(0, 0, working)) + 0.5
+    return tuple(sorted(series.items()))
 
 
 def _points(mechanism: Mechanism, order: int, nepers: float) -> int:
@@ -132,33 +134,35 @@ def _survives(mechanism: Mechanism, n: int, quantity: str) -> bool:
     return not alternates(mechanism) or n % 2 == (quantity == "rod-angle")
 
 
-def _pure(mechanism: Mechanism, n: int, value: Real) -> Real:
+def _pure(mechanism: Mechanism, n: int, value: Complex) -> Complex:
     """Return c_n real at even n and imaginary at odd n where f depends on sin p alone."""
     if not depends_on_sine(mechanism):
-        return value if n else mp.mpc(value.real)
-    return mp.mpc(0, value.imag) if n % 2 else mp.mpc(value.real)
+        return value if n else Complex(value.real)
+    return Complex(0, value.imag) if n % 2 else Complex(value.real)
 
 
-def _samples(mechanism: Mechanism, quantity: str, points: int, bits: int) -> list[int]:
-    """Return f at `points` crank angles, in units of 2^-bits."""
+def _samples(mechanism: Mechanism, quantity: str, points: int, bits: int, digits: int) -> list[int]:
+    """Return f at `points` crank angles, in units of 2^-bits, computed to `digits`."""
     function: Callable[[Mechanism, Real], Real] = rod_angle if quantity == "rod-angle" else height
-    found = []
+    samples, turn = [], 2 * pi(digits)
     for i in range(points):
-        p = 2 * mp.pi * i / points
-        value = function(mechanism, p) - (mp.cos(p) if quantity == "height" else 0)
-        found.append(int(mp.ldexp(value, bits)))
-    return found
+        p = turn * i / points
+        value = function(mechanism, p) - (cos(p) if quantity == "height" else 0)
+        samples.append(fixed(value, bits))
+    return samples
 
 
-def means(samples: list[int], bits: int) -> list[Real]:
-    """Return the means of sample times e^(-inp), n = 0, 1, ..., by an integer fast Fourier transform."""
-    points = len(samples)
-    roots = [mp.expjpi(mp.mpf(2 * i) / points) for i in range(points // 2)]
-    cosines = [int(mp.ldexp(z.real, bits)) for z in roots]
-    sines = [int(mp.ldexp(z.imag, bits)) for z in roots]
+def means(samples: list[int], bits: int) -> list[Complex]:
+    """Return the means of sample times e^(-inp), n = 0, 1, ..., by an integer fast Fourier transform.
+
+    Samples are in units of 2^-bits; so many bits the means carry.
+    """
+    points, digits = len(samples), digits_of(bits)
+    roots = [expjpi(Fraction(2 * i, points), digits) for i in range(points // 2)]
+    cosines, sines = [fixed(z.real, bits) for z in roots], [fixed(z.imag, bits) for z in roots]
     totals = zip(*_sums(samples, cosines, sines, bits), strict=True)
-    scale = mp.ldexp(mp.mpf(1) / points, -bits)
-    return [mp.mpc(real * scale, imaginary * scale) for real, imaginary in totals]
+    scale = ldexp(Real(Fraction(1, points), digits), -bits)
+    return [Complex(real * scale, imaginary * scale) for real, imaginary in totals]
 
 
 def _sums(

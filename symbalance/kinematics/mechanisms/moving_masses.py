@@ -14,28 +14,25 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from mpmath import mp
-
-from symbalance.exact.decimal_phasor import DIGITS
 from symbalance.kinematics.mechanisms.fourier import force_harmonics, series_of
 from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank, plain
 from symbalance.kinematics.mechanisms.tails import force_tail
 from symbalance.kinematics.slider_crank import acceleration_values
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import DIGITS, Complex, Real, expjpi
 
 
-def piston_force(mechanism: Mechanism, order: int) -> dict[int, Real]:
+def piston_force(mechanism: Mechanism, order: int) -> dict[int, Complex]:
     """Return n -> f_n = A_n - i B_n, n = 1..order, to 40 digits; orders that symmetry removes are absent.
 
-    >>> [(n, mp.nstr(f.real, 6)) for n, f in piston_force(SliderCrank(4), 4).items()]
+    >>> from symbalance.text.reals import nstr
+    >>> [(n, nstr(f.real, 6)) for n, f in piston_force(SliderCrank(4), 4).items()]
     [(1, '1.0'), (2, '0.254025'), (4, '-0.00409811')]
     """
     mechanism = plain(mechanism)
-    with mp.workdps(DIGITS):  # mpc rounds to the working precision, whatever the caller's is
-        if isinstance(mechanism, SliderCrank) and mechanism.is_centred:
-            values = acceleration_values(order, mechanism.ratio, DIGITS)
-            return {n: mp.mpc(a) for n, a in values.items() if n <= order}
-        return {n: mp.mpc(a, -b) for n, (a, b) in force_harmonics(mechanism, order, DIGITS).items()}
+    if isinstance(mechanism, SliderCrank) and mechanism.is_centred:
+        values = acceleration_values(order, mechanism.ratio, DIGITS)
+        return {n: Complex(a) for n, a in values.items() if n <= order}
+    return {n: Complex(a, -b) for n, (a, b) in force_harmonics(mechanism, order, DIGITS).items()}
 
 
 def has_link_pin(mechanism: Mechanism | None) -> bool:
@@ -43,42 +40,40 @@ def has_link_pin(mechanism: Mechanism | None) -> bool:
     return isinstance(mechanism, LinkRod) and mechanism.link_radius != 0
 
 
-def link_pin_path(mechanism: LinkRod, order: int, digits: int = DIGITS) -> dict[int, Real]:
+def link_pin_path(mechanism: LinkRod, order: int, digits: int = DIGITS) -> dict[int, Complex]:
     """Return n -> w_n, |n| <= order, of a link pin's place as seen from the crank pin, over r.
 
+    >>> from symbalance.text.reals import nstr
     >>> pin = link_pin_path(LinkRod(SliderCrank(4), "1/9", "3/4", "13/4", "1/9"), 2)
-    >>> [mp.nstr(pin[n].real, 6) for n in (-2, -1, 0, 1, 2)]
+    >>> [nstr(pin[n].real, 6) for n in (-2, -1, 0, 1, 2)]
     ['0.00103385', '0.0718167', '0.73814', '-0.0718167', '0.00103385']
     """
     master, turn = mechanism.master, mechanism.bank_difference
     heights = series_of(master, order, digits, "height")
-    with mp.workdps(digits + 10):
-        length, aside = real(master.ratio), real(master.offset)
-        arm = real(mechanism.link_radius) * mp.expjpi(2 * real(mechanism.lead))
-        half = mp.mpf(1) / 2
-        path = {}
-        for n in range(-order, order + 1):
-            height = heights.get(abs(n), mp.mpc(0))
-            cosine = mp.conj(height) if n < 0 else height
-            if abs(n) == 1:
-                cosine -= half
-            sine = {1: mp.mpc(0, -half), -1: mp.mpc(0, half), 0: mp.mpc(-aside)}.get(n, mp.mpc(0))
-            swung = (cosine - mp.mpc(0, 1) * sine) / length
-            if swung:
-                path[n] = arm * swung * mp.expjpi(2 * real(n * turn))
-        return path
+    arm = expjpi(2 * mechanism.lead, digits + 10) * mechanism.link_radius
+    half, nothing = Fraction(1, 2), Complex(0, 0, digits + 10)
+    path = {}
+    for n in range(-order, order + 1):
+        height = heights.get(abs(n), nothing)
+        cosine = height.conjugate() if n < 0 else height
+        if abs(n) == 1:
+            cosine -= half
+        # -i times the harmonics of the sine: sin q = (e^(iq) - e^(-iq))/2i
+        sine = {1: -half, -1: half}.get(n, Fraction(0))
+        swung = cosine + sine if n else cosine + Complex(0, master.offset, digits + 10)
+        if swung:
+            path[n] = arm * (swung / master.ratio) * expjpi(2 * n * turn, digits + 10)
+    return path
 
 
-def link_pin_force(mechanism: Mechanism | None, order: int) -> dict[int, Real]:
+def link_pin_force(mechanism: Mechanism | None, order: int) -> dict[int, Complex]:
     """Return n -> n^2 w_n, 0 < |n| <= order, of a mass on the link pin less that of one on the crank pin.
 
     In m r omega^2, to 40 digits; empty where the rod runs on the crank pin.
     """
     if not isinstance(mechanism, LinkRod) or not has_link_pin(mechanism):
         return {}
-    path = link_pin_path(mechanism, order)
-    with mp.workdps(DIGITS):
-        return {n: n * n * w for n, w in path.items() if n}
+    return {n: w * (n * n) for n, w in link_pin_path(mechanism, order).items() if n}
 
 
 def link_pin_tail(mechanism: Mechanism | None, order: int) -> Real:
@@ -87,7 +82,5 @@ def link_pin_tail(mechanism: Mechanism | None, order: int) -> Real:
     Above order 1 n^2 w_n is L/lam times the master piston's, whose bound is `force_tail`.
     """
     if not isinstance(mechanism, LinkRod) or not has_link_pin(mechanism):
-        return mp.mpf(0)
-    with mp.workdps(DIGITS):
-        scale = mechanism.link_radius / Fraction(mechanism.master.ratio)
-        return force_tail(mechanism.master, order) * real(scale)
+        return Real(0)
+    return force_tail(mechanism.master, order) * mechanism.link_radius / mechanism.master.ratio

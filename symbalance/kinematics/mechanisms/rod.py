@@ -21,14 +21,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from mpmath import mp
-
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms.fourier import rod_angle_harmonics
 from symbalance.kinematics.mechanisms.linkages import Mechanism
 from symbalance.kinematics.mechanisms.motion import rod_motion
 from symbalance.kinematics.slider_crank import Series, rod_angle_series
-from symbalance.text.numbers import Real, exact
+from symbalance.text.numbers import exact
+from symbalance.text.reals import Complex, Exact, Real, cos, tan
 
 
 @dataclass(frozen=True)
@@ -73,7 +72,7 @@ class RodSplit:
         """The moment of inertia J_x that the two masses lack; negative where they have too much."""
         return self.inertia - self.mass * self.centre * (self.length - self.centre)
 
-    def couple_harmonics(self, mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, Real]:
+    def couple_harmonics(self, mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, Complex]:
         """Return n -> k_n, n = 1..order: the couple J_x phi'' = sum of k_n e^(inp), k_-n = conj(k_n).
 
         Units: those of J_x, times omega^2; positive in the sense of rotation. k_n = -n^2 J_x d_n with
@@ -88,9 +87,7 @@ class RodSplit:
         if not excess:
             return {}
         angles = rod_angle_harmonics(mechanism, order, digits)
-        with mp.workdps(digits + 10):
-            share = mp.mpf(excess.numerator) / excess.denominator
-            return {n: -n * n * share * d for n, d in angles.items() if n}
+        return {n: d * (-n * n * excess) for n, d in angles.items() if n}
 
 
 def rocking_series(order: int, through: int) -> Series:
@@ -102,7 +99,9 @@ def rocking_series(order: int, through: int) -> Series:
     return rod_angle_series(order, through).scaled(order * order)
 
 
-def side_thrust(mechanism: Mechanism, p: Real, axial: Real, excess: Real = 0) -> Real:
+def side_thrust(
+    mechanism: Mechanism, p: Exact | Real, axial: Exact | Real, excess: Exact | Real = 0
+) -> Real:
     """Return the side force on the cylinder's wall, positive towards + lateral.
 
         N = F tan phi + J_x phi''/(lam cos phi)
@@ -117,9 +116,9 @@ def side_thrust(mechanism: Mechanism, p: Real, axial: Real, excess: Real = 0) ->
     true of link rods too; of a master rod it leaves out what the link rods on it bear on it.
 
     >>> from symbalance.kinematics.mechanisms import SliderCrank
-    >>> mp.nstr(side_thrust(SliderCrank(4), mp.pi / 2, axial=-1), 10)  # gas drives: away from the pin
+    >>> from symbalance.text.reals import nstr, pi
+    >>> nstr(side_thrust(SliderCrank(4), pi() / 2, axial=-1), 10)  # gas drives: away from the pin
     '-0.2581988897'
     """
     rod = rod_motion(mechanism, p)
-    length = mp.mpf(mechanism.length.numerator) / mechanism.length.denominator
-    return axial * mp.tan(rod.value) + excess * rod.second / (length * mp.cos(rod.value))
+    return axial * tan(rod.value) + excess * rod.second / (mechanism.length * cos(rod.value))

@@ -6,22 +6,25 @@ At its dead centres an offset slider-crank's crank and rod lie in one line, stre
     bottom  sin p = -eps/(lam - 1), cos p < 0, y = sqrt((lam - 1)^2 - eps^2).
 
 With eps > 0 the way down takes more than half a turn, and the stroke exceeds 2 r. A link rod's dead
-centres are roots of y', bracketed and found to the working precision.
+centres are roots of y', bracketed and found to all digits.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
-
-from mpmath import mp
+from typing import Any
 
 from symbalance.kinematics.mechanisms.linkages import Mechanism, SliderCrank, plain
 from symbalance.kinematics.mechanisms.motion import height, height_motion
-from symbalance.text.numbers import Real
+from symbalance.text.reals import DIGITS, Real, asin, nint, pi, sqrt
 
 LOOKS = 96
 """At how many crank angles a link rod's piston is looked at to find where it turns round."""
+GUARD = 10
+"""Digits beyond those wanted, in which a root is sought."""
 FIRST_LOOK = -2
 """Any angle in rad; this one is far from the dead centres of common engines."""
 
@@ -31,21 +34,21 @@ class DeadCentres:
     """The crank angles `top` and `bottom` in rad and the piston's heights there over r.
 
     `top` lies in (-pi, pi) and `bottom` follows it by less than a turn; numbers are SymPy's of
-    `exact_dead_centres` and mpmath's of `dead_centres`.
+    `exact_dead_centres` and decimals of `dead_centres`.
     """
 
-    top: Real
-    bottom: Real
-    highest: Real
-    lowest: Real
+    top: Any
+    bottom: Any
+    highest: Any
+    lowest: Any
 
     @property
-    def stroke(self) -> Real:
+    def stroke(self) -> Any:
         """The piston's way between the dead centres, over r; 2 without offset."""
         return self.highest - self.lowest
 
     @property
-    def down(self) -> Real:
+    def down(self) -> Any:
         """The crank angle in rad that the way down takes; pi without offset."""
         return self.bottom - self.top
 
@@ -61,55 +64,77 @@ def exact_dead_centres(mechanism: SliderCrank) -> DeadCentres:
     import sympy
 
     lam, eps = (sympy.Rational(x.numerator, x.denominator) for x in (mechanism.ratio, mechanism.offset))
-    return _lined_up(lam, eps, sympy)
+    return _lined_up(lam, eps, sympy.sqrt, sympy.asin, sympy.pi)
 
 
-def dead_centres(mechanism: Mechanism) -> DeadCentres:
-    """Return the dead centres as mpmath numbers at the working precision.
+def dead_centres(mechanism: Mechanism, digits: int = DIGITS) -> DeadCentres:
+    """Return the dead centres to `digits` significant digits.
 
     Of several turning points of a link rod's piston the highest and the lowest count.
 
-    >>> mp.nstr(dead_centres(SliderCrank(4, 1)).stroke, 12)
+    >>> from symbalance.text.reals import nstr
+    >>> nstr(dead_centres(SliderCrank(4, 1)).stroke, 12)
     '2.07055236082'
     """
     mechanism = plain(mechanism)
     if isinstance(mechanism, SliderCrank):
-        lam, eps = (mp.mpf(x.numerator) / x.denominator for x in (mechanism.ratio, mechanism.offset))
-        return _lined_up(lam, eps, mp)
-    turns = _turning_points(mechanism)
+        lam, eps = (Real(x, digits) for x in (mechanism.ratio, mechanism.offset))
+        return _lined_up(lam, eps, sqrt, asin, pi(digits))
+    turns, turn = _turning_points(mechanism, digits), 2 * pi(digits)
     top = max(turns, key=lambda p: height(mechanism, p))
     bottom = min(turns, key=lambda p: height(mechanism, p))
-    start = top - 2 * mp.pi * mp.nint(top / (2 * mp.pi))
+    start = top - turn * nint(top / turn)
     return DeadCentres(
         start,
-        start + (bottom - top) % (2 * mp.pi),
+        start + (bottom - top) % turn,
         height(mechanism, top),
         height(mechanism, bottom),
     )
 
 
-def _lined_up(lam: Real, eps: Real, library: Real) -> DeadCentres:
-    sqrt, asin = library.sqrt, library.asin
+def _lined_up(
+    lam: Any, eps: Any, root: Callable[[Any], Any], arcsine: Callable[[Any], Any], half_turn: Any
+) -> DeadCentres:
     return DeadCentres(
-        asin(eps / (lam + 1)),
-        library.pi + asin(eps / (lam - 1)),
-        sqrt((lam + 1) ** 2 - eps**2),
-        sqrt((lam - 1) ** 2 - eps**2),
+        arcsine(eps / (lam + 1)),
+        half_turn + arcsine(eps / (lam - 1)),
+        root((lam + 1) ** 2 - eps**2),
+        root((lam - 1) ** 2 - eps**2),
     )
 
 
-def _turning_points(mechanism: Mechanism) -> list[Real]:
+def _turning_points(mechanism: Mechanism, digits: int) -> list[Real]:
     """Return the roots of y' in one turn, between crank angles where its sign differs."""
 
     def slope(p: Real) -> Real:
         return height_motion(mechanism, p).first
 
-    angles = [FIRST_LOOK + 2 * mp.pi * i / LOOKS for i in range(LOOKS + 1)]
+    angles = [FIRST_LOOK + 2 * pi(digits + GUARD) * i / LOOKS for i in range(LOOKS + 1)]
     slopes = [slope(p) for p in angles[:-1]]
     found = []
     for (start, before), (end, after) in pairwise(zip(angles, [*slopes, slopes[0]], strict=True)):
         if before == 0:
             found.append(start)
         elif before * after < 0:
-            found.append(mp.findroot(slope, (start, end), solver="anderson"))
+            found.append(_root(slope, start, end, before, after).rounded(digits))
     return found
+
+
+def _root(slope: Callable[[Real], Real], start: Real, end: Real, before: Real, after: Real) -> Real:
+    """Return the root between two angles with slopes of different sign, to all digits but `GUARD`.
+
+    Secants, kept on both sides of the root by scaling down the slope that stays (Anderson and Bjorck,
+    A new high order method of regula falsi type, BIT 13, 1973).
+    """
+    least = Fraction(1, 10 ** (end.digits - GUARD + 2))
+    while True:
+        place = end - after * (end - start) / (after - before)
+        here = slope(place)
+        if here == 0 or abs(place - end) < least:
+            return place
+        if here * after < 0:
+            start, before = end, after
+        else:
+            kept = 1 - here / after
+            before *= kept if kept > 0 else Fraction(1, 2)
+        end, after = place, here

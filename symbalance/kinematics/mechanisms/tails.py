@@ -13,11 +13,9 @@ known harmonics first and bounds only those far out, where all of it is nothing.
 
 from __future__ import annotations
 
-from mpmath import mp
-
 from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, plain
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.numbers import Real, real
+from symbalance.text.reals import Real, exp, sqrt
 
 ROUNDING = 1 + 2.0**-26
 """Covers the rounding of this module's few operations, which carry more digits."""
@@ -26,22 +24,23 @@ ROUNDING = 1 + 2.0**-26
 def force_tail(mechanism: Mechanism, order: int) -> Real:
     """Return a proved bound on the sum of the force's harmonics above `order`, over m r omega^2.
 
+    >>> from symbalance.text.reals import nstr
     >>> from symbalance.kinematics.mechanisms import SliderCrank, force_harmonics
+    >>> from symbalance.text.reals import fsum, hypot
     >>> offset = SliderCrank(4, "1/2")
-    >>> mp.nstr(force_tail(offset, 12), 3)
+    >>> nstr(force_tail(offset, 12), 3)
     '3.12e-8'
     >>> found = force_harmonics(offset, 40)
-    >>> mp.nstr(mp.fsum(mp.hypot(*found[n]) for n in found if n > 12), 3)
+    >>> nstr(fsum(hypot(*found[n]) for n in found if n > 12), 3)
     '1.73e-10'
     """
     checked_order(order)
     mechanism = plain(mechanism)
     first = order + 1
-    with mp.workdps(30):  # whatever precision the caller has set
-        size = mp.sqrt(2) * real(mechanism.length)
-        if isinstance(mechanism, LinkRod):
-            size += mp.sqrt(3) * real(mechanism.link_radius)
-        x = mp.exp(-mp.mpf(mechanism.strip))
-        rest = 1 - x
-        total = first**2 / rest + 2 * first * x / rest**2 + x * (1 + x) / rest**3
-        return 2 * size * x**first * total * ROUNDING
+    size = sqrt(2, 30) * mechanism.length
+    if isinstance(mechanism, LinkRod):
+        size += sqrt(3, 30) * mechanism.link_radius
+    x = exp(-mechanism.strip, 30)
+    rest = 1 - x
+    total = first**2 / rest + 2 * first * x / rest**2 + x * (1 + x) / rest**3
+    return 2 * size * x**first * total * ROUNDING

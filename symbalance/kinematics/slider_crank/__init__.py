@@ -30,6 +30,7 @@ from symbalance.kinematics.slider_crank.exact import (
     acceleration_value,
     acceleration_values,
     exact_coefficient,
+    rho_root_q,
     rod_angle_value,
     root_mean,
 )
@@ -72,6 +73,7 @@ __all__ = [
     "exact_coefficient",
     "harmonics",
     "integrated",
+    "rho_root_q",
     "rod_angle_series",
     "rod_angle_value",
     "root_mean",

@@ -6,11 +6,9 @@ from fractions import Fraction
 from math import comb
 from typing import TYPE_CHECKING
 
-from mpmath import mp
-
 from symbalance.document.symbols import symbol
 from symbalance.kinematics.slider_crank.limits import checked_order
-from symbalance.text.numbers import Real
+from symbalance.text.reals import DIGITS, Real, ellipe, hyp2f1, pi, sqrt
 
 if TYPE_CHECKING:
     import sympy
@@ -34,23 +32,27 @@ def exact_coefficient(order: int) -> sympy.Expr:
     return 4 * k**2 / rho * (1 + root) * sympy.binomial(sympy.S.Half, k) * q**k * tail
 
 
-def _rho_root_q(ratio: Fraction) -> tuple[Real, Real, Real]:
-    """Return rho, sqrt(1 - rho^2) and q to the working precision, however near rho is to 0 or 1."""
+def rho_root_q(ratio: Fraction, digits: int) -> tuple[Real, Real, Real]:
+    """Return rho, sqrt(1 - rho^2) and q to so many digits, however near rho is to 0 or 1."""
     over, under = ratio.numerator, ratio.denominator
-    rho = mp.mpf(under) / over
-    root = mp.sqrt(mp.mpf(over * over - under * under)) / over
+    rho = Real(1 / ratio, digits)
+    root = sqrt(over * over - under * under, digits) / over
     return rho, root, (rho / (1 + root)) ** 2
+
+
+def _half_over(k: int) -> Fraction:
+    """Return the binomial coefficient of 1/2 over k > 0."""
+    return Fraction((-1) ** (k - 1) * comb(2 * k, k), 4**k * (2 * k - 1))
 
 
 def acceleration_value(order: int, ratio: Fraction, digits: int = 20) -> Real:
     """Return A_order for a rod ratio, exact in lambda, to `digits` significant digits."""
     if order % 2:
-        return mp.mpf(order == 1)
+        return Real(int(order == 1), digits + 10)
     k = order // 2
-    with mp.workdps(digits + 10):
-        rho, root, q = _rho_root_q(ratio)
-        tail = mp.hyp2f1(mp.mpf(-0.5), k - mp.mpf(0.5), k + 1, q * q)
-        return 4 * k * k / rho * (1 + root) * mp.binomial(mp.mpf(0.5), k) * q**k * tail
+    rho, root, q = rho_root_q(ratio, digits + 10)
+    tail = hyp2f1(-0.5, k - 0.5, k + 1, q * q)
+    return 4 * k * k / rho * (1 + root) * _half_over(k) * q**k * tail
 
 
 def acceleration_values(order: int, ratio: Fraction, digits: int = 20) -> dict[int, Real]:
@@ -60,32 +62,26 @@ def acceleration_values(order: int, ratio: Fraction, digits: int = 20) -> dict[i
     solution, so the recurrence is run downward from two values of the closed form (upward it is lost).
     """
     top = order // 2
-    values = {1: mp.mpf(1)} | {
-        2 * k: acceleration_value(2 * k, ratio, digits) for k in (top - 1, top) if k > 0
-    }
-    with mp.workdps(digits + 10):
-        *_, q = _rho_root_q(ratio)
-        both = (1 + q * q) / q
-        for k in range(top - 1, 1, -1):
-            above, here = values[2 * k + 2] / (k + 1) ** 2, values[2 * k] / k**2
-            below = -(both * k * here + (k + mp.mpf(1.5)) * above) / (k - mp.mpf(1.5))
-            values[2 * k - 2] = below * (k - 1) ** 2
+    values = {n: acceleration_value(n, ratio, digits) for n in (1, 2 * top - 2, 2 * top) if n > 0}
+    *_, q = rho_root_q(ratio, digits + 10)
+    both = (1 + q * q) / q
+    for k in range(top - 1, 1, -1):
+        above, here = values[2 * k + 2] / (k + 1) ** 2, values[2 * k] / k**2
+        below = -(both * k * here + (k + 1.5) * above) / (k - 1.5)
+        values[2 * k - 2] = below * (k - 1) ** 2
     return dict(sorted(values.items()))
 
 
-def root_mean(ratio: Fraction) -> Real:
-    """Return c_0, the mean of sqrt(1 - rho^2 sin^2 theta), to the working precision."""
-    rho = mp.mpf(ratio.denominator) / ratio.numerator
-    return 2 * mp.ellipe(rho * rho) / mp.pi
+def root_mean(ratio: Fraction, digits: int = DIGITS) -> Real:
+    """Return c_0, the mean of sqrt(1 - rho^2 sin^2 theta), to `digits` significant digits."""
+    return 2 * ellipe(Real(1 / ratio**2, digits)) / pi(digits)
 
 
 def rod_angle_value(order: int, ratio: Fraction, digits: int = 20) -> Real:
     """Return R_order for a rod ratio, exact in lambda, to `digits` significant digits."""
     if order % 2 == 0:
-        return mp.mpf(0)
+        return Real(0, digits + 10)
     i = order // 2
     lead = Fraction((-1) ** i * comb(2 * i, i), order << 4 * i)
-    with mp.workdps(digits + 10):
-        rho = mp.mpf(ratio.denominator) / ratio.numerator
-        tail = mp.hyp2f1(i + mp.mpf(0.5), i + mp.mpf(0.5), order + 1, rho * rho)
-        return mp.mpf(lead.numerator) / lead.denominator * rho**order * tail
+    rho = Real(1 / ratio, digits + 10)
+    return lead * rho**order * hyp2f1(i + 0.5, i + 0.5, order + 1, rho * rho)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import cache
 from typing import Any
 
 from symbalance.notes.algebra.domain import Domain, Monomial, NoFormError, Polynomial
 from symbalance.notes.algebra.forms import Form
+from symbalance.text.reals import own_context
 
 DIGITS = 40
 Point = dict[str, Fraction]
@@ -17,14 +17,9 @@ Point = dict[str, Fraction]
 _RANGES = {"lambda": (300, 500), "rho": (15, 40), "theta": (10, 620), "phi": (10, 150), "beta": (5, 40)}
 
 
-@cache
 def context() -> Any:
-    """Return an mpmath context of our own: nobody else's precision counts, nor ours for others."""
-    from mpmath.ctx_mp import MPContext
-
-    made = MPContext()
-    made.dps = DIGITS
-    return made
+    """Return this thread's own mpmath context: nobody else's precision counts, nor ours for others."""
+    return own_context(DIGITS)
 
 
 def letters(form: Form) -> list[str]:
