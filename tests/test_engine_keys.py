@@ -26,6 +26,7 @@ from symbalance.cli import run
 from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.files.crank_keys import FILE_KEYS
 from symbalance.crankshaft.files.described import reference_of_keys, schema_of_engine_files
+from symbalance.crankshaft.files.operation import Strength
 from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.engine.engine_file import SCHEMA, parse_engine, schema_text
 from symbalance.errors import SymbalanceError
@@ -52,11 +53,11 @@ def test_the_shipped_schema_is_made_from_the_keys(request: pytest.FixtureRequest
 
 def test_the_page_lists_the_keys_as_they_are(request: pytest.FixtureRequest) -> None:
     text = PAGE.read_text(encoding="utf-8")
-    made = MARKS.sub(lambda m: f"{m[1]}\n{reference_of_keys()}\n{m[3]}", text)
+    renewed = MARKS.sub(lambda m: f"{m[1]}\n{reference_of_keys()}\n{m[3]}", text)
     if request.config.getoption("--update"):
-        PAGE.write_text(made, encoding="utf-8")
-    assert PAGE.read_text(encoding="utf-8") == made
-    assert len(MARKS.findall(made)) == 1
+        PAGE.write_text(renewed, encoding="utf-8")
+    assert PAGE.read_text(encoding="utf-8") == renewed
+    assert len(MARKS.findall(renewed)) == 1
 
 
 def test_the_command_prints_the_schema(capsys: pytest.CaptureFixture[str]) -> None:
@@ -274,9 +275,9 @@ RUNNING = ("ideal", "trace")
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> File:
-    made = tmp_path_factory.mktemp("engines")
-    (made / "trace.csv").write_text("".join(f"{a},1.5\n" for a in range(0, 720, 10)))
-    return made
+    folder = tmp_path_factory.mktemp("engines")
+    (folder / "trace.csv").write_text("".join(f"{a},1.5\n" for a in range(0, 720, 10)))
+    return folder
 
 
 def read(folder: File, name: str, text: str) -> None:
@@ -338,13 +339,13 @@ def test_the_files_that_are_spoilt_below_hold_every_key() -> None:
         return {(keys.name, key.name) for key in keys.keys}.union(*within)
 
     def given(table: Any, keys: TableKeys) -> set[tuple[str, str]]:
-        found = {(keys.name, name) for name in table}
+        names_given = {(keys.name, name) for name in table}
         for name, value in table.items():
             kind = keys.by_name[name].kind
             if isinstance(kind, TableKeys):
                 rows = value if isinstance(value, list) else [value]
-                found = found.union(*(given(row, kind) for row in rows))
-        return found
+                names_given = names_given.union(*(given(row, kind) for row in rows))
+        return names_given
 
     assert set().union(*(given(tables(t), FILE_KEYS) for t in SOUND.values())) == names(FILE_KEYS)
 
@@ -384,7 +385,8 @@ def out_of_range(kind: Any) -> list[Any]:
             high = [] if kind.high is None else [kind.high] if kind.open_high else [kind.high + 1]
             bounds = [Decimal(float(n)) for n in low + high]
             bounds += [] if isinstance(kind, Measured) else [10**9 + 1]
-            return bounds + (["-1/2"] if kind.low is not None and kind.low >= 0 else [])
+            bounds += ["-1/2"] if kind.low is not None and kind.low >= 0 else []
+            return bounds + (["0", ".0/7"] if kind.open_low else [])
         case Whole():
             return [kind.low - 1, kind.high + 1, *([] if kind.but is None else [kind.but])]
         case OneOrList():
@@ -577,6 +579,12 @@ def test_what_the_reader_takes_the_schema_takes_too(kind: str, value: Any) -> No
         assert not fits or any(isinstance(v, str | Decimal) for v in flat)
     else:
         assert fits
+
+
+def test_the_strength_that_is_not_given_is_the_usual_one(folder: File) -> None:
+    path = folder / "engine.toml"
+    path.write_text(CRANK + IDEAL, encoding="utf-8")
+    assert read_running_engine(path).operation.strength == Strength()
 
 
 def test_defaults_are_those_of_the_builders() -> None:

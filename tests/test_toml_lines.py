@@ -40,9 +40,9 @@ def paths(value: Any, path: Path = ()) -> Iterator[Path]:
 def test_the_line_of_a_key_is_the_one_it_was_written_on(table: dict[str, Any]) -> None:
     text, lines = written(table)
     read = tomllib.loads(text)
-    found = lines_of(text)
-    assert {path: found[path] for path in lines} == lines
-    assert set(found) == set(paths(read))
+    lines_there = lines_of(text)
+    assert {path: lines_there[path] for path in lines} == lines
+    assert set(lines_there) == set(paths(read))
 
 
 TEXT = '''\
@@ -104,9 +104,9 @@ LINES = {
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
 def test_what_toml_allows(end: str) -> None:
     text = TEXT.replace("\n", end)
-    found = lines_of(text)
-    assert {path: found[path] for path in LINES} == LINES
-    assert set(found) == set(paths(tomllib.loads(text)))
+    lines_there = lines_of(text)
+    assert {path: lines_there[path] for path in LINES} == LINES
+    assert set(lines_there) == set(paths(tomllib.loads(text)))
 
 
 def test_lists_far_inside_each_other_are_walked_over() -> None:

@@ -34,7 +34,7 @@ for letter in itertools.cycle("ab"):
 @posix
 def test_a_writer_that_is_killed_leaves_the_old_file_or_the_new_one_whole(tmp_path: Path) -> None:
     path = tmp_path / "result"
-    moments, seen = random.Random(1), set()
+    moments, letters = random.Random(1), set()
     for _ in range(12):
         path.write_text("o" * SIZE)
         with subprocess.Popen([sys.executable, "-c", ENDLESS, path], stdout=subprocess.PIPE) as writer:
@@ -45,8 +45,8 @@ def test_a_writer_that_is_killed_leaves_the_old_file_or_the_new_one_whole(tmp_pa
         content = path.read_text()
         assert len(content) == SIZE
         assert len(set(content)) == 1
-        seen.add(content[0])
-    assert seen & {"a", "b"}  # the writer had begun
+        letters.add(content[0])
+    assert letters & {"a", "b"}  # the writer had begun
 
 
 @posix

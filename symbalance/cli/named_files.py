@@ -144,11 +144,11 @@ def _named_in(path: Path) -> Iterator[Path]:
 
 def _named_by(text: str, folder: Path) -> Iterator[Path]:
     """Yield what an engine file or a sidecar may name: its texts that look like files' names."""
-    import tomllib
+    from symbalance.text.files import toml_table
 
     try:
-        table = tomllib.loads(text.replace("\r\n", "\n"))
-    except (ValueError, RecursionError):  # refused where it is read
+        table = toml_table(text, "")
+    except SymbalanceError:  # refused where it is read
         return
     for name in _texts(table):
         if "." in name or _is_file(name):

@@ -37,10 +37,10 @@ def with_balancers(file: Section, layout: Engine) -> Engine:
 
 
 def _joined(layout: Engine, balancers: Sequence[Balancer]) -> Engine:
-    made = layout.balanced_by(*balancers)
-    _ = made.modulus  # refuses angles too fine together
-    _ = made.rotors  # refuses what needs masses that are not given
-    return made
+    balanced = layout.balanced_by(*balancers)
+    _ = balanced.modulus  # refuses angles too fine together
+    _ = balanced.rotors  # refuses what needs masses that are not given
+    return balanced
 
 
 def _counterweight(row: Section) -> Balancer:

@@ -71,11 +71,11 @@ def engine_from(file: Section, default_name: str) -> Engine:
 def _crank_train(train: Section) -> CrankTrain:
     sizes = train.values()
     given = sizes.pop("ratio", None)
-    made = CrankTrain(**sizes, given_ratio=given)
-    if made.ratio is not None:
+    shared = CrankTrain(**sizes, given_ratio=given)
+    if shared.ratio is not None:
         key, what = ("ratio", "ratio") if given is not None else ("rod", "2*rod/stroke")
-        train.guarded(lambda: checked_ratio(made.ratio, what), key)
-    return made
+        train.guarded(lambda: checked_ratio(shared.ratio, what), key)
+    return shared
 
 
 def _by_firing_order(arrangement: Section, train: Section, about: dict[str, Any]) -> Engine:
@@ -89,29 +89,29 @@ def _by_firing_order(arrangement: Section, train: Section, about: dict[str, Any]
 def _by_cylinder(file: Section, rows: list[Section], train: Section, about: dict[str, Any]) -> Engine:
     cylinders, strokes = [_cylinder(row) for row in rows], file.value("strokes")
 
-    def made(places: Sequence[int]) -> Engine:
+    def engine_of(places: Sequence[int]) -> Engine:
         engine = from_cylinders([cylinders[i] for i in places], strokes=strokes, **about)
         _ = engine.modulus  # refuses angles too fine together
         return engine
 
     try:
-        return made(range(len(cylinders)))
+        return engine_of(range(len(cylinders)))
     except SymbalanceError:
         # What is refused together is refused at the first cylinder that those before it do not bear.
         # Masters first: a link rod's file may list it before its master, without which it is refused.
         places = sorted(range(len(cylinders)), key=lambda i: cylinders[i].link is not None)
         counts = range(1, len(places) + 1)
-        last = bisect_left(counts, True, key=lambda count: _is_refused(lambda: made(places[:count])))
+        last = bisect_left(counts, True, key=lambda count: _is_refused(lambda: engine_of(places[:count])))
         if last == len(places):  # the file's own order is what is refused
-            return rows[0].guarded(lambda: made(range(len(cylinders))), elsewhere=(train,))
-        return rows[places[last]].guarded(lambda: made(places[: last + 1]), elsewhere=(train,))
+            return rows[0].guarded(lambda: engine_of(range(len(cylinders))), elsewhere=(train,))
+        return rows[places[last]].guarded(lambda: engine_of(places[: last + 1]), elsewhere=(train,))
 
 
 def _cylinder(row: Section) -> Cylinder:
     values = row.values()
     link = {key: values.pop(key) for key in LINK if key in values}
-    hangs = row.guarded(lambda: _link(**link)) if link else None
-    return row.guarded(lambda: Cylinder(**values, link=hangs))
+    attached = row.guarded(lambda: _link(**link)) if link else None
+    return row.guarded(lambda: Cylinder(**values, link=attached))
 
 
 def _link(master: int, link_angle: object = 0, link_radius: object = 0) -> Link:

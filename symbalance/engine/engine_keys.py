@@ -41,7 +41,7 @@ SIZES = "sizes are in mm and kg"
 
 
 @dataclass(frozen=True)
-class Angle(Number):
+class ExactDegrees(Number):
     """An angle in degrees, whose denominator is bounded: everything exact is in a field of that order."""
 
     def parse(self, value: object, name: str) -> Fraction:
@@ -52,7 +52,7 @@ class Angle(Number):
         return number
 
 
-ANGLE, QUOTIENT = Angle(), Number(finest=LARGEST_QUOTIENT)
+ANGLE, QUOTIENT = ExactDegrees(), Number(finest=LARGEST_QUOTIENT)
 
 ROD_KEYS = (
     Key("rod_mass", NOT_NEGATIVE, "The rod's own mass", KG, remedy=SIZES),
@@ -64,7 +64,7 @@ _OFFSET = (
     "towards the side the pin moves to after top dead centre"
 )
 STROKE = Key("stroke", POSITIVE, "Twice the crank radius", MM, remedy=SIZES)
-ROD = Key("rod", POSITIVE, "The rod's length between centres", MM, remedy=SIZES)
+ROD_LENGTH = Key("rod", POSITIVE, "The rod's length between centres", MM, remedy=SIZES)
 MASSES = (
     Key(
         "reciprocating_mass",
@@ -87,7 +87,7 @@ CRANK_TRAIN = TableKeys(
     "crank_train",
     (
         STROKE,
-        ROD,
+        ROD_LENGTH,
         Key("pitch", POSITIVE, "Between neighbouring cylinders of a bank", MM, remedy=SIZES),
         *MASSES,
         Key(
@@ -150,7 +150,7 @@ LAYOUT = TableKeys(
         ),
         Key(
             "firing_intervals",
-            ListOf(Angle(0), '[90, "61/2"]'),
+            ListOf(ExactDegrees(0), '[90, "61/2"]'),
             "From each firing to the next",
             DEGREES,
             otherwise="even",
@@ -213,13 +213,13 @@ CYLINDER = TableKeys(
         ),
         Key(
             "fires",
-            Angle(0, 720, open_high=True),
+            ExactDegrees(0, 720, open_high=True),
             "Its firing angle after cylinder 1's firing top dead centre",
             DEGREES,
             remedy="degrees after cylinder 1's firing",
         ),
         STROKE,
-        ROD,
+        ROD_LENGTH,
         *MASSES,
         OFFSET,
         *ROD_KEYS,

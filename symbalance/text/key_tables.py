@@ -266,7 +266,7 @@ class TableKeys:
         return {key.name: key for key in self.keys}
 
     def with_kinds(self, kinds: Mapping[str, Kind | TableKeys]) -> TableKeys:
-        """Return the same table, some of whose keys are of other kinds: told in full by another room."""
+        """Return the same table, some of whose keys are of other kinds: described in another room."""
         keys = tuple(replace(key, kind=kinds.get(key.name, key.kind)) for key in self.keys)
         return replace(self, keys=keys)
 

@@ -1,4 +1,4 @@
-"""Kinds of values in a TOML file: how each is read, what a reader is told of it, its JSON Schema.
+"""Kinds of values in a TOML file: how each is read and described, and its JSON Schema.
 
 Numbers are read exactly, from TOML's own numbers or from text such as "360/7". The schemas hold only
 keywords that mean the same in every draft of JSON Schema from 6 to 2020-12: editors differ in theirs.

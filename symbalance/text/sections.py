@@ -17,7 +17,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.text.files import toml_table
 from symbalance.text.key_tables import Key, TableKeys
 from symbalance.text.numbers import checked_whole
-from symbalance.text.toml_lines import Path, lines_of
+from symbalance.text.toml_lines import KeyPath, lines_of
 
 T = TypeVar("T")
 
@@ -30,11 +30,11 @@ class Source:
     place: str
 
     @cached_property
-    def lines(self) -> dict[Path, int]:
+    def lines(self) -> dict[KeyPath, int]:
         """The line of each key; looked for when a refusal needs one."""
         return lines_of(self.text)
 
-    def at(self, path: Path) -> str:
+    def at(self, path: KeyPath) -> str:
         """Return the file and the line of a key, or of what it would stand in if it is not there."""
         if not self.text:
             return self.place
@@ -50,7 +50,7 @@ class Section:
     table: dict[str, Any]
     keys: TableKeys
     source: Source
-    path: Path = ()
+    path: KeyPath = ()
 
     def __post_init__(self) -> None:
         if self.keys.others is not None:
@@ -167,10 +167,10 @@ class Section:
     def places(self, name: str, highest: int) -> tuple[int, ...]:
         """Return places counted from 1 to `highest`, one or a list; none where the key is not given."""
         value = self.value(name)
-        found = value if isinstance(value, list) else [] if value is None else [value]
+        each = value if isinstance(value, list) else [] if value is None else [value]
         remedy = self.keys.by_name[name].remedy
         return tuple(
-            self.guarded(lambda v=v: checked_whole(v, name, 1, highest, remedy), name) for v in found
+            self.guarded(lambda v=v: checked_whole(v, name, 1, highest, remedy), name) for v in each
         )
 
     def guarded(self, make: Callable[[], T], key: str = "", elsewhere: Sequence[Section] = ()) -> T:

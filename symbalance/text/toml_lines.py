@@ -10,7 +10,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 
-Path = tuple[str | int, ...]
+KeyPath = tuple[str | int, ...]
 """Keys from the top: ("cylinder", 2, "throw") is the key throw of the third [[cylinder]] table."""
 
 _TOKEN = re.compile(
@@ -20,7 +20,7 @@ _TOKEN = re.compile(
 )
 
 
-def lines_of(text: str) -> dict[Path, int]:
+def lines_of(text: str) -> dict[KeyPath, int]:
     """Return the first line, from 1, that each key, each table and each element of a list stands on.
 
     >>> lines = lines_of("a = 1\\n[[b]]\\n[[b]]\\nc = [\\n{ d = 2 }]")
@@ -34,13 +34,13 @@ class _Finder:
     """Walks over the tokens of a text; `within` are the lists and tables in braces that are open."""
 
     def __init__(self) -> None:
-        self.found: dict[Path, int] = {}
-        self.tables: dict[Path, int] = {}
+        self.places: dict[KeyPath, int] = {}
+        self.tables: dict[KeyPath, int] = {}
         """The lists of tables with heads of their own, and how many each has so far."""
         self.line = 1
 
-    def lines(self, text: str) -> dict[Path, int]:
-        base: Path = ()
+    def lines(self, text: str) -> dict[KeyPath, int]:
+        base: KeyPath = ()
         tokens = self.tokens(text)
         for kind, token in tokens:
             if kind == "end":
@@ -49,7 +49,7 @@ class _Finder:
                 base = self.head(tokens)
             else:
                 self.statement(kind, token, tokens, base)
-        return self.found
+        return self.places
 
     def tokens(self, text: str) -> Iterator[tuple[str, str]]:
         """Yield the tokens, spaces and comments left out, `line` being that on which each begins."""
@@ -58,7 +58,7 @@ class _Finder:
                 yield match.lastgroup, match[0]
             self.line += match[0].count("\n")
 
-    def head(self, tokens: Iterator[tuple[str, str]]) -> Path:
+    def head(self, tokens: Iterator[tuple[str, str]]) -> KeyPath:
         """Return the path of the table whose head begins; the first bracket has been taken."""
         kind, token = next(tokens)
         listed = token == "["
@@ -69,7 +69,7 @@ class _Finder:
             if kind != "mark":
                 keys.append(_key(kind, token))
             kind, token = next(tokens)
-        path: Path = ()
+        path: KeyPath = ()
         for depth, key in enumerate(keys, 1):
             path = (*path, key)
             self.note(path)
@@ -82,9 +82,9 @@ class _Finder:
             next(tokens, None)
         return path
 
-    def statement(self, kind: str, token: str, tokens: Iterator[tuple[str, str]], base: Path) -> None:
+    def statement(self, kind: str, token: str, tokens: Iterator[tuple[str, str]], base: KeyPath) -> None:
         """Note the keys of one statement, from its first token to the end of its value."""
-        within: list[tuple[str, Path, int]] = [("", base, 0)]
+        within: list[tuple[str, KeyPath, int]] = [("", base, 0)]
         reads_key, path = True, base
         while True:
             bracket, inside, count = within[-1]
@@ -114,8 +114,8 @@ class _Finder:
             if not kind:
                 return
 
-    def note(self, path: Path) -> None:
-        self.found.setdefault(path, self.line)
+    def note(self, path: KeyPath) -> None:
+        self.places.setdefault(path, self.line)
 
 
 def _key(kind: str, token: str) -> str:

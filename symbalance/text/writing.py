@@ -89,7 +89,7 @@ def _written_through(name: str, data: bytes) -> bool:
 
 @dataclass(frozen=True)
 class _Staged:
-    """A file in the making: the name it was asked by, its target, and the temporary file beside that."""
+    """A file to be written: its name as given, its target, and the temporary file beside that."""
 
     name: str
     target: str
@@ -97,7 +97,7 @@ class _Staged:
 
     @classmethod
     def beside(cls, name: str) -> _Staged:
-        """Return a temporary name of its own in the target's folder; nothing is made yet.
+        """Return a temporary name of its own in the target's folder; nothing is written yet.
 
         Of the target's name only a beginning is in it, so that it is no longer than systems take.
         """

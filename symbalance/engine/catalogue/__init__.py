@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import tomllib
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -12,6 +11,7 @@ from pathlib import Path
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine, read_engine_file
 from symbalance.errors import SymbalanceError, shown
+from symbalance.text.files import toml_table
 
 _FOLDER = Path(__file__).parent
 
@@ -39,7 +39,7 @@ def presets() -> list[Preset]:
     """Return every preset with its description and source."""
     found = []
     for name in preset_names():
-        table = tomllib.loads(preset_text(name))
+        table = toml_table(preset_text(name), name)
         found.append(Preset(name, table["description"], table["source"]))
     return found
 

@@ -170,16 +170,16 @@ def _declarations(file: Section) -> Declarations:
 
 
 def _symbols(table: Section) -> dict[str, str]:
-    found: dict[str, str] = {}
+    meanings: dict[str, str] = {}
     for letter, meaning in table.values().items():
         try:
             name = canonical_name(letter)
         except ReadingError as problem:
             raise table.refusal(letter, problem.what, "write one letter") from None
-        if name in found:
+        if name in meanings:
             raise table.refusal(letter, "is declared twice", "keep one line of it")
-        found[name] = meaning.strip()
-    return found
+        meanings[name] = meaning.strip()
+    return meanings
 
 
 def _scope(table: Section) -> Scope:
