@@ -22,6 +22,7 @@ from symbalance.engine.trains import checked_size
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import checked_modulus
+from symbalance.kinematics.bodies import Body, bodies
 from symbalance.kinematics.mechanisms import Mechanism
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.numbers import listed
@@ -42,6 +43,11 @@ class Group:
     mechanism: Mechanism | None
     size: Fraction
     cylinders: tuple[Cylinder, ...]
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """What moves with the mechanism of each; refused where no rod ratio is known."""
+        return bodies(self.cylinders[0].known_mechanism)
 
 
 @dataclass(frozen=True, init=False)

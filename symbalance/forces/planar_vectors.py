@@ -21,7 +21,6 @@ from math import lcm
 
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import Rotor
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import SymbolPart
@@ -29,7 +28,7 @@ from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.exact.spectrum import Spectrum
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
-from symbalance.kinematics.bodies import RECIPROCATING, ROTATING, Body, bodies
+from symbalance.kinematics.bodies import RECIPROCATING, ROTATING, Body
 from symbalance.kinematics.slider_crank import surviving
 from symbalance.text.reals import Real, fsum
 
@@ -59,7 +58,7 @@ def moving_masses(layout: Engine, measures: Sequence[str] = MASSES) -> list[Movi
         if measure == ROTATING and not layout.has_link_pin_masses:
             continue  # what it counts in, a reciprocating mass, need not be given
         for group in layout.groups:
-            for body in bodies(group.cylinders[0].known_mechanism):
+            for body in group.bodies:
                 if body.measure == measure:
                     sizes = layout.sizes if measure == RECIPROCATING else layout.rotating_sizes
                     shares = tuple(sizes[places[c.number]] for c in group.cylinders)
@@ -83,10 +82,37 @@ def planar_vectors(
     """
     plane = layout.mean_station if reference is None else reference
     ones, arms = [Fraction(1)] * len(layout.cylinders), [c.station - plane for c in layout.cylinders]
-    turning, apart = layout.rotors, layout.counts_in_orders
-    force, couple = (cylinder_spectrum(layout, order, weights) for weights in (ones, arms))
-    about = with_rotors(couple, turning, order, plane, apart)
-    return with_rotors(force, turning, order, None, apart), about
+    force, couple = (
+        rotor_spectrum(layout, order, level) + cylinder_spectrum(layout, order, weights)
+        for level, weights in ((None, ones), (plane, arms))
+    )
+    return force, couple
+
+
+def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
+    """Return what turns adds to the force, or to the couple about `plane`, up to an order.
+
+    >>> from symbalance.engine.balancers import Counterweight
+    >>> from symbalance.engine.builders import inline
+    >>> single = inline("1").balanced_by(Counterweight(throw=1, overbalance="1/2"))
+    >>> rotor_spectrum(single, 12, None).component(1, "vertical").cos
+    -1/2
+    """
+    total: dict[int, Amplitude] = {}
+    for rotor in layout.rotors:
+        if abs(rotor.speed) <= highest:
+            arm = Fraction(1) if plane is None else rotor.station - plane
+            part = rotor.vector.scaled(arm)
+            total[rotor.speed] = total[rotor.speed] + part if rotor.speed in total else part
+    if not layout.counts_in_orders:
+        total = {n: DecimalPhasor.holding(number) for n, number in total.items()}
+    return Spectrum.of(total)
+
+
+def turning_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
+    """Return what rotors and masses on link pins add to the force, or to the couple about `plane`."""
+    weights = [Fraction(1) if plane is None else c.station - plane for c in layout.cylinders]
+    return rotor_spectrum(layout, highest, plane) + link_pin_spectrum(layout, highest, weights)
 
 
 def cylinder_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
@@ -196,45 +222,3 @@ def _with_symbols(
                 total = total + SymbolicPhasor.of({part: phasor})
             terms[signed] = total
     return Spectrum.of(terms)
-
-
-def turning_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
-    """Return what rotors and masses on link pins add to the force, or to the couple about `plane`."""
-    weights = [Fraction(1) if plane is None else c.station - plane for c in layout.cylinders]
-    pins = link_pin_spectrum(layout, highest, weights)
-    return with_rotors(pins, layout.rotors, highest, plane, layout.counts_in_orders)
-
-
-def with_rotors(
-    vector: Spectrum, turning: Sequence[Rotor], highest: int, plane: Fraction | None, apart: bool
-) -> Spectrum:
-    """Return a force, or a couple about `plane`, with that of what turns added to it.
-
-    `apart` says that components are exact; else they are decimals.
-    """
-    if not turning:
-        return vector
-    total = dict(vector.terms)
-    for n, number in rotor_spectrum(turning, highest, plane).terms.items():
-        total[n] = total[n] + number if n in total else number
-    if not apart:
-        total = {n: DecimalPhasor.holding(number) for n, number in total.items()}
-    return Spectrum.of(total)
-
-
-def rotor_spectrum(turning: Sequence[Rotor], highest: int, plane: Fraction | None) -> Spectrum:
-    """Return what turns adds to the force, or to the couple about `plane`, up to an order.
-
-    >>> from symbalance.engine.balancers import Counterweight
-    >>> from symbalance.engine.builders import inline
-    >>> single = inline("1").balanced_by(Counterweight(throw=1, overbalance="1/2"))
-    >>> rotor_spectrum(single.rotors, 12, None).component(1, "vertical").cos
-    -1/2
-    """
-    total: dict[int, Amplitude] = {}
-    for rotor in turning:
-        if abs(rotor.speed) <= highest:
-            arm = Fraction(1) if plane is None else rotor.station - plane
-            part = rotor.vector.scaled(arm)
-            total[rotor.speed] = total[rotor.speed] + part if rotor.speed in total else part
-    return Spectrum.of(total)

@@ -12,7 +12,7 @@ These sums are geometry alone; A_n is the kinematics of one cylinder; tables pri
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 
@@ -181,7 +181,7 @@ def _balance(layout: Engine, order: int, power: int | None, reference: object) -
     plane = None if reference is None else exact(reference, "reference")
     force, couple = planar_vectors(layout, order, plane)
     apart = FORCE if layout.counts_in_orders else None
-    return Balance(layout, order, force, couple, plane, _checked_power(power, force, couple), apart)
+    return _with_power(Balance(layout, order, force, couple, plane, kinematics=apart), power)
 
 
 def checked_balance(result: object) -> Balance:
@@ -193,11 +193,12 @@ def checked_balance(result: object) -> Balance:
     return result
 
 
-def _checked_power(power: int | None, *spectra: Spectrum) -> int | None:
+def _with_power(result: Balance, power: int | None) -> Balance:
+    """Return a balance that keeps so many powers of 1/lambda; refused where an order would lose all."""
     if power is None:
-        return None
+        return result
     checked_power(power)
-    orders = sorted({n for spectrum in spectra for n in spectrum.orders()})
+    orders = sorted({*result.force.orders(), *result.couple.orders()})
     lost = [n for n in orders if n - 1 > power]
     if lost:
         raise SymbalanceError(
@@ -205,4 +206,4 @@ def _checked_power(power: int | None, *spectra: Spectrum) -> int | None:
             f"keeps no term of order {lost[-1]}",
             f"the least power of 1/lambda that keeps every order here is {lost[-1] - 1}",
         )
-    return power
+    return replace(result, power=power)
