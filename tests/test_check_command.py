@@ -357,7 +357,7 @@ BAD_SIDECARS = {
     '[symbols]\n"m_1" = "a"\n"m_{1}" = "b"': "twice",
     '[[scope]]\nlines = [5, 2]': ":8: lines = [5, 2]: must go upwards",
     '[[scope]]\nlines = [1, 2]\ngiven = ["r < 3"]': "given",
-    '[[bind]]\nline = 1': "has no quantity",
+    '[[bind]]\nline = 1': ":7: [[bind]]: needs quantity",
     '[[bind]]\nline = 1\nquantity = "colour"': "known are",
     '[[bind]]\nline = 1\nquantity = "coefficient"': "add order",
     '[[bind]]\nline = 1\nquantity = "force.vertical"\norder = 2\nengine = "no-such"': "no-such",

@@ -231,7 +231,10 @@ def test_bad_arguments_are_refused_in_one_line(capsys, arguments, words):
         (GOOD.replace("[-30, 30]", "[1e99999999, 30]"), ["banks"]),
         (GOOD + "firing_intervals = [120,120,120,120,120,119]\n", [":6:", "719", "720"]),
         (GOOD + "firing_intervals = [360, 360]\n", [":6:", "firing_intervals of 2", "must hold 6"]),
-        (GOOD + "firing_intervals = [840,-120,0,0,0,0]\n", [":6:", "hold -120", "negative"]),
+        (
+            GOOD + "firing_intervals = [840,-120,0,0,0,0]\n",
+            [":6:", "firing_intervals[2] = -120", "negative"],
+        ),
         (
             GOOD + "firing_intervals = [17.3333333,0,0,0,0,0]\n",
             [":6:", "firing_intervals[1] = 17.3333333", "52/3"],
@@ -239,7 +242,10 @@ def test_bad_arguments_are_refused_in_one_line(capsys, arguments, words):
         (GOOD + "strokes = 3\n", [":6:", "strokes = 3", "2 or 4"]),
         (GOOD + 'strokes = "4"\n', [":6:", "strokes = '4'", "quotes"]),
         ("name = ''\n" + GOOD, [":1:", "name = ''", "1 to 60"]),
-        (GOOD.replace("[2, 4, 6]", "[2, 4, 6], []").replace("30]", "30, 0]"), [":4:", "empty bank"]),
+        (
+            GOOD.replace("[2, 4, 6]", "[2, 4, 6], []").replace("30]", "30, 0]"),
+            [":4:", "cylinders[3] = []", "empty"],
+        ),
         (GOOD.replace("[-30, 30]", '["1/9973", "1/9967"]'), [":3:", "of a turn", "four places"]),
         ("[crank_train]\nstroke = 80\nrod = 39\n" + GOOD, [":3:", "39/40", "longer"]),
         ("[crank_train]\nstroke = 0\n" + GOOD, [":2:", "stroke = 0", "positive"]),

@@ -193,7 +193,7 @@ GOOD = "1e8,2e7,-3e7,2e8,1e5,0,0,1e5"
         (["0," + GOOD] * 4, "rising"),
         ([f"{a},{GOOD}" for a in (0, 180, 360, 720)], "below 720"),
         ([f"{a},1e8,0,0,1e8,1e5,0,0,-1e5" for a in (0, 180, 360, 540)], "positive definite"),
-        ([f"{a},{GOOD},1" for a in (0, 180, 360, 540)], "9 columns"),
+        ([f"{a},{GOOD},1" for a in (0, 180, 360, 540)], "has 10 columns, not 9"),
         ([f"{a},{GOOD[:-3]}x" for a in (0, 180, 360, 540)], "must be a number"),
         ([f"{a},{GOOD[:-3]}nan" for a in (0, 180, 360, 540)], "must be a number"),
         ([], "0 rows"),

@@ -341,7 +341,7 @@ def test_missing_tables_and_counterweights_on_one_web_are_refused(tmp_path, caps
 def test_a_counterweight_names_its_webs(tmp_path, capsys):
     text = sheet(SINGLE, "[[crankshaft.counterweight]]\nmass = 1\nradius = 50")
     assert run(["crankshaft", str(written(tmp_path, text)), *QUICK]) == 2
-    assert "[crankshaft.counterweight]: needs webs" in capsys.readouterr().err
+    assert "[[crankshaft.counterweight]]: needs webs" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
@@ -367,8 +367,8 @@ def test_a_measured_curve_is_checked_before_the_run(name, channel, said, tmp_pat
     ("coefficients", "said"),
     [
         ([-1e8, 0, 0, -1e8, -1e5, 0, 0, -1e5], "film.csv"),
-        ([1e8, 0, 0, 1e8, "nan", 0, 0, 1e5], "film.csv:1: 'nan': must be a number"),
-        ([1e8, 0, 0], "film.csv:1: 7 columns: must have 17 columns"),
+        ([1e8, 0, 0, 1e8, "nan", 0, 0, 1e5], "film.csv:1: cvv of bearing 1 = nan: must be a number"),
+        ([1e8, 0, 0], "has 7 columns, not 17; degrees, then for each bearing kvv"),
     ],
 )
 def test_a_film_table_that_no_film_has_is_refused(coefficients, said, tmp_path, capsys):

@@ -158,7 +158,7 @@ def test_an_engine_file_of_link_rods(tmp_path, capsys):
         ({"throw": 10}, "a link rod shares its master's pin"),
         ({"master": 2}, "names no other cylinder"),
         ({"master": 7}, "names no other cylinder"),
-        ({"radius": -3}, "must be positive"),
+        ({"radius": -3}, "must not be negative"),
         ({"rod": 40}, "for the rod to reach at every crank angle"),
         ({"rod": "134\nstroke = 80"}, "is not a link rod's to choose"),
         ({"rod": "0"}, "must be positive"),

@@ -9,9 +9,14 @@ from symbalance.cli.output import write
 
 
 def run(options: argparse.Namespace) -> int:
-    """List the presets, or print one's engine file."""
+    """List the presets, or print one's engine file, or the schema of all engine files."""
     from symbalance.engine.catalogue import preset_text, presets
 
+    if options.schema:
+        from symbalance.engine.engine_file import schema_text
+
+        write(schema_text(), None, "json")
+        return 0
     if options.show is not None:
         write(preset_text(options.show), None, "source")
         return 0

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import os
-import stat
 import sys
-import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EINVAL
-from pathlib import Path
 
 from symbalance.cli.ascii_spelling import as_encodable, as_json
 from symbalance.errors import SymbalanceError, encodable_name
+from symbalance.text import writing
 
 ESCAPES = {"json": "\\\\"}
 """How a backslash is written, where one stands for a byte of a file's name that is no text."""
@@ -47,33 +45,14 @@ def write(text: str, output: str | None, form: str = "text") -> None:
 
 def write_files(contents: Mapping[str, str | bytes]) -> None:
     """Write several files, texts or bytes, all of them whole before the first is put in place."""
-    staged: list[tuple[str, Path]] = []
-    name = ""
-    try:
-        for name, content in contents.items():
-            path = Path(os.path.realpath(name))
-            if isinstance(content, str):
-                escape = ESCAPES["json"] if path.suffix == ".json" else "\\"
-                data = encodable_name(content, escape).encode("utf-8")
-            else:
-                data = content
-            temporary = _staged(data, path)
-            if temporary:
-                staged.append((temporary, path))
-        while staged:
-            os.replace(*staged[0])
-            staged.pop(0)
-    except (OSError, ValueError) as problem:
-        reason = getattr(problem, "strerror", None) or str(problem)
-        raise SymbalanceError(
-            f"file {name}",
-            f"cannot be written ({reason})",
-            "name a file in a folder you may write to",
-        ) from None
-    finally:
-        for temporary, _ in staged:
-            with suppress(OSError):
-                os.unlink(temporary)
+    writing.write_files({name: _encodable(name, content) for name, content in contents.items()})
+
+
+def _encodable(name: str, content: str | bytes) -> str | bytes:
+    """Return a text with the bytes of file names that are no text spelled by their codes."""
+    if isinstance(content, bytes):
+        return content
+    return encodable_name(content, ESCAPES["json"] if name.endswith(".json") else "\\")
 
 
 def finish() -> None:
@@ -109,34 +88,3 @@ def _stdout() -> Iterator[None]:
             return
         rule = f"cannot be written ({problem.strerror or problem})"
         raise SymbalanceError("standard output", rule, "make room, or name a file with -o") from None
-
-
-def _staged(data: bytes, path: Path) -> str | None:
-    """Write a temporary file beside `path`, ready to take its place; return its name.
-
-    A device or a pipe has nothing to replace: it is written to, and there is no file to stage.
-    """
-    if path.is_dir():
-        raise OSError(0, "it is a directory")
-    if path.exists() and not stat.S_ISREG(path.stat().st_mode):
-        path.write_bytes(data)
-        return None
-    if path.exists() and not os.access(path, os.W_OK):
-        raise OSError(0, "it is write-protected")
-    mode = stat.S_IMODE(path.stat().st_mode) if path.exists() else 0o666 & ~_umask()
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        os.chmod(temporary, mode)
-    except BaseException:
-        with suppress(OSError):
-            os.unlink(temporary)
-        raise
-    return temporary
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -98,8 +98,12 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:
     parser = command(commands, "engines", "The preset engines, with their sources.")
-    parser.add_argument(
+    shown = parser.add_mutually_exclusive_group()
+    shown.add_argument(
         "--show", metavar="NAME", help="print a preset's engine file, to start your own from"
+    )
+    shown.add_argument(
+        "--schema", action="store_true", help="print the JSON Schema of engine files, for editors"
     )
 
 

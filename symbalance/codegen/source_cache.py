@@ -11,9 +11,11 @@ from __future__ import annotations
 
 import os
 import sys
-import tempfile
 from hashlib import sha256
 from pathlib import Path
+
+from symbalance.errors import SymbalanceError
+from symbalance.text.writing import write_file
 
 KEPT = 200
 """Sources kept, some 150 kB each with their code; the oldest go first."""
@@ -26,9 +28,10 @@ def source_file(source: str) -> Path | None:
         folder = _own_folder()
         path = folder / f"evaluator_{sha256(data).hexdigest()[:40]}.py"
         if not (path.is_file() and path.read_bytes() == data):
-            _replace(path, data)
+            # The user's alone, whatever the mask; one that is lost is written anew.
+            write_file(path, data, permissions=0o600, lasting=False)
             _forget_the_oldest(folder)
-    except (OSError, RuntimeError):  # RuntimeError: the user has no home
+    except (OSError, SymbalanceError, RuntimeError):  # RuntimeError: the user has no home
         return None
     return path
 
@@ -53,18 +56,6 @@ def _cache() -> Path:
     if sys.platform == "darwin":
         return Path.home() / "Library" / "Caches"
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-
-
-def _replace(path: Path, data: bytes) -> None:
-    """Write a file at once: another process sees all of it or nothing."""
-    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=path.stem, delete=False) as file:
-        try:
-            file.write(data)
-            file.close()
-            os.replace(file.name, path)
-        except OSError:
-            os.unlink(file.name)
-            raise
 
 
 def _forget_the_oldest(folder: Path) -> None:

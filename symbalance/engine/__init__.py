@@ -7,6 +7,7 @@ that know all about themselves, in groups of like ones, and what balances them.
     builders, firing, stars       engines from firing orders, banks and pins; the orders a crank allows
     balancers, rotors             counterweights and balance shafts; rotating masses
     tops                          when pistons are at the top
+    engine_keys                   what an engine file may hold: each key's kind, unit, range, meaning
     engine_file, engine_writing   engines from and to TOML;  balancer_tables: its weights and shafts
     catalogue                     the presets
     facts, kinds, balancer_facts  what a table says of an engine before its numbers

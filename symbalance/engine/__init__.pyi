@@ -14,6 +14,7 @@ from symbalance.engine.catalogue import load as load
 from symbalance.engine.catalogue import presets as presets
 from symbalance.engine.cylinders import Cylinder as Cylinder
 from symbalance.engine.engine import Engine as Engine
+from symbalance.engine.engine_file import schema_text as schema_text
 from symbalance.engine.engine_writing import engine_text as engine_text
 from symbalance.engine.stars import crank_stars as crank_stars
 from symbalance.engine.stars import firing_orders as firing_orders

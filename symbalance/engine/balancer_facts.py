@@ -46,7 +46,7 @@ def balancer_lines(layout: Engine, style: Style = TEXT) -> list[str]:
     if not found.counterweights:
         turning = [c for c in layout.cylinders if c.rotating_mass]
         lines = ["rotating masses are taken as balanced, throw by throw"] if turning else []
-        if any(c.number in layout.link_pins for c in turning):
+        if layout.has_link_pin_masses:
             lines.append("but for what link pins move those on them beside the crank pins")
     else:
         lines = [_counterweight(c, style) for c in found.counterweights]

@@ -54,7 +54,8 @@ def from_cylinders(
     shared = _checked_train(crank_train)
     if ratio is not None:
         shared = replace(shared, given_ratio=checked_ratio(ratio))
-    complete = [c.with_shared(shared) for c in checked_cylinders(cylinders)]
+    of_each = replace(shared, pitch=None)
+    complete = [c.with_shared(of_each) for c in checked_cylinders(cylinders)]
     return Engine(complete, pitch=shared.pitch, **about)
 
 

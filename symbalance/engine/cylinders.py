@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from symbalance.engine.trains import OWN, CrankTrain, Link, check_reach, own_train
 from symbalance.errors import SymbalanceError, shown
@@ -16,6 +16,8 @@ from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, RodSplit, SliderCrank
 from symbalance.text.numbers import checked_whole, exact
 
+NONE = CrankTrain()
+"""No size of one's own."""
 CRANKS = 1
 """Cranks of one engine: several, geared together, would each have a speed of their own."""
 MOST_CYLINDERS = 1000
@@ -102,7 +104,7 @@ class Cylinder:
             check_reach(self.sizes)
             offset = self.sizes.offset_ratio
             return SliderCrank(_needed_ratio(self), offset)
-        return None if self.ratio is None else SliderCrank(self.ratio)
+        return None if self.ratio is None else _centred(self.ratio)
 
     @property
     def known_mechanism(self) -> Mechanism:
@@ -172,7 +174,7 @@ class Cylinder:
         """
         if self.link is not None:
             shared = replace(shared, stroke=None, rod=None, given_ratio=None)
-        return self._with(sizes=replace(shared.overridden(self.sizes), pitch=None))
+        return self._with(sizes=shared if self.sizes == NONE else shared.overridden(self.sizes))
 
     def _with(self, **fields: object) -> Cylinder:
         changed = Cylinder.__new__(Cylinder)
@@ -180,6 +182,10 @@ class Cylinder:
         for name, value in (had | fields).items():
             object.__setattr__(changed, name, value)
         return changed
+
+
+_centred = lru_cache(maxsize=256)(SliderCrank)
+"""The one mechanism of all centred cylinders of a ratio, which is checked once."""
 
 
 def _needed_ratio(cylinder: Cylinder) -> Fraction:

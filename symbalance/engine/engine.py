@@ -111,6 +111,11 @@ class Engine:
         """The numbers of the cylinders whose rods hang on a link pin away from the crank pin."""
         return [c.number for c in self.cylinders if c.link and c.link.radius]
 
+    @property
+    def has_link_pin_masses(self) -> bool:
+        """Whether some link pin bears a mass, which moves beside the crank pin's circle."""
+        return any(c.rotating_mass for c in self.cylinders if c.link and c.link.radius)
+
     @cached_property
     def sizes(self) -> tuple[Fraction, ...]:
         """Every cylinder's m r over that of the first; 1 where no masses or strokes are given.

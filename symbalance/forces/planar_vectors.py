@@ -1,7 +1,7 @@
 r"""The planar force and couple of an engine: sums over its cylinders, and what turns beside them.
 
 A mass that moves with a cylinder's mechanism pushes with h_n e^(inp) for every n of either sign
-(`symbalance.kinematics.mechanisms.moving_masses`), p = theta + throw - bank, in the cylinder's frame.
+(`symbalance.kinematics.bodies`), p = theta + throw - bank, in the cylinder's frame.
 In the engine's plane, vertical + i lateral, in units of m r omega^2 of cylinder 1, with s = m r of the
 mass over that and w a weight (1 for the force, the lever arm for the couple),
 
@@ -14,7 +14,7 @@ geometry itself, whatever lambda is, and angles may hold symbols. Else c_n is a 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
@@ -29,62 +29,42 @@ from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.exact.spectrum import Spectrum
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
-from symbalance.kinematics.mechanisms import Mechanism, force_tail
-from symbalance.kinematics.mechanisms.moving_masses import (
-    has_link_pin,
-    link_pin_force,
-    link_pin_tail,
-    piston_force,
-)
+from symbalance.kinematics.bodies import RECIPROCATING, ROTATING, Body, bodies
 from symbalance.kinematics.slider_crank import surviving
-from symbalance.text.reals import Complex, Real, fsum
+from symbalance.text.reals import Real, fsum
 
 HALF = Fraction(1, 2)
+MASSES = (RECIPROCATING, ROTATING)
 
 
 @dataclass(frozen=True)
 class MovingMass:
-    """One mass of each cylinder of a group: its force, and its m r over the unit's by cylinder."""
+    """One body of each cylinder of a group, and its m r over the unit's by cylinder."""
 
-    mechanism: Mechanism
+    body: Body
     cylinders: tuple[Cylinder, ...]
     shares: tuple[Fraction, ...]
-    on_link_pin: bool
-
-    def force(self, order: int) -> dict[int, Complex]:
-        """Return n -> 2 h_n for n of both signs up to an order, in m r omega^2."""
-        if self.on_link_pin:
-            return {n: 2 * h for n, h in link_pin_force(self.mechanism, order).items()}
-        forces = piston_force(self.mechanism, order)
-        return forces | {-n: f.conjugate() for n, f in forces.items()}
-
-    def tail(self, order: int) -> Real:
-        """Return a proved bound on the harmonics above an order, both signs of one n together."""
-        return (
-            link_pin_tail(self.mechanism, order)
-            if self.on_link_pin
-            else force_tail(self.mechanism, order)
-        )
 
 
-def moving_masses(layout: Engine) -> Iterator[MovingMass]:
-    """Yield what moves with the cylinders' mechanisms: pistons, then what sits on link pins.
+def moving_masses(layout: Engine, measures: Sequence[str] = MASSES) -> list[MovingMass]:
+    """Return the bodies that push: pistons, then what sits on link pins.
 
-    A rotating mass on the crank pin turns steadily and is a `rotor`; one on a link pin is that and, here,
+    A rotating mass on the crank pin turns steadily and is a rotor; one on a link pin is that and, here,
     what the link pin adds to the crank pin's circle.
     """
     _check_numbers(layout)
     places = {c.number: i for i, c in enumerate(layout.cylinders)}
-    for group in layout.groups:
-        mechanism, sizes = group.cylinders[0].known_mechanism, (group.size,) * len(group.cylinders)
-        yield MovingMass(mechanism, group.cylinders, sizes, on_link_pin=False)
-    for group in layout.groups:
-        if group.mechanism is None or not has_link_pin(group.mechanism):
-            continue
-        turning = layout.rotating_sizes
-        shares = tuple(turning[places[c.number]] for c in group.cylinders)
-        if any(shares):
-            yield MovingMass(group.mechanism, group.cylinders, shares, on_link_pin=True)
+    masses = []
+    for measure in measures:
+        if measure == ROTATING and not layout.has_link_pin_masses:
+            continue  # what it counts in, a reciprocating mass, need not be given
+        for group in layout.groups:
+            for body in bodies(group.cylinders[0].known_mechanism):
+                if body.measure == measure:
+                    sizes = layout.sizes if measure == RECIPROCATING else layout.rotating_sizes
+                    shares = tuple(sizes[places[c.number]] for c in group.cylinders)
+                    masses += [MovingMass(body, group.cylinders, shares)] if any(shares) else []
+    return masses
 
 
 def _check_numbers(layout: Engine) -> None:
@@ -118,10 +98,9 @@ def cylinder_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -
 
 def link_pin_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
     """Return the part of `cylinder_spectrum` that masses on link pins add, in m r omega^2."""
-    if not any(has_link_pin(c.mechanism) and c.rotating_mass for c in layout.cylinders):
+    if not layout.has_link_pin_masses:
         return Spectrum({})
-    on_pins = (mass for mass in moving_masses(layout) if mass.on_link_pin)
-    return _spectrum_of(on_pins, layout, order, weights)
+    return _spectrum_of(moving_masses(layout, [ROTATING]), layout, order, weights)
 
 
 def _spectrum_of(
@@ -131,12 +110,12 @@ def _spectrum_of(
     total: dict[int, DecimalPhasor] = {}
     for mass in masses:
         own = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
-        forces = mass.force(order)
+        forces = mass.body.force(order)
         exact = _exact_terms(mass.cylinders, layout.modulus, range(1, order + 1), own)
         for n, phasor in exact.items():
             if n not in forces:
                 continue
-            part = DecimalPhasor(phasor.evaluated() * forces[n])
+            part = DecimalPhasor(2 * phasor.evaluated() * forces[n])
             total[n] = total[n] + part if n in total else part
     numbers: dict[int, Amplitude] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
     return Spectrum(numbers)
@@ -151,7 +130,7 @@ def left_out_above(layout: Engine, order: int, weights: Sequence[Real]) -> Real:
     total = Real(0)
     for mass in moving_masses(layout):
         reach = fsum(weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True))
-        total += mass.tail(order) * reach
+        total += mass.body.tail(order) * reach
     return total
 
 

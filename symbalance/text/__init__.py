@@ -5,7 +5,11 @@ names the file, the line, the value, the rule and the remedy. Knows nothing of e
 
     reals          real and complex numbers of many digits, which carry their own precision
     numbers        exact fractions from "360/7", 0.1 or 13.5;  measurements: of any length
-    files          a file's text, the TOML in it;  sections: its tables, key by key
+    files          a file's text, the TOML in it;  toml_lines: on which line each key stands
+    kinds          kinds of values;  key_tables: tables of keys, their reference and JSON Schema
+    sections       tables of TOML read as their keys say
+    csv_rows       rows of numbers, each with its line
+    writing        files that appear whole or not at all
 """
 
 from symbalance.loading import attach

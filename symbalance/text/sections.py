@@ -1,4 +1,8 @@
-"""Tables of an engine file with typed keys: each number read exactly, each refusal with its line."""
+"""Tables of a TOML file, read key by key as their description says: strictly, each refusal with its line.
+
+A key that is unknown, a value of another type or out of range, a key that is missing and keys that
+contradict each other are refused with file, line, value, rule and remedy.
+"""
 
 from __future__ import annotations
 
@@ -6,54 +10,57 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import cached_property
 from typing import Any, TypeVar
 
 from symbalance.errors import SymbalanceError, shown
-from symbalance.text.measurements import measured
+from symbalance.text.files import toml_table
+from symbalance.text.key_tables import Key, TableKeys
 from symbalance.text.numbers import checked_whole
+from symbalance.text.toml_lines import Path, lines_of
 
 T = TypeVar("T")
-MILLI = 1e-3
 
 
 @dataclass(frozen=True)
 class Source:
-    """The text of an engine file, `place` being what errors call it."""
+    """The text of a file, `place` being what errors call it; no text where a table came from Python."""
 
-    lines: tuple[str, ...]
+    text: str
     place: str
 
-    def line_of(self, section: str, index: int, key: str = "") -> int:
-        """Return the line of a key in the index-th table of a section, or of the table's head."""
-        head = re.compile(rf"\s*\[\[?\s*{re.escape(section)}\s*\]")
-        key_line = re.compile(rf"""\s*["']?{re.escape(key)}["']?\s*=""")
-        seen, start, inside = -1, 1, False
-        for number, line in enumerate(self.lines, 1):
-            if re.match(r"\s*\[", line) and "=" not in line:
-                inside = bool(head.match(line))
-                seen += inside
-                start = number if inside and seen == index else start
-            elif inside and key and seen == index and key_line.match(line):
-                return number
-        return start
+    @cached_property
+    def lines(self) -> dict[Path, int]:
+        """The line of each key; looked for when a refusal needs one."""
+        return lines_of(self.text)
+
+    def at(self, path: Path) -> str:
+        """Return the file and the line of a key, or of what it would stand in if it is not there."""
+        if not self.text:
+            return self.place
+        while path and path not in self.lines:
+            path = path[:-1]
+        return f"{self.place}:{self.lines.get(path, 1)}"
 
 
 @dataclass(frozen=True)
 class Section:
-    """One table: `known` are the keys it may hold; numbers come back as floats in SI."""
+    """One table, its keys checked to be known; `path` is where it stands in the file."""
 
     table: dict[str, Any]
+    keys: TableKeys
     source: Source
-    name: str
-    known: tuple[str, ...]
-    index: int = 0
+    path: Path = ()
 
     def __post_init__(self) -> None:
+        if self.keys.others is not None:
+            return
         for key in self.table:
-            if key not in self.known:
-                near = get_close_matches(key, self.known, 1)
-                remedy = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(self.known)}"
-                what = shown(f"{self.name}.{key}")
+            if key not in self.keys.by_name:
+                known = tuple(self.keys.by_name)
+                near = get_close_matches(str(key), known, 1)
+                remedy = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(known)}"
+                what = shown(f"{self.keys.name}.{key}" if self.keys.name else key)
                 raise SymbalanceError(what, "is an unknown key", remedy, self.place(key))
 
     def __contains__(self, key: str) -> bool:
@@ -61,98 +68,126 @@ class Section:
 
     def place(self, key: str = "") -> str:
         """Return the file and the line of a key, or of the table's head."""
-        return f"{self.source.place}:{self.source.line_of(self.name, self.index, key)}"
+        return self.source.at((*self.path, key) if key else self.path)
 
     def refusal(self, key: str, rule: str, remedy: str) -> SymbalanceError:
         """Return the refusal of a key's value."""
         return SymbalanceError(f"{key} = {shown(self.table.get(key))}", rule, remedy, self.place(key))
 
+    def refused(self, rule: str, remedy: str) -> SymbalanceError:
+        """Return the refusal of the whole table."""
+        if not self.keys.name:
+            return SymbalanceError(self.source.place, rule, remedy)
+        return SymbalanceError(self.head, rule, remedy, self.place())
+
     def missing(self, key: str, remedy: str) -> SymbalanceError:
         """Return the refusal of a table that lacks a key."""
-        return SymbalanceError(f"[{self.name}]", f"needs {key}", remedy, self.place())
+        return self.refused(f"needs {key}", remedy)
 
-    def subsection(self, key: str, known: Sequence[str]) -> Section:
+    @property
+    def head(self) -> str:
+        """The table's head, as a refusal calls it."""
+        listed = bool(self.path) and isinstance(self.path[-1], int)
+        return f"[[{self.keys.name}]]" if listed else f"[{self.keys.name}]"
+
+    def check(self) -> Section:
+        """Return the section, or refuse it where a key is missing or its keys contradict each other."""
+        for key in self.keys.keys:
+            if key.required and key.name not in self.table:
+                raise self.missing(key.name, key.needed)
+        for rule in self.keys.rules:
+            problem = rule.broken(self)
+            if problem is not None:
+                raise problem
+        return self
+
+    def values(self) -> dict[str, Any]:
+        """Return the values of all keys that are given, those of tables within it left out."""
+        return {
+            key: self.value(key)
+            for key in self.table
+            if key not in self.keys.by_name or not isinstance(self.keys.by_name[key].kind, TableKeys)
+        }
+
+    def value(self, name: str) -> Any:
+        """Return a key's value, its default where it is not given."""
+        key = self.keys.by_name.get(name)
+        if name not in self.table:
+            assert key is not None
+            if key.required:
+                raise self.missing(name, key.needed)
+            return key.default
+        kind = self.keys.others if key is None else key.kind
+        assert kind is not None
+        assert not isinstance(kind, TableKeys)
+        given, remedy = self.table[name], "" if key is None else key.remedy
+        try:
+            return kind.read(given, name, remedy)
+        except SymbalanceError as problem:
+            raise problem.within(self.place(name)) from None
+
+    def section(self, name: str) -> Section:
         """Return a table within this one, empty where it is not given."""
-        value = self.table.get(key, {})
+        value, keys = self.table.get(name, {}), self._tables(name).kind
+        assert isinstance(keys, TableKeys)
         if not isinstance(value, dict):
-            raise self.refusal(key, "must be a table", f"write [{self.name}.{key}] on a line of its own")
-        return Section(value, self.source, f"{self.name}.{key}", tuple(known))
+            raise self.refusal(name, "must be a table", f"write [{keys.name}] on a line of its own")
+        return Section(value, keys, self.source, (*self.path, name)).check()
 
-    def subsections(self, key: str, known: Sequence[str]) -> list[Section]:
-        """Return the tables of a list of tables within this one."""
-        rows = self.table.get(key, [])
+    def sections(self, name: str) -> list[Section]:
+        """Return the tables of a list of tables within this one, none where it is not given."""
+        rows, key = self.table.get(name, []), self._tables(name)
+        assert isinstance(key.kind, TableKeys)
         if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
-            raise self.refusal(key, f"must be [[{self.name}.{key}]] tables", "use double brackets")
-        name = f"{self.name}.{key}"
-        return [Section(row, self.source, name, tuple(known), i) for i, row in enumerate(rows)]
+            rule, remedy = f"must be [[{key.kind.name}]] tables", "use double brackets"
+            if key.inline:
+                rule, remedy = "must be a list of tables", f"write {name} = {key.remedy}"
+            raise self.refusal(name, rule, remedy)
+        if name in self.table and len(rows) < key.least:
+            raise self.refusal(name, "must not be empty", f"give {key.least} or more, or leave it out")
+        path = (*self.path, name)
+        return [Section(row, key.kind, self.source, (*path, i)).check() for i, row in enumerate(rows)]
 
-    def number(
-        self,
-        key: str,
-        default: float | None,
-        unit: float = 1.0,
-        *,
-        zero: bool = False,
-        any_sign: bool = False,
-    ) -> float:
-        """Return a number times its unit; positive, or with `zero` not negative, or of any sign.
+    def _tables(self, name: str) -> Key:
+        return self.keys.by_name[name]
 
-        `default` is in the file's unit; None: the key is required.
-        """
-        if key not in self.table:
-            if default is None:
-                raise self.missing(key, f"add {key} = ...")
-            return default * unit
-        return self._checked(key, self.table[key], zero, any_sign) * unit
+    def number(self, name: str) -> float:
+        """Return a number in SI units, its default where it is not given."""
+        return float(self.value(name)) * self.keys.by_name[name].unit.factor
 
-    def numbers(
-        self, key: str, count: int, default: float | None, unit: float = 1.0, *, zero: bool = False
-    ) -> list[float]:
-        """Return `count` numbers times their unit: one for all, or a list of as many."""
-        value = self.table.get(key)
+    def numbers(self, name: str, count: int) -> list[float]:
+        """Return `count` numbers in SI units, of a key that is one for all, or a list from the front."""
+        value, factor = self.value(name), self.keys.by_name[name].unit.factor
         if not isinstance(value, list):
-            return [self.number(key, default, unit, zero=zero)] * count
+            return [float(value) * factor] * count
         if len(value) != count:
-            raise self.refusal(key, f"must be one number or {count}", "in order from the front")
-        return [self._checked(key, v, zero, False) * unit for v in value]
+            raise self.refusal(name, f"must be one number or {count}", "in order from the front")
+        return [float(v) * factor for v in value]
 
-    def several(self, key: str, default: Sequence[float]) -> list[float]:
-        """Return one positive number or a list of them as a list."""
-        value = self.table.get(key, list(default))
-        values = value if isinstance(value, list) else [value]
-        return [self._checked(key, v, False, False) for v in values]
-
-    def places(self, key: str, highest: int) -> tuple[int, ...]:
-        """Return a list of places counted from 1 at the front; empty where it is not given."""
-        value = self.table.get(key, [])
-        if not isinstance(value, list):
-            raise self.refusal(key, "must be a list of places", "counted from 1 at the front: [1, 3]")
-        return tuple(self.whole(key, 1, highest, v) for v in value)
-
-    def whole(self, key: str, lowest: int, highest: int, value: object = None) -> int:
-        """Return a whole number of a range."""
-        value = self.table[key] if value is None else value
-        return self.guarded(
-            key, lambda: checked_whole(value, key, lowest, highest, "count from the front")
+    def places(self, name: str, highest: int) -> tuple[int, ...]:
+        """Return places counted from 1 to `highest`, one or a list; none where the key is not given."""
+        value = self.value(name)
+        found = value if isinstance(value, list) else [] if value is None else [value]
+        remedy = self.keys.by_name[name].remedy
+        return tuple(
+            self.guarded(lambda v=v: checked_whole(v, name, 1, highest, remedy), name) for v in found
         )
 
-    def text(self, key: str) -> str | None:
-        """Return a text, None where it is not given."""
-        value = self.table.get(key)
-        if value is not None and not (isinstance(value, str) and value.strip() and value.isprintable()):
-            raise self.refusal(key, "must be text", "write it in quotes")
-        return value
+    def guarded(self, make: Callable[[], T], key: str = "", elsewhere: Sequence[Section] = ()) -> T:
+        """Return what `make` returns, its refusal said of the line of `key`, or of the key it names.
 
-    def guarded(self, key: str, make: Callable[[], T]) -> T:
-        """Return what `make` returns, its refusal said of this key's line."""
+        That key may stand in one of the tables `elsewhere` instead of this one.
+        """
         try:
             return make()
         except SymbalanceError as problem:
-            raise problem.within(self.place(key)) from None
+            named = re.match(r"\w+", problem.what)
+            word = key or (named[0] if named else "")
+            at = next((table for table in (self, *elsewhere) if word in table), None)
+            place = self.place(key) if at is None else at.place(word)
+            raise problem.within(place) from None
 
-    def _checked(self, key: str, value: object, zero: bool, any_sign: bool) -> float:
-        number = self.guarded(key, lambda: measured(value, key))
-        if not any_sign and (number < 0 or (number == 0 and not zero)):
-            rule = "must not be negative" if zero else "must be positive"
-            raise SymbalanceError(f"{key} = {shown(value)}", rule, "check the value", self.place(key))
-        return float(number)
+
+def read_sections(text: str, place: str, keys: TableKeys, remedy: str = "correct the line") -> Section:
+    """Return the tables of a TOML text, which errors call `place`; `remedy` is for what is no TOML."""
+    return Section(toml_table(text, place, remedy), keys, Source(text, place)).check()

@@ -6,14 +6,13 @@ import re
 from pathlib import Path
 
 from symbalance.engine.engine import checked_strokes
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError
+from symbalance.text.csv_rows import Row, check_units, rows_of, without_headers
 from symbalance.text.files import read_text
-from symbalance.text.measurements import reading
-from symbalance.torque.pressure import PressureTrace, Row, from_rows
+from symbalance.torque.pressure import Point, PressureTrace, from_rows
 
 LARGEST_FILE = 20_000_000
 """Bytes: some hundred thousand points, whatever their digits."""
-_SEPARATOR = re.compile(r"[,;\t]")
 _OTHER_UNIT = re.compile(r"\b([kMh]?Pa|psia?|atm|rad|mbar)\b", re.IGNORECASE)
 
 
@@ -40,30 +39,12 @@ def parse_pressure(text: str, place: str, cycle: int = 720) -> PressureTrace:
     >>> parse_pressure(text, "trace.csv").at(2)
     1.5
     """
-    lines = ((f"{place}:{i}", line.strip()) for i, line in enumerate(text.splitlines(), 1))
-    told = [(where, line) for where, line in lines if line and not line.startswith("#")]
-    if told and _is_header(told[0][1]):
-        _check_header(*told.pop(0))
-    return from_rows([_row(where, line) for where, line in told], cycle, place)
+    headers, rows = without_headers(rows_of(text, place))
+    for header in headers:
+        check_units(header, _OTHER_UNIT, "degrees and bar")
+    return from_rows([_point(row) for row in rows], cycle, place)
 
 
-def _is_header(line: str) -> bool:
-    return not re.search(r"\d", re.split(_SEPARATOR, line)[0])
-
-
-def _check_header(where: str, line: str) -> None:
-    other = _OTHER_UNIT.search(line)
-    if other:
-        what, rule = f"header {shown(line)!r}", f"names {other[0]}, and this reads degrees and bar"
-        raise SymbalanceError(what, rule, "convert the column, and its name", where)
-
-
-def _row(where: str, line: str) -> Row:
-    cells = re.split(_SEPARATOR, line)
-    if len(cells) != 2:
-        what, rule = f"line {shown(line)!r}", f"has {len(cells)} columns, not 2"
-        raise SymbalanceError(what, rule, "write angle, pressure, decimals with a point", where)
-    try:
-        return where, reading(cells[0].strip(), "angle"), reading(cells[1].strip(), "pressure")
-    except SymbalanceError as problem:
-        raise problem.within(where) from None
+def _point(row: Row) -> Point:
+    row.check_width(2, "write angle, pressure, decimals with a point")
+    return row.place, row.number(0, "angle"), row.number(1, "pressure")

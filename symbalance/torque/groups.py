@@ -11,7 +11,7 @@ the power of what moves, over omega. Counted are the masses that go along the cy
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -20,42 +20,48 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
-from symbalance.kinematics.mechanisms import LinkRod, Mechanism
-from symbalance.kinematics.mechanisms.moving_masses import has_link_pin
+from symbalance.kinematics.bodies import EXCESS, RECIPROCATING, ROTATING, Body, bodies
 from symbalance.text.reals import Complex
 from symbalance.torque.stars import summed
 
-Part = tuple[tuple[Cylinder, ...], Mapping[int, Complex], Fraction]
-"""Like cylinders, n -> C + iS of one of them, and what that is multiplied with."""
+MASSES = (RECIPROCATING, ROTATING)
 
 
 @dataclass(frozen=True)
 class TorqueGroup:
-    """Like cylinders: their mechanism, m r^2 and r over those of the first, J_x in kg mm^2 (0: none)."""
+    """One body of like cylinders, and its m r^2 over that of cylinder 1, or its J_x in kg mm^2."""
 
-    mechanism: Mechanism
+    body: Body
     size: Fraction
-    radius: Fraction
-    excess: Fraction
     cylinders: tuple[Cylinder, ...]
 
 
-def torque_groups(layout: Engine) -> list[TorqueGroup]:
-    """Return the cylinders in groups that have one inertia torque, in the order of the first of each.
+def torque_groups(layout: Engine, measures: Sequence[str] = MASSES) -> list[TorqueGroup]:
+    """Return what moves with the cylinders, in groups that have one torque each.
 
     >>> from symbalance.engine.catalogue import load
-    >>> [(g.size, g.excess, len(g.cylinders)) for g in torque_groups(load("inline-4"))]
-    [(Fraction(1, 1), Fraction(0, 1), 4)]
+    >>> [(g.body.measure, g.size, len(g.cylinders)) for g in torque_groups(load("inline-4"))]
+    [('reciprocating mass', Fraction(1, 1), 4)]
     """
-    _check_numbers(layout)
-    size, radius = _by_number(layout, layout.sizes), _by_number(layout, layout.radii)
-    groups = layout.grouped(
-        lambda c: (c.mechanism, size[c.number] * radius[c.number], radius[c.number], c.excess)
-    )
-    return [
-        TorqueGroup(cylinders[0].known_mechanism, of_mass, of_radius, excess, cylinders)
-        for (_, of_mass, of_radius, excess), cylinders in groups.items()
-    ]
+    if layout.has_symbols:
+        rule = "has angles with symbols, and cylinders or rods that need numbers"
+        raise SymbalanceError(f"engine {layout.name!r}", rule, "give the angles in numbers")
+    groups = []
+    for measure in measures:
+        size = dict(zip(layout.cylinders, _sizes(layout, measure), strict=True))
+        for (_, weight), like in layout.grouped(lambda c, of=size: (c.mechanism, of[c])).items():
+            moving = bodies(like[0].known_mechanism) if weight else ()
+            groups += [TorqueGroup(body, weight, like) for body in moving if body.measure == measure]
+    return groups
+
+
+def _sizes(layout: Engine, measure: str) -> list[Fraction]:
+    if measure == EXCESS:
+        return [c.excess for c in layout.cylinders]
+    if measure == ROTATING and not layout.has_link_pin_masses:
+        return [Fraction(0)] * len(layout.cylinders)  # what it counts in need not be given
+    masses = layout.sizes if measure == RECIPROCATING else layout.rotating_sizes
+    return [mass * radius for mass, radius in zip(masses, layout.radii, strict=True)]
 
 
 def has_common_torque(layout: Engine) -> bool:
@@ -66,38 +72,24 @@ def has_common_torque(layout: Engine) -> bool:
     return layout.has_common_harmonics and {*layout.sizes} == {*layout.radii} == {1}
 
 
-def link_pin_masses(layout: Engine) -> list[tuple[LinkRod, Fraction, tuple[Cylinder, ...]]]:
-    """Return the masses on link pins by group: mechanism, m r^2 over that of cylinder 1, cylinders."""
-    if not any(c.rotating_mass and has_link_pin(c.mechanism) for c in layout.cylinders):
-        return []
-    _check_numbers(layout)
-    mass, radius = _by_number(layout, layout.rotating_sizes), _by_number(layout, layout.radii)
-    groups = layout.grouped(lambda c: (c.mechanism, mass[c.number] * radius[c.number]))
-    return [
-        (mechanism, size, cylinders)
-        for (mechanism, size), cylinders in groups.items()
-        if size and isinstance(mechanism, LinkRod) and has_link_pin(mechanism)
-    ]
+def summed_torque(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
+    """Return the orders of the groups' torque on the crank that do not vanish: n -> C + iS."""
+    return _summed([(group, group.body.torque(order)) for group in groups])
 
 
-def _by_number(layout: Engine, values: Iterable[Fraction]) -> dict[int, Fraction]:
-    return {c.number: value for c, value in zip(layout.cylinders, values, strict=True)}
+def summed_moment(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
+    """Return the same of what the frame gets besides the torque's opposite."""
+    return _summed([(group, group.body.moment(order)) for group in groups])
 
 
-def _check_numbers(layout: Engine) -> None:
-    if layout.has_symbols:
-        rule = "has angles with symbols, and cylinders or rods that need numbers"
-        raise SymbalanceError(f"engine {layout.name!r}", rule, "give the angles in numbers")
-
-
-def summed_groups(parts: Iterable[Part]) -> dict[int, Component]:
-    """Return the orders of all groups together that do not vanish, to 40 digits: n -> C + iS."""
+def _summed(parts: Sequence[tuple[TorqueGroup, Mapping[int, Complex]]]) -> dict[int, Component]:
+    """Return the sum of the groups' harmonics times their stars, to 40 digits."""
     total: dict[int, DecimalPhasor] = {}
-    for cylinders, harmonics, weight in parts:
-        for n, number in harmonics.items() if weight else ():
-            star = star_number(cylinders, n)
+    for group, harmonics in parts:
+        for n, number in harmonics.items():
+            star = star_number(group.cylinders, n)
             if number and star:
-                part = DecimalPhasor(number * star * weight)
+                part = DecimalPhasor(number * star * group.size)
                 total[n] = total[n] + part if n in total else part
     return {n: Component(total[n]) for n in sorted(total) if not total[n].is_zero()}
 

@@ -29,6 +29,9 @@ from symbalance.torque.pressure import MOST_BAR, PressureTrace
 
 POINTS = 2880
 MOST_POINTS = 100_000
+HIGHEST_COMPRESSION = 100
+MOST_HEAT = 1000
+"""Bar: Q/V_h of some forty times a full load."""
 NEAR = 1e-9
 """Degrees within which a point of the grid is a dead centre."""
 HALVINGS = 60
@@ -151,7 +154,9 @@ def ideal_cycle(
     >>> round(mixed.cutoff, 4), round(mixed.efficiency, 4)
     (1.4893, 0.6532)
     """
-    volume = _above(compression_ratio, "compression_ratio", 1, 100, "a volume ratio, 8 to 22")
+    volume = _above(
+        compression_ratio, "compression_ratio", 1, HIGHEST_COMPRESSION, "a volume ratio, 8 to 22"
+    )
     index = _above(gamma, "gamma", 1, 2, "1.4 is cold air, 1.25 to 1.35 burnt gas")
     bottom = _above(intake, "intake", 0, MOST_BAR, "absolute, in bar")
     out = bottom if exhaust is None else _above(exhaust, "exhaust", 0, MOST_BAR, "absolute, in bar")
@@ -193,8 +198,11 @@ def _heated(
 
 def _heat(heat: object) -> float:
     number = measured(heat, "heat")
-    if not 0 <= number <= 1000:
-        rule, remedy = "must lie in [0, 1000]", "Q/V_h in bar: 100 J per litre; 0 is a motored engine"
+    if not 0 <= number <= MOST_HEAT:
+        rule, remedy = (
+            f"must lie in [0, {MOST_HEAT}]",
+            "Q/V_h in bar: 100 J per litre; 0 is a motored engine",
+        )
         raise SymbalanceError(f"heat = {shown(heat)}", rule, remedy)
     return float(number)
 

@@ -24,16 +24,9 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import QUARTER, Component
 from symbalance.kinematics.coefficients import INERTIA, Kinematics
-from symbalance.kinematics.kinetic import inertia_harmonics, link_pin_harmonics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.text.reals import Real
-from symbalance.torque.groups import (
-    Part,
-    has_common_torque,
-    link_pin_masses,
-    summed_groups,
-    torque_groups,
-)
+from symbalance.torque.groups import has_common_torque, summed_torque, torque_groups
 from symbalance.torque.stars import summed
 
 DIGITS = 30
@@ -169,11 +162,8 @@ def inertia_torque(
         _check_power(power, list(components))
         return TorqueBalance(layout, order, components, power)
     _check_no_power(layout, power)
-    parts: list[Part] = [
-        (g.cylinders, inertia_harmonics(g.mechanism, order), g.size) for g in torque_groups(layout)
-    ]
-    parts += [(on, link_pin_harmonics(m, order), size) for m, size, on in link_pin_masses(layout)]
-    return TorqueBalance(layout, order, summed_groups(parts), kinematics=None)
+    components = summed_torque(torque_groups(layout), order)
+    return TorqueBalance(layout, order, components, kinematics=None)
 
 
 def sine_components(layout: Engine, highest: int) -> dict[int, Component]:

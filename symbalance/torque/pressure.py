@@ -79,7 +79,7 @@ class PressureTrace:
         return self.closed[i] + share * (self.closed[i + 1] - self.closed[i])
 
 
-Row = tuple[str, float, float]
+Point = tuple[str, float, float]
 """Where a point was read, its angle and its pressure."""
 
 
@@ -105,7 +105,7 @@ def pressure_trace(
     return from_rows(rows, 180 * checked_strokes(strokes))
 
 
-def from_rows(rows: list[Row], cycle: int, name: str = "the trace") -> PressureTrace:
+def from_rows(rows: list[Point], cycle: int, name: str = "the trace") -> PressureTrace:
     """Return the trace of checked points; a refusal says at which one it stands."""
     if len(rows) < 2:
         rule = "needs at least two points"
@@ -140,7 +140,7 @@ def _check_step(place: str, before: float, after: float) -> None:
         raise SymbalanceError(what, rule, "give the points between", place)
 
 
-def _closed(rows: list[Row], cycle: int) -> list[Row]:
+def _closed(rows: list[Point], cycle: int) -> list[Point]:
     """Return the rows of one cycle, without a last one that repeats the first."""
     (_, start, first), (place, end, last) = rows[0], rows[-1]
     if end - start > cycle + SAME:
@@ -160,7 +160,7 @@ def _closed(rows: list[Row], cycle: int) -> list[Row]:
     return rows[:-1]
 
 
-def _check_top(rows: list[Row], cycle: int) -> None:
+def _check_top(rows: list[Point], cycle: int) -> None:
     """Refuse a four-stroke's trace that counts from the gas exchange."""
 
     def off(angle: float) -> float:

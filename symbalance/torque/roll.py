@@ -23,22 +23,11 @@ from symbalance.errors import SymbalanceError
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.forces.shafts import shaft_moment, shaft_terms
+from symbalance.kinematics.bodies import EXCESS
 from symbalance.kinematics.coefficients import OF_RODS, ROCKING, RODS, Kinematics
-from symbalance.kinematics.kinetic import (
-    beside_harmonics,
-    link_pin_moments,
-    rocking_harmonics,
-    rod_harmonics,
-)
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.reals import DIGITS, Complex
-from symbalance.torque.groups import (
-    Part,
-    has_common_torque,
-    link_pin_masses,
-    summed_groups,
-    torque_groups,
-)
+from symbalance.torque.groups import has_common_torque, summed_moment, summed_torque, torque_groups
 from symbalance.torque.inertia_balance import (
     TorqueBalance,
     checked_layout,
@@ -81,9 +70,7 @@ def beside_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> T
     """
     layout = _at_ratio(layout, order, ratio)
     groups = [] if has_common_torque(layout) else torque_groups(layout)
-    parts: list[Part] = [(g.cylinders, beside_harmonics(g.mechanism, order), g.size) for g in groups]
-    parts += [(on, link_pin_moments(m, order), size) for m, size, on in link_pin_masses(layout)]
-    return TorqueBalance(layout, order, summed_groups(parts), kinematics=None)
+    return TorqueBalance(layout, order, summed_moment(groups, order), kinematics=None)
 
 
 def roll_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
@@ -153,7 +140,7 @@ def torque_report(layout: Engine, order: int = 12, *, ratio: object = None) -> T
     layout = inertia.layout
     rod, rocking = rod_torque(layout, order), rod_couple(layout, order)
     beside, excess = beside_moment(layout, order), first_excess(layout)
-    known = layout.ratio is not None and not layout.has_symbols
+    known = all(c.mechanism for c in layout.cylinders) and not layout.has_symbols
     needs = known and (mass_scale(layout) is not None or not excess)
     shafts = {n: c for n, c in shaft_moment(layout).items() if n <= order}
     opposite = not (excess or beside.components or shafts)
@@ -185,11 +172,10 @@ def _of_rods(layout: Engine, order: int, ratio: object, kinematics: Kinematics) 
         odd = kinematics is ROCKING
         found = {n: c for n, c in sine_components(layout, order).items() if n % 2 == odd}
         return TorqueBalance(layout, order, found, kinematics=kinematics, unit=OF_RODS)
-    harmonics = rocking_harmonics if kinematics is ROCKING else rod_harmonics
-    parts: list[Part] = [
-        (g.cylinders, harmonics(g.mechanism, order), g.excess / unit) for g in torque_groups(layout)
-    ]
-    return TorqueBalance(layout, order, summed_groups(parts), kinematics=None, unit=OF_RODS)
+    summed = summed_moment if kinematics is ROCKING else summed_torque
+    components = summed(torque_groups(layout, [EXCESS]), order)
+    per_unit = {n: Component(c.number.scaled(1 / unit)) for n, c in components.items()}
+    return TorqueBalance(layout, order, per_unit, kinematics=None, unit=OF_RODS)
 
 
 def _at_ratio(layout: Engine, order: int, ratio: object) -> Engine:

@@ -1,6 +1,7 @@
 """Engine files' tables for the running crankshaft: [crankshaft], [bearings], [running], read strictly.
 
-sections    tables with typed keys; every refusal says file, line, value, rule and remedy
+crank_keys  the keys of the three tables: kind, unit, range, default and meaning
+described   the reference and the JSON Schema of all of an engine file
 geometry    [crankshaft] and the layout -> Crank
 supports    [bearings] -> clearance, oil, housing, thrust bearing
 operation   [running] -> bore, speeds, pressure, rods, damping, strength, measured curves

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.files import geometry, operation, supports
+from symbalance.crankshaft.files.crank_keys import FILE_KEYS
 from symbalance.crankshaft.files.operation import Operation
 from symbalance.crankshaft.files.supports import Supports
 from symbalance.engine.catalogue import preset_names
 from symbalance.engine.engine import Engine
-from symbalance.engine.engine_file import parse_engine
+from symbalance.engine.engine_file import engine_from
 from symbalance.errors import SymbalanceError, encodable_name
-from symbalance.text.files import read_text, toml_table
-from symbalance.text.sections import Section, Source
+from symbalance.text.files import read_text
+from symbalance.text.sections import Section, read_sections
 
 
 @dataclass(frozen=True)
@@ -43,16 +43,16 @@ def read_running_engine(path: str | Path) -> RunningEngine:
     """Return the engine of a file with [crankshaft], [bearings] and [running]; refusals name the line."""
     refuse_preset(path)
     text, place = read_text(path), str(path)
-    layout = parse_engine(text, place, default_name=encodable_name(Path(path).stem))
-    table, source = toml_table(text, place), Source(tuple(text.split("\n")), place)
+    file = read_sections(text, place, FILE_KEYS)
+    layout = engine_from(file, encodable_name(Path(path).stem))
     folder = Path(path).parent
     for cylinder in layout.cylinders:
         if cylinder.reciprocating_mass is None:
             what = f"{place}: cylinder {cylinder.number}"
             raise SymbalanceError(what, "has no reciprocating_mass", "give it in [crank_train], in kg")
-    crank = geometry.read_crank(_section(table, source, "crankshaft", geometry.KEYS), layout)
-    held = supports.read_supports(_section(table, source, "bearings", supports.KEYS), crank, folder)
-    run = operation.read_operation(_section(table, source, "running", operation.KEYS), layout, folder)
+    crank = geometry.read_crank(_section(file, "crankshaft"), layout)
+    held = supports.read_supports(_section(file, "bearings"), crank, folder)
+    run = operation.read_operation(_section(file, "running"), layout, folder)
     return RunningEngine(layout, crank, held, run)
 
 
@@ -68,11 +68,8 @@ def refuse_preset(path: str | Path) -> None:
         raise SymbalanceError(name, rule, remedy)
 
 
-def _section(table: dict[str, Any], source: Source, name: str, known: tuple[str, ...]) -> Section:
-    value = table.get(name)
-    if value is None:
+def _section(file: Section, name: str) -> Section:
+    if name not in file:
         remedy = f"a running crankshaft needs [crankshaft], [bearings] and [running]: add [{name}]"
-        raise SymbalanceError(source.place, f"has no [{name}] table", remedy)
-    if not isinstance(value, dict):
-        raise SymbalanceError(f"{source.place}: {name}", "must be a table", f"write [{name}] on a line")
-    return Section(value, source, name, known)
+        raise SymbalanceError(file.source.place, f"has no [{name}] table", remedy)
+    return file.section(name)

@@ -17,27 +17,11 @@ from symbalance.crankshaft.crank import Crank, Disc, Journal, Material, Part, Pi
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
-from symbalance.text.sections import MILLI, Section
+from symbalance.text.sections import Section
 
-DEGREE = pi / 180
-KEYS = (
-    "young",
-    "poisson",
-    "density",
-    "journal",
-    "pin",
-    "web",
-    "flying_web",
-    "web_only_after",
-    "no_bearing",
-    "counterweight",
-    "pulley",
-    "flywheel",
-)
+MILLI = 1e-3
 ROUND = ("diameter", "length", "bore", "fillet")
 WEB = ("thickness", "width", "tip", "heel")
-WEIGHT = ("webs", "mass", "radius", "angle", "inertia", "outer", "half_angle")
-DISC = ("mass", "polar", "diametral", "distance", "diameter")
 PITCH_TOLERANCE = 1e-3
 """How far the sum of a throw's lengths may differ from the pitch, of the pitch."""
 
@@ -56,7 +40,7 @@ def read_crank(section: Section, layout: Engine) -> Crank:
         _disc(section, "pulley"),
         _disc(section, "flywheel"),
     )
-    section.guarded("", lambda: check_geometry(crank))
+    section.guarded(lambda: check_geometry(crank))
     _check_pitch(section, crank, layout, [pin for bay in bays for pin in bay])
     return crank
 
@@ -113,10 +97,9 @@ def _joined(bays: list[list[Group]], section: Section) -> list[list[Group]]:
 
 
 def _read_pins(section: Section, bays: list[list[Group]], layout: Engine) -> list[Pin]:
-    table = section.subsection("pin", ROUND)
+    table = section.section("pin")
     groups = [pin for bay in bays for pin in bay]
-    sizes = [table.numbers(key, len(groups), None, MILLI) for key in ROUND[:2]]
-    sizes += [table.numbers(key, len(groups), 0.0, MILLI, zero=True) for key in ROUND[2:]]
+    sizes = [table.numbers(key, len(groups)) for key in ROUND]
     pins = []
     for group, diameter, length, bore, fillet in zip(groups, *sizes, strict=True):
         radius = _crank_radius(section, group)
@@ -145,9 +128,8 @@ def _crank_radius(section: Section, group: Group) -> float:
 
 
 def _read_journals(section: Section, count: int) -> list[Journal]:
-    table = section.subsection("journal", ROUND)
-    sizes = [table.numbers(key, count, None, MILLI) for key in ROUND[:2]]
-    sizes += [table.numbers(key, count, 0.0, MILLI, zero=True) for key in ROUND[2:]]
+    table = section.section("journal")
+    sizes = [table.numbers(key, count) for key in ROUND]
     bare = section.places("no_bearing", count)
     rows = enumerate(zip(*sizes, strict=True), 1)
     return [Journal(d, long, b, f, bearing=i not in bare) for i, (d, long, b, f) in rows]
@@ -155,13 +137,13 @@ def _read_journals(section: Section, count: int) -> list[Journal]:
 
 def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> list[Web]:
     """Return the webs front to rear: each bay has one more than pins, its inner ones flying."""
-    table = section.subsection("web", WEB)
+    table = section.section("web")
     flying = [0 < i < len(bay) for bay in bays for i in range(len(bay) + 1)]
-    sizes = [table.numbers(key, len(flying), None, MILLI) for key in WEB]
+    sizes = [table.numbers(key, len(flying)) for key in WEB]
     if any(flying) and not isinstance(table.table["thickness"], list):
         if "flying_web" not in section:
             raise _missing_flying_web(section, bays)
-        thin = section.number("flying_web", None, MILLI)
+        thin = section.number("flying_web")
         sizes[0] = [thin if f else t for f, t in zip(flying, sizes[0], strict=True)]
     weights = _read_counterweights(section, bays, pins, len(flying))
     rows = zip(*sizes, strict=True)
@@ -188,9 +170,7 @@ def _read_counterweights(
         own = [next(counted) for _ in bay]
         beside += [*own, own[-1]]
     found: dict[int, WebCounterweight] = {}
-    for row in section.subsections("counterweight", WEIGHT):
-        if not row.table.get("webs"):
-            raise row.missing("webs", "add webs = [1, 2], counted from 1 at the front")
+    for row in section.sections("counterweight"):
         for web in row.places("webs", count):
             if web in found:
                 raise row.refusal("webs", f"gives web {web} a second counterweight", "name each web once")
@@ -200,33 +180,30 @@ def _read_counterweights(
 
 def _counterweight(row: Section, pin: float) -> WebCounterweight:
     return WebCounterweight(
-        row.number("mass", None),
-        row.number("radius", None, MILLI),
-        pin + pi + row.number("angle", 0.0, DEGREE, any_sign=True),
-        row.number("inertia", 0.0, MILLI**2, zero=True),
-        row.number("outer", 0.0, MILLI, zero=True),
-        row.number("half_angle", 0.0, DEGREE, zero=True),
+        row.number("mass"),
+        row.number("radius"),
+        pin + pi + row.number("angle"),
+        row.number("inertia"),
+        row.number("outer"),
+        row.number("half_angle"),
     )
 
 
 def _material(section: Section) -> Material:
-    poisson = section.number("poisson", 0.29, zero=True)
-    if poisson >= 0.5:
-        raise section.refusal("poisson", "must lie in [0, 0.5)", "steel has 0.29")
-    return Material(section.number("young", 206.0, 1e9), poisson, section.number("density", 7850.0))
+    return Material(*(section.number(key) for key in ("young", "poisson", "density")))
 
 
 def _disc(section: Section, key: str) -> Disc | None:
     if key not in section:
         return None
-    table = section.subsection(key, DISC)
-    polar = table.number("polar", None, MILLI**2)
+    table = section.section(key)
+    polar = table.number("polar")
     return Disc(
-        table.number("mass", None),
+        table.number("mass"),
         polar,
-        table.number("diametral", polar / MILLI**2 / 2, MILLI**2),
-        table.number("distance", 0.0, MILLI, zero=True),
-        table.number("diameter", 0.0, MILLI, zero=True),
+        table.number("diametral") if "diametral" in table else polar / 2,
+        table.number("distance"),
+        table.number("diameter"),
     )
 
 

@@ -7,35 +7,16 @@ from itertools import pairwise
 from math import pi
 from pathlib import Path
 
+from symbalance.crankshaft.files.crank_keys import MOST_RPM
 from symbalance.engine.engine import Engine
 from symbalance.engine.trains import ROD
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import RodSplit
-from symbalance.text.sections import MILLI, Section
+from symbalance.text.sections import Section
 from symbalance.torque import IdealCycle, PressureTrace, ideal_cycle, read_pressure
-from symbalance.torque.tangential import AMBIENT
 
-KEYS = (
-    "bore",
-    "rpm",
-    "pressure",
-    "compression",
-    "heat",
-    "peak_pressure",
-    "intake",
-    "ambient",
-    "big_end_mass",
-    "rod_mass",
-    "rod_centre",
-    "rod_inertia",
-    "damping",
-    "strength",
-    "overlay",
-)
-STRENGTH = ("tensile", "endurance", "slope", "cycles")
-OVERLAY = ("file", "channel", "rpm")
-MOST_RPM = 100_000
-IDEAL = ("compression", "heat", "peak_pressure", "intake")
+MILLI = 1e-3
+IDEAL = ("heat", "peak_pressure", "intake")
 
 
 @dataclass(frozen=True)
@@ -91,24 +72,23 @@ def read_operation(section: Section, layout: Engine, folder: Path) -> Operation:
     big_end_mass = _big_end_mass(section, rod)
     _check_rods(section, layout, rod, big_end_mass)
     return Operation(
-        bore=section.number("bore", None, MILLI),
+        bore=section.number("bore"),
         rpm=_speeds(section),
         trace=_trace(section, layout, folder) if ideal is None else _first(section, ideal, layout),
-        ambient=section.number("ambient", float(AMBIENT), zero=True),
+        ambient=section.number("ambient"),
         big_end_mass=big_end_mass,
         excess=0.0 if rod is None else float(rod.excess) * MILLI**2,
-        damping=_damping(section),
-        strength=_strength(section),
+        damping=section.number("damping"),
+        strength=_strength(section.section("strength")),
         overlay=_overlay(section, folder),
         ideal=ideal,
     )
 
 
 def _speeds(section: Section) -> tuple[float, ...]:
-    if "rpm" not in section:
-        raise section.missing("rpm", "add rpm = 2200, or a list of speeds")
-    speeds = section.several("rpm", ())
-    return section.guarded("rpm", lambda: checked_speeds(speeds))
+    value = section.value("rpm")
+    speeds = [float(v) for v in (value if isinstance(value, list) else [value])]
+    return section.guarded(lambda: checked_speeds(speeds), "rpm")
 
 
 def speed_text(rpm: float) -> str:
@@ -138,50 +118,36 @@ def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
 
 
 def _trace(section: Section, layout: Engine, folder: Path) -> PressureTrace:
-    name = str(section.text("pressure"))
-    return section.guarded("pressure", lambda: read_pressure(folder / name, strokes=layout.strokes))
+    path = folder / section.value("pressure")
+    return section.guarded(lambda: read_pressure(path, strokes=layout.strokes), "pressure")
 
 
 def _ideal(section: Section, layout: Engine) -> IdealCycle | None:
     """Return the ideal cycle asked for, None where a pressure trace is given."""
     if "pressure" in section:
-        ideal = [key for key in IDEAL if key in section]
-        if ideal:
-            raise section.refusal(ideal[0], "is for an ideal cycle", "drop it, or drop pressure")
         return None
-    if "compression" not in section:
-        remedy = 'add pressure = "trace.csv" (degrees, bar), or compression and heat of an ideal cycle'
-        raise section.missing("pressure", remedy)
-    given = {key: section.table[key] for key in IDEAL[1:] if key in section}
-    if not {"heat", "peak_pressure"} & set(given):
-        raise section.missing("heat", "add heat = 18 (p V at bottom dead centre), or peak_pressure")
-
+    given = {key: section.value(key) for key in IDEAL if key in section}
+    compression = section.value("compression")
     return section.guarded(
-        "compression",
-        lambda: ideal_cycle(section.table["compression"], strokes=layout.strokes, **given),
+        lambda: ideal_cycle(compression, strokes=layout.strokes, **given), "compression"
     )
 
 
 def _first(section: Section, ideal: IdealCycle, layout: Engine) -> PressureTrace:
-    return section.guarded("compression", lambda: ideal.trace(layout.first.known_mechanism))
+    return section.guarded(lambda: ideal.trace(layout.first.known_mechanism), "compression")
 
 
 def _rod(section: Section, layout: Engine) -> RodSplit | None:
     given = [key for key in ROD if key in section]
     if not given:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
         return layout.first.rod_split
-    for key in ROD:
-        if key not in section:
-            raise section.missing(key, f"add {key} = ..., or drop {given[0]} and give big_end_mass")
-    if "big_end_mass" in section:
-        raise section.refusal("big_end_mass", "is rod_mass's big end already", "give one or the other")
     length = layout.first.sizes.rod
     if length is None:
         raise section.refusal(
             given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]"
         )
-    mass, centre, inertia = (section.table[key] for key in ROD)
-    rod = section.guarded("rod_centre", lambda: RodSplit(mass, length, centre, inertia))
+    mass, centre, inertia = (section.value(key) for key in ROD)
+    rod = section.guarded(lambda: RodSplit(mass, length, centre, inertia), "rod_centre")
     share = layout.first.reciprocating_mass
     if share is not None and rod.reciprocating > share:
         rule = f"puts {float(rod.reciprocating):.6g} kg at the piston, above reciprocating_mass"
@@ -197,7 +163,7 @@ def _big_end_mass(section: Section, rod: RodSplit | None) -> float:
     if "big_end_mass" not in section:
         remedy = "kg a rod, its rotating share with the bearing shells; 0 leaves it out"
         raise section.missing("big_end_mass", remedy)
-    return section.number("big_end_mass", None, zero=True)
+    return section.number("big_end_mass")
 
 
 def _check_rods(section: Section, layout: Engine, rod: RodSplit | None, big_end_mass: float) -> None:
@@ -214,21 +180,8 @@ def _check_rods(section: Section, layout: Engine, rod: RodSplit | None, big_end_
         raise SymbalanceError(what, rule, "give big_end_mass, and no rod_mass", place)
 
 
-def _damping(section: Section) -> float:
-    ratio = section.number("damping", 0.01, zero=True)
-    if ratio >= 1:
-        raise section.refusal("damping", "must lie in [0, 1)", "of critical; 0.01 to 0.03 is usual")
-    return ratio
-
-
-def _strength(section: Section) -> Strength:
-    table, usual = section.subsection("strength", STRENGTH), Strength()
-    made = Strength(
-        table.number("tensile", usual.tensile / 1e6, 1e6),
-        table.number("endurance", usual.endurance / 1e6, 1e6),
-        table.number("slope", usual.slope),
-        table.number("cycles", usual.cycles),
-    )
+def _strength(table: Section) -> Strength:
+    made = Strength(*(table.number(key) for key in ("tensile", "endurance", "slope", "cycles")))
     if made.endurance >= made.tensile:
         rule = f"must lie below the tensile strength, {made.tensile / 1e6:.6g} MPa"
         raise table.refusal("endurance", rule, "both in MPa")
@@ -238,10 +191,6 @@ def _strength(section: Section) -> Strength:
 def _overlay(section: Section, folder: Path) -> Overlay | None:
     if "overlay" not in section:
         return None
-    table = section.subsection("overlay", OVERLAY)
-    name, channel = table.text("file"), table.text("channel")
-    if name is None or channel is None:
-        key = "file" if name is None else "channel"
-        raise table.missing(key, 'as in file = "measured.csv", channel = "pin 2 bending"')
-    speed = table.number("rpm", None) if "rpm" in table else None
-    return Overlay(folder / name, channel, speed)
+    table = section.section("overlay")
+    speed = table.number("rpm") if "rpm" in table else None
+    return Overlay(folder / table.value("file"), table.value("channel"), speed)

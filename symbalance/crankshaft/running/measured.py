@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -14,8 +13,8 @@ from symbalance.crankshaft.files.operation import Overlay
 from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.errors import SymbalanceError, shown
+from symbalance.text.csv_rows import Row, rows_of, without_headers
 from symbalance.text.files import read_text
-from symbalance.text.measurements import measured
 
 FEWEST = 8
 MEGA = 1e6
@@ -68,33 +67,20 @@ def read_curve(path: str | Path, cycle: int = 720) -> tuple[Array, Array]:
     One point a line, parted by a comma, a semicolon or a tab, decimals with a point; a header, empty
     lines and lines that begin with # are passed over.
     """
-    place, points = str(path), []
-    for number, line in enumerate(read_text(path, what="a CSV file of measured curves").splitlines(), 1):
-        cells = re.split(r"[,;\t]", line.strip())
-        if (
-            not line.strip()
-            or line.lstrip().startswith("#")
-            or (not points and not re.search(r"\d", cells[0]))
-        ):
-            continue
-        where = f"{place}:{number}"
-        if len(cells) != 2:
-            what, rule = f"line {shown(line.strip())!r}", f"has {len(cells)} columns, not 2"
-            raise SymbalanceError(what, rule, "write crank angle, MPa", where)
-        points.append(_point(cells, cycle, where))
+    place, text = str(path), read_text(path, what="a CSV file of measured curves")
+    _, rows = without_headers(rows_of(text, place), None)
+    points = [_point(row, cycle) for row in rows]
     if len(points) < FEWEST:
         rule = f"holds {len(points)} points, and a curve needs {FEWEST}"
         raise SymbalanceError(place, rule, "give crank angle in degrees and MPa, a point a line")
-    rows = np.array(points)
-    return rows[:, 0], rows[:, 1]
+    curve = np.array(points)
+    return curve[:, 0], curve[:, 1]
 
 
-def _point(cells: list[str], cycle: int, where: str) -> tuple[float, float]:
-    try:
-        angle, value = measured(cells[0].strip(), "angle"), measured(cells[1].strip(), "value")
-    except SymbalanceError as problem:
-        raise problem.within(where) from None
+def _point(row: Row, cycle: int) -> tuple[float, float]:
+    row.check_width(2, "write crank angle, MPa")
+    angle, value = row.number(0, "angle"), row.number(1, "value")
     if abs(angle) > cycle:
-        what, rule = f"angle = {shown(float(angle))}", f"must lie in [{-cycle}, {cycle}] degrees"
-        raise SymbalanceError(what, rule, "count from theta = 0", where)
-    return float(angle), float(value)
+        what, rule = f"angle = {shown(angle)}", f"must lie in [{-cycle}, {cycle}] degrees"
+        raise SymbalanceError(what, rule, "count from theta = 0", row.place)
+    return angle, value

@@ -8,10 +8,6 @@ speed is solved anew, and the caller learns why.
 from __future__ import annotations
 
 import io
-import os
-import stat
-import tempfile
-from contextlib import suppress
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
@@ -22,9 +18,11 @@ from symbalance.crankshaft.digests import digest, program_digest
 from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.errors import SymbalanceError
+from symbalance.text.writing import write_file
 
 FORMAT = 2
 """The number of this layout of a file, raised with every change of it."""
+REMEDY = "name a folder you may write to"
 
 
 @dataclass(frozen=True)
@@ -56,23 +54,10 @@ def save(folder: Path, key: str, outcome: Outcome) -> None:
     np.savez_compressed(content, key=key, **{f.name: getattr(outcome, f.name) for f in fields(outcome)})
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        _replaced(path, content.getvalue())
     except OSError as problem:
         rule = f"cannot be written ({problem.strerror})"
-        raise SymbalanceError(f"--output {path}", rule, "name a folder you may write to") from None
-
-
-def _replaced(path: Path, data: bytes) -> None:
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        os.chmod(temporary, stat.S_IMODE(path.parent.stat().st_mode) & 0o666)  # as open as its folder
-        os.replace(temporary, path)
-    except BaseException:
-        with suppress(OSError):
-            os.unlink(temporary)
-        raise
+        raise SymbalanceError(f"--output {path}", rule, REMEDY) from None
+    write_file(path, content.getvalue(), what="--output ", remedy=REMEDY)
 
 
 def restored(folder: Path, key: str, rpm: float) -> Restored:

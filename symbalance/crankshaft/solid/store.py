@@ -12,10 +12,7 @@ believed but solved anew, and `say` is told.
 from __future__ import annotations
 
 import json
-import os
-import tempfile
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
 from hashlib import sha256
@@ -30,6 +27,7 @@ from symbalance.crankshaft.digests import digest
 from symbalance.crankshaft.rotor import DOF, Array
 from symbalance.crankshaft.webs.arm import Arm, Elastic, arms
 from symbalance.errors import SymbalanceError, shown
+from symbalance.text.writing import write_file
 
 FORMAT = 2
 SOURCES = ("solid", "webs", "beams.py", "bodies.py", "crank.py", "rotor.py")
@@ -68,7 +66,8 @@ class Store:
         if self.path is not None:
             self.solved = _kept_webs(self.path, lambda line: None) | self.solved
             document = {"format": FORMAT, "mesher": mesher_digest(), "webs": self.solved}
-            _replace(self.path, json.dumps(document, indent=1) + "\n")
+            text = json.dumps(document, indent=1) + "\n"
+            write_file(self.path, text, what="", remedy="name a folder you may write to")
 
 
 def open_store(path: Path | None = None, say: Say = lambda line: None) -> Store:
@@ -139,24 +138,6 @@ def _checked(document: dict[str, Any], place: str) -> dict[str, dict[str, Any]]:
         if not described_so:
             raise SymbalanceError(f"web {shown(name)}", "is not the web it describes", REMEDY, place)
     return document["webs"]
-
-
-def _replace(path: Path, text: str) -> None:
-    """Put a file in place whole; every writer has a temporary file of its own."""
-    try:
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8") as stream:
-                stream.write(text)
-            os.chmod(temporary, path.parent.stat().st_mode & 0o666)  # as open as its folder
-            os.replace(temporary, path)
-        except BaseException:
-            with suppress(OSError):
-                os.unlink(temporary)
-            raise
-    except OSError as problem:
-        rule = f"cannot be written ({problem.strerror})"
-        raise SymbalanceError(str(path), rule, "name a folder you may write to") from None
 
 
 def _numbers(entry: dict[str, Any]) -> tuple[Array, Array]:

@@ -68,7 +68,7 @@ def generators(layout: Engine, orders: Sequence[Sequence[Share]], units: Units) 
     found = []
     for place, (cylinder, own_radius) in enumerate(zip(layout.cylinders, layout.radii, strict=True)):
         radius = units.force * float(own_radius)
-        pins = link_pin_force(cylinder.mechanism, max(own[place].order for own in orders))
+        pins = link_pin_force(cylinder.mechanism, max((own[place].order for own in orders), default=0))
         sliding: list[float] = []
         turning: list[float] = []
         for own in orders:
@@ -76,9 +76,13 @@ def generators(layout: Engine, orders: Sequence[Sequence[Share]], units: Units) 
             f = complex(share.value) * radius / 2
             axis, lead = (2 * pi * float(x % 1) for x in (share.axis, share.lead))
             pair = (f * _turn(axis + lead), f.conjugate() * _turn(axis - lead))
-            turned = [radius * complex(z) for z in rotating_pair(cylinder, pins, share.order)]
+            pin = radius * _turn(2 * pi * float(cylinder.throw.turns)) if share.order == 1 else 0j
+            swung = (pin, 0j)
+            if pins:
+                ahead, against = rotating_pair(cylinder, pins, share.order)
+                swung = radius * complex(ahead), radius * complex(against)
             sliding += _real(pair, float(share.arm), units.lever)
-            turning += _real((turned[0], turned[1]), float(share.arm), units.lever)
+            turning += _real(swung, float(share.arm), units.lever)
         found.append((tuple(sliding), tuple(turning)))
     return found
 

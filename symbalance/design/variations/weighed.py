@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import csv
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
 from symbalance.errors import SymbalanceError, shown
+from symbalance.text.csv_rows import Row, rows_of
 from symbalance.text.files import read_text
 from symbalance.text.numbers import exact, listed
 
@@ -87,23 +87,18 @@ def parse_parts(text: str, place: str, *, paired: bool = False) -> tuple[PartSet
     >>> rods.parts[1]
     Part(name='rod 2', reciprocating=Fraction(1, 10), rotating=Fraction(31, 100))
     """
-    lines = [(f"{place}:{i}", line.strip()) for i, line in enumerate(text.splitlines(), 1)]
-    told = [(where, _cells(line)) for where, line in lines if line and not line.startswith("#")]
-    if not told:
+    rows = rows_of(text, place)
+    if not rows:
         raise SymbalanceError(place, "holds no parts", f"begin with a header: {','.join(COLUMNS)}")
-    (where, header), *rows = told
-    _check_header(where, header)
+    first = rows.pop(0)
+    header = first.cells
+    _check_header(first.place, header)
     if not rows:
         raise SymbalanceError(place, "holds no parts", "write one row a cylinder below the header")
     if len(rows) > MOST_PARTS:
         raise SymbalanceError(place, f"holds more than {MOST_PARTS} parts", "list one engine's")
-    tables = [_row(place, header, row) for place, row in rows]
-    return _sets(header, tables, paired)
-
-
-def _cells(line: str) -> list[str]:
-    separator = next((s for s in (";", "\t") if s in line), ",")
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator))]
+    named = [_named(header, row) for row in rows]
+    return _sets(header, named, [_masses(header, row) for row in rows], paired)
 
 
 def _check_header(where: str, header: Sequence[str]) -> None:
@@ -116,35 +111,39 @@ def _check_header(where: str, header: Sequence[str]) -> None:
         raise SymbalanceError("header", "names no mass", "add a column piston, in kg", where)
 
 
-def _row(where: str, header: Sequence[str], row: Sequence[str]) -> dict[str, str]:
-    if len(row) != len(header):
-        what, rule = f"row of {len(row)} cells", f"the header has {len(header)}"
-        raise SymbalanceError(what, rule, "write decimals with a point", where)
-    found = dict(zip(header, row, strict=True))
-    try:
-        for key in COLUMNS[1:]:
-            if key in found:
-                Part("", exact(found[key], key))
-    except SymbalanceError as problem:
-        raise problem.within(where) from None
-    return found
+def _named(header: Sequence[str], row: Row) -> str:
+    """Return a row's name, "" where it has none; refuses a row of another width than the header."""
+    row.check_width(len(header), "write one cell for each column of the header, decimals with a point")
+    return re.sub(r"\s+", " ", row.cells[header.index("name")]) if "name" in header else ""
 
 
-def _sets(header: Sequence[str], rows: Sequence[dict[str, str]], paired: bool) -> tuple[PartSet, ...]:
+def _masses(header: Sequence[str], row: Row) -> dict[str, Fraction]:
+    """Return the masses of a row's parts in kg, by column."""
+    masses = {key: row.exact(column, key) for column, key in enumerate(header) if key != "name"}
+    for key, mass in masses.items():
+        if not 0 <= mass <= HEAVIEST:
+            what, rule = f"{key} = {shown(mass)}", f"must lie in [0, {HEAVIEST}]"
+            raise SymbalanceError(what, rule, "give kg", row.place)
+    return masses
+
+
+def _sets(
+    header: Sequence[str], names: Sequence[str], rows: Sequence[dict[str, Fraction]], paired: bool
+) -> tuple[PartSet, ...]:
     has_rods = any(name.startswith("rod") for name in header)
     if "piston" not in header or not has_rods or paired:
         kind = "set" if "piston" in header and has_rods else "piston" if "piston" in header else "rod"
-        return (PartSet(kind, tuple(_parts(kind, rows, COLUMNS[1:]))),)
+        return (PartSet(kind, tuple(_parts(kind, names, rows, COLUMNS[1:]))),)
     return (
-        PartSet("piston", tuple(_parts("piston", rows, ("piston",)))),
-        PartSet("rod", tuple(_parts("rod", rows, COLUMNS[2:]))),
+        PartSet("piston", tuple(_parts("piston", names, rows, ("piston",)))),
+        PartSet("rod", tuple(_parts("rod", names, rows, COLUMNS[2:]))),
     )
 
 
-def _parts(kind: str, rows: Sequence[dict[str, str]], columns: Iterable[str]) -> Iterable[Part]:
-    kept = tuple(columns)
-    for i, row in enumerate(rows, 1):
-        masses = {key: exact(row[key], key) for key in kept if key in row}
+def _parts(
+    kind: str, names: Sequence[str], rows: Sequence[dict[str, Fraction]], columns: Sequence[str]
+) -> Iterator[Part]:
+    for i, (name, row) in enumerate(zip(names, rows, strict=True), 1):
+        masses = {key: row[key] for key in columns if key in row}
         turning = masses.pop("rod_rotating", Fraction(0))
-        name = re.sub(r"\s+", " ", row.get("name", "")) or f"{kind} {i}"
-        yield Part(name, sum(masses.values(), Fraction(0)), turning)
+        yield Part(name or f"{kind} {i}", sum(masses.values(), Fraction(0)), turning)
