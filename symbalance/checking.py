@@ -12,6 +12,7 @@ from symbalance.kinematics.slider_crank import acceleration_series, acceleration
 from symbalance.notes.checking import documents
 from symbalance.notes.checking.engines import KnownEngine
 from symbalance.notes.checking.verdicts import Checked
+from symbalance.text.reals import nstr
 
 VALUE_DIGITS = 30
 
@@ -36,7 +37,7 @@ class LibraryEngines:
 
     def coefficient_value(self, order: int, ratio: Fraction) -> Fraction:
         """Return A_order at a rod ratio, to 30 digits."""
-        return Fraction(str(acceleration_value(order, ratio, VALUE_DIGITS)))
+        return Fraction(nstr(acceleration_value(order, ratio, VALUE_DIGITS), VALUE_DIGITS))
 
 
 def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> Checked:

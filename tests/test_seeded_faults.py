@@ -188,7 +188,8 @@ def test_a_rewriting_rule_with_a_wrong_sign(monkeypatch: pytest.MonkeyPatch) -> 
     sound = phasor._Powers.__missing__
 
     def faulty(self: Any, exponent: int) -> tuple:
-        return tuple((place, 1) for place, _ in sound(self, exponent))
+        self[exponent] = tuple((place, 1) for place, _ in sound(self, exponent))
+        return self[exponent]
 
     monkeypatch.setattr(phasor._Powers, "__missing__", faulty)
     assert_seen(compare_seven)

@@ -101,7 +101,7 @@ def far_cosine(cosine: Cosine, kernel: Kernel, name: str, mark: str) -> str:
     c, s = _power(kernel, c, s, cosine.step.numerator, base)
     if cosine.phase == 0:
         return kernel.line(name, c)
-    turned = 2 * pi() * cosine.phase
+    turned = 2 * pi(50) * cosine.phase
     cosine_of, sine_of = (
         kernel.constant(f"{word}_SHIFT{mark}", f(turned)) for word, f in (("COS", cos), ("SIN", sin))
     )

@@ -220,8 +220,13 @@ class Spectrum:
     def __add__(self, other: Spectrum) -> Spectrum:
         total = dict(self.terms)
         for n, number in other.terms.items():
-            total[n] = total[n] + number if n in total else number
-        return Spectrum.of(total)
+            if n not in total:
+                total[n] = number
+                continue
+            both = total.pop(n) + number
+            if not both.is_zero():  # one alone was not
+                total[n] = both
+        return Spectrum(total)
 
     def component(self, order: int, name: str) -> Component:
         """Return the vertical, lateral, forward or backward component of an order.

@@ -28,7 +28,7 @@ from symbalance.errors import SymbalanceError
 from symbalance.exact.decimal_phasor import LEAST, DecimalPhasor
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
 from symbalance.kinematics.mechanisms.fourier import MOST_POINTS, means
-from symbalance.text.reals import DIGITS, Complex, Real, digits_of, expjpi, fixed
+from symbalance.text.reals import DIGITS, Complex, Real, digits_of, exp, expjpi, fixed
 from symbalance.text.reals import sqrt as root
 
 MOVING = ("throw", "bank", "stroke", "rod", "offset")
@@ -128,7 +128,10 @@ def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> lis
     """Return the Fourier coefficients of dy, n = 0..order."""
     points, bits = _grid(mechanism, order)
     samples = _samples(mechanism, name, own, points, digits_of(bits))
-    return means([fixed(x, bits) for x in samples], bits)[: order + 1]
+    found = means([fixed(x, bits) for x in samples], bits)[: order + 1]
+    # `_grid` keeps errors below 10^-(DIGITS + GUARD) e^(-strip order): what is no more is rounding.
+    least = exp(-mechanism.strip * order) / 10 ** (DIGITS + GUARD // 2)
+    return [x if abs(x) > least else Complex(0) for x in found]
 
 
 def hung_changes(
