@@ -478,7 +478,7 @@ def _raw(value: Any) -> _Raw | None:
     if isinstance(value, float):
         return libmp.from_float(value)
     if isinstance(value, Fraction):
-        return None
+        return libmp.from_int(value.numerator) if value.denominator == 1 else None
     if hasattr(value, "_mpf_"):
         return value._mpf_
     return libmp.from_int(index(value)) if isinstance(value, numbers.Integral) else None
