@@ -312,3 +312,18 @@ def test_zero_masses():
     assert sb.design_balance(layout).is_complete
     with pytest.raises(sb.SymbalanceError, match="counts in units of m r"):
         sb.balance(layout.balanced_by(sb.Counterweight(0, unbalance=1)))
+
+
+def test_a_design_of_decimals_is_written_and_still_cancels(tmp_path, capsys):
+    """Thirty digits of a weight are as good as the weight: what they leave is no order."""
+    source = tmp_path / "seven.toml"
+    source.write_text(
+        "[crank_train]\nstroke = 88\nrod = 150\nreciprocating_mass = 0.5\nrotating_mass = 0.2\n"
+        "offset = -6\n[layout]\nstrokes = 2\nfiring_order = [1, 6, 3, 4, 5, 2, 7]\n"
+        "[[counterweight]]\nweb = 3\nshare = 1\n",
+        encoding="utf-8",
+    )
+    target = tmp_path / "designed.toml"
+    assert run(["design", str(source), "--remove", "1", "--write", str(target)]) == 0
+    capsys.readouterr()
+    assert [o.order for o in sb.balance(sb.load(str(target)), 2).orders] == [2]

@@ -255,8 +255,29 @@ def test_emitted_functions_hold_them():
 
 def test_a_mass_on_a_link_pin_needs_a_mass_to_compare_with():
     text = sb.engine_text(NINE).replace("[crank_train]\n", "[crank_train]\nrotating_mass = 2\n")
-    with pytest.raises(sb.SymbalanceError, match="rotating_mass"):
-        sb.balance(parse_engine(text, "radial.toml"))
+    line = text[: text.index("rotating_mass")].count("\n") + 1
+    with pytest.raises(sb.SymbalanceError, match=rf"radial.toml:{line}: rotating_mass: counts in units"):
+        parse_engine(text, "radial.toml")
+
+
+def test_even_orders_of_their_moment_vanish_on_a_master_without_offset():
+    """By hand: the part of the moment of momentum that half a turn leaves as it is, is a constant."""
+    rows = [sb.Cylinder(1), sb.Cylinder(2, 0, 60, rod=150, link=sb.Link(1, 67, 40), rotating_mass=1)]
+    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(200), reciprocating_mass=Fraction(1, 2))
+    for order in (3, 4, 12):
+        found = beside_moment(sb.from_cylinders(rows, crank_train=train), order)
+        assert list(found.components) == list(range(1, order + 1, 2))
+    _, moment = torque_and_moment(sb.from_cylinders(rows, crank_train=train), {2: 2.0})
+    assert max(abs(moment[n]) for n in (2, 4, 6)) < 1e-12 < abs(moment[1])
+    mirrored = [
+        sb.Cylinder(c.number + k, t, c.bank.in_degrees(), **given)
+        for k, t in ((0, 0), (2, 180))
+        for c, given in (
+            (rows[0], {}),
+            (rows[1], {"rod": 150, "link": sb.Link(1 + k, 67, 40), "rotating_mass": 1}),
+        )
+    ]
+    assert not beside_moment(sb.from_cylinders(mirrored, crank_train=train), 12).components
 
 
 def test_files_may_give_it_to_all_or_to_one_and_write_it_back(capsys, tmp_path):
@@ -336,3 +357,14 @@ def test_the_bound_on_what_a_truncation_leaves_out_holds(order):
             path = link_pin_path(cylinder.mechanism, order + 60)
             beyond = sum(n * n * abs(w) for n, w in path.items() if abs(n) > order)
             assert 0 < beyond <= link_pin_tail(cylinder.mechanism, order)
+
+
+def test_tables_of_sensitivities_name_the_unit_and_what_stays(tmp_path, capsys):
+    """The unit is the cylinder of the lowest number, whichever that is."""
+    rows = "".join(f"[[cylinder]]\nnumber = {n}\nthrow = {t}\n" for n, t in ((7, 0), (4, 180)))
+    path = tmp_path / "twin.toml"
+    path.write_text(train("rotating_mass = 1") + rows, encoding="utf-8")
+    assert run(["sensitivities", str(path), "--order", "1"]) == 0
+    said = capsys.readouterr().out
+    assert "of cylinder 4;" in said
+    assert "rotating masses stay where they are" in said

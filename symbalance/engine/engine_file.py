@@ -62,6 +62,9 @@ def engine_from(file: Section, default_name: str) -> Engine:
         rows, arrangement = file.sections("cylinder"), train
         engine = _by_cylinder(file, rows, train, about)
     (rows or [arrangement])[0].guarded(lambda: engine.groups, elsewhere=(arrangement, train))
+    if engine.has_link_pin_masses:  # they count in units of the reciprocating mass
+        own = next((row for row in rows if "rotating_mass" in row), train)
+        own.guarded(lambda: engine.rotating_sizes)
     for i, cylinder in enumerate(engine.cylinders):
         at = rows[i] if rows and any(key in rows[i] for key in ROD) else train
         at.guarded(lambda c=cylinder: c.rod_split)

@@ -103,9 +103,9 @@ def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spec
         if abs(rotor.speed) <= highest:
             arm = Fraction(1) if plane is None else rotor.station - plane
             part = rotor.vector.scaled(arm)
+            if not layout.counts_in_orders:  # weights that a file gives in 30 digits may cancel so far
+                part = DecimalPhasor.holding(part)
             total[rotor.speed] = total[rotor.speed] + part if rotor.speed in total else part
-    if not layout.counts_in_orders:
-        total = {n: DecimalPhasor.holding(number) for n, number in total.items()}
     return Spectrum.of(total)
 
 

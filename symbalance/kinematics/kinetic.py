@@ -17,6 +17,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from math import ceil, log
 
+from symbalance.exact.decimal_phasor import total
 from symbalance.kinematics.inertia import torque_values
 from symbalance.kinematics.mechanisms import (
     LinkRod,
@@ -122,12 +123,17 @@ def link_pin_moments(mechanism: LinkRod, order: int, digits: int = 40) -> dict[i
 
     The force -w'' acts at w: with g_n = sum over k of k^2 w_k conj(w_{k-n}) the moment Im(conj(w) (-w''))
     has C_n + i S_n = conj((g_n - conj(g_-n))/i).
+
+    On a master rod without offset every even order is 0, whatever the link pin's place: with A = psi - p
+    the part of the moment of momentum that half a turn leaves as it is is -sin A sin phi + phi' cos A
+    cos phi = rho cos psi, as sin phi = rho sin p. So they are left out.
     """
     place = _whole_path(mechanism, order, digits)
     forces = {n: w * (n * n) for n, w in place.items()}
     moments = {}
-    for n in range(1, order + 1):
-        both = _correlation(forces, place, n) - _correlation(forces, place, -n).conjugate()
+    for n in range(1, order + 1, 2 if mechanism.master.is_centred else 1):
+        parts = _correlation(forces, place, n), _correlation(forces, place, -n).conjugate()
+        both = total(parts[0], -parts[1])
         if both:
             moments[n] = Complex(both.imag, both.real)
     return moments

@@ -46,7 +46,8 @@ def has_rods(layout: Engine) -> bool:
 
 def first_excess(layout: Engine) -> Fraction:
     """Return J_x in kg mm^2 of the first rod that has one: the unit of the rods' parts."""
-    return next(filter(None, excesses(layout)), Fraction(0))
+    rods = sorted(layout.cylinders, key=lambda c: c.number)
+    return next((c.excess for c in rods if c.excess), Fraction(0))
 
 
 def rod_torque(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:

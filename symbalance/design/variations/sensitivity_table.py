@@ -15,32 +15,40 @@ from symbalance.text.numbers import decimal_text
 
 DIGITS = 20
 UNITS = {
-    "mass": "m of cylinder 1",
-    "rotating": "m of cylinder 1",
+    "mass": "m of cylinder {first}",
+    "rotating": "m of cylinder {first}",
     "throw": "radian",
     "bank": "radian",
     "station": "pitch",
-    "stroke": "r of cylinder 1, of the crank radius",
-    "rod": "r of cylinder 1",
-    "offset": "r of cylinder 1",
+    "stroke": "r of cylinder {first}, of the crank radius",
+    "rod": "r of cylinder {first}",
+    "offset": "r of cylinder {first}",
 }
 _HEAD = ["order", "size", "step", "cylinders", "force", "couple"]
 _ABOUT = (
     "what one step in one size of one cylinder adds, its largest modulus over a turn",
-    "force in m r ω², couple in m r ω² a, of cylinder 1; orders that cancel otherwise too",
+    "force in m r ω², couple in m r ω² a, of cylinder {first}; orders that cancel otherwise too",
 )
+_TURNING = "counterweights, shafts and rotating masses stay where they are; a size moves pistons and rods"
 
 
 def sensitivities_text(layout: Engine, found: Sequence[Sensitivity], order: int) -> str:
     """Return the table for a terminal."""
-    head = [f"{layout.name}: sensitivities to order {order}", *_ABOUT]
+    head = _heading(layout, order)
     return table_text(head, _HEAD, _rows(found))
 
 
 def sensitivities_latex(layout: Engine, found: Sequence[Sensitivity], order: int) -> str:
     """Return the table as a complete LaTeX document."""
-    head = [f"{layout.name}: sensitivities to order {order}", *_ABOUT]
+    head = _heading(layout, order)
     return table_latex(head, _HEAD, _rows(found))
+
+
+def _heading(layout: Engine, order: int) -> list[str]:
+    about = [line.format(first=layout.first.number) for line in _ABOUT]
+    if layout.balancers or any(c.rotating_mass for c in layout.cylinders):
+        about.append(_TURNING)
+    return [f"{layout.name}: sensitivities to order {order}", *about]
 
 
 def _rows(found: Sequence[Sensitivity]) -> list[list[str]]:
@@ -62,17 +70,17 @@ def sensitivities_json(layout: Engine, found: Sequence[Sensitivity], order: int)
         "ratio": None if layout.ratio is None else str(layout.ratio),
         "highest": str(order),
         "units": {"force": "m r omega^2", "couple": "m r omega^2 a"},
-        "sensitivities": [_one(s) for s in found],
+        "sensitivities": [_one(s, layout) for s in found],
     }
     return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
 
 
-def _one(one: Sensitivity) -> dict[str, Any]:
+def _one(one: Sensitivity, layout: Engine) -> dict[str, Any]:
     force, couple = one.largest
     return {
         "order": str(one.order),
         "parameter": one.parameter,
-        "per": UNITS[one.parameter],
+        "per": UNITS[one.parameter].format(first=layout.first.number),
         "cylinder": one.cylinder,
         "factor": decimal_text(one.factor, DIGITS),
         "force": _components(one.force),
