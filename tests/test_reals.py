@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 from mpmath import mp
 from mpmath.ctx_mp import MPContext
 
+from symbalance.errors import SymbalanceError
 from symbalance.text import reals
+from symbalance.text.numbers import exact
 from symbalance.text.reals import Complex, Real, bits_of, nstr
 
 judge = MPContext()
@@ -164,6 +166,11 @@ def test_a_negative_number_has_no_real_root():
             wrong()
     with pytest.raises(TypeError):
         Real(["one"])
+
+
+def test_a_rounded_number_is_no_size():
+    with pytest.raises(SymbalanceError, match="rounded to 40 digits"):
+        exact(Real(1) / 3, "share")
 
 
 def test_numbers_do_not_change_and_survive_copies():
