@@ -88,8 +88,7 @@ def _phases(numbers: dict[int, Complex]) -> list[Real]:
     first = atan2(numbers[lowest].imag, numbers[lowest].real) / (2 * pi())
     phases = [(first + j / 2) / lowest for j in range(2 * lowest)]
     nearest = [x - nint(x) for x in phases]
-    near = (Real(0) if abs(x) < ALIGNED else x for x in nearest)
-    return sorted(near, key=lambda x: (round(abs(x) / ALIGNED), x < 0))  # of +-x not what rounding says
+    return sorted((Real(0) if abs(x) < ALIGNED else x for x in nearest), key=abs)
 
 
 def _row(numbers: dict[int, Complex], count: int, part: str, without: int = 0) -> tuple[Real, ...]:
