@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 from mpmath import mp
 from mpmath.ctx_mp import MPContext
 
-from symbalance.text import reals
+from symbalance.errors import SymbalanceError
+from symbalance.text import numbers, reals
 from symbalance.text.reals import Complex, Real, bits_of, nstr
 
 judge = MPContext()
@@ -124,10 +125,10 @@ def test_larger_functions_against_more_digits(n):
 
 @given(st.lists(st.tuples(fractions, digits), min_size=1, max_size=8))
 def test_a_sum_is_rounded_once(terms):
-    numbers = [Real(x, n) for x, n in terms]
-    total = reals.fsum(numbers)
-    assert total.bits == max(x.bits for x in numbers)
-    assert is_nearest(total, sum(map(value_of, numbers), Fraction(0)))
+    values = [Real(x, n) for x, n in terms]
+    total = reals.fsum(values)
+    assert total.bits == max(x.bits for x in values)
+    assert is_nearest(total, sum(map(value_of, values), Fraction(0)))
 
 
 @given(fractions, fractions, fractions, fractions, digits)
@@ -164,6 +165,11 @@ def test_a_negative_number_has_no_real_root():
             wrong()
     with pytest.raises(TypeError):
         Real(["one"])
+
+
+def test_a_rounded_number_is_no_size():
+    with pytest.raises(SymbalanceError, match="rounded to 40 digits"):
+        numbers.exact(Real(1) / 3, "share")
 
 
 def test_numbers_do_not_change_and_survive_copies():

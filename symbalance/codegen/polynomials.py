@@ -44,7 +44,7 @@ def family(terms: Sequence[Term]) -> Family:
     (Fraction(2, 1), 0.25, 3.0)
     """
     step = _step([t.order for t in terms])
-    numbers = {int(t.order / step): Complex(t.cos, t.sin) for t in terms}
+    numbers = {int(t.order / step): Complex(t.cos, t.sin, DIGITS) for t in terms}
     count, largest = max(numbers), max(abs(z) for z in numbers.values())
     for phase in _phases(numbers):
         turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}

@@ -46,6 +46,8 @@ def exact(value: object, name: str, finest: int | None = None) -> Fraction:
     number = _read(value)
     if number is None and hasattr(value, "_mpf_"):
         rule = "prints as many digits as mpmath's working precision happens to have"
+        if isinstance(value, Real):
+            rule = f"is rounded to {value.digits} digits, and no size as it was written"
         remedy = 'give a float, a fraction, or text such as "0.1"'
         raise SymbalanceError(f"{name} = {shown(value)}", rule, remedy)
     if number is None:
