@@ -1,5 +1,6 @@
 """Exit codes and streams: full, closed and broken ones, faults of ours, Ctrl-C."""
 
+import contextlib
 import errno
 import os
 import signal
@@ -108,9 +109,13 @@ def test_ctrl_c_ends_silently(tmp_path):
     command = [sys.executable, "-m", "symbalance", "check", str(tmp_path / "pipe")]
     running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     handle = os.open(tmp_path / "pipe", os.O_WRONLY)  # waits until the command reads
-    running.send_signal(signal.SIGINT)
-    out, err = running.communicate(timeout=60)
+    for _ in range(60):  # a signal between the look for signals and the read's start waits for the read
+        running.send_signal(signal.SIGINT)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            running.wait(timeout=1)
+            break
     os.close(handle)
+    out, err = running.communicate(timeout=60)
     assert (running.returncode, out, err) == (INTERRUPTED, b"", b"")
 
 

@@ -91,7 +91,7 @@ def impatient() -> Iterator[None]:
 
 def forget() -> None:
     """Empty every cache of the library."""
-    for cache in [x for x in gc.get_objects() if isinstance(x, _lru_cache_wrapper)]:
+    for cache in [x for x in gc.get_objects() if type(x) is _lru_cache_wrapper]:
         if cache.__wrapped__.__module__.startswith("symbalance"):
             cache.cache_clear()
 
