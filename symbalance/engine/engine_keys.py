@@ -255,7 +255,12 @@ COUNTERWEIGHT = TableKeys(
     "counterweight",
     (
         Key("throw", _PLACE, "The cylinder whose throw it is on", remedy="count from 1"),
-        Key("web", _PLACE, "Or the web it is on, counted from the front", remedy="count from 1"),
+        Key(
+            "web",
+            _PLACE,
+            "Or the web it is on, from the front: two to a pin, a quarter pitch from it",
+            remedy="count from 1",
+        ),
         Key(
             "angle",
             ANGLE,
