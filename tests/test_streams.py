@@ -1,6 +1,5 @@
 """Exit codes and streams: full, closed and broken ones, faults of ours, Ctrl-C."""
 
-import contextlib
 import errno
 import os
 import signal
@@ -107,16 +106,22 @@ def test_ctrl_c_ends_silently(tmp_path):
     (tmp_path / "pipe").unlink(missing_ok=True)
     os.mkfifo(tmp_path / "pipe")  # reading it waits until there is a writer
     command = [sys.executable, "-m", "symbalance", "check", str(tmp_path / "pipe")]
-    running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    running = subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        preexec_fn=_hears_ctrl_c,  # noqa: PLW1509
+    )
     handle = os.open(tmp_path / "pipe", os.O_WRONLY)  # waits until the command reads
-    for _ in range(60):  # a signal between the look for signals and the read's start waits for the read
-        running.send_signal(signal.SIGINT)
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            running.wait(timeout=1)
-            break
-    os.close(handle)
+    running.send_signal(signal.SIGINT)
     out, err = running.communicate(timeout=60)
+    os.close(handle)
     assert (running.returncode, out, err) == (INTERRUPTED, b"", b"")
+
+
+def _hears_ctrl_c() -> None:
+    """Let a command hear Ctrl-C, which what a shell runs in the background is told to ignore."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 # Faults -----------------------------------------------------------------------------------------------
