@@ -73,7 +73,7 @@ def _add_derive(commands: argparse._SubParsersAction) -> None:
         choices=CONVENTIONS,
         help="what is expanded in: λ = l/r, ρ = r/l or λ = l/s (s the stroke); default: l/r",
     )
-    add_output(parser, ("text", "latex"))
+    add_output(parser)
 
 
 def _add_check(commands: argparse._SubParsersAction) -> None:
@@ -92,7 +92,7 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
     )
-    add_output(parser, ("text", "latex", "json"))
+    add_output(parser)
     parser.set_defaults(format=None)
 
 

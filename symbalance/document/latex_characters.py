@@ -23,8 +23,10 @@ _SPECIAL = {
 def escaped(text: str) -> str:
     r"""Return text as LaTeX prints it; a character that its standard fonts lack becomes its code.
 
-    >>> print(escaped("50 % of s_1 √ 度"))
-    50 \% of s\_1 $\surd$ \texttt{U+5EA6}
+    Chinese, Japanese and Korean stay as they are, for lualatex.
+
+    >>> print(escaped("50 % of s_1 √ 度 ☃"))
+    50 \% of s\_1 $\surd$ 度 \texttt{U+2603}
     """
     return "".join(_SPECIAL.get(c, c if c.isascii() else letter(c)) for c in encodable_name(text))
 
@@ -67,6 +69,10 @@ _SIGNS = {
     "∈": r"$\in$",
     "ₓ": "$_x$",
     "∼": r"$\sim$",
+    "─": "--",
+    "Å": r"\AA{}",
+    "µ": r"$\mu$",
+    "′": r"$'$",
     "‐": "-",
     "‑": "-",
     "‘": "`",
@@ -76,10 +82,25 @@ _SIGNS = {
 }
 
 
+def holds_east_asian(text: str) -> bool:
+    """Tell whether Chinese, Japanese or Korean stands in a text.
+
+    >>> holds_east_asian("度"), holds_east_asian("θ")
+    (True, False)
+    """
+    return any(map(_is_east_asian, text))
+
+
+def _is_east_asian(character: str) -> bool:
+    return character > "\u2e7f" and unicodedata.east_asian_width(character) in "WF"
+
+
 def letter(character: str) -> str:
     """Return a character beyond ASCII as LaTeX prints it; by its code where it cannot."""
     if character in _SIGNS:
         return _SIGNS[character]
+    if _is_east_asian(character):
+        return character
     if character in _RAISED:
         return rf"$^{{{'-0123456789'[_RAISED.index(character)]}}}$"
     if character in _LOWERED:

@@ -15,7 +15,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import Component, Spectrum
@@ -24,6 +26,9 @@ from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import exact
 from symbalance.text.reals import Real
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 
 @dataclass(frozen=True)
@@ -72,8 +77,8 @@ class Order:
     couple: Resultant
 
 
-@dataclass(frozen=True)
-class Balance:
+@dataclass(frozen=True, repr=False)
+class Balance(Result):
     """What is left free in a layout: `force` and `couple` by order, up to `highest`.
 
     `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
@@ -94,23 +99,33 @@ class Balance:
     power: int | None = None
     kinematics: Kinematics | None = FORCE
 
-    def as_text(self) -> str:
-        """Return it as text for a terminal of 80 columns."""
-        from symbalance.forces.balance_text import balance_text
+    kind: ClassVar[str] = "balance"
 
-        return balance_text(self)
+    def summary(self) -> str:
+        """Return which orders are left free, in one line."""
+        parts = [
+            f"free {name} of order {', '.join(map(str, sorted(orders)))}" if orders else f"no free {name}"
+            for name, orders in (("force", self.force.orders()), ("couple", self.couple.orders()))
+        ]
+        return f"Balance of {self.layout.name} to order {self.highest}: {'; '.join(parts)}"
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return it as LaTeX, a fragment or a whole document."""
-        from symbalance.forces.balance_latex import balance_latex
+    def document(self) -> Document:
+        """Return the free force and couple by order, then what the letters mean."""
+        from symbalance.forces.balance_document import balance_document
 
-        return balance_latex(self, standalone=standalone)
+        return balance_document(self)
 
-    def as_json(self) -> str:
-        """Return it as JSON, every number exact, as a string."""
-        from symbalance.forces.balance_json import balance_json
+    def data(self) -> dict[str, Any]:
+        """Return the engine and every order, exact numbers as strings that SymPy reads."""
+        from symbalance.forces.balance_data import balance_data
 
-        return balance_json(self)
+        return balance_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each component of each order: exact, and in decimals where it has no symbols."""
+        from symbalance.forces.balance_data import balance_records
+
+        return balance_records(self)
 
     @property
     def ratio(self) -> Fraction | None:
@@ -182,15 +197,6 @@ def _balance(layout: Engine, order: int, power: int | None, reference: object) -
     force, couple = planar_vectors(layout, order, plane)
     apart = FORCE if layout.counts_in_orders else None
     return _with_power(Balance(layout, order, force, couple, plane, kinematics=apart), power)
-
-
-def checked_balance(result: object) -> Balance:
-    """Return a balance, or refuse what is none."""
-    if not isinstance(result, Balance):
-        raise SymbalanceError(
-            f"result = {shown(result)}", "must be a Balance", "make one with balance(layout)"
-        )
-    return result
 
 
 def _with_power(result: Balance, power: int | None) -> Balance:

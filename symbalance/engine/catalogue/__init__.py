@@ -11,7 +11,7 @@ from pathlib import Path
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine, read_engine_file
 from symbalance.errors import SymbalanceError, shown
-from symbalance.text.files import toml_table
+from symbalance.text.files import STANDARD_INPUT, toml_table
 
 _FOLDER = Path(__file__).parent
 
@@ -58,12 +58,14 @@ def _unknown(name: str) -> SymbalanceError:
 
 
 def load(engine: str | Path) -> Engine:
-    """Return the layout of an engine file (a name ending in .toml or with a path separator) or preset.
+    """Return the engine of a file (a name ending in .toml or with a path separator), or a preset.
+
+    `-` reads an engine file from standard input.
 
     >>> load("v12-60").firing_order()
     [1, 2, 9, 10, 5, 6, 11, 12, 3, 4, 7, 8]
     """
     name = str(engine)
-    if isinstance(engine, Path) or name.endswith(".toml") or "/" in name or "\\" in name:
+    if isinstance(engine, Path) or name == STANDARD_INPUT or name.endswith(".toml") or "/" in name or "\\" in name:
         return read_engine_file(engine)
     return parse_engine(preset_text(name), f"{name}.toml")

@@ -13,7 +13,7 @@ from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.sidecar import Declarations, declared, parse_sidecar, read_sidecar
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
-from symbalance.text.files import read_text
+from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
 SUFFIXES = (".tex", ".md", ".txt", ".text")
 
@@ -76,10 +76,15 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
         raise SymbalanceError(
             f"document = {shown(document)}", "must be a path or a text", 'write check("notes.md")'
         )
-    if isinstance(document, str) and ("\n" in document or not document.endswith(SUFFIXES)):
+    if isinstance(document, str) and ("\n" in document or not is_file_name(document)):
         return document, "text", Path()
     path = Path(document)
-    return read_text(path, what="a .tex, .md or .txt file"), str(document), path.parent
+    return read_text(path, what="a .tex, .md or .txt file"), file_name(path), path.parent
+
+
+def is_file_name(document: str) -> bool:
+    """Tell whether a text is the name of a file of notes, or `-` for standard input."""
+    return document == STANDARD_INPUT or document.endswith(SUFFIXES)
 
 
 def _declarations(

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import json
 from functools import lru_cache
+from math import hypot
 from typing import Any
 
 import sympy
@@ -11,7 +11,7 @@ import sympy
 from symbalance.engine.balancers import Balancers, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
 from symbalance.exact.spectrum import COMPONENTS, Component
-from symbalance.forces.resultants import Balance, Order, Resultant, checked_balance
+from symbalance.forces.resultants import Balance, Order, Resultant
 from symbalance.forces.roll_rows import roll_rows
 from symbalance.kinematics.mechanisms import LinkRod
 from symbalance.text.numbers import decimal_text
@@ -20,14 +20,8 @@ DIGITS = 30
 VALUE_DIGITS = 20
 
 
-def balance_json(balance: Balance) -> str:
-    """Return a balance as a JSON document, made of strings, lists and dicts."""
-    return json.dumps(document(balance), indent=1, ensure_ascii=False)
-
-
-def document(balance: Balance) -> dict[str, Any]:
+def balance_data(balance: Balance) -> dict[str, Any]:
     """Return what `to_json` writes of a balance, as plain Python values."""
-    checked_balance(balance)
     plane = "mean of stations" if balance.reference is None else f"station {balance.reference}"
     return {
         "engine": balance.layout.name,
@@ -153,3 +147,43 @@ def component_values(component: Component) -> dict[str, Any]:
 
 def _decimal(component: Component) -> tuple[str, ...]:
     return tuple(decimal_text(x, DIGITS) for x in component.decimal(DIGITS))
+
+
+def balance_records(balance: Balance) -> list[dict[str, Any]]:
+    """Return a row for each component of force and couple that does not vanish.
+
+    Keys: order, of (force or couple), component, cos, sin, amplitude (floats, None with symbols in them),
+    unit, and coefficient, A_n in decimals (None where it is not apart or no ratio is known).
+    """
+    records = []
+    for order in balance.orders:
+        value = balance.values.get(order.order)
+        for of, resultant in (("force", order.force), ("couple", order.couple)):
+            for name in COMPONENTS:
+                part = resultant.component(name)
+                if part.is_zero():
+                    continue
+                cos, sin = (None, None) if part.number.has_symbols else map(float, part.decimal())
+                records.append(
+                    {
+                        "order": order.order,
+                        "of": of,
+                        "component": name,
+                        "cos": cos,
+                        "sin": sin,
+                        "amplitude": None if cos is None or sin is None else hypot(cos, sin),
+                        "exact_cos": str(part.cos),
+                        "exact_sin": str(part.sin),
+                        "unit": _UNITS[balance.kinematics is not None, of],
+                        "coefficient": None if value is None else float(value),
+                    }
+                )
+    return records
+
+
+_UNITS = {
+    (True, "force"): "A_n m r omega^2",
+    (True, "couple"): "A_n m r omega^2 a",
+    (False, "force"): "m r omega^2",
+    (False, "couple"): "m r omega^2 a",
+}

@@ -1,0 +1,271 @@
+r"""Documents as LaTeX: a fragment for an article, or a document that compiles alone.
+
+A fragment needs amsmath and booktabs (graphicx where it has a picture), which its first line says. It is
+measured for a line of 345 pt at 10 pt, the default article's, so nothing runs off a page there, nor in
+the document of its own. pdflatex and lualatex both compile it; Chinese, Japanese and Korean need
+lualatex with luatexja, and pdflatex stops and says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import assert_never
+
+from symbalance.document import nodes
+from symbalance.document.displayed import displayed
+from symbalance.document.fitting import Fitted, LeftOut, fitted, plain_words
+from symbalance.document.formula import Decimal, Equation, Formula, Name, Number, Words
+from symbalance.document.latex_characters import escaped, holds_east_asian
+from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
+from symbalance.document.nodes import Inline, inlines
+
+ROOM = 66.0
+"""How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
+ROWS = 30
+"""Of a table on one page."""
+_GAP = 2.4
+"""Between two columns: 2 tabcolsep, 12 pt."""
+_INDENT = 2.0
+"""Of a line that continues a bracket: \\quad."""
+_SIZES = ((1.0, ""), (0.9, r"\small"), (0.8, r"\footnotesize"), (0.7, r"\scriptsize"), (0.55, r"\tiny"))
+_WORDS_ROOM = 24.0
+"""A column of words wider than this may be set as a paragraph."""
+
+_PREAMBLE = r"""\documentclass[11pt]{article}
+\usepackage{iftex}
+\iftutex
+ENGINE\else
+  EIGHT
+\fi
+\usepackage[a4paper,margin=25mm]{geometry}
+\usepackage{amsmath}
+\usepackage{booktabs}
+GRAPHICS\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt}
+\setlength{\emergencystretch}{3em}
+\setlength{\jot}{6pt}
+\allowdisplaybreaks
+\begin{document}
+"""
+_EIGHT_BITS = r"\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\usepackage{lmodern}"
+_STOP = (
+    r"\errmessage{This document holds East Asian characters: compile it with lualatex, "
+    r"which needs the package luatexja}"
+)
+
+
+def document_latex(document: nodes.Document, *, standalone: bool = False) -> str:
+    """Return a document as LaTeX: a fragment, or with `standalone` one that compiles alone."""
+    body = _Writer().document(document)
+    pictures = r"\includegraphics" in body
+    if standalone:
+        east_asian = holds_east_asian(body)
+        preamble = _PREAMBLE.replace("ENGINE", "  \\usepackage{luatexja}\n" if east_asian else "")
+        preamble = preamble.replace("EIGHT", _STOP if east_asian else _EIGHT_BITS)
+        preamble = preamble.replace("GRAPHICS", "\\usepackage{graphicx}\n" if pictures else "")
+        return f"{preamble}{body}\\end{{document}}\n"
+    needs = ["amsmath", "booktabs", *(["graphicx"] if pictures else [])]
+    also = "; compile with lualatex and luatexja" if holds_east_asian(body) else ""
+    return f"% Needs \\usepackage{{{','.join(needs)}}}{also}\n{body}"
+
+
+class _Writer:
+    def document(self, document: nodes.Document) -> str:
+        title = self.words(document.title)
+        parts = [rf"\section*{{{title}}}"]
+        if inlines(document.lead):
+            parts.append(self.words(document.lead) + r"\par")
+        parts += [self.block(block) for block in document.blocks]
+        return "\n".join(parts) + "\n"
+
+    def block(self, block: nodes.Block) -> str:
+        """Return a block, ended so that the next begins a paragraph of its own."""
+        match block:
+            case nodes.Heading():
+                command = "subsection" if block.level == 2 else "subsubsection"
+                return rf"\{command}*{{{self.words(block.words)}}}"
+            case nodes.Paragraph():
+                return self.words(block.words) + r"\par"
+            case nodes.Facts():
+                return self.facts(block)
+            case nodes.Table():
+                return self.table(block)
+            case nodes.Formulas():
+                return _aligned(block.equations)
+            case nodes.Figure():
+                return self.figure(block)
+            case nodes.Source():
+                return "\n".join(map(self.source_line, block.lines))
+            case nodes.Details():
+                head = rf"\subsubsection*{{{escaped(block.summary)}}}"
+                return "\n".join([head, *map(self.block, block.blocks)])
+        assert_never(block)
+
+    # Words --------------------------------------------------------------------------------------
+
+    def words(self, words: nodes.Words) -> str:
+        return "".join(map(self.inline, inlines(words)))
+
+    def inline(self, inline: Inline) -> str:
+        match inline:
+            case str():
+                return escaped(inline)
+            case nodes.Code():
+                return _code(inline.text)
+            case nodes.Strong():
+                return rf"\textbf{{{escaped(inline.text)}}}"
+            case Formula() | Equation():
+                return f"${formula_latex(inline, inline=True)}$"
+        assert_never(inline)
+
+    def facts(self, facts: nodes.Facts) -> str:
+        """Return facts as paragraphs with their name before them, hung below it."""
+        lines = [rf"\textbf{{{self.words(facts.title)}}}\par\nobreak"] if inlines(facts.title) else []
+        for name, value in facts.entries:
+            said = f": {self.words(value)}" if inlines(value) else ""
+            lines.append(rf"{{\hangindent=1.5em\hangafter=1 {self.words(name)}{said}\par}}")
+        return "\n".join(lines)
+
+    def figure(self, figure: nodes.Figure) -> str:
+        if not isinstance(figure.picture, bytes):
+            return rf"{escaped(figure.shows)} (\texttt{{{escaped(figure.name)}}})\par"
+        caption = rf"\\{self.words(figure.caption)}" if inlines(figure.caption) else ""
+        picture = rf"\includegraphics[width=\linewidth]{{{figure.name}}}"
+        return "\n".join([r"\begin{center}", picture + caption, r"\end{center}"])
+
+    def source_line(self, line: nodes.SourceLine) -> str:
+        verdict = escaped(line.verdict)
+        verdict = rf"\fbox{{\textsc{{{verdict.lower()}}}}}" if line.bad else rf"\textit{{{verdict}}}"
+        parts = [rf"\textbf{{{escaped(line.place)}}}\quad {verdict}\par\nobreak"]
+        parts.append(rf"{{\small\raggedright {_code(line.text)}\par}}")
+        parts += [rf"{{\small\raggedright {self.words(note)}\par}}" for note in line.notes]
+        if line.formulas:
+            equations = [Equation(Words(name), (("", value),)) for name, value in line.formulas]
+            parts.append(_aligned(equations))
+        return _kept_together("\n".join(parts))
+
+    # Tables -------------------------------------------------------------------------------------
+
+    def table(self, table: nodes.Table) -> str:
+        title = f"{self.words(table.title)}" if inlines(table.title) else ""
+        if not table.rows:
+            return rf"{title}: {escaped(table.empty)}.\par" if title else rf"{escaped(table.empty)}.\par"
+        fit = fitted(table, _width, ROOM / 0.8, _GAP)
+        parts = []
+        for first in range(0, len(fit.rows), ROWS):
+            head = title if first == 0 else f"{title} (continued)" if title else ""
+            parts.append(self.tabular(head, fit, fit.rows[first : first + ROWS]))
+        return "\n".join([*parts, *_left_out(fit.left_out)])
+
+    def tabular(self, title: str, fit: Fitted, rows: Sequence[tuple[nodes.Words, ...]]) -> str:
+        """Return a part of a table that fits a page, in the largest size that fits a line."""
+        columns = [_Column([fit.columns[i].head, *(row[i] for row in fit.rows)]) for i in range(len(fit.columns))]
+        whole = sum(column.width for column in columns) + _GAP * (len(columns) - 1)
+        paragraph = _paragraph(columns, whole)
+        if paragraph is not None:
+            whole = ROOM / 0.8
+            rest = sum(c.width for i, c in enumerate(columns) if i != paragraph)
+            columns[paragraph].as_paragraph(whole - rest - _GAP * (len(columns) - 1))
+        size = next((name for scale, name in _SIZES if whole * scale <= ROOM), _SIZES[-1][1])
+        shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
+        lines = [rf"{title}\par\nobreak\smallskip" if title else ""]
+        lines += [rf"{{{size}\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
+        lines.append(" & ".join(c.head(self.words(c.cells[0])) for c in columns) + r" \\")
+        lines.append(r"\midrule")
+        body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
+        gap = r"[4pt]" if any(r"\frac" in line or "aligned" in line for line in body) else ""
+        lines += [rf"{line} \\{gap}" for line in body]
+        lines += [r"\bottomrule", r"\end{tabular}}"]
+        return _kept_together("\n".join(line for line in lines if line))
+
+
+class _Column:
+    """A column of a table: how wide it is, its letter in the table's shape, and its cells."""
+
+    def __init__(self, cells: Sequence[nodes.Words]) -> None:
+        self.cells = cells
+        body = [inlines(cell) for cell in cells[1:]]
+        self.is_number = all(not c or (len(c) == 1 and isinstance(c[0], Decimal | Number)) for c in body)
+        printed = [plain_words(cell) for cell in cells[1:]]
+        self.splits = self.is_number and any("." in p for p in printed)
+        self.width = max(map(_width, cells))
+        self.shape = "r@{}l" if self.splits else "r" if self.is_number else "l"
+        self.is_words = all(isinstance(part, str | nodes.Code | nodes.Strong) for c in body for part in c)
+
+    def as_paragraph(self, width: float) -> None:
+        self.shape = rf"p{{{width * 0.5:.1f}em}}"
+
+    def head(self, printed: str) -> str:
+        return rf"\multicolumn{{2}}{{l@{{\hspace{{12pt}}}}}}{{{printed}}}" if self.splits else printed
+
+    def cell(self, writer: _Writer, words: nodes.Words) -> str:
+        """Return a cell; a decimal is parted at its point, so that points stand in line."""
+        parts = inlines(words)
+        if self.splits:
+            if not parts:
+                return " & "
+            printed = formula_latex(parts[0])  # type: ignore[arg-type]
+            whole, point, fraction = printed.partition(".")
+            return rf"${whole}$ & ${point}{fraction}$" if point else rf"${printed}$ & "
+        if len(parts) == 1 and isinstance(parts[0], Formula):
+            return f"${_in_cell(parts[0])}$"
+        return writer.words(words)
+
+
+def _in_cell(value: Formula) -> str:
+    """Return a formula for a cell, over several lines where it is wider than a line."""
+    if latex_width(formula_latex(value)) <= ROOM * 0.75:
+        return rf"\displaystyle {formula_latex(value)}"
+    equation = Equation(Words(""), (("", value),))
+    lines = [line.printed for line in displayed([equation], LatexWriter(), ROOM * 0.7, _INDENT)]
+    return r"\begin{aligned}[t]&" + r" \\ &".join(lines) + r"\end{aligned}"
+
+
+def _paragraph(columns: Sequence[_Column], whole: float) -> int | None:
+    """Return the column of words to be set as a paragraph in a table too wide for a line, or None."""
+    wordy = [i for i, c in enumerate(columns) if c.is_words and c.width > _WORDS_ROOM]
+    if whole * 0.8 <= ROOM or not wordy:
+        return None
+    return max(wordy, key=lambda i: columns[i].width)
+
+
+def _left_out(forms: Sequence[LeftOut]) -> list[str]:
+    """Return the exact forms that have no room in a table, below it."""
+    if not forms:
+        return []
+    equations = [
+        Equation(Words(f"{each.place} {each.name}"), (("=", each.value),)) for each in forms
+    ]
+    return [r"exactly:\par\nobreak", _aligned(equations)]
+
+
+def _aligned(equations: Sequence[Equation]) -> str:
+    rows = displayed(equations, LatexWriter(), ROOM, _INDENT)
+    lines = [f"{name} &{r'\quad ' * depth}{line}".strip() for name, depth, line in rows]
+    return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
+
+
+def _width(words: nodes.Words) -> float:
+    """Return how wide words are set, in digits."""
+    total = 0.0
+    for part in inlines(words):
+        if isinstance(part, Formula | Equation):
+            total += latex_width(formula_latex(part))
+        elif isinstance(part, str):
+            total += 0.95 * len(part)
+        else:
+            total += 1.15 * len(part.text)
+    return total
+
+
+def _code(text: str) -> str:
+    """Return text taken literally, which may be broken after signs that open or join."""
+    printed = escaped(text)
+    for mark in (r"\textbackslash{}", "=", "+", ",", r"\}", "/"):
+        printed = printed.replace(mark, mark + r"\allowbreak{}")
+    return rf"\texttt{{{printed}}}"
+
+
+def _kept_together(body: str) -> str:
+    """Return lines that stay on one page."""
+    return f"\\par\\medskip\\noindent\\begin{{minipage}}{{\\linewidth}}\n{body}\n\\end{{minipage}}\\par\\medskip"

@@ -1,0 +1,48 @@
+"""One example of every result the library computes, for tests that hold for all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+
+import symbalance as sb
+from symbalance.document.result import Result
+
+
+def _balance() -> Result:
+    return sb.balance(sb.load("v10-72"), 6)
+
+
+def _balance_unlike() -> Result:
+    return sb.balance(sb.load("r-985"), 4)
+
+
+EXAMPLES: dict[str, Callable[[], Result]] = {
+    "balance": _balance,
+    "balance-unlike": _balance_unlike,
+}
+"""By a name of its own for each; a class may have several."""
+
+
+@cache
+def example(name: str) -> Result:
+    """Return an example, computed once."""
+    return EXAMPLES[name]()
+
+
+def result_classes() -> set[type[Result]]:
+    """Return every class of result in the package, all of its modules imported."""
+    from importlib import import_module
+    from pkgutil import walk_packages
+
+    import symbalance
+
+    for module in walk_packages(symbalance.__path__, "symbalance."):
+        if ".bench" not in module.name and not module.name.endswith("__main__"):
+            import_module(module.name)
+    return _below(Result)
+
+
+def _below(cls: type[Result]) -> set[type[Result]]:
+    own = {cls} if cls is not Result else set()
+    return own.union(*map(_below, cls.__subclasses__())) if cls.__subclasses__() else own
