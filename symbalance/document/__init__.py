@@ -3,13 +3,15 @@
 In: formulas, cells, SymPy numbers. Out: Unicode text and LaTeX (amsmath and booktabs alone). Knows
 nothing of engines.
 
-    formula, writer           formulas as data, printed by text_writer and latex_writer
-    syntax, syntax_printing   formulas as they were read, printed by syntax_text and syntax_latex
-    symbols, notation         every symbol with its unit and LaTeX; series' letters and conventions
-    expressions               exact numbers in print: roots, fractions, cosines
-    letters, wordlists        Greek and function names;  decimals: as tables print them
+    formula                   formulas as trees: read, derived, printed
+    formula_printing          brackets and signs, which all writers share
+    text_writer, latex_writer, mathml_writer, sympy_writer      a formula in each medium
+    expressions               SymPy expressions as formulas: roots, fractions, cosines
+    line_breaking             long formulas over several lines
+    symbols                   every symbol with its unit and LaTeX
+    letters, wordlists        Greek and function names, letters in print;  decimals: as tables print them
     grid, plain_tables        columns that line up
-    latex_parts               what LaTeX needs;  latex_characters, line_breaking: signs, long lines
+    latex_parts               what LaTeX needs;  latex_characters: any sign in LaTeX
     printing                  any result as text, LaTeX or JSON
 """
 

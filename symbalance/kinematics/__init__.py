@@ -9,7 +9,7 @@ lambda, proved bounds on what a truncation leaves out, and the derivation step b
     inertia, rod, kinetic   the torque's harmonics, closed and for any mechanism
     bodies                  what moves with a mechanism: piston, rod, link rod's big end
     coefficients            A_n, t_n, u_n, k_n, which like cylinders have in common
-    series_printing         a series in print;  derivation: the whole calculation as a document
+    series_printing         a series in print;  conventions: in which letter;  derivation: as a document
 """
 
 from symbalance.loading import attach

@@ -8,10 +8,10 @@ the exact quantity by at most
 
 from __future__ import annotations
 
-from decimal import ROUND_CEILING, Context, Decimal
+import decimal
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, Over, Scientific, equal
+from symbalance.document.formula import Decimal, Formula, Quotient, Words, equal, number
 from symbalance.kinematics.derivation.setting import LAM, RHO, L, Prose, R, Setting, prose
 from symbalance.kinematics.slider_crank import (
     Harmonics,
@@ -26,9 +26,9 @@ from symbalance.text.reals import Real, nstr
 RATIO = Fraction(4)
 """The rod ratio l/r at which bounds are given as numbers."""
 _AT_RATIO = {
-    "l/r": (equal(LAM, Number(4)),),
-    "r/l": (equal(RHO, Over(Number(1), Number(4))),),
-    "l/s": (equal(LAM, Number(2)), " (", equal(L / R, Number(4)), ")"),
+    "l/r": (equal(LAM, number(4)),),
+    "r/l": (equal(RHO, Quotient(number(1), number(4))),),
+    "l/s": (equal(LAM, number(2)), " (", equal(L / R, number(4)), ")"),
 }
 
 
@@ -56,21 +56,22 @@ def numbers(setting: Setting, found: Harmonics) -> tuple[Prose, ...]:
 
 
 def _with_unit(setting: Setting, value: Real) -> Formula:
-    number = rounded_up(value)
-    return number * Name("rad") if setting.rod_angle else number * setting.unit()
+    return rounded_up(value) * (Words("rad") if setting.rod_angle else setting.unit())
 
 
-def rounded_up(value: Real) -> Scientific:
+def rounded_up(value: Real) -> Decimal:
     """Return a bound to three digits, rounded up so that it stays one.
 
-    >>> rounded_up(Real("1.52541e-6"))
-    Scientific(mantissa='1.53', exponent=-6)
+    >>> rounded_up(Real("1.52541e-6")).text, rounded_up(Real("0.0123456")).text
+    ('1.53e-6', '0.0124')
     """
-    number = Context(prec=3, rounding=ROUND_CEILING).create_decimal(Decimal(nstr(value, 15)))
-    exponent = number.adjusted()
+    context = decimal.Context(prec=3, rounding=decimal.ROUND_CEILING)
+    bound = context.create_decimal(decimal.Decimal(nstr(value, 15)))
+    exponent = bound.adjusted()
     if exponent >= -2:
-        return Scientific(str(number), 0)
-    return Scientific(str(number.scaleb(-exponent).quantize(Decimal("0.01"))), exponent)
+        return Decimal(str(bound))
+    mantissa = bound.scaleb(-exponent).quantize(decimal.Decimal("0.01"))
+    return Decimal(f"{mantissa}e{exponent}")
 
 
 def printed_error(order: int, found: Harmonics, ratio: Fraction = RATIO) -> Real:

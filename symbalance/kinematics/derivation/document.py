@@ -7,17 +7,18 @@ from collections.abc import Iterator
 from itertools import groupby
 
 from symbalance.document.formula import Equation, Formula
+from symbalance.document.formula_printing import FormulaWriter
 from symbalance.document.latex_writer import InlineLatexWriter, LatexWriter
-from symbalance.document.line_breaking import Line, broken
+from symbalance.document.line_breaking import Medium, broken_equation
 from symbalance.document.text_writer import TextWriter
-from symbalance.document.writer import Writer
 from symbalance.kinematics.derivation.result import Derivation
 from symbalance.kinematics.derivation.setting import LETTERS, LONGEST_IN_FULL, Prose, Step, prose
 
 COLUMNS = 80
 _MARGIN = 2
-_LATEX_ROOM = 430.0
-_LATEX_INDENT = 10.0
+_LATEX_ROOM = 78.0
+"""How many digits wide a line may be: 16 cm hold 90 of them at 10 pt."""
+_LATEX_INDENT = 2.0
 _HARD_SPACE = "\u00a0"
 _SUBJECTS = {
     "displacement": "Piston displacement",
@@ -83,48 +84,21 @@ def _groups(step: Step) -> Iterator[Prose | list[Equation]]:
             yield from (part for part in parts if isinstance(part, Prose))
 
 
-def _rows(equations: list[Equation], writer: Writer, room: float, indent: float) -> Iterator[Row]:
+def _rows(equations: list[Equation], medium: Medium, room: float, indent: float) -> Iterator[Row]:
     """Yield the lines of equations that share one left column."""
-    left = max(writer.width(writer.write(each.left)) for each in equations) + writer.width(" ")
+    left = max(medium.width(medium.write(each.left)) for each in equations) + medium.width(" ")
     for each in equations:
-        name = writer.write(each.left)
-        links = [
-            broken(_relation(r, writer), right, writer, room - left, indent) for r, right in each.links
-        ]
-        for line in _run_on(links, room - left, writer.width(" ")):
+        name = medium.write(each.left)
+        for line in broken_equation(each, medium, room - left, indent):
             yield name, line.depth, line.printed
             name = ""
 
 
-def _run_on(links: list[list[Line]], room: float, space: float) -> Iterator[Line]:
-    """Yield the lines of a chain of relations, short ones together on one."""
-    held: Line | None = None
-    for link in links:
-        head = link[0]
-        if held and len(link) == 1 and held.width + space + head.width <= room:
-            held = Line(0, f"{held.printed} {head.printed}", held.width + space + head.width)
-            continue
-        if held:
-            yield held
-        *before, held = link
-        yield from before
-        if before:
-            yield held
-            held = None
-    if held:
-        yield held
-
-
-def _inline(piece: str | Formula | Equation, writer: Writer) -> str:
+def _inline(piece: str | Formula | Equation, writer: FormulaWriter) -> str:
     """Return a formula or an equation as it stands within a sentence."""
     if isinstance(piece, Equation):
-        links = [f"{_relation(r, writer)} {writer.write(right)}" for r, right in piece.links]
-        return " ".join([writer.write(piece.left), *links])
+        return writer.equation(piece)
     return piece if isinstance(piece, str) else writer.write(piece)
-
-
-def _relation(relation: str, writer: Writer) -> str:
-    return writer.relations.get(relation, relation)
 
 
 # Text -------------------------------------------------------------------------------------------
@@ -146,7 +120,7 @@ def derivation_text(derivation: Derivation) -> str:
     return "\n\n".join(blocks) + "\n"
 
 
-def _text_group(group: Prose | list[Equation], writer: Writer) -> str:
+def _text_group(group: Prose | list[Equation], writer: TextWriter) -> str:
     if isinstance(group, Prose):
         return _text_prose(group, writer)
     rows = list(_rows(group, writer, COLUMNS - _MARGIN, 2))
@@ -154,7 +128,7 @@ def _text_group(group: Prose | list[Equation], writer: Writer) -> str:
     return "\n".join(f"{' ' * _MARGIN}{name:>{left}} {'  ' * depth}{line}" for name, depth, line in rows)
 
 
-def _text_prose(paragraph: Prose, writer: Writer) -> str:
+def _text_prose(paragraph: Prose, writer: TextWriter) -> str:
     """Return a paragraph, wrapped between words but not inside formulas."""
     words = "".join(
         piece if isinstance(piece, str) else _inline(piece, writer).replace(" ", _HARD_SPACE)
@@ -183,7 +157,7 @@ def derivation_latex(derivation: Derivation, standalone: bool = True) -> str:
     return f"{_PREAMBLE}{body}\\end{{document}}\n" if standalone else body
 
 
-def _latex_group(group: Prose | list[Equation], writer: Writer) -> str:
+def _latex_group(group: Prose | list[Equation], writer: LatexWriter) -> str:
     if isinstance(group, Prose):
         return _latex_prose(group)
     rows, indent = _rows(group, writer, _LATEX_ROOM, _LATEX_INDENT), r"\quad "

@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from symbalance.document.notation import convention_named
 from symbalance.errors import SymbalanceError, shown
+from symbalance.kinematics.conventions import convention_named
 from symbalance.kinematics.derivation import expansion
 from symbalance.kinematics.derivation.collection import collection_steps
 from symbalance.kinematics.derivation.remainder import left_out_step

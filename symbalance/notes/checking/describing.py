@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from traceback import format_exception
 
-from symbalance.document.syntax import Span
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Span
+from symbalance.document.text_writer import formula_text
 from symbalance.errors import fault_of
 from symbalance.notes.checking.deciding.steps import Answer
 from symbalance.notes.checking.differences import differences, exact_text
@@ -37,7 +37,7 @@ def described(document: Document, chain: Chain, k: int, answer: Answer) -> Verdi
         reason=answer.reason,
         order=answer.order if word != REFUTED else "",
         assumption=", ".join(answer.assumptions) if word == CONDITIONAL else "",
-        claimed=render(side.node),
+        claimed=formula_text(side.node, plain=True),
         exact=exact_text(answer) if bad else "",
         witness=answer.witness if bad else {},
         differences=differences(answer) if word == REFUTED else (),

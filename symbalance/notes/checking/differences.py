@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from symbalance.document.syntax import Number, walk
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Number, walk
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
@@ -30,10 +30,10 @@ def form_text(form: Form | None) -> str:
     try:
         above = polynomial_node(form.domain, form.numerator)
         if form.is_polynomial:
-            printed = render(above)
+            printed = formula_text(above, plain=True)
         else:
             below = polynomial_node(form.domain, form.denominator)
-            printed = f"({render(above)})/({render(below)})"
+            printed = f"({formula_text(above, plain=True)})/({formula_text(below, plain=True)})"
     except (NoFormError, TooLargeError):
         return ""
     return printed if len(printed) <= LONGEST else ""
@@ -55,7 +55,7 @@ def differences(answer: Answer) -> tuple[Difference, ...]:
         one, other = exact.get(place, {}), claimed.get(place, {})
         if is_zero(domain, poly.minus(one, other)) is not True:
             node = place_node(domain, place)
-            term = "constant" if node is None else render(node)
+            term = "constant" if node is None else formula_text(node, plain=True)
             found.append(Difference(term, number_text(domain, other), number_text(domain, one)))
     return tuple(found[:MOST])
 
@@ -68,8 +68,8 @@ def number_text(domain: Domain, number: Polynomial) -> str:
         for part in walk(node)
     )
     if long or not poly.is_rational(number):
-        printed = render(node)
+        printed = formula_text(node, plain=True)
         if long or len(printed) > 40:
             return digits(Valuation(domain, {}).polynomial(number))
         return printed
-    return render(node)
+    return formula_text(node, plain=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from symbalance.document.syntax import Node, Span
+from symbalance.document.formula import Formula, Span
 from symbalance.notes.reading.equations import Document
 
 HOLDS = "holds"
@@ -48,7 +48,7 @@ class Fix:
 
     kind: str
     text: str
-    node: Node
+    node: Formula
     faults: tuple[Fault, ...] = ()
 
 
@@ -76,7 +76,7 @@ class Verdict:
     notes: tuple[str, ...] = ()
     tag: str = ""
     span: Span = (0, 0)
-    node: Node | None = None
+    node: Formula | None = None
     fault: str = ""
     """A fault of symbalance that kept the relation from being judged or mended."""
     traceback: str = ""

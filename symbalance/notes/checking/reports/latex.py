@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from symbalance.document.formula import Formula, Negative, Sum
 from symbalance.document.latex_characters import escaped
-from symbalance.document.syntax import Negative, Node, Sum
-from symbalance.document.syntax_latex import render_latex
+from symbalance.document.latex_writer import formula_latex
 from symbalance.notes.checking.reports.text import summary, verdict_words, witness_text
 from symbalance.notes.checking.verdicts import REFUTED, Checked, Verdict
 
@@ -64,14 +64,14 @@ def _beside(verdict: Verdict) -> str:
     return rf"{{{size}\[\begin{{array}}{{@{{}}l@{{\quad}}l@{{}}}}{lines}\end{{array}}\]}}" + "\n"
 
 
-def _lines(node: Node) -> list[str]:
+def _lines(node: Formula) -> list[str]:
     """Return a formula in lines that fit, broken between the terms of its outermost sum."""
     if not isinstance(node, Sum):
-        return [render_latex(node)]
+        return [formula_latex(node)]
     lines: list[str] = []
     for k, term in enumerate(node.terms):
         negative = isinstance(term, Negative)
-        printed = render_latex(term)
+        printed = formula_latex(term)
         signed = printed if k == 0 else (printed if negative else f"+ {printed}")
         if lines and visible_length(lines[-1] + signed) <= WIDEST:
             lines[-1] = f"{lines[-1]} {signed}"

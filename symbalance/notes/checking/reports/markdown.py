@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from symbalance.document.syntax_latex import render_latex
+from symbalance.document.latex_writer import formula_latex
 from symbalance.notes.checking.reports.text import one_line, summary, verdict_words
 from symbalance.notes.checking.verdicts import Checked, Verdict
 
@@ -34,7 +34,7 @@ def _row(verdict: Verdict) -> str:
 
 def _explained(verdict: Verdict) -> str:
     """Return the corrected side, the claim, the reason and the notes in one cell."""
-    parts = [f"${_cell(render_latex(verdict.fix.node))}$" if verdict.fix else ""]
+    parts = [f"${_cell(formula_latex(verdict.fix.node))}$" if verdict.fix else ""]
     if verdict.is_bad:
         parts.append(verdict.fix.kind if verdict.fix else _cell(differing(verdict)))
     parts += [f"claims {verdict.bind}" if verdict.bind else "", verdict.reason, *verdict.notes]

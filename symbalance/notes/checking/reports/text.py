@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from symbalance.document.syntax import Name
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Name
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.verdicts import DEFINITION, HOLDS, REFUTED, Checked, Verdict
 
 WIDTH = 100
@@ -94,7 +94,9 @@ def details(verdict: Verdict, quoted: Callable[[str], str] = str) -> list[str]:
 def witness_text(verdict: Verdict) -> str:
     """Return a witness as `θ = 1.2, λ = 3.7: left 0.5, right 0.25`."""
     at = ", ".join(
-        f"{render(Name(n))} = {v}" for n, v in verdict.witness.items() if n not in ("left", "right")
+        f"{formula_text(Name(n), plain=True)} = {v}"
+        for n, v in verdict.witness.items()
+        if n not in ("left", "right")
     )
     sides = ", ".join(f"{n} {verdict.witness[n]}" for n in ("left", "right") if n in verdict.witness)
     return f"{at}: {sides}" if at else sides
