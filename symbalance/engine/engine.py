@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from symbalance.engine.balancers import (
     Balancers,
@@ -16,7 +16,7 @@ from symbalance.engine.balancers import (
     check_shares,
     checked_balancers,
 )
-from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder
+from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, unchecked_copy
 from symbalance.engine.rotors import Rotor, rotors
 from symbalance.engine.trains import checked_size
 from symbalance.errors import SymbalanceError, shown, written
@@ -230,9 +230,8 @@ class Engine:
         if len({c.ratio for c in self.cylinders if c.link is None}) > 1:
             rule = f"cannot be set for {self.name}, whose cylinders have ratios of their own"
             raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
-        return self._with(
-            cylinders=_joined([c if c.link else c.with_ratio(known) for c in self.cylinders])
-        )
+        changed = [c if c.link else c.with_ratio(known) for c in self.cylinders]
+        return unchecked_copy(self, cylinders=_joined(changed))
 
     def balanced_by(self, *added: Counterweight | BalanceShaft) -> Engine:
         """Return the engine with counterweights and balance shafts added to those it has.
@@ -247,14 +246,6 @@ class Engine:
         balancers = Balancers(had.counterweights + weights, had.shafts + shafts)
         about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch}
         return Engine(self.cylinders, balancers=balancers, **about)
-
-    def _with(self, **changes: Any) -> Engine:
-        """Return a changed copy, whose changes the caller has checked."""
-        changed = Engine.__new__(Engine)
-        had = {name: getattr(self, name) for name in Engine.__dataclass_fields__}
-        for name, value in (had | changes).items():
-            object.__setattr__(changed, name, value)
-        return changed
 
 
 def _is_centred(mechanism: Mechanism | None) -> bool:
