@@ -23,7 +23,7 @@ from symbalance.errors import SymbalanceError, shown, written
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import checked_modulus
 from symbalance.kinematics.bodies import Body, bodies
-from symbalance.kinematics.mechanisms import Mechanism
+from symbalance.kinematics.mechanisms import Mechanism, has_link_pin
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.numbers import listed
 
@@ -115,12 +115,12 @@ class Engine:
     @property
     def link_pins(self) -> list[int]:
         """The numbers of the cylinders whose rods hang on a link pin away from the crank pin."""
-        return [c.number for c in self.cylinders if c.link and c.link.radius]
+        return [c.number for c in self.cylinders if has_link_pin(c.mechanism)]
 
     @property
     def has_link_pin_masses(self) -> bool:
         """Whether some link pin bears a mass, which moves beside the crank pin's circle."""
-        return any(c.rotating_mass for c in self.cylinders if c.link and c.link.radius)
+        return any(c.rotating_mass for c in self.cylinders if has_link_pin(c.mechanism))
 
     @cached_property
     def sizes(self) -> tuple[Fraction, ...]:

@@ -187,9 +187,8 @@ def symbolic_order(
 
 def _check_hung(layout: Engine) -> None:
     """Refuse link rods: the series of a rod on the pin are not theirs. A forked rod's are."""
-    hung = next((c.number for c in layout.cylinders if c.link and c.link.radius), None)
-    if hung is not None:
-        rule = f"hangs cylinder {hung} on a link rod, which has no such series"
+    if layout.link_pins:
+        rule = f"hangs cylinder {layout.link_pins[0]} on a link rod, which has no such series"
         remedy = "take balance, or sensitivities, with numbers"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
 
