@@ -50,7 +50,7 @@ def stripped() -> Balance:
     """Return the same without a look at whether cylinders are alike."""
     layout = inline("1-3-4-2", ratio=Fraction(7, 2))
     orders = [n for n in range(1, ORDER + 1) if surviving(n)]
-    arms = [c.station - layout.mean_station for c in layout.cylinders]
+    arms = layout.arms()
     ones = [Fraction(1)] * len(arms)
     return Balance(layout, ORDER, geometry(layout, orders, ones), geometry(layout, orders, arms))
 

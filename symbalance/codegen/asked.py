@@ -247,15 +247,12 @@ class _Asked:
         return Closed("secondary", self.ratio, places, self.terms(1)) if places else None
 
     def _weights(self) -> list[Real]:
-        cylinders = self.result.layout.cylinders
+        layout = self.result.layout
         if self.kind == "piston":
             return [Real(1)]
         if self.kind == "force":
-            return [Real(1)] * len(cylinders)
-        reference = self.result.reference
-        plane = self.result.layout.mean_station if reference is None else reference
-        arms = (c.station - plane for c in cylinders)
-        return [Real(arm) for arm in arms]
+            return [Real(1)] * len(layout.cylinders)
+        return [Real(arm) for arm in layout.arms(self.result.reference)]
 
 
 def shown_terms(terms: tuple[Term, ...]) -> tuple[Term, ...]:

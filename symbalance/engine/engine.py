@@ -25,7 +25,7 @@ from symbalance.exact.phasor import checked_modulus
 from symbalance.kinematics.bodies import Body, bodies
 from symbalance.kinematics.mechanisms import Mechanism, has_link_pin
 from symbalance.kinematics.slider_crank import checked_ratio
-from symbalance.text.numbers import listed
+from symbalance.text.numbers import exact, listed
 
 LONGEST_NAME = 60
 NEAR_TOP = Fraction(1, 8)
@@ -210,6 +210,10 @@ class Engine:
     def mean_station(self) -> Fraction:
         """The mean of all stations: the default reference plane of couples."""
         return sum((c.station for c in self.cylinders), Fraction(0)) / len(self.cylinders)
+
+    def plane(self, reference: object = None) -> Fraction:
+        """Return the station couples are taken about: `reference`, exactly, or the stations' mean."""
+        return self.mean_station if reference is None else exact(reference, "reference")
 
     def arms(self, plane: Fraction | None = None) -> list[Fraction]:
         """Return every cylinder's station from a plane (default: the stations' mean), in pitches."""

@@ -147,10 +147,10 @@ def _weights(layout: Engine, speed: int, targets: Pair, limits: Limits) -> list[
 
 def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
     """Return the arms weights may have: the ends of the engine, and the one place that does alone."""
-    plane = layout.mean_station
     if stations is not None:
+        plane = layout.mean_station
         return [station - plane for station in stations]
-    places = [c.station - plane for c in layout.cylinders]
+    places = layout.arms()
     half = Fraction(1, 2)
     front, rear = max(places), min(places)
     alone = station_of(*targets)

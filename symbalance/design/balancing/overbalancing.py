@@ -75,10 +75,9 @@ def first_order(layout: Engine, kind: str = "force") -> FirstOrder:
         raise SymbalanceError(f"kind = {shown(kind)}", "must be force or couple", "ask for one of them")
     found = balance(layout, 1)
     terms = (found.force if kind == "force" else found.couple).terms
-    plane = layout.mean_station
-    arms = [Fraction(1) if kind == "force" else c.station - plane for c in layout.cylinders]
-    rows = zip(layout.cylinders, arms, layout.sizes, strict=True)
-    pins = [directed(Phasor.of(1, {0: arm * size}), c.throw) for c, arm, size in rows]
+    weights = [Fraction(1)] * len(layout.cylinders) if kind == "force" else layout.arms()
+    rows = zip(layout.cylinders, weights, layout.sizes, strict=True)
+    pins = [directed(Phasor.of(1, {0: weight * size}), c.throw) for c, weight, size in rows]
     return FirstOrder(terms.get(1, ZERO), total(pins), terms.get(-1, ZERO))
 
 

@@ -17,7 +17,7 @@ from itertools import product
 from math import ceil, cos, floor, pi
 
 from symbalance.design.variations.sectors import Sector
-from symbalance.design.variations.shares import arms, checked_layout, mechanism_to
+from symbalance.design.variations.shares import checked_layout, mechanism_to
 from symbalance.design.variations.tolerances import Relative
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -132,7 +132,7 @@ def _hull(values: Iterator[float] | Sequence[float]) -> Interval:
 def boxes(layout: Engine, own: Relative, order: int, reference: object = None) -> dict[int, list[Box]]:
     """Return n -> every cylinder's box, for each order to `order` that some engine in tolerance has."""
     checked_layout(layout)
-    cylinders = zip(layout.cylinders, layout.sizes, arms(layout, reference), strict=True)
+    cylinders = zip(layout.cylinders, layout.sizes, layout.arms(layout.plane(reference)), strict=True)
     found = []
     kinds: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}
     for cylinder, size, arm in cylinders:

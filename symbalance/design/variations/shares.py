@@ -20,7 +20,6 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.numbers import exact
 from symbalance.text.reals import Complex, expjpi
 
 
@@ -62,11 +61,6 @@ def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Complex], n: int) -> tu
     return pair[0], pair[1]
 
 
-def arms(layout: Engine, reference: object = None) -> list[Fraction]:
-    """Return the stations from the reference plane, in pitches."""
-    return layout.arms(None if reference is None else exact(reference, "reference"))
-
-
 def shares(layout: Engine, order: int, reference: object = None) -> dict[int, list[Share]]:
     """Return n -> every cylinder's share, for all orders to `order` that some cylinder has.
 
@@ -77,7 +71,8 @@ def shares(layout: Engine, order: int, reference: object = None) -> dict[int, li
     checked_order(order)
     checked_layout(layout)
     own = [piston_force(mechanism_to(layout, c, order), order) for c in layout.cylinders]
-    rows = list(zip(layout.cylinders, arms(layout, reference), layout.sizes, own, strict=True))
+    arms = layout.arms(layout.plane(reference))
+    rows = list(zip(layout.cylinders, arms, layout.sizes, own, strict=True))
     return {
         n: [
             Share(c.number, n, c.bank.turns, n * c.delay.turns, arm, size, f.get(n, Complex(0)))
