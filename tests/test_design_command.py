@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from itertools import product
 
 import pytest
 import sympy
@@ -171,6 +172,45 @@ def test_the_rods_own_inertia_comes_back(tmp_path):
     again = sb.load(path)
     assert (again.pitch, again.cylinders) == (train.pitch, four.cylinders)
     assert again.first.rod_split == train.rod_split
+
+
+OWN_SIZES: list[dict[str, int]] = [
+    {},
+    {"stroke": 80},
+    {"rod": 150},
+    {"stroke": 80, "rod": 150},
+    {"stroke": 90, "rod": 180},
+]
+TRAINS = [
+    CrankTrain(stroke=stroke, rod=rod, given_ratio=ratio)
+    for stroke, rod, ratio in product((None, Fraction(80)), (None, Fraction(150)), (None, Fraction(4)))
+]
+
+
+@pytest.mark.parametrize("ratio", [None, 3])
+@pytest.mark.parametrize("train", TRAINS, ids=range(len(TRAINS)))
+def test_a_ratio_beside_strokes_and_rods_comes_back_or_is_refused(train, ratio, tmp_path):
+    """Sizes of two cylinders, each with a stroke, a rod, both or none, beside shared ones."""
+    path, written = tmp_path / "again.toml", 0
+    for first, second in product(OWN_SIZES, repeat=2):
+        rows = [sb.Cylinder(1, **first), sb.Cylinder(2, 180, **second)]
+        try:
+            layout = sb.from_cylinders(rows, crank_train=train)
+            layout = layout if ratio is None else layout.with_ratio(ratio)
+            pushes = [(group.mechanism, group.size) for group in layout.groups]
+        except sb.SymbalanceError:  # no engine: its forces would be refused
+            continue
+        try:
+            text = sb.engine_text(layout)
+        except sb.SymbalanceError as refusal:
+            assert "cannot stand in an engine file beside" in str(refusal)  # noqa: PT017
+            assert {c.stroke for c in layout.cylinders} == {None}
+            continue
+        path.write_text(text, encoding="utf-8")
+        again = sb.load(path)
+        assert [(group.mechanism, group.size) for group in again.groups] == pushes, (first, second)
+        written += 1
+    assert written
 
 
 @pytest.mark.parametrize(
