@@ -14,7 +14,7 @@ from symbalance.design.balancing.limits import Limits
 from symbalance.design.balancing.planes import Placed, in_planes
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight, directed
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import share_unit
+from symbalance.engine.rotors import has_unit_share, share_unit
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.arithmetic import station_of, total
@@ -161,7 +161,7 @@ def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) 
 
 def _share(layout: Engine, speed: int, vector: Amplitude) -> Amplitude:
     """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
-    if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
+    if has_unit_share(layout, speed):
         return vector
     return DecimalPhasor(vector.evaluated() / share_unit(layout, speed))
 
