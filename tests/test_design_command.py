@@ -326,7 +326,7 @@ def test_a_bad_option_is_refused_in_one_line(options, said, capsys):
 def test_bad_python_is_refused():
     four = sb.load("inline-4")
     for make, said in (
-        (lambda: sb.design_balance("inline-4"), "must be a Engine"),
+        (lambda: sb.design_balance("inline-4"), "must be an Engine"),
         (lambda: sb.design_balance(four, []), "names no order"),
         (lambda: sb.design_balance(four, [1.5]), "must be a whole number"),
         (lambda: sb.design_balance(four, spread="wide"), "must be one of"),

@@ -170,7 +170,7 @@ def balance(
     order = checked_order(order)
     if not isinstance(layout, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be a Engine", 'load one with load("v12-60"), or build one'
+            f"layout = {shown(layout)}", "must be an Engine", 'load one with load("v12-60"), or build one'
         )
     if ratio is None:
         return _balance(layout, order, power, reference)

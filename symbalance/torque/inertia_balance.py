@@ -136,7 +136,7 @@ def checked_layout(layout: object) -> Engine:
     """Return a layout, or refuse what is none."""
     if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     return layout
 
 

@@ -48,7 +48,7 @@ def overbalanced(layout: Engine, share: object = Fraction(1, 2)) -> Engine:
     part = exact(share, "overbalance")
     if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     return layout.balanced_by(
         *(Counterweight(throw=c.number, overbalance=part) for c in layout.cylinders)
     )

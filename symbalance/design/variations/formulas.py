@@ -160,7 +160,7 @@ def symbolic_order(
     n = checked_order(order)
     if not isinstance(layout, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be a Engine", "build one with inline(...)"
+            f"layout = {shown(layout)}", "must be an Engine", "build one with inline(...)"
         )
     mass, radius = (
         entries(layout, v, k) or [UNIT] * len(layout.cylinders)

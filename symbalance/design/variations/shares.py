@@ -40,7 +40,8 @@ class Share:
 def checked_layout(layout: object) -> Engine:
     """Return a layout whose angles and rod ratios are numbers, or refuse."""
     if not isinstance(layout, Engine):
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", 'load one: load("v12-60")')
+        remedy = 'load one: load("v12-60")'
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     if layout.has_symbols:
         rule, remedy = "has symbols for angles", "give numbers, or use symbolic_order"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)

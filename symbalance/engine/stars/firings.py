@@ -173,7 +173,7 @@ def is_even(layout: Engine) -> bool:
 
 def _checked(layout: object) -> Engine:
     if not isinstance(layout, Engine):
-        rule = "must be a Engine"
+        rule = "must be an Engine"
         raise SymbalanceError(f"layout = {shown(layout)}", rule, "build one, as inline(throws=[0, 180])")
     return layout
 
