@@ -152,8 +152,8 @@ class Engine:
     def groups(self) -> tuple[Group, ...]:
         """The cylinders in groups that push alike, in the order of the first of each."""
         size = dict(zip((c.number for c in self.cylinders), self.sizes, strict=True))
-        found = self.grouped(lambda c: (c.mechanism, size[c.number]))
-        return tuple(Group(*key, cylinders) for key, cylinders in found.items())
+        groups = self.grouped(lambda c: (c.mechanism, size[c.number]))
+        return tuple(Group(*key, cylinders) for key, cylinders in groups.items())
 
     def grouped(self, key: Callable[[Cylinder], T]) -> dict[T, tuple[Cylinder, ...]]:
         """Return the cylinders in groups of one key each, in the order of the first of each."""
@@ -287,13 +287,13 @@ def checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
     if not 1 <= len(cylinders) <= MOST_CYLINDERS:
         rule = f"an engine has 1 to {MOST_CYLINDERS}"
         raise SymbalanceError(f"{len(cylinders)} cylinders", rule, "list each once")
-    seen: set[int] = set()
+    numbers: set[int] = set()
     for cylinder in cylinders:
-        if cylinder.number in seen:
+        if cylinder.number in numbers:
             raise SymbalanceError(
                 f"number = {cylinder.number}", "names two cylinders", "number each cylinder once"
             )
-        seen.add(cylinder.number)
+        numbers.add(cylinder.number)
     return cylinders
 
 

@@ -38,14 +38,14 @@ class Rotor:
 
 def rotors(layout: Engine) -> list[Rotor]:
     """Return all that turns and is not balanced by itself, each in the unit of its order."""
-    found = [_counterweight(layout, c) for c in layout.balancers.counterweights]
+    all_rotors = [_counterweight(layout, c) for c in layout.balancers.counterweights]
     if layout.balancers.counterweights:
-        found += _rotating(layout)
+        all_rotors += _rotating(layout)
     for shaft in layout.balancers.shafts:
         for weight in shaft.weights:
             vector = directed(_in_units(layout, weight, shaft.speed), shaft.phase)
-            found.append(Rotor(shaft.speed, vector, weight.station, shaft.x, shaft.y))
-    return found
+            all_rotors.append(Rotor(shaft.speed, vector, weight.station, shaft.x, shaft.y))
+    return all_rotors
 
 
 def _counterweight(layout: Engine, counterweight: Counterweight) -> Rotor:

@@ -193,16 +193,16 @@ def _exact_sums(
         for c, w in zip(cylinders, weights, strict=True)
         if w
     ]
-    seen: dict[int, Phasor] = {}  # a sum depends on its order modulo m only
+    by_residue: dict[int, Phasor] = {}  # a sum depends on its order modulo m only
     terms: dict[int, Phasor] = {}
     for n in orders:
         for signed in (n, -n):
             residue = signed % modulus
-            if residue not in seen:
+            if residue not in by_residue:
                 total = Phasor.of(modulus, _summed(rows, residue, modulus))
-                seen[residue] = ZERO if total.is_zero() else total.scaled(Fraction(1, denominator))
-            if seen[residue] is not ZERO:
-                terms[signed] = seen[residue]
+                by_residue[residue] = ZERO if total.is_zero() else total.scaled(Fraction(1, denominator))
+            if by_residue[residue] is not ZERO:
+                terms[signed] = by_residue[residue]
     return terms
 
 

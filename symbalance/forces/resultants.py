@@ -120,7 +120,7 @@ class Balance:
     @cached_property
     def orders(self) -> tuple[Order, ...]:
         """The orders that survive, lowest first; those that cancel are absent."""
-        found = sorted({*self.force.orders(), *self.couple.orders()})
+        numbers = sorted({*self.force.orders(), *self.couple.orders()})
         return tuple(
             Order(
                 n,
@@ -128,13 +128,13 @@ class Balance:
                 Resultant(self.force, n),
                 Resultant(self.couple, n),
             )
-            for n in found
+            for n in numbers
         )
 
     def __getitem__(self, order: int) -> Order:
-        for found in self.orders:
-            if found.order == order:
-                return found
+        for one in self.orders:
+            if one.order == order:
+                return one
         kept = ", ".join(str(o.order) for o in self.orders) or "none"
         raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
 

@@ -43,11 +43,11 @@ def devices_for(before: Balance, orders: Sequence[int], limits: Limits) -> list[
     """Return what serves the orders to remove, slowest first, the crank before shafts."""
     parts = parts_of(before, orders)
     served = _served(before, parts, limits)
-    found = []
+    devices = []
     for n in sorted({abs(s) for s in served}):
         placed = _placed(before, parts, [s for s in (n, -n) if s in served], limits)
-        found += [_device(before, speed, weights, limits) for speed, weights in placed.items()]
-    return [device for device in found if device.parts]
+        devices += [_device(before, speed, weights, limits) for speed, weights in placed.items()]
+    return [device for device in devices if device.parts]
 
 
 def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int]:
@@ -94,11 +94,11 @@ def _placed(
     """Return, by speed, the weights that serve one order: stations and vectors in its unit."""
     layout, tilt = before.layout, limits.weighting.tilt
     targets = {s: targets_of(parts, s, -s in served, tilt) for s in served}
-    found = {s: _weights(layout, s, wanted, limits) for s, wanted in targets.items()}
+    weights = {s: _weights(layout, s, wanted, limits) for s, wanted in targets.items()}
     if limits.most is None or not tilt or len(served) < 2:
-        return found
-    if all(_had_all(layout, found[s], targets[s]) for s in served):
-        return found
+        return weights
+    if all(_had_all(layout, weights[s], targets[s]) for s in served):
+        return weights
     plane = layout.mean_station
     arms = sorted({z for wanted in targets.values() for z in _arms(layout, wanted, limits.stations)})
     bound = _bound(layout, served[0], limits.most)

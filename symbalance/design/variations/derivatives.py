@@ -57,8 +57,8 @@ def sensitivities(
     rotating masses, those on link pins too, stay where they are: a size moves pistons and rods alone.
 
     >>> from symbalance.engine.builders import inline
-    >>> found = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
-    >>> [(s.order, s.cylinder, s.force.vertical.cos, float(s.couple.vertical.cos)) for s in found[:2]]
+    >>> changes = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
+    >>> [(s.order, s.cylinder, s.force.vertical.cos, float(s.couple.vertical.cos)) for s in changes[:2]]
     [(1, 1, 1, 1.5), (1, 4, 1, -1.5)]
     """
     names = _checked_parameters(parameters)

@@ -105,13 +105,13 @@ def firing_orders(
     if not even_only:
         choices = [_choices(group, start, cycle, simultaneous) for start, group in groups.items()]
         return _listed(choices, cycle)
-    found: set[Firing] = set()
+    firings: set[Firing] = set()
     for together in range(1, count + 1 if simultaneous else 2):
         if count % together == 0:
             moments = {Fraction(cycle * together * k, count) for k in range(count // together)}
             choices = [_evenly(group, start, cycle, moments, together) for start, group in groups.items()]
-            found |= set(_listed(choices, cycle))
-    return sorted(found)
+            firings |= set(_listed(choices, cycle))
+    return sorted(firings)
 
 
 def evenest(layout: Engine) -> list[Firing]:
