@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from itertools import product
 
 import pytest
 import sympy
@@ -173,6 +174,44 @@ def test_the_rods_own_inertia_comes_back(tmp_path):
     assert again.first.rod_split == train.rod_split
 
 
+OWN_SIZES: list[dict[str, int]] = [
+    {},
+    {"stroke": 80},
+    {"rod": 150},
+    {"stroke": 80, "rod": 150},
+    {"stroke": 90, "rod": 180},
+]
+TRAINS = [
+    CrankTrain(stroke=stroke, rod=rod, given_ratio=ratio)
+    for stroke, rod, ratio in product((None, Fraction(80)), (None, Fraction(150)), (None, Fraction(4)))
+]
+
+
+@pytest.mark.parametrize("ratio", [None, 3])
+@pytest.mark.parametrize("train", TRAINS, ids=range(len(TRAINS)))
+def test_a_ratio_beside_strokes_and_rods_comes_back_or_is_refused(train, ratio, tmp_path):
+    """Sizes of two cylinders, each with a stroke, a rod, both or none, beside shared ones."""
+    path, written = tmp_path / "again.toml", 0
+    for first, second in product(OWN_SIZES, repeat=2):
+        rows = [sb.Cylinder(1, **first), sb.Cylinder(2, 180, **second)]
+        try:
+            layout = sb.from_cylinders(rows, crank_train=train)
+            layout = layout if ratio is None else layout.with_ratio(ratio)
+            pushes = [(group.mechanism, group.size) for group in layout.groups]
+        except sb.SymbalanceError:  # no engine: its forces would be refused
+            continue
+        ratio_alone = any(c.sizes.given_ratio and not c.stroke for c in layout.cylinders)
+        if ratio_alone and any(c.sizes.rod for c in layout.cylinders):
+            with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file beside"):
+                sb.engine_text(layout)
+            continue
+        path.write_text(sb.engine_text(layout), encoding="utf-8")
+        again = sb.load(path)
+        assert [(group.mechanism, group.size) for group in again.groups] == pushes, (first, second)
+        written += 1
+    assert written
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -286,7 +325,7 @@ def test_a_bad_option_is_refused_in_one_line(options, said, capsys):
 def test_bad_python_is_refused():
     four = sb.load("inline-4")
     for make, said in (
-        (lambda: sb.design_balance("inline-4"), "must be a Engine"),
+        (lambda: sb.design_balance("inline-4"), "must be an Engine"),
         (lambda: sb.design_balance(four, []), "names no order"),
         (lambda: sb.design_balance(four, [1.5]), "must be a whole number"),
         (lambda: sb.design_balance(four, spread="wide"), "must be one of"),

@@ -14,6 +14,7 @@ import math
 from fractions import Fraction
 
 import pytest
+from cylinders import cylinder_with
 from mpmath import mp
 from placed import along, exact, place
 from placed import turned as direction
@@ -21,7 +22,7 @@ from test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine.trains import OWN, CrankTrain
+from symbalance.engine.trains import CrankTrain
 from symbalance.kinematics.mechanisms import LinkRod, RodSplit, SliderCrank
 from symbalance.kinematics.pistons import Piston
 from symbalance.kinematics.rod import (
@@ -234,16 +235,9 @@ def test_without_offset_or_rods_the_frame_gets_the_opposite() -> None:
 
 def fired(layout: sb.Engine) -> sb.Engine:
     """Return a layout with firing angles: each cylinder at its own next dead centre of the first turn."""
+    first = layout.cylinders[0].delay
     rows = [
-        sb.Cylinder(
-            c.number,
-            c.throw.in_degrees(),
-            c.bank.in_degrees(),
-            c.station,
-            (layout.cylinders[0].delay - c.delay).in_degrees() % 360 + 360 * (c.number % 2),
-            link=c.link,
-            **{k: v for k, v in vars(c.sizes).items() if v is not None and k in OWN},
-        )
+        cylinder_with(c, fires=(first - c.delay).in_degrees() % 360 + 360 * (c.number % 2))
         for c in layout.cylinders
     ]
     return sb.Engine(rows, pitch=layout.pitch, name=layout.name)

@@ -334,7 +334,7 @@ def test_bad_formulas_are_refused(arguments, words):
 
 
 def test_other_refusals():
-    with pytest.raises(sb.SymbalanceError, match="must be a Engine"):
+    with pytest.raises(sb.SymbalanceError, match="must be an Engine"):
         sb.symbolic_order("inline-4", 1)  # type: ignore[arg-type]
     with pytest.raises(sb.SymbalanceError, match="not alike"):
         sb.symbolic_order(

@@ -135,7 +135,7 @@ class Balance(Result):
     @cached_property
     def orders(self) -> tuple[Order, ...]:
         """The orders that survive, lowest first; those that cancel are absent."""
-        found = sorted({*self.force.orders(), *self.couple.orders()})
+        numbers = sorted({*self.force.orders(), *self.couple.orders()})
         return tuple(
             Order(
                 n,
@@ -143,13 +143,13 @@ class Balance(Result):
                 Resultant(self.force, n),
                 Resultant(self.couple, n),
             )
-            for n in found
+            for n in numbers
         )
 
     def __getitem__(self, order: int) -> Order:
-        for found in self.orders:
-            if found.order == order:
-                return found
+        for one in self.orders:
+            if one.order == order:
+                return one
         kept = ", ".join(str(o.order) for o in self.orders) or "none"
         raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
 
@@ -185,7 +185,7 @@ def balance(
     order = checked_order(order)
     if not isinstance(layout, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be a Engine", 'load one with load("v12-60"), or build one'
+            f"layout = {shown(layout)}", "must be an Engine", 'load one with load("v12-60"), or build one'
         )
     if ratio is None:
         return _balance(layout, order, power, reference)

@@ -71,9 +71,9 @@ class TorqueBalance:
         return tuple(TorqueOrder(n, self.coefficient(n), c) for n, c in self.components.items())
 
     def __getitem__(self, order: int) -> TorqueOrder:
-        for found in self.orders:
-            if found.order == order:
-                return found
+        for one in self.orders:
+            if one.order == order:
+                return one
         kept = ", ".join(map(str, self.components)) or "none"
         raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
 
@@ -136,7 +136,7 @@ def checked_layout(layout: object) -> Engine:
     """Return a layout, or refuse what is none."""
     if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     return layout
 
 
@@ -169,12 +169,12 @@ def inertia_torque(
 def sine_components(layout: Engine, highest: int) -> dict[int, Component]:
     """Return the components that do not vanish; orders a modulus apart share them, and the work."""
     modulus = highest + 1 if layout.has_symbols else layout.modulus
-    seen: dict[int, Component] = {}
+    by_residue: dict[int, Component] = {}
     for n in range(1, min(highest, modulus) + 1):
         angles = [c.delay.scaled(-n) for c in layout.cylinders]
-        seen[n % modulus] = Component(summed(angles).turned(QUARTER))
-    found = {n: seen[n % modulus] for n in range(1, highest + 1)}
-    return {n: c for n, c in found.items() if not c.is_zero()}
+        by_residue[n % modulus] = Component(summed(angles).turned(QUARTER))
+    components = {n: by_residue[n % modulus] for n in range(1, highest + 1)}
+    return {n: c for n, c in components.items() if not c.is_zero()}
 
 
 def _check_no_power(layout: Engine, power: int | None) -> None:

@@ -149,5 +149,5 @@ def design_balance(
 def _checked(layout: object, ratio: object) -> Engine:
     if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     return layout if ratio is None else layout.with_ratio(ratio)

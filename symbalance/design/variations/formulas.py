@@ -160,14 +160,14 @@ def symbolic_order(
     n = checked_order(order)
     if not isinstance(layout, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be a Engine", "build one with inline(...)"
+            f"layout = {shown(layout)}", "must be an Engine", "build one with inline(...)"
         )
     mass, radius = (
         entries(layout, v, k) or [UNIT] * len(layout.cylinders)
         for v, k in ((masses, "masses"), (radii, "radii"))
     )
     weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
-    _check_hung(layout)
+    _check_link_pins(layout)
     own, kept = None, None
     if any(x is not None for x in (radii, rods, offsets)):
         kept = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
@@ -185,11 +185,10 @@ def symbolic_order(
     return SymbolicOrder(n, alike, kept, force, couple, given)
 
 
-def _check_hung(layout: Engine) -> None:
+def _check_link_pins(layout: Engine) -> None:
     """Refuse link rods: the series of a rod on the pin are not theirs. A forked rod's are."""
-    hung = next((c.number for c in layout.cylinders if c.link and c.link.radius), None)
-    if hung is not None:
-        rule = f"hangs cylinder {hung} on a link rod, which has no such series"
+    if layout.link_pins:
+        rule = f"hangs cylinder {layout.link_pins[0]} on a link rod, which has no such series"
         remedy = "take balance, or sensitivities, with numbers"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
 
@@ -234,13 +233,13 @@ def _kinematics(
     if not (series.cos.terms or series.sin.terms):
         rule = f"keeps no term of order {n}"
         raise SymbalanceError(f"through = {through}", rule, f"{max(n - 1, 1)} is the least")
-    found = []
+    kinematics = []
     for r, l_, e in zip(radius, rod, offset, strict=True):
         inverse = powered(l_, -1, "rods")
         rho, delta = multiplied(r, inverse), multiplied(e, inverse)
         parts = (_at(part.terms, rho, delta) for part in series)
-        found.append(tuple(parts))
-    return found
+        kinematics.append(tuple(parts))
+    return kinematics
 
 
 def _at(terms: Mapping[tuple[int, int], Fraction], rho: Polynomial, delta: Polynomial) -> Polynomial:

@@ -105,13 +105,13 @@ def firing_orders(
     if not even_only:
         choices = [_choices(group, start, cycle, simultaneous) for start, group in groups.items()]
         return _listed(choices, cycle)
-    found: set[Firing] = set()
+    firings: set[Firing] = set()
     for together in range(1, count + 1 if simultaneous else 2):
         if count % together == 0:
             moments = {Fraction(cycle * together * k, count) for k in range(count // together)}
             choices = [_evenly(group, start, cycle, moments, together) for start, group in groups.items()]
-            found |= set(_listed(choices, cycle))
-    return sorted(found)
+            firings |= set(_listed(choices, cycle))
+    return sorted(firings)
 
 
 def evenest(layout: Engine) -> list[Firing]:
@@ -173,7 +173,7 @@ def is_even(layout: Engine) -> bool:
 
 def _checked(layout: object) -> Engine:
     if not isinstance(layout, Engine):
-        rule = "must be a Engine"
+        rule = "must be an Engine"
         raise SymbalanceError(f"layout = {shown(layout)}", rule, "build one, as inline(throws=[0, 180])")
     return layout
 
