@@ -64,9 +64,12 @@ from symbalance.design.variations import read_parts as read_parts
 from symbalance.design.variations import sensitivities as sensitivities
 from symbalance.design.variations import symbolic_order as symbolic_order
 from symbalance.design.variations import worst_cases as worst_cases
-from symbalance.document.printing import to_json as to_json
-from symbalance.document.printing import to_latex as to_latex
-from symbalance.document.printing import to_text as to_text
+from symbalance.document.result import Result as Result
+from symbalance.document.result import to_html as to_html
+from symbalance.document.result import to_json as to_json
+from symbalance.document.result import to_latex as to_latex
+from symbalance.document.result import to_markdown as to_markdown
+from symbalance.document.result import to_text as to_text
 from symbalance.document.symbols import symbol as symbol
 from symbalance.engine.balancers import Balancers as Balancers
 from symbalance.engine.balancers import BalanceShaft as BalanceShaft

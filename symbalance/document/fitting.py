@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from symbalance.document.formula import Formula
-from symbalance.document.nodes import Cell, Column, Exact, Inline, Table, Words, inlines
+from symbalance.document.nodes import Cell, Code, Column, Exact, Inline, Strong, Table, Words, inlines
 from symbalance.document.text_writer import formula_text
 
 SHORT = 14
@@ -133,6 +133,6 @@ def plain_words(words: Words) -> str:
 
 
 def _plain(inline: Inline) -> str:
-    if isinstance(inline, str):
-        return inline
-    return inline.text if hasattr(inline, "text") and not isinstance(inline, Formula) else formula_text(inline)
+    if isinstance(inline, Code | Strong):
+        return inline.text
+    return inline if isinstance(inline, str) else formula_text(inline)

@@ -10,16 +10,20 @@ from base64 import b64encode
 from collections.abc import Sequence
 from html import escape
 from itertools import count
-from typing import assert_never
+from textwrap import shorten
 
 from symbalance.document import nodes
+from symbalance.document.document_writer import DocumentWriter, is_number
 from symbalance.document.fitting import Fitted, fitted, plain_words
-from symbalance.document.formula import Decimal, Equation, Formula, Number
+from symbalance.document.formula import Decimal, Equation, Formula
 from symbalance.document.mathml_writer import formula_mathml
-from symbalance.document.nodes import Inline, inlines
+from symbalance.document.nodes import inlines
 
 ROOM = 130.0
 """How many characters wide a table may be before exact forms give way to decimals."""
+
+LONGEST_TITLE = 70
+"""Of a page in a browser's tab and in the results of a search."""
 
 _STYLE = """
 .symbalance{max-width:60rem;font:1rem/1.45 system-ui,sans-serif}
@@ -56,109 +60,108 @@ def document_html(document: nodes.Document, *, standalone: bool = False) -> str:
     body = _Writer().document(document, top=1 if standalone else 2)
     if not standalone:
         return f"<style>{_STYLE}</style>\n{body}"
-    return _PAGE.format(title=escape(plain_words(document.title)), style=_STYLE, body=body)
+    title = shorten(plain_words(document.title), LONGEST_TITLE, placeholder="…")
+    return _PAGE.format(title=escape(title), style=_STYLE, body=body)
 
 
-class _Writer:
+class _Writer(DocumentWriter):
     def __init__(self) -> None:
         self.top = 1
         self.names = count(1)
 
     def document(self, document: nodes.Document, top: int) -> str:
         self.top = top
-        parts = ['<article class="symbalance">', self.heading(document.title, top)]
+        parts = ['<article class="symbalance">', self.title(document.title, top)]
         if inlines(document.lead):
             parts.append(f"<p>{self.words(document.lead)}</p>")
         parts += [self.block(block) for block in document.blocks]
         return "\n".join([*parts, "</article>"]) + "\n"
 
-    def heading(self, words: nodes.Words, level: int) -> str:
+    def title(self, words: nodes.Words, level: int) -> str:
         return f"<h{level}>{self.words(words)}</h{level}>"
 
-    def block(self, block: nodes.Block) -> str:
-        match block:
-            case nodes.Heading():
-                return self.heading(block.words, self.top + block.level - 1)
-            case nodes.Paragraph():
-                return f"<p>{self.words(block.words)}</p>"
-            case nodes.Facts():
-                return self.facts(block)
-            case nodes.Table():
-                return self.table(block)
-            case nodes.Formulas():
-                return "\n".join(f"<p>{formula_mathml(each, display=True)}</p>" for each in block.equations)
-            case nodes.Figure():
-                return self.figure(block)
-            case nodes.Source():
-                return self.source(block)
-            case nodes.Details():
-                inner = "\n".join(map(self.block, block.blocks))
-                return f"<details>\n<summary>{escape(block.summary)}</summary>\n{inner}\n</details>"
-        assert_never(block)
+    # Words --------------------------------------------------------------------------------------
 
-    def words(self, words: nodes.Words) -> str:
-        return "".join(map(self.inline, inlines(words)))
+    def string(self, text: str) -> str:
+        return escape(text, quote=False)
 
-    def inline(self, inline: Inline) -> str:
-        match inline:
-            case str():
-                return escape(inline, quote=False)
-            case nodes.Code():
-                return f"<code>{escape(inline.text, quote=False)}</code>"
-            case nodes.Strong():
-                return f"<strong>{escape(inline.text, quote=False)}</strong>"
-            case Decimal():
-                return formula_mathml(inline) if "e" in inline.text else escape(plain_words(inline))
-            case Formula() | Equation():
-                return formula_mathml(inline)
-        assert_never(inline)
+    def code(self, text: str) -> str:
+        return f"<code>{escape(text, quote=False)}</code>"
 
-    def facts(self, facts: nodes.Facts) -> str:
-        head = f"<p>{self.words(facts.title)}</p>\n" if inlines(facts.title) else ""
-        if all(value == "" for _, value in facts.entries):
-            items = [f"<li>{self.words(name)}</li>" for name, _ in facts.entries]
+    def strong(self, text: str) -> str:
+        return f"<strong>{escape(text, quote=False)}</strong>"
+
+    def math(self, value: Formula | Equation) -> str:
+        if isinstance(value, Decimal) and "e" not in value.text:
+            return escape(plain_words(value))
+        return formula_mathml(value)
+
+    # Blocks -------------------------------------------------------------------------------------
+
+    def heading(self, block: nodes.Heading) -> str:
+        return self.title(block.words, self.top + block.level - 1)
+
+    def paragraph(self, block: nodes.Paragraph) -> str:
+        return f"<p>{self.words(block.words)}</p>"
+
+    def formulas(self, block: nodes.Formulas) -> str:
+        return "\n".join(f"<p>{formula_mathml(each, display=True)}</p>" for each in block.equations)
+
+    def details(self, block: nodes.Details) -> str:
+        inner = "\n".join(map(self.block, block.blocks))
+        return f"<details>\n<summary>{escape(block.summary)}</summary>\n{inner}\n</details>"
+
+    def facts(self, block: nodes.Facts) -> str:
+        head = f"<p>{self.words(block.title)}</p>\n" if inlines(block.title) else ""
+        if all(value == "" for _, value in block.entries):
+            items = [f"<li>{self.words(name)}</li>" for name, _ in block.entries]
             return f"{head}<ul>\n{chr(10).join(items)}\n</ul>"
-        items = [f"<dt>{self.words(n)}</dt>\n<dd>{self.words(v)}</dd>" for n, v in facts.entries]
+        items = [f"<dt>{self.words(n)}</dt>\n<dd>{self.words(v)}</dd>" for n, v in block.entries]
         return f"{head}<dl>\n{chr(10).join(items)}\n</dl>"
 
-    def figure(self, figure: nodes.Figure) -> str:
-        if isinstance(figure.picture, bytes):
-            data = b64encode(figure.picture).decode("ascii")
-            shown = f'<img src="data:image/png;base64,{data}" alt="{escape(figure.shows)}">'
+    def figure(self, block: nodes.Figure) -> str:
+        if isinstance(block.picture, bytes):
+            data = b64encode(block.picture).decode("ascii")
+            shown = f'<img src="data:image/png;base64,{data}" alt="{escape(block.shows)}">'
         else:
-            shown = figure.picture
-        caption = f"<figcaption>{self.words(figure.caption)}</figcaption>" if inlines(figure.caption) else ""
+            shown = block.picture
+        caption = (
+            f"<figcaption>{self.words(block.caption)}</figcaption>" if inlines(block.caption) else ""
+        )
         return f"<figure>\n{shown}\n{caption}</figure>"
 
-    def source(self, source: nodes.Source) -> str:
-        rows = []
-        for line in source.lines:
-            word = f'<strong class="bad">{escape(line.verdict)}</strong>' if line.bad else escape(line.verdict)
-            notes = [f"<li>{self.words(note)}</li>" for note in line.notes]
-            notes += [f"<li>{escape(name)}: {self.inline(value)}</li>" for name, value in line.formulas]
-            below = f"<ul>{''.join(notes)}</ul>" if notes else ""
-            rows.append(
-                f'<tr><th scope="row">{escape(line.place)}</th><td><code>{escape(line.text, quote=False)}'
-                f"</code></td><td>{word}{below}</td></tr>"
-            )
-        head = '<tr><th scope="col">line</th><th scope="col">as it stands</th><th scope="col">verdict</th></tr>'
-        return self.scrolling("Lines with their verdicts", head, rows, "<caption>Lines with their verdicts</caption>")
+    def source(self, block: nodes.Source) -> str:
+        name = "Lines with their verdicts"
+        heads = "".join(f'<th scope="col">{head}</th>' for head in ("line", "as it stands", "verdict"))
+        rows = [self.source_line(line) for line in block.lines]
+        return self.scrolling(name, f"<tr>{heads}</tr>", rows, f"<caption>{name}</caption>")
+
+    def source_line(self, line: nodes.SourceLine) -> str:
+        verdict = escape(line.verdict)
+        verdict = f'<strong class="bad">{verdict}</strong>' if line.bad else verdict
+        notes = [f"<li>{self.words(note)}</li>" for note in line.notes]
+        notes += [f"<li>{escape(name)}: {self.inline(value)}</li>" for name, value in line.formulas]
+        below = f"<ul>{''.join(notes)}</ul>" if notes else ""
+        place = f'<th scope="row">{escape(line.place)}</th>'
+        return f"<tr>{place}<td>{self.code(line.text)}</td><td>{verdict}{below}</td></tr>"
 
     # Tables -------------------------------------------------------------------------------------
 
-    def table(self, table: nodes.Table) -> str:
-        if not table.rows:
-            title = f"{self.words(table.title)}: " if inlines(table.title) else ""
-            return f"<p>{title}{escape(table.empty)}</p>"
-        fit = fitted(table, lambda words: len(plain_words(words)), ROOM, 2)
+    def table(self, block: nodes.Table) -> str:
+        if not block.rows:
+            title = f"{self.words(block.title)}: " if inlines(block.title) else ""
+            return f"<p>{title}{escape(block.empty)}</p>"
+        fit = fitted(block, lambda words: len(plain_words(words)), ROOM, 2)
         columns = [_padding([row[i] for row in fit.rows]) for i in range(len(fit.columns))]
         heads = "".join(
             f'<th scope="col"{_number_class(pad)}>{self.words(column.head)}</th>'
             for column, pad in zip(fit.columns, columns, strict=True)
         )
-        rows = [self.row(row, [c and c[k] for c in columns], table.keys) for k, row in enumerate(fit.rows)]
-        caption = f"<caption>{self.words(table.title)}</caption>" if inlines(table.title) else ""
-        shown = self.scrolling(plain_words(table.title) or "table", f"<tr>{heads}</tr>", rows, caption)
+        rows = [
+            self.row(row, [c and c[k] for c in columns], block.keys) for k, row in enumerate(fit.rows)
+        ]
+        caption = f"<caption>{self.words(block.title)}</caption>" if inlines(block.title) else ""
+        shown = self.scrolling(plain_words(block.title) or "table", f"<tr>{heads}</tr>", rows, caption)
         return shown + self.left_out(fit)
 
     def row(self, row: Sequence[nodes.Words], pads: Sequence[str | None], keys: int) -> str:
@@ -166,7 +169,9 @@ class _Writer:
         for i, (words, pad) in enumerate(zip(row, pads, strict=True)):
             hidden = f'<span class="pad" aria-hidden="true">{pad}</span>' if pad else ""
             tag = 'th scope="row"' if i < keys and inlines(words) else "td"
-            cells.append(f"<{tag}{_number_class(pad)}>{self.words(words)}{hidden}</{tag.split()[0]}>")
+            cells.append(
+                f"<{tag}{_number_class(pad)}>{self.words(words)}{hidden}</{tag.split(maxsplit=1)[0]}>"
+            )
         return f"<tr>{''.join(cells)}</tr>"
 
     def scrolling(self, name: str, head: str, rows: Sequence[str], caption: str) -> str:
@@ -189,8 +194,7 @@ class _Writer:
 
 def _padding(cells: Sequence[nodes.Words]) -> list[str] | None:
     """Return what is missing behind each number of a column so that points stand in line, or None."""
-    parts = [inlines(cell) for cell in cells]
-    if not all(not p or (len(p) == 1 and isinstance(p[0], Decimal | Number)) for p in parts):
+    if not all(map(is_number, cells)):
         return None
     tails = [plain_words(cell).partition(".")[1:] for cell in cells]
     if any("e" in tail for _, tail in tails):

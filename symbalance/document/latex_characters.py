@@ -31,8 +31,6 @@ def escaped(text: str) -> str:
     return "".join(_SPECIAL.get(c, c if c.isascii() else letter(c)) for c in encodable_name(text))
 
 
-_RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
-_LOWERED = "₀₁₂₃₄₅₆₇₈₉"
 _SIGNS = {
     "≈": r"$\approx$",
     "≥": r"$\geq$",
@@ -67,12 +65,10 @@ _SIGNS = {
     "\u202f": " ",
     "≃": r"$\simeq$",
     "∈": r"$\in$",
-    "ₓ": "$_x$",
     "∼": r"$\sim$",
     "─": "--",
     "Å": r"\AA{}",
     "µ": r"$\mu$",
-    "′": r"$'$",
     "‐": "-",
     "‑": "-",
     "‘": "`",
@@ -99,18 +95,21 @@ def letter(character: str) -> str:
     """Return a character beyond ASCII as LaTeX prints it; by its code where it cannot."""
     if character in _SIGNS:
         return _SIGNS[character]
-    if _is_east_asian(character):
-        return character
-    if character in _RAISED:
-        return rf"$^{{{'-0123456789'[_RAISED.index(character)]}}}$"
-    if character in _LOWERED:
-        return rf"$_{{{_LOWERED.index(character)}}}$"
     name = unicodedata.name(character, "")
-    if greek := _greek(name):
-        return greek
-    if name.startswith("LATIN ") and character <= "\u00ff":
+    if known := _greek(name) or _script(character):
+        return known
+    if (name.startswith("LATIN ") and character <= "\u00ff") or _is_east_asian(character):
         return character
     return rf"\texttt{{U+{ord(character):04X}}}"
+
+
+def _script(character: str) -> str:
+    """Return a raised or lowered character, empty for any other."""
+    kind, _, code = unicodedata.decomposition(character).partition(" ")
+    if kind not in ("<super>", "<sub>") or " " in code:
+        return ""
+    line = chr(int(code, 16)).replace("−", "-")
+    return rf"${'^' if kind == '<super>' else '_'}{{{line}}}$" if line.isascii() else ""
 
 
 def _greek(name: str) -> str:

@@ -9,15 +9,15 @@ lualatex with luatexja, and pdflatex stops and says so.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import assert_never
 
 from symbalance.document import nodes
 from symbalance.document.displayed import displayed
+from symbalance.document.document_writer import DocumentWriter, is_number
 from symbalance.document.fitting import Fitted, LeftOut, fitted, plain_words
-from symbalance.document.formula import Decimal, Equation, Formula, Name, Number, Words
+from symbalance.document.formula import Equation, Formula, Words
 from symbalance.document.latex_characters import escaped, holds_east_asian
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
-from symbalance.document.nodes import Inline, inlines
+from symbalance.document.nodes import inlines
 
 ROOM = 66.0
 """How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
@@ -69,7 +69,7 @@ def document_latex(document: nodes.Document, *, standalone: bool = False) -> str
     return f"% Needs \\usepackage{{{','.join(needs)}}}{also}\n{body}"
 
 
-class _Writer:
+class _Writer(DocumentWriter):
     def document(self, document: nodes.Document) -> str:
         title = self.words(document.title)
         parts = [rf"\section*{{{title}}}"]
@@ -78,66 +78,63 @@ class _Writer:
         parts += [self.block(block) for block in document.blocks]
         return "\n".join(parts) + "\n"
 
-    def block(self, block: nodes.Block) -> str:
-        """Return a block, ended so that the next begins a paragraph of its own."""
-        match block:
-            case nodes.Heading():
-                command = "subsection" if block.level == 2 else "subsubsection"
-                return rf"\{command}*{{{self.words(block.words)}}}"
-            case nodes.Paragraph():
-                return self.words(block.words) + r"\par"
-            case nodes.Facts():
-                return self.facts(block)
-            case nodes.Table():
-                return self.table(block)
-            case nodes.Formulas():
-                return _aligned(block.equations)
-            case nodes.Figure():
-                return self.figure(block)
-            case nodes.Source():
-                return "\n".join(map(self.source_line, block.lines))
-            case nodes.Details():
-                head = rf"\subsubsection*{{{escaped(block.summary)}}}"
-                return "\n".join([head, *map(self.block, block.blocks)])
-        assert_never(block)
-
     # Words --------------------------------------------------------------------------------------
 
-    def words(self, words: nodes.Words) -> str:
-        return "".join(map(self.inline, inlines(words)))
+    def string(self, text: str) -> str:
+        return escaped(text)
 
-    def inline(self, inline: Inline) -> str:
-        match inline:
-            case str():
-                return escaped(inline)
-            case nodes.Code():
-                return _code(inline.text)
-            case nodes.Strong():
-                return rf"\textbf{{{escaped(inline.text)}}}"
-            case Formula() | Equation():
-                return f"${formula_latex(inline, inline=True)}$"
-        assert_never(inline)
+    def code(self, text: str) -> str:
+        """Return text taken literally, which may be broken after signs that open or join."""
+        printed = escaped(text)
+        for mark in (r"\textbackslash{}", "=", "+", ",", r"\}", "/"):
+            printed = printed.replace(mark, mark + r"\allowbreak{}")
+        return rf"\texttt{{{printed}}}"
 
-    def facts(self, facts: nodes.Facts) -> str:
+    def strong(self, text: str) -> str:
+        return rf"\textbf{{{escaped(text)}}}"
+
+    def math(self, value: Formula | Equation) -> str:
+        return f"${formula_latex(value, inline=True)}$"
+
+    # Blocks -------------------------------------------------------------------------------------
+
+    def heading(self, block: nodes.Heading) -> str:
+        command = "subsection" if block.level == 2 else "subsubsection"
+        return rf"\{command}*{{{self.words(block.words)}}}"
+
+    def paragraph(self, block: nodes.Paragraph) -> str:
+        return self.words(block.words) + r"\par"
+
+    def formulas(self, block: nodes.Formulas) -> str:
+        return _aligned(block.equations)
+
+    def source(self, block: nodes.Source) -> str:
+        return "\n".join(map(self.source_line, block.lines))
+
+    def details(self, block: nodes.Details) -> str:
+        head = rf"\subsubsection*{{{escaped(block.summary)}}}"
+        return "\n".join([head, *map(self.block, block.blocks)])
+
+    def facts(self, block: nodes.Facts) -> str:
         """Return facts as paragraphs with their name before them, hung below it."""
-        lines = [rf"\textbf{{{self.words(facts.title)}}}\par\nobreak"] if inlines(facts.title) else []
-        for name, value in facts.entries:
+        lines = [rf"\textbf{{{self.words(block.title)}}}\par\nobreak"] if inlines(block.title) else []
+        for name, value in block.entries:
             said = f": {self.words(value)}" if inlines(value) else ""
             lines.append(rf"{{\hangindent=1.5em\hangafter=1 {self.words(name)}{said}\par}}")
         return "\n".join(lines)
 
-    def figure(self, figure: nodes.Figure) -> str:
-        if not isinstance(figure.picture, bytes):
-            return rf"{escaped(figure.shows)} (\texttt{{{escaped(figure.name)}}})\par"
-        caption = rf"\\{self.words(figure.caption)}" if inlines(figure.caption) else ""
-        picture = rf"\includegraphics[width=\linewidth]{{{figure.name}}}"
+    def figure(self, block: nodes.Figure) -> str:
+        if not isinstance(block.picture, bytes):
+            return rf"{escaped(block.shows)} (\texttt{{{escaped(block.name)}}})\par"
+        caption = rf"\\{self.words(block.caption)}" if inlines(block.caption) else ""
+        picture = rf"\includegraphics[width=\linewidth]{{{block.name}}}"
         return "\n".join([r"\begin{center}", picture + caption, r"\end{center}"])
 
     def source_line(self, line: nodes.SourceLine) -> str:
         verdict = escaped(line.verdict)
         verdict = rf"\fbox{{\textsc{{{verdict.lower()}}}}}" if line.bad else rf"\textit{{{verdict}}}"
         parts = [rf"\textbf{{{escaped(line.place)}}}\quad {verdict}\par\nobreak"]
-        parts.append(rf"{{\small\raggedright {_code(line.text)}\par}}")
+        parts.append(rf"{{\small\raggedright {self.code(line.text)}\par}}")
         parts += [rf"{{\small\raggedright {self.words(note)}\par}}" for note in line.notes]
         if line.formulas:
             equations = [Equation(Words(name), (("", value),)) for name, value in line.formulas]
@@ -146,11 +143,11 @@ class _Writer:
 
     # Tables -------------------------------------------------------------------------------------
 
-    def table(self, table: nodes.Table) -> str:
-        title = f"{self.words(table.title)}" if inlines(table.title) else ""
-        if not table.rows:
-            return rf"{title}: {escaped(table.empty)}.\par" if title else rf"{escaped(table.empty)}.\par"
-        fit = fitted(table, _width, ROOM / 0.8, _GAP)
+    def table(self, block: nodes.Table) -> str:
+        title = f"{self.words(block.title)}" if inlines(block.title) else ""
+        if not block.rows:
+            return rf"{title}: {escaped(block.empty)}.\par" if title else rf"{escaped(block.empty)}.\par"
+        fit = fitted(block, _width, ROOM / 0.8, _GAP)
         parts = []
         for first in range(0, len(fit.rows), ROWS):
             head = title if first == 0 else f"{title} (continued)" if title else ""
@@ -159,7 +156,9 @@ class _Writer:
 
     def tabular(self, title: str, fit: Fitted, rows: Sequence[tuple[nodes.Words, ...]]) -> str:
         """Return a part of a table that fits a page, in the largest size that fits a line."""
-        columns = [_Column([fit.columns[i].head, *(row[i] for row in fit.rows)]) for i in range(len(fit.columns))]
+        columns = [
+            _Column([fit.columns[i].head, *(row[i] for row in fit.rows)]) for i in range(len(fit.columns))
+        ]
         whole = sum(column.width for column in columns) + _GAP * (len(columns) - 1)
         paragraph = _paragraph(columns, whole)
         if paragraph is not None:
@@ -168,13 +167,14 @@ class _Writer:
             columns[paragraph].as_paragraph(whole - rest - _GAP * (len(columns) - 1))
         size = next((name for scale, name in _SIZES if whole * scale <= ROOM), _SIZES[-1][1])
         shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
-        lines = [rf"{title}\par\nobreak\smallskip" if title else ""]
-        lines += [rf"{{{size}\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
+        lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
+        lines += [rf"{{{size}", rf"\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
         lines.append(" & ".join(c.head(self.words(c.cells[0])) for c in columns) + r" \\")
         lines.append(r"\midrule")
         body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
-        gap = r"[4pt]" if any(r"\frac" in line or "aligned" in line for line in body) else ""
-        lines += [rf"{line} \\{gap}" for line in body]
+        if any(r"\frac" in line or "aligned" in line for line in body):
+            lines.insert(-4, r"\renewcommand{\arraystretch}{1.5}")
+        lines += [rf"{line} \\" for line in body]
         lines += [r"\bottomrule", r"\end{tabular}}"]
         return _kept_together("\n".join(line for line in lines if line))
 
@@ -185,7 +185,7 @@ class _Column:
     def __init__(self, cells: Sequence[nodes.Words]) -> None:
         self.cells = cells
         body = [inlines(cell) for cell in cells[1:]]
-        self.is_number = all(not c or (len(c) == 1 and isinstance(c[0], Decimal | Number)) for c in body)
+        self.is_number = all(map(is_number, cells[1:]))
         printed = [plain_words(cell) for cell in cells[1:]]
         self.splits = self.is_number and any("." in p for p in printed)
         self.width = max(map(_width, cells))
@@ -209,13 +209,16 @@ class _Column:
             return rf"${whole}$ & ${point}{fraction}$" if point else rf"${printed}$ & "
         if len(parts) == 1 and isinstance(parts[0], Formula):
             return f"${_in_cell(parts[0])}$"
-        return writer.words(words)
+        return "".join(
+            f"${formula_latex(part)}$" if isinstance(part, Formula) else writer.inline(part)
+            for part in parts
+        )
 
 
 def _in_cell(value: Formula) -> str:
     """Return a formula for a cell, over several lines where it is wider than a line."""
     if latex_width(formula_latex(value)) <= ROOM * 0.75:
-        return rf"\displaystyle {formula_latex(value)}"
+        return formula_latex(value)
     equation = Equation(Words(""), (("", value),))
     lines = [line.printed for line in displayed([equation], LatexWriter(), ROOM * 0.7, _INDENT)]
     return r"\begin{aligned}[t]&" + r" \\ &".join(lines) + r"\end{aligned}"
@@ -233,15 +236,14 @@ def _left_out(forms: Sequence[LeftOut]) -> list[str]:
     """Return the exact forms that have no room in a table, below it."""
     if not forms:
         return []
-    equations = [
-        Equation(Words(f"{each.place} {each.name}"), (("=", each.value),)) for each in forms
-    ]
+    equations = [Equation(Words(f"{each.place} {each.name}"), (("=", each.value),)) for each in forms]
     return [r"exactly:\par\nobreak", _aligned(equations)]
 
 
 def _aligned(equations: Sequence[Equation]) -> str:
     rows = displayed(equations, LatexWriter(), ROOM, _INDENT)
-    lines = [f"{name} &{r'\quad ' * depth}{line}".strip() for name, depth, line in rows]
+    quad = r"\quad "
+    lines = [f"{name} &{quad * depth}{line}".strip() for name, depth, line in rows]
     return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
 
 
@@ -258,14 +260,7 @@ def _width(words: nodes.Words) -> float:
     return total
 
 
-def _code(text: str) -> str:
-    """Return text taken literally, which may be broken after signs that open or join."""
-    printed = escaped(text)
-    for mark in (r"\textbackslash{}", "=", "+", ",", r"\}", "/"):
-        printed = printed.replace(mark, mark + r"\allowbreak{}")
-    return rf"\texttt{{{printed}}}"
-
-
 def _kept_together(body: str) -> str:
     """Return lines that stay on one page."""
-    return f"\\par\\medskip\\noindent\\begin{{minipage}}{{\\linewidth}}\n{body}\n\\end{{minipage}}\\par\\medskip"
+    begin, end = r"\par\medskip\noindent\begin{minipage}{\linewidth}", r"\end{minipage}\par\medskip"
+    return f"{begin}\n{body}\n{end}"

@@ -37,7 +37,7 @@ class Result:
         raise NotImplementedError
 
     def data(self) -> dict[str, Any]:
-        """Return the result as plain data: numbers, strings, lists and dicts, exact numbers as strings."""
+        """Return the result as numbers, strings, lists and dicts; exact numbers are strings."""
         raise NotImplementedError
 
     def records(self) -> list[dict[str, Any]]:
@@ -62,7 +62,9 @@ def to_text(result: Result, *, width: int = 80) -> str:
     from symbalance.document.text_document import document_text
 
     if not isinstance(width, int) or width < 40:
-        raise SymbalanceError(f"width = {width}", "must be a whole number, 40 or more", "80 is the default")
+        raise SymbalanceError(
+            f"width = {width}", "must be a whole number, 40 or more", "80 is the default"
+        )
     return document_text(_checked(result).document(), width)
 
 

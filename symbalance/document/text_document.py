@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from textwrap import wrap
-from typing import assert_never
 
 from symbalance.document import nodes
-from symbalance.document.fitting import Fitted, fitted
 from symbalance.document.displayed import displayed
-from symbalance.document.formula import Decimal, Equation, Formula, Number
-from symbalance.document.nodes import Inline, Words, inlines
+from symbalance.document.document_writer import DocumentWriter, is_number
+from symbalance.document.fitting import Fitted, fitted
+from symbalance.document.formula import Equation, Formula
+from symbalance.document.nodes import Words, inlines
 from symbalance.document.text_writer import TextWriter, formula_text
 
 WIDTH = 80
@@ -33,87 +33,85 @@ def document_text(document: nodes.Document, width: int = WIDTH, quoted: Spelled 
     return _Writer(width, quoted).document(document)
 
 
-class _Writer:
+class _Writer(DocumentWriter):
     def __init__(self, width: int, quoted: Spelled) -> None:
         self.width = width - 1
         """The last column stays free: some terminals wrap a line that fills it."""
         self.quoted = quoted
 
     def document(self, document: nodes.Document) -> str:
-        title = self.plain(document.title)
-        head = [*self.wrapped(document.title)]
+        """Return a whole document."""
+        head = self.wrapped(document.title)
         if any(isinstance(block, nodes.Heading) for block in document.blocks):
-            head.append("=" * min(len(title), self.width))
-        parts = ["\n".join(head)]
+            head.append("=" * max(map(len, head)))
         if inlines(document.lead):
-            parts[0] += "\n" + "\n".join(self.wrapped(document.lead))
-        parts += ["\n".join(self.block(block)) for block in document.blocks]
+            head += self.wrapped(document.lead)
+        parts = ["\n".join(head), *map(self.block, document.blocks)]
         return "\n\n".join(part for part in parts if part) + "\n"
-
-    def block(self, block: nodes.Block) -> list[str]:
-        """Return a block's lines."""
-        match block:
-            case nodes.Heading():
-                title = self.plain(block.words)
-                return [*self.wrapped(block.words), "-" * min(len(title), self.width)]
-            case nodes.Paragraph():
-                return self.wrapped(block.words)
-            case nodes.Facts():
-                return self.facts(block)
-            case nodes.Table():
-                return self.table(block)
-            case nodes.Formulas():
-                return self.formulas(block.equations)
-            case nodes.Figure():
-                caption = f"{self.plain(block.caption)}: " if inlines(block.caption) else ""
-                return self.wrapped(f"{caption}[{block.name}] {block.shows}")
-            case nodes.Source():
-                return [line for each in block.lines for line in self.source_line(each)]
-            case nodes.Details():
-                inner = ["\n".join(self.block(each)) for each in block.blocks]
-                return [block.summary, *"\n\n".join(inner).split("\n")]
-        assert_never(block)
 
     # Words --------------------------------------------------------------------------------------
 
-    def plain(self, words: Words) -> str:
-        """Return words as one line; the spaces within a formula may not become line ends."""
-        return "".join(map(self.inline, inlines(words))).replace(_HARD, " ")
+    def string(self, text: str) -> str:
+        return text
 
-    def inline(self, inline: Inline) -> str:
-        match inline:
-            case str():
-                return inline
-            case nodes.Code():
-                return self.quoted(inline.text)
-            case nodes.Strong():
-                return inline.text
-            case Formula() | Equation():
-                return formula_text(inline).replace(" ", _HARD)
-        assert_never(inline)
+    def code(self, text: str) -> str:
+        return self.quoted(text)
+
+    def strong(self, text: str) -> str:
+        return text
+
+    def math(self, value: Formula | Equation) -> str:
+        return formula_text(value).replace(" ", _HARD)
+
+    def plain(self, words: Words) -> str:
+        """Return words as one line."""
+        return self.words(words).replace(_HARD, " ")
 
     def wrapped(self, words: Words, first: str = "", rest: str = "", width: int = 0) -> list[str]:
         """Return words as lines; a formula wider than a line is broken before a sign."""
-        text = "".join(map(self.inline, inlines(words)))
+        text = self.words(words)
         room = width or self.width
         if any(len(piece) > room - len(rest) for piece in text.split(" ")):
             text = _SIGNS.sub(" ", text)
         lines = wrap(
-            text, room, initial_indent=first, subsequent_indent=rest, break_long_words=False,
+            text,
+            room,
+            initial_indent=first,
+            subsequent_indent=rest,
+            break_long_words=False,
             break_on_hyphens=False,
-        )  # fmt: skip
+        )
         return [line.replace(_HARD, " ") for line in lines or [first.rstrip()]]
 
-    def facts(self, facts: nodes.Facts) -> list[str]:
-        """Return facts, names in a column of their own where they are short."""
-        head = self.wrapped(facts.title) if inlines(facts.title) else []
-        names = [self.plain(name) for name, _ in facts.entries]
+    # Blocks -------------------------------------------------------------------------------------
+
+    def heading(self, block: nodes.Heading) -> str:
+        lines = self.wrapped(block.words)
+        return "\n".join([*lines, "-" * max(map(len, lines))])
+
+    def paragraph(self, block: nodes.Paragraph) -> str:
+        return "\n".join(self.wrapped(block.words))
+
+    def figure(self, block: nodes.Figure) -> str:
+        caption = f"{self.plain(block.caption)}: " if inlines(block.caption) else ""
+        return "\n".join(self.wrapped(f"{caption}[{block.name}] {block.shows}"))
+
+    def source(self, block: nodes.Source) -> str:
+        return "\n".join(line for each in block.lines for line in self.source_line(each))
+
+    def details(self, block: nodes.Details) -> str:
+        return "\n\n".join([block.summary, *map(self.block, block.blocks)])
+
+    def facts(self, block: nodes.Facts) -> str:
+        """Return facts, names in a column of their own."""
+        head = self.wrapped(block.title) if inlines(block.title) else []
+        names = [self.plain(name) for name, _ in block.entries]
         column = max(map(len, names), default=0)
         lines = []
-        for name, (_, value) in zip(names, facts.entries, strict=True):
+        for name, (_, value) in zip(names, block.entries, strict=True):
             lead = f"{_INDENT}{name:<{column}}  " if value != "" else f"{_INDENT}{name}"
             lines += self.wrapped(value, lead, " " * len(lead))
-        return [*head, *lines]
+        return "\n".join([*head, *lines])
 
     def source_line(self, line: nodes.SourceLine) -> list[str]:
         head = f"{line.place:>6}  {line.verdict:<28} {self.quoted(line.text)}".rstrip()
@@ -124,20 +122,21 @@ class _Writer:
 
     # Formulas -----------------------------------------------------------------------------------
 
-    def formulas(self, equations: Sequence[Equation]) -> list[str]:
-        rows = list(displayed(equations, TextWriter(), self.width - len(_INDENT), len(_INDENT)))
+    def formulas(self, block: nodes.Formulas) -> str:
+        rows = list(displayed(block.equations, TextWriter(), self.width - len(_INDENT), len(_INDENT)))
         left = max((len(name) for name, _, _ in rows), default=0)
-        return [f"{_INDENT}{name:>{left}} {_INDENT * depth}{line}" for name, depth, line in rows]
+        lines = [f"{name:>{left}} {_INDENT * depth}{line}" for name, depth, line in rows]
+        return "\n".join(f"{_INDENT}{line}" for line in lines)
 
     # Tables -------------------------------------------------------------------------------------
 
-    def table(self, table: nodes.Table) -> list[str]:
-        title = self.wrapped(table.title) if inlines(table.title) else []
-        if not table.rows:
-            return [*title, *self.wrapped(table.empty, _INDENT, _INDENT)]
+    def table(self, block: nodes.Table) -> str:
+        title = self.wrapped(block.title) if inlines(block.title) else []
+        if not block.rows:
+            return "\n".join([*title, *self.wrapped(block.empty, _INDENT, _INDENT)])
         room = self.width - len(_INDENT)
-        fit = fitted(table, lambda words: len(self.plain(words)), room, _GAP)
-        return [*title, *self.grid(fit, room), *self.left_out(fit)]
+        fit = fitted(block, lambda words: len(self.plain(words)), room, _GAP)
+        return "\n".join([*title, *self.grid(fit, room), *self.left_out(fit)])
 
     def grid(self, fit: Fitted, room: int) -> list[str]:
         columns = [
@@ -162,7 +161,7 @@ class _Writer:
     def column(self, cells: Sequence[Words]) -> list[str]:
         """Return a column's cells; where all below the head are numbers, their points stand in line."""
         head, *body = map(self.plain, cells)
-        if not all(_is_number(cell) for cell in cells[1:]):
+        if not all(is_number(cell) for cell in cells[1:]):
             return [head, *body]
         before = max(len(_whole(cell)) for cell in body)
         body = [" " * (before - len(_whole(cell))) + cell if cell else "" for cell in body]
@@ -172,16 +171,14 @@ class _Writer:
         return [head, *body]
 
     def narrowed(self, fit: Fitted, widths: list[int], over: int) -> list[int]:
-        """Return widths that fit, the widest columns of words giving way."""
+        """Return widths that fit, the widest columns giving way: words, and the heads of numbers."""
         narrow = list(widths)
-        while over > 0:
-            open_columns = [
-                i
-                for i, width in enumerate(narrow)
-                if width > _NARROWEST and not all(_is_number(row[i]) for row in fit.rows)
-            ]
-            if not open_columns:
-                break
+        numbers = [all(is_number(row[i]) for row in fit.rows) for i in range(len(widths))]
+        least = [
+            max(len(self.plain(row[i])) for row in fit.rows) + 1 if numbers[i] else _NARROWEST
+            for i in range(len(widths))
+        ]
+        while over > 0 and (open_columns := [i for i, w in enumerate(narrow) if w > least[i]]):
             narrow[max(open_columns, key=lambda i: narrow[i])] -= 1
             over -= 1
         return narrow
@@ -200,11 +197,6 @@ class _Writer:
 
 _SIGNS = re.compile(f"{_HARD}(?=[+−=≈] ?)")
 """Where a formula too wide for a line may be broken."""
-
-
-def _is_number(words: Words) -> bool:
-    parts = inlines(words)
-    return not parts or (len(parts) == 1 and isinstance(parts[0], Decimal | Number))
 
 
 def _whole(cell: str) -> str:

@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Formula
+from symbalance.document.formula import Decimal
 from symbalance.document.nodes import Words
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from symbalance.document.decimals import shown
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Formula, Name, number, Subscript, cos, equal, sin
+from symbalance.document.formula import Decimal, Formula, Name, Subscript, Words, cos, equal, number, sin
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -15,9 +16,9 @@ from symbalance.document.nodes import (
     Facts,
     Paragraph,
     Table,
-    Words,
     blocks,
 )
+from symbalance.document.nodes import Words as Said
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.balancer_facts import balancer_facts
 from symbalance.engine.engine import Engine
@@ -27,11 +28,10 @@ from symbalance.forces.resultants import Balance
 from symbalance.forces.roll_rows import roll_rows
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, rotating, rows
 from symbalance.kinematics.series_printing import series_formula
-from symbalance.document.decimals import shown
 from symbalance.text.numbers import short_text
 
 LONGEST_PHASE = 8
-"""A phase that takes more characters, an atan2 or a fine fraction of pi, is written rounded, in radians."""
+"""A phase that takes more characters, an atan2 or a fine fraction of pi, is written rounded."""
 SHORT = 14
 """An exact amplitude of a rotating part that takes more characters is written rounded."""
 _M, _R, _L, _A, _N = Name("m"), Name("r"), Name("l"), Name("a"), Name("n")
@@ -70,13 +70,16 @@ def conventions(balance: Balance) -> tuple[Block, ...]:
     """Return what an engine's letters, signs and angles mean, and what it is balanced by."""
     layout = balance.layout
     fires = firing(layout)
-    entries: list[tuple[Words, Words]] = [("fires", fires)] if fires else []
+    entries: list[tuple[Said, Said]] = [("fires", fires)] if fires else []
     entries.append(((_THETA, " = 0"), f"{origin(layout)}; θ runs clockwise seen from the front"))
     if balance.kinematics:
         ratio = "" if balance.ratio is None else f", here {short_text(balance.ratio)}"
         entries += [
             (equal(_LAM, _L / _R), f"connecting rod over crank radius{ratio or ', not given'}"),
-            ((_M, ", ", _R, ", ", _A), "reciprocating mass of one cylinder, crank radius, cylinder pitch"),
+            (
+                (_M, ", ", _R, ", ", _A),
+                "reciprocating mass of one cylinder, crank radius, cylinder pitch",
+            ),
         ]
     else:
         first = layout.first.number
@@ -86,13 +89,20 @@ def conventions(balance: Balance) -> tuple[Block, ...]:
     entries += [("balanced by", said) for said in balancer_facts(layout)]
     entries += [
         ("signs", "+ is up or right seen from the front; a couple + pushes the front up or right"),
-        ("order n", ("C cos nθ + S sin nθ = amplitude · cos(nθ − phase)",)),
+        ("order n", WAVE),
     ]
     facts = Facts(tuple(entries), "How to read it")
     return (facts,) if balance.kinematics else (kind_table(layout), facts)
 
 
-def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
+_ANGLE = _N * _THETA
+WAVE = equal(
+    Name("C") * cos(_ANGLE) + Name("S") * sin(_ANGLE), Words("amplitude") * cos(_ANGLE - Words("phase"))
+)
+"""What an order's coefficients, amplitude and phase are."""
+
+
+def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
     kept = rows(balance, name)
     table = component_table(title, kept, empty=f"none, to order {balance.highest}")
     return (table, *_rotating(balance, name)) if kept else (table,)
@@ -105,7 +115,6 @@ def _roll(balance: Balance) -> tuple[Block, ...]:
     return (component_table(title, kept),) if kept else ()
 
 
-_ANGLE = _N * _THETA
 _HEAD = (
     Column("order"),
     Column("component"),
@@ -116,7 +125,7 @@ _HEAD = (
 )
 
 
-def component_table(title: Words, kept: Sequence[Row], empty: str = "none") -> Table:
+def component_table(title: Said, kept: Sequence[Row], empty: str = "none") -> Table:
     """Return a table of components, exact where there is room, in decimals where there is not."""
     return Table(title, _HEAD, tuple(map(_cells, kept)), keys=2, empty=empty)
 
@@ -141,7 +150,7 @@ def _cells(row: Row) -> tuple[Cell, ...]:
     )
 
 
-def _short_phase(value: Formula, decimal: str) -> Words:
+def _short_phase(value: Formula, decimal: str) -> Said:
     return value if len(formula_text(value)) <= LONGEST_PHASE else ("≈ ", Decimal(decimal))
 
 
@@ -185,12 +194,16 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
 def _coefficients(balance: Balance) -> tuple[Block, ...]:
     if not balance.orders or balance.kinematics is None:
         return ()
-    at: Words = "" if balance.ratio is None else (_A_N, " at ", equal(_LAM, Decimal(short_text(balance.ratio))))
+    at: Said = (
+        "" if balance.ratio is None else (_A_N, " at ", equal(_LAM, Decimal(short_text(balance.ratio))))
+    )
     cells = []
     for order in balance.orders:
         assert order.coefficient is not None
         value = balance.values.get(order.order)
         written = "" if value is None else Decimal(shown(value))
-        cells.append((number(order.order), series_formula(order.coefficient), written))
+        cells.append((number(order.order), series_formula(order.coefficient, ellipsis=True), written))
     columns = (Column("order"), Column((_A_N, " in powers of ", 1 / _LAM)), Column(at))
-    return (Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells)),)
+    return (
+        Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells)),
+    )

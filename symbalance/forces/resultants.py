@@ -122,7 +122,7 @@ class Balance(Result):
         return balance_data(self)
 
     def records(self) -> list[dict[str, Any]]:
-        """Return a row for each component of each order: exact, and in decimals where it has no symbols."""
+        """Return a row for each component of each order, in decimals where it has no symbols."""
         from symbalance.forces.balance_data import balance_records
 
         return balance_records(self)

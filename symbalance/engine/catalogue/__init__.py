@@ -66,6 +66,12 @@ def load(engine: str | Path) -> Engine:
     [1, 2, 9, 10, 5, 6, 11, 12, 3, 4, 7, 8]
     """
     name = str(engine)
-    if isinstance(engine, Path) or name == STANDARD_INPUT or name.endswith(".toml") or "/" in name or "\\" in name:
+    if (
+        isinstance(engine, Path)
+        or name == STANDARD_INPUT
+        or name.endswith(".toml")
+        or "/" in name
+        or "\\" in name
+    ):
         return read_engine_file(engine)
     return parse_engine(preset_text(name), f"{name}.toml")
