@@ -17,9 +17,24 @@ def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
 
 
+def _design() -> Result:
+    return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
+
+
+def _design_unlike() -> Result:
+    return sb.design_balance(sb.load("vw-vr6"), [1], per_throw=True)
+
+
+def _ellipse() -> Result:
+    return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
+    "design": _design,
+    "design-unlike": _design_unlike,
+    "ellipse": _ellipse,
 }
 """By a name of its own for each; a class may have several."""
 

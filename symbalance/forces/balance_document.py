@@ -6,7 +6,18 @@ from collections.abc import Sequence
 
 from symbalance.document.decimals import shown
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Formula, Name, Subscript, Words, cos, equal, number, sin
+from symbalance.document.formula import (
+    Decimal,
+    Equation,
+    Formula,
+    Name,
+    Subscript,
+    Words,
+    cos,
+    equal,
+    number,
+    sin,
+)
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -47,30 +58,44 @@ def balance_document(balance: Balance) -> Document:
 
 def engine_title(layout: Engine) -> str:
     """Return an engine in a line: its name, strokes, cylinders and banks."""
+    return f"{layout.name}: {engine_words(layout)}"
+
+
+def engine_words(layout: Engine) -> str:
+    """Return an engine's strokes, cylinders and banks, where its name stands already."""
     count = len(layout.cylinders)
-    return (
-        f"{layout.name}: {strokes(layout)}, {count} cylinder{'s' if count > 1 else ''}, {banks(layout)}"
-    )
+    return f"{strokes(layout)}, {count} cylinder{'s' if count > 1 else ''}, {banks(layout)}"
 
 
 def resultant_blocks(balance: Balance) -> tuple[Block, ...]:
     """Return the free force, the free couple, the shafts' roll moment and the coefficients."""
-    alike = balance.kinematics is not None
-    force = equal(_F_N, _A_N * _MR) if alike else _MR
-    couple = _F_N * _A if alike else _MR * _A
     return blocks(
-        _resultant(balance, "force", ("Free force, unit ", force)),
-        _resultant(balance, "couple", (f"Free couple about {plane(balance)}, unit ", couple)),
+        _resultant(balance, "force", ("Free force, unit ", unit(balance, "force"))),
+        _resultant(
+            balance,
+            "couple",
+            (f"Free couple about {plane(balance)}, unit ", unit(balance, "couple")),
+        ),
         _roll(balance),
         _coefficients(balance),
     )
 
 
-def conventions(balance: Balance) -> tuple[Block, ...]:
-    """Return what an engine's letters, signs and angles mean, and what it is balanced by."""
+def unit(balance: Balance, name: str) -> Formula | Equation:
+    """Return the unit of a balance's "force" or "couple" of order n."""
+    if balance.kinematics is None:
+        return _MR if name == "force" else _MR * _A
+    return equal(_F_N, _A_N * _MR) if name == "force" else _F_N * _A
+
+
+def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tuple[Block, ...]:
+    """Return what an engine's letters, signs and angles mean, and what it is balanced by.
+
+    `own` are what a result's own tables mean; they stand before the rest.
+    """
     layout = balance.layout
     fires = firing(layout)
-    entries: list[tuple[Said, Said]] = [("fires", fires)] if fires else []
+    entries: list[tuple[Said, Said]] = [*own, *([("fires", fires)] if fires else [])]
     entries.append(((_THETA, " = 0"), f"{origin(layout)}; θ runs clockwise seen from the front"))
     if balance.kinematics:
         ratio = "" if balance.ratio is None else f", here {short_text(balance.ratio)}"
