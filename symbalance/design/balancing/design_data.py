@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, degrees, hypot
+from math import hypot
 from typing import Any
 
 from symbalance.design.balancing.certifying import Claim
@@ -15,6 +15,7 @@ from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import Component
 from symbalance.forces.balance_data import VALUE_DIGITS, balance_data, component_values
 from symbalance.text.numbers import decimal_text
+from symbalance.text.reals import atan2, pi
 
 
 def design_data(design: Design) -> dict[str, Any]:
@@ -83,6 +84,12 @@ def _vector(number: Amplitude) -> dict[str, Any]:
     return dict(component_values(Component(number)))
 
 
+def _degrees(vector: Amplitude) -> float:
+    """Return where a vector points, from straight up."""
+    near = vector.evaluated()
+    return float(atan2(near.imag, near.real) * 180 / pi())
+
+
 def _claim(claim: Claim) -> dict[str, Any]:
     return {
         "order": f"{claim.signed:+d}",
@@ -108,7 +115,7 @@ def design_records(design: Design) -> list[dict[str, Any]]:
         exact = {"exact_up": str(part.cos), "exact_right": str(part.sin)}
         decimals: dict[str, Any] = {}
         if up is not None and right is not None:
-            decimals = {"share": hypot(up, right), "direction_deg": degrees(atan2(right, up))}
+            decimals = {"share": hypot(up, right), "direction_deg": _degrees(weight.vector)}
         size = None if weight.unbalance is None else float(weight.unbalance)
         place = {
             "speed": weight.device.speed,

@@ -14,7 +14,7 @@ from symbalance.design.balancing.design_facts import (
 )
 from symbalance.design.balancing.designing import Design
 from symbalance.design.balancing.ellipse_document import READING, ellipse_table, share_cell
-from symbalance.document.formula import Decimal, Formula, Name, Subscript, Words, equal, number
+from symbalance.document.formula import Decimal, Formula, Name, Subscript, equal, number
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -39,12 +39,12 @@ VERDICTS = {
     "added": "added",
 }
 _A_N = Subscript(Name("A"), Name("n"))
-_U, _N, _M, _R = Name("U"), Name("n"), Name("m"), Name("r")
+_U, _S, _N, _M, _R = Name("U"), Name("s"), Name("n"), Name("m"), Name("r")
 _PROPOSED = (
     Column("speed"),
     Column("on the"),
     Column("station"),
-    Column("share"),
+    Column(("share ", _S), "share"),
     Column(("at ", Name("theta"), " = 0")),
     Column((_U, ", kg mm"), "U"),
 )
@@ -77,17 +77,16 @@ def _lead(design: Design) -> str:
     return " ".join(f"{part[0].upper()}{part[1:]}." for part in parts if part)
 
 
-def _share_unit(design: Design) -> Formula:
-    """Return the mass times radius of a share of 1."""
-    unit = _M * _R
-    return (_A_N * unit if design.layout.has_common_harmonics else unit) / _N**2
+def _size(design: Design) -> Formula:
+    """Return the mass times radius of a share s."""
+    return (_S * _A_N * _M * _R if design.layout.has_common_harmonics else _S * _M * _R) / _N**2
 
 
 def _proposed(design: Design) -> tuple[Block, ...]:
     rows = tuple(map(_row, weights(design)))
     title: Said = (
         "Proposed weights: mass times radius ",
-        equal(_U, Words("share") * _share_unit(design)),
+        equal(_U, _size(design)),
     )
     table = Table(title, _PROPOSED, rows, keys=3) if rows else None
     built = on_throws(design)

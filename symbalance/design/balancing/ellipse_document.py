@@ -8,8 +8,9 @@ from typing import Any
 import sympy
 
 from symbalance.design.balancing.ellipses import Ellipse
+from symbalance.document.decimals import shown
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Name, number
+from symbalance.document.formula import Decimal, Name, Subscript, number
 from symbalance.document.nodes import Cell, Column, Document, Exact, Table, Words
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.balancer_facts import LONGEST, direction, nearly, rounded, size
@@ -44,9 +45,22 @@ def ellipse_document(ellipse: Ellipse) -> Document:
         (
             ellipse_table(("Ellipse, unit ", measure), drawn),
             Table(("Rotating parts, unit ", measure), _PARTS, rows),
-            *conventions(ellipse.balance, READING),
+            *conventions(ellipse.balance, [*READING, *_units(ellipse)]),
         ),
     )
+
+
+def _units(ellipse: Ellipse) -> list[tuple[Words, Words]]:
+    """Return what F_n and the A_n of the ellipse's order are, where those stand apart from geometry."""
+    value = ellipse.balance.values.get(ellipse.order)
+    if ellipse.balance.kinematics is None:
+        return []
+    coefficient = Subscript(Name("A"), number(ellipse.order))
+    here = () if value is None else (", here ", Decimal(shown(value)))
+    return [
+        (unit(ellipse.balance, "force"), "force of order n of one cylinder"),
+        (coefficient, ("coefficient of one cylinder", *here)),
+    ]
 
 
 def ellipse_table(title: Words, ellipses: Sequence[Ellipse]) -> Table:
