@@ -6,7 +6,18 @@ from collections.abc import Sequence
 
 from symbalance.document.decimals import shown
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Formula, Name, Subscript, Words, cos, equal, number, sin
+from symbalance.document.formula import (
+    Decimal,
+    Dots,
+    Formula,
+    Name,
+    Subscript,
+    Words,
+    cos,
+    equal,
+    number,
+    sin,
+)
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -28,10 +39,14 @@ from symbalance.forces.resultants import Balance
 from symbalance.forces.roll_rows import roll_rows
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, rotating, rows
 from symbalance.kinematics.series_printing import series_formula
+from symbalance.kinematics.slider_crank import Series
 from symbalance.text.numbers import short_text
+from symbalance.text.reals import Real
 
 LONGEST_PHASE = 8
 """A phase that takes more characters, an atan2 or a fine fraction of pi, is written rounded."""
+LONGEST_NUMERATOR = 30
+"""Digits of a coefficient's leading numerator beyond which its series is written rounded."""
 SHORT = 14
 """An exact amplitude of a rotating part that takes more characters is written rounded."""
 _M, _R, _L, _A, _N = Name("m"), Name("r"), Name("l"), Name("a"), Name("n")
@@ -191,6 +206,14 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
     return Exact(amplitude, near, beside), _short_phase(phase, decimals[3])
 
 
+def _series(series: Series) -> Said:
+    """Return a coefficient's series; one whose numbers fill a line by its leading term, rounded."""
+    power, lead = min(series.terms.items())
+    if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
+        return series_formula(series, ellipsis=True)
+    return ("≈ ", Decimal(shown(Real(lead))) * _LAM ** number(-power) + Dots())
+
+
 def _coefficients(balance: Balance) -> tuple[Block, ...]:
     if not balance.orders or balance.kinematics is None:
         return ()
@@ -202,7 +225,7 @@ def _coefficients(balance: Balance) -> tuple[Block, ...]:
         assert order.coefficient is not None
         value = balance.values.get(order.order)
         written = "" if value is None else Decimal(shown(value))
-        cells.append((number(order.order), series_formula(order.coefficient, ellipsis=True), written))
+        cells.append((number(order.order), _series(order.coefficient), written))
     columns = (Column("order"), Column((_A_N, " in powers of ", 1 / _LAM)), Column(at))
     return (
         Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells)),
