@@ -206,6 +206,15 @@ def _balance(layout: Engine, order: int, power: int | None, reference: object) -
     return _with_power(Balance(layout, order, force, couple, plane, kinematics=apart), power)
 
 
+def checked_balance(result: object) -> Balance:
+    """Return a balance, or refuse what is none."""
+    if not isinstance(result, Balance):
+        raise SymbalanceError(
+            f"result = {shown(result)}", "must be a Balance", "make one with balance(layout)"
+        )
+    return result
+
+
 def _with_power(result: Balance, power: int | None) -> Balance:
     """Return a balance that keeps so many powers of 1/lambda; refused where an order would lose all."""
     if power is None:
