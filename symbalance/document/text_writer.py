@@ -324,7 +324,8 @@ class PlainWriter(TextWriter):
     def subscript(self, node: Subscript, _: bool) -> str:
         """Write A_{2k}."""
         index = self.write(node.index)
-        return f"{self.write(node.base, ATOM)}_{index if index.isalnum() else f'{{{index}}}'}"
+        bare = index.isdecimal() or len(index) == 1
+        return f"{self.write(node.base, ATOM)}_{index if bare else f'{{{index}}}'}"
 
     def derivative(self, node: Derivative, _: bool) -> str:
         """Write dx/dθ, or d/dθ(expression)."""
