@@ -17,9 +17,14 @@ def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
 
 
+def _derivation() -> Result:
+    return sb.derive("force", 6)
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
+    "derivation": _derivation,
 }
 """By a name of its own for each; a class may have several."""
 
