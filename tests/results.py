@@ -21,10 +21,20 @@ def _derivation() -> Result:
     return sb.derive("force", 6)
 
 
+def _crank_stars() -> Result:
+    return sb.crank_stars(5)
+
+
+def _firing_orders() -> Result:
+    return sb.firing_orders(sb.load("vw-vr6"), within="1/2")
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
     "derivation": _derivation,
+    "crank-stars": _crank_stars,
+    "firing-orders": _firing_orders,
 }
 """By a name of its own for each; a class may have several."""
 
