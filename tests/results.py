@@ -29,12 +29,22 @@ def _firing_orders() -> Result:
     return sb.firing_orders(sb.load("vw-vr6"), within="1/2")
 
 
+def _truncation_bounds() -> Result:
+    return sb.truncation_bounds("force", "7/2", 12)
+
+
+def _harmonics() -> Result:
+    return sb.harmonics("displacement", 6)
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
     "derivation": _derivation,
     "crank-stars": _crank_stars,
     "firing-orders": _firing_orders,
+    "truncation-bounds": _truncation_bounds,
+    "harmonics": _harmonics,
 }
 """By a name of its own for each; a class may have several."""
 

@@ -6,10 +6,12 @@ from collections.abc import Iterator
 from itertools import groupby
 from typing import Any
 
+from symbalance.document.fitting import plain_words
 from symbalance.document.formula import Equation
 from symbalance.document.nodes import Block, Document, Formulas, Heading, Paragraph, inlines
 from symbalance.kinematics.derivation.result import Derivation
 from symbalance.kinematics.derivation.setting import LETTERS, LONGEST_IN_FULL, Step
+from symbalance.kinematics.harmonics_document import harmonics_data
 
 _SUBJECTS = {
     "displacement": "Piston displacement",
@@ -51,25 +53,15 @@ def _blocks(place: int, step: Step) -> Iterator[Block]:
 
 
 def derivation_data(derivation: Derivation) -> dict[str, Any]:
-    """Return the result of a derivation and its steps as text.
+    """Return the result of a derivation, as `harmonics` gives it, and its steps as text.
 
-    `harmonics` has each order's coefficient as a series in 1/lam (SymPy reads it), lam = l/r whatever the
-    convention of the text, with the powers kept; `function` is cos or sin.
+    Series are in 1/lam with lam = l/r, whatever the convention of the text.
     """
-    from symbalance.document.fitting import plain_words
-
-    found = derivation.harmonics
     return {
-        "quantity": derivation.quantity,
+        **harmonics_data(derivation.harmonics),
         "convention": derivation.convention,
         "order": derivation.order,
         "power": derivation.power,
-        "function": found.function,
-        "constant": str(found.constant.in_lam()),
-        "harmonics": [
-            {"order": str(n), "series": str(series.in_lam()), "through": series.through}
-            for n, series in found.terms.items()
-        ],
         "steps": [
             {"title": step.title, "text": [plain_words(_words(part)) for part in step.parts]}
             for step in derivation.steps
@@ -79,18 +71,3 @@ def derivation_data(derivation: Derivation) -> dict[str, Any]:
 
 def _words(part: Paragraph | Equation) -> Any:
     return part if isinstance(part, Equation) else inlines(part.words)
-
-
-def derivation_records(derivation: Derivation) -> list[dict[str, Any]]:
-    """Return a row for each power of 1/lam in each order: the coefficient as a fraction and a float."""
-    return [
-        {
-            "order": n,
-            "function": derivation.harmonics.function,
-            "power": power,
-            "coefficient": str(value),
-            "value": float(value),
-        }
-        for n, series in derivation.harmonics.terms.items()
-        for power, value in sorted(series.terms.items())
-    ]

@@ -71,9 +71,7 @@ class Derivation(Result):
 
     def records(self) -> list[dict[str, Any]]:
         """Return a row for each power of 1/lambda of each order."""
-        from symbalance.kinematics.derivation.document import derivation_records
-
-        return derivation_records(self)
+        return self.harmonics.records()
 
 
 def derive(
