@@ -22,11 +22,11 @@ WAVE = equal(
 ORDER: tuple[Said, Said] = ("order n", WAVE)
 
 
-def engine_description(engine: Engine) -> str:
+def engine_words(engine: Engine) -> str:
     """Return an engine in a line without its name: strokes, cylinders and banks.
 
     >>> from symbalance.engine.catalogue import load
-    >>> engine_description(load("v8-90"))
+    >>> engine_words(load("v8-90"))
     'four-stroke, 8 cylinders, banks at −45°, 45° from vertical'
     """
     count = len(engine.cylinders)
@@ -35,7 +35,7 @@ def engine_description(engine: Engine) -> str:
 
 def engine_title(engine: Engine) -> str:
     """Return an engine in a line: its name, strokes, cylinders and banks."""
-    return f"{engine.name}: {engine_description(engine)}"
+    return f"{engine.name}: {engine_words(engine)}"
 
 
 def origin_facts(engine: Engine) -> list[tuple[Said, Said]]:

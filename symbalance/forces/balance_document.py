@@ -8,7 +8,7 @@ from typing import Protocol
 
 from symbalance.document.decimals import shown
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Formula, Name, Subscript, cos, equal, number, sin
+from symbalance.document.formula import Decimal, Dots, Formula, Name, Subscript, cos, equal, number, sin
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -41,6 +41,8 @@ from symbalance.text.reals import Real
 
 LONGEST_PHASE = 8
 """A phase that takes more characters, an atan2 or a fine fraction of pi, is written rounded."""
+LONGEST_NUMERATOR = 30
+"""Digits of a coefficient's leading numerator beyond which its series is written rounded."""
 SHORT = 14
 """An exact amplitude of a rotating part that takes more characters is written rounded."""
 _M, _R, _A, _N = Name("m"), Name("r"), Name("a"), Name("n")
@@ -175,6 +177,14 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
     return Exact(amplitude, near, beside), _short_phase(phase, decimals[3])
 
 
+def _series(series: Series) -> Said:
+    """Return a coefficient's series; one whose numbers fill a line by its leading term, rounded."""
+    power, lead = min(series.terms.items())
+    if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
+        return series_formula(series, ellipsis=True)
+    return ("≈ ", Decimal(shown(Real(lead))) * _LAM ** number(-power) + Dots())
+
+
 def _coefficients(balance: Balance) -> tuple[Block, ...]:
     if not balance.orders or balance.kinematics is None:
         return ()
@@ -193,7 +203,7 @@ class _Ordered(Protocol):
 def coefficient_table(
     kinematics: Kinematics, orders: Sequence[_Ordered], values: Mapping[int, Real], ratio: Fraction | None
 ) -> Table:
-    """Return a table of one cylinder's coefficients: series in 1/λ, and exact in λ where that is known."""
+    """Return a table of one cylinder's coefficients: as series in 1/λ, and in decimals at the ratio."""
     letter = Subscript(Name(kinematics.letter), _N)
     at: Said = "" if ratio is None else (letter, " at ", equal(_LAM, Decimal(short_text(ratio))))
     cells = []
@@ -201,6 +211,6 @@ def coefficient_table(
         assert order.coefficient is not None
         value = values.get(order.order)
         written = "" if value is None else Decimal(shown(value))
-        cells.append((number(order.order), series_formula(order.coefficient, ellipsis=True), written))
+        cells.append((number(order.order), _series(order.coefficient), written))
     columns = (Column("order"), Column((letter, " in powers of ", 1 / _LAM)), Column(at))
     return Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells))

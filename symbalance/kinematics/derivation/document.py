@@ -86,12 +86,12 @@ def _groups(step: Step) -> Iterator[Prose | list[Equation]]:
 
 def _rows(equations: list[Equation], medium: Medium, room: float, indent: float) -> Iterator[Row]:
     """Yield the lines of equations that share one left column."""
-    left = max(medium.width(medium.write(each.left)) for each in equations) + medium.width(" ")
-    for each in equations:
-        name = medium.write(each.left)
+    names = [medium.write(each.left) for each in equations]
+    left = max(map(medium.width, names)) + medium.width(" ")
+    for name, each in zip(names, equations, strict=True):
         for line in broken_equation(each, medium, room - left, indent):
             yield name, line.depth, line.printed
-            name = ""
+            name = ""  # noqa: PLW2901 - a name stands at its equation's first line alone
 
 
 def _inline(piece: str | Formula | Equation, writer: FormulaWriter) -> str:
