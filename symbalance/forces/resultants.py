@@ -105,7 +105,7 @@ class Balance(Result):
     def summary(self) -> str:
         """Return which orders are left free, in one line."""
         parts = [
-            f"free {name} of order {_listed(sorted(orders))}" if orders else f"no free {name}"
+            f"free {name} of order {listed_orders(sorted(orders))}" if orders else f"no free {name}"
             for name, orders in (("force", self.force.orders()), ("couple", self.couple.orders()))
         ]
         return f"Balance of {self.layout.name} to order {self.highest}: {'; '.join(parts)}"
@@ -193,7 +193,7 @@ def balance(
     return _balance(layout.with_ratio(ratio), order, power, reference)
 
 
-def _listed(orders: Sequence[int]) -> str:
+def listed_orders(orders: Sequence[int | Fraction]) -> str:
     """Return orders with commas, the first and the last where there are many."""
     shown = [*map(str, orders[:6]), "…", str(orders[-1])] if len(orders) > 8 else map(str, orders)
     return ", ".join(shown)
