@@ -45,7 +45,7 @@ def harmonics_data(harmonics: Harmonics) -> dict[str, Any]:
 
 
 def harmonics_records(harmonics: Harmonics) -> list[dict[str, Any]]:
-    """Return a row for each power of 1/lambda in each order: the coefficient as a fraction and a float."""
+    """Return a row for each power of 1/lambda of each order, as a fraction and a float."""
     return [
         {
             "order": n,
