@@ -102,7 +102,8 @@ class LatexWriter(FormulaWriter):
 
     def between(self, before: Formula, piece: str, after: Formula) -> str:
         """Return a dot before digits, a thin space where letters would run together, else none."""
-        if isinstance(before, Decimal) or isinstance(after, Words):
+        word_before = isinstance(before, Words) and not isinstance(after, Call)  # \cos has its own space
+        if isinstance(before, Decimal) or isinstance(after, Words) or word_before:
             return r" \, "
         digits = piece[:1].isdecimal() and not isinstance(before, Sum)
         mixed = isinstance(before, Number) and piece.startswith("\\frac")
