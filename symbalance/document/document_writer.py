@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 
 from symbalance.document import nodes
 from symbalance.document.formula import Decimal, Equation, Formula, Number
-from symbalance.document.nodes import Inline, inlines
+from symbalance.document.nodes import UNKNOWN, Inline, inlines
 
 
 class DocumentWriter(ABC):
@@ -78,11 +78,12 @@ class DocumentWriter(ABC):
 
 
 def is_number(words: nodes.Words) -> bool:
-    """Tell whether a cell is a lone number, or empty: its point stands in line with others'.
+    """Tell whether a cell is a lone number, unknown or empty: its point stands in line with others'.
 
     >>> from symbalance.document.formula import number
-    >>> is_number(number(3)), is_number("3 of 4"), is_number("")
-    (True, False, True)
+    >>> is_number(number(3)), is_number("3 of 4"), is_number(""), is_number(UNKNOWN)
+    (True, False, True, True)
     """
     parts = inlines(words)
-    return not parts or (len(parts) == 1 and isinstance(parts[0], Decimal | Number))
+    lone = len(parts) == 1 and (isinstance(parts[0], Decimal | Number) or parts[0] == UNKNOWN)
+    return not parts or lone

@@ -17,7 +17,7 @@ from symbalance.document.fitting import Fitted, LeftOut, fitted, plain_words
 from symbalance.document.formula import Equation, Formula, Words
 from symbalance.document.latex_characters import escaped, holds_east_asian
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
-from symbalance.document.nodes import inlines
+from symbalance.document.nodes import UNKNOWN, inlines
 
 ROOM = 66.0
 """How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
@@ -202,8 +202,8 @@ class _Column:
         """Return a cell; a decimal is parted at its point, so that points stand in line."""
         parts = inlines(words)
         if self.splits:
-            if not parts:
-                return " & "
+            if not parts or parts[0] == UNKNOWN:
+                return f"{escaped(UNKNOWN) if parts else ''} & "
             printed = formula_latex(parts[0])  # type: ignore[arg-type]
             whole, point, fraction = printed.partition(".")
             return rf"${whole}$ & ${point}{fraction}$" if point else rf"${printed}$ & "
