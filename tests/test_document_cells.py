@@ -6,11 +6,12 @@ import re
 
 import pytest
 
-from symbalance.document.formula import Decimal, Equation, Matrix, Name, number
+from symbalance.document.decimals import fixed, rounded
+from symbalance.document.formula import INFINITY, Decimal, Equation, Matrix, Name, number
 from symbalance.document.html_document import document_html
 from symbalance.document.latex_document import document_latex
 from symbalance.document.markdown_document import document_markdown
-from symbalance.document.nodes import UNKNOWN, Column, Document, Formulas, Table
+from symbalance.document.nodes import UNKNOWN, Column, Document, Facts, Formulas, Table
 from symbalance.document.text_document import document_text
 
 TABLE = Table(
@@ -64,3 +65,32 @@ def test_a_matrix_that_does_not_fit_stands_in_one_line() -> None:
     wide = Matrix(((Name("a" * 40), Name("b" * 40)), (Name("c"), Name("d"))))
     text = document_text(Document("", (Formulas((Equation(Name("X"), (("=", wide),)),)),)))
     assert "; c, d]" in text
+
+
+def test_lists_in_text_are_wrapped_and_names_stand_apart() -> None:
+    long = "word " * 30
+    entries = ((long, ""), ("name", "said"), ("n", "x"))
+    lines = document_text(Document("", (Facts(entries),))).splitlines()
+    assert max(map(len, lines)) < 80
+    assert lines[-2:] == ["  name  said", "  n     x"]
+
+
+@pytest.mark.parametrize(
+    ("value", "digits", "text"),
+    [
+        (1234.567, 4, "1235"),
+        (99999.9, 3, "100000"),
+        (0.00123456, 3, "0.00123"),
+        (1e9, 5, "1e9"),
+        (-0.0, 5, "0"),
+        (9999999.9, 2, "1e7"),
+    ],
+)
+def test_floats_are_rounded_to_significant_digits(value: float, digits: int, text: str) -> None:
+    assert rounded(value, digits) == Decimal(text)
+
+
+def test_what_is_not_finite_is_no_decimal() -> None:
+    assert rounded(float("nan")) == fixed(float("nan"), 2) == UNKNOWN
+    assert rounded(float("inf")) == fixed(float("inf"), 2) == INFINITY
+    assert fixed(-0.001, 2) == Decimal("0.00")

@@ -10,7 +10,7 @@ from symbalance.document import nodes
 from symbalance.document.displayed import displayed
 from symbalance.document.document_writer import DocumentWriter, is_number
 from symbalance.document.fitting import Fitted, fitted
-from symbalance.document.formula import Equation, Formula, Matrix
+from symbalance.document.formula import INFINITY, Equation, Formula, Matrix
 from symbalance.document.nodes import UNKNOWN, Words, inlines
 from symbalance.document.text_writer import TextWriter, formula_text
 
@@ -105,11 +105,13 @@ class _Writer(DocumentWriter):
     def facts(self, block: nodes.Facts) -> str:
         """Return facts, names in a column of their own."""
         head = self.wrapped(block.title) if inlines(block.title) else []
-        names = [self.plain(name) for name, _ in block.entries]
-        column = max(map(len, names), default=0)
+        column = max((len(self.plain(name)) for name, value in block.entries if value != ""), default=0)
         lines = []
-        for name, (_, value) in zip(names, block.entries, strict=True):
-            lead = f"{_INDENT}{name:<{column}}  " if value != "" else f"{_INDENT}{name}"
+        for name, value in block.entries:
+            if value == "":
+                lines += self.wrapped(name, _INDENT, 2 * _INDENT)
+                continue
+            lead = f"{_INDENT}{self.plain(name):<{column}}  "
             lines += self.wrapped(value, lead, " " * len(lead))
         return "\n".join([*head, *lines])
 
@@ -172,9 +174,7 @@ class _Writer(DocumentWriter):
             return [head, *body]
         before = max(len(_whole(cell)) for cell in body)
         body = [" " * (before - len(_whole(cell))) + cell if cell else "" for cell in body]
-        if all(
-            cell.strip().lstrip("−-").isdecimal() for cell in body if cell.strip() not in ("", UNKNOWN)
-        ):
+        if all(cell.strip().lstrip("−-").isdecimal() for cell in body if cell.strip() not in _WORDLESS):
             head = head.rjust(before)
             body = [cell.rjust(len(head)) for cell in body]
         return [head, *body]
@@ -204,6 +204,7 @@ class _Writer(DocumentWriter):
         return [f"{_INDENT}exactly:", *lines] if lines else []
 
 
+_WORDLESS = ("", UNKNOWN, formula_text(INFINITY))
 _SIGNS = re.compile(f"{_HARD}(?=[+−=≈] ?)")
 """Where a formula too wide for a line may be broken."""
 
