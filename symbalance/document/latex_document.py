@@ -82,7 +82,7 @@ def document_latex(document: nodes.Document, *, standalone: bool = False) -> str
 class _Writer(DocumentWriter):
     def document(self, document: nodes.Document) -> str:
         title = self.words(document.title)
-        parts = [rf"\section*{{{title}}}"]
+        parts = [rf"\section*{{\raggedright {title}}}"]
         if inlines(document.lead):
             parts.append(self.words(document.lead) + r"\par")
         parts += [self.block(block) for block in document.blocks]
