@@ -29,12 +29,37 @@ def _ellipse() -> Result:
     return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
 
 
+def _derivation() -> Result:
+    return sb.derive("force", 6)
+
+
+def _crank_stars() -> Result:
+    return sb.crank_stars(5)
+
+
+def _firing_orders() -> Result:
+    return sb.firing_orders(sb.load("vw-vr6"), within="1/2")
+
+
+def _truncation_bounds() -> Result:
+    return sb.truncation_bounds("force", "7/2", 12)
+
+
+def _harmonics() -> Result:
+    return sb.harmonics("displacement", 6)
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
     "design": _design,
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
+    "derivation": _derivation,
+    "crank-stars": _crank_stars,
+    "firing-orders": _firing_orders,
+    "truncation-bounds": _truncation_bounds,
+    "harmonics": _harmonics,
 }
 """By a name of its own for each; a class may have several."""
 

@@ -1,11 +1,17 @@
 """Typeset results: golden files that hold the source, and a compiler that accepts it."""
 
+import re
+
 import pytest
 import sympy
 
 import symbalance as sb
 from symbalance.cli import run
+from symbalance.document.formula import Name, Words, cos
 from symbalance.document.latex_parts import in_document
+from symbalance.document.latex_writer import formula_latex
+from symbalance.document.mathml_writer import formula_mathml
+from symbalance.document.text_writer import formula_text
 from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.kinematics.slider_crank import acceleration_series
 
@@ -94,6 +100,18 @@ def test_formulas_compile(compile_latex):
 def test_what_has_no_latex_says_so():
     with pytest.raises(sb.SymbalanceError, match="no LaTeX form"):
         sb.to_latex(object())
+
+
+def test_upright_words_stand_apart_from_what_is_beside_them():
+    """`kg r` and `vertical C` would else be one word in LaTeX and MathML, where spaces do not count."""
+    for product in (Words("kg") * Name("r"), Name("r") * Words("kg"), Words("N") * Words("m")):
+        left, right = formula_text(product).split(" ")
+        assert re.search(rf"{left}\}}? \\, (\\mathrm\{{)?{right}", formula_latex(product))
+        assert re.search(
+            rf"{left}</m\w+><mo>\u2062</mo><mspace [^>]+></mspace><m\w+>{right}", formula_mathml(product)
+        )
+    # A function's name has its own space in LaTeX.
+    assert r"\," not in formula_latex(Words("amplitude") * cos(Name("n")))
 
 
 @pytest.mark.parametrize("command", ["balance {}", "torque {}", "design {}", "tolerances {} --mass 1%%"])

@@ -32,8 +32,8 @@ class Medium(Protocol):
         """Return how much room something printed takes."""
         ...
 
-    def fences(self, value: Sum) -> tuple[str, str]:
-        """Return the brackets around a sum that may run over several lines."""
+    def fences(self, value: Sum, printed: str) -> tuple[str, str]:
+        """Return the brackets around a sum, `printed`, that may run over several lines."""
         ...
 
     def factor(self, value: Formula, closed: bool = False, last: bool = False) -> str:
@@ -175,8 +175,8 @@ def _product(value: Product, medium: Medium) -> Piece:
 
 
 def _bracketed(value: Sum, medium: Medium) -> Piece:
-    left, right = medium.fences(value)
-    return _glued(_piece(value, medium), left, right, medium)
+    piece = _piece(value, medium)
+    return _glued(piece, *medium.fences(value, piece.printed), medium)
 
 
 def _glued(piece: Piece, before: str, after: str, medium: Medium) -> Piece:

@@ -12,6 +12,7 @@ These sums are geometry alone; A_n is the kinematics of one cylinder; tables pri
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -104,7 +105,7 @@ class Balance(Result):
     def summary(self) -> str:
         """Return which orders are left free, in one line."""
         parts = [
-            f"free {name} of order {', '.join(map(str, sorted(orders)))}" if orders else f"no free {name}"
+            f"free {name} of order {listed_orders(sorted(orders))}" if orders else f"no free {name}"
             for name, orders in (("force", self.force.orders()), ("couple", self.couple.orders()))
         ]
         return f"Balance of {self.layout.name} to order {self.highest}: {'; '.join(parts)}"
@@ -190,6 +191,12 @@ def balance(
     if ratio is None:
         return _balance(layout, order, power, reference)
     return _balance(layout.with_ratio(ratio), order, power, reference)
+
+
+def listed_orders(orders: Sequence[int | Fraction]) -> str:
+    """Return orders with commas, the first and the last where there are many."""
+    shown = [*map(str, orders[:6]), "…", str(orders[-1])] if len(orders) > 8 else map(str, orders)
+    return ", ".join(shown)
 
 
 def _balance(layout: Engine, order: int, power: int | None, reference: object) -> Balance:

@@ -28,7 +28,7 @@ from symbalance.document.nodes import (
 )
 from symbalance.document.nodes import Words as Said
 from symbalance.engine.balancer_facts import direction, rounded, signed
-from symbalance.forces.balance_document import conventions, engine_words, resultant_blocks
+from symbalance.forces.balance_document import conventions, resultant_blocks
 from symbalance.forces.resultants import balance
 
 VERDICTS = {
