@@ -36,12 +36,12 @@ _PICTURES = {
     "frequencies.png": ("Natural frequencies of the free crank", "a bar for each mode"),
     "campbell.png": (
         "Campbell diagram",
-        "natural frequencies over the speed, in turning and stationary axes",
+        "frequencies over the speed, in turning and stationary axes",
     ),
     "waterfall.png": ("Orders of the worst pin over the speed", "shades for each order and speed"),
     "order-cuts.png": (
         "The largest orders over the speed",
-        "a curve over the speed for each of eight orders",
+        "a curve over the speed for each order",
     ),
 }
 """By file name: a picture's caption, and what it shows."""
@@ -76,9 +76,8 @@ def _verdict(run: Summary) -> Said:
         Decimal(safety),
         f", of {worst.name} at {speed_text(worst.rpm)} rpm.",
     )
-    return (
-        least if run.valid else (*least, " ", Strong("Not all is to be relied on, or not all is safe."))
-    )
+    warning = Strong("Not all is to be relied on, or not all is safe: see the notes.")
+    return least if run.valid else (*least, " ", warning)
 
 
 def _speeds(run: Summary) -> Table:
@@ -178,14 +177,9 @@ def _how_to_read(run: Summary) -> Facts:
         about = "as springs about the centre"
     entries: list[tuple[Said, Said]] = [("fires", "-".join(map(str, fires)))] if fires else []
     entries += [
-        (
-            "pressure",
-            f"at most {max(operation.trace.bar):.4g} bar on a bore of {operation.bore * 1000:g} mm",
-        ),
-        (
-            "model",
-            f"{setting.rotor.size} unknowns, {_kept(setting.modes)}; {setting.steps} steps a cycle",
-        ),
+        ("peak pressure", f"{max(operation.trace.bar):.4g} bar, bore {operation.bore * 1000:g} mm"),
+        ("model", f"{setting.rotor.size} unknowns, {_kept(setting.modes)}"),
+        ("steps", f"{setting.steps} a cycle"),
         ("webs, housing", f"{setting.webs}, {setting.connection}"),
         ("films", about),
         ("damping", f"{operation.damping:g} of critical"),
@@ -194,10 +188,7 @@ def _how_to_read(run: Summary) -> Facts:
             f"tensile {operation.strength.tensile / MEGA:g} MPa, "
             f"endurance {operation.strength.endurance / MEGA:g} MPa",
         ),
-        (
-            absolute(Name("x")) / Words("clearance"),
-            "a journal's largest displacement; within 1 it is valid",
-        ),
+        (absolute(Name("x")) / Words("clearance"), "a journal's largest displacement; valid below 1"),
         *([] if _is_about_centre(run) else [("off the orbit", OFF)]),
         ("multiplier", "largest Floquet multiplier; stable up to 1"),
         ("bearing, s", "largest load of a main bearing; seconds of computing"),
