@@ -17,18 +17,6 @@ def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
 
 
-def _design() -> Result:
-    return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
-
-
-def _design_unlike() -> Result:
-    return sb.design_balance(sb.load("vw-vr6"), [1], per_throw=True)
-
-
-def _ellipse() -> Result:
-    return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
-
-
 def _derivation() -> Result:
     return sb.derive("force", 6)
 
@@ -49,17 +37,29 @@ def _harmonics() -> Result:
     return sb.harmonics("displacement", 6)
 
 
+def _design() -> Result:
+    return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
+
+
+def _design_unlike() -> Result:
+    return sb.design_balance(sb.load("vw-vr6"), [1], per_throw=True)
+
+
+def _ellipse() -> Result:
+    return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
-    "design": _design,
-    "design-unlike": _design_unlike,
-    "ellipse": _ellipse,
     "derivation": _derivation,
     "crank-stars": _crank_stars,
     "firing-orders": _firing_orders,
     "truncation-bounds": _truncation_bounds,
     "harmonics": _harmonics,
+    "design": _design,
+    "design-unlike": _design_unlike,
+    "ellipse": _ellipse,
 }
 """By a name of its own for each; a class may have several."""
 
@@ -80,9 +80,9 @@ def result_classes() -> set[type[Result]]:
     for module in walk_packages(symbalance.__path__, "symbalance."):
         if ".bench" not in module.name and not module.name.endswith("__main__"):
             import_module(module.name)
-    return _below(Result)
+    return {cls for cls in _below(Result) if cls.kind}
 
 
 def _below(cls: type[Result]) -> set[type[Result]]:
-    own = {cls} if cls is not Result else set()
-    return own.union(*map(_below, cls.__subclasses__())) if cls.__subclasses__() else own
+    """Return a class and all that derive from it, those that only others derive from among them."""
+    return {cls}.union(*map(_below, cls.__subclasses__()))

@@ -28,6 +28,7 @@ from symbalance.document.nodes import (
 )
 from symbalance.document.nodes import Words as Said
 from symbalance.engine.balancer_facts import direction, rounded, signed
+from symbalance.engine.engine_document import engine_words
 from symbalance.forces.balance_document import conventions, resultant_blocks
 from symbalance.forces.resultants import balance
 
