@@ -49,6 +49,12 @@ def _ellipse() -> Result:
     return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
 
 
+def _rotating_balance() -> Result:
+    pins = [("3/2", 0), ("1/2", 90), ("-1/2", 270), ("-3/2", 180)]
+    weights = [sb.Weight(station, angle, unbalance=60) for station, angle in pins]
+    return sb.balanced_weights(weights, [2, -2])
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
@@ -60,6 +66,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "design": _design,
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
+    "rotating-balance": _rotating_balance,
 }
 """By a name of its own for each; a class may have several."""
 

@@ -13,7 +13,8 @@ from symbalance.design.balancing.design_facts import (
     weights,
 )
 from symbalance.design.balancing.designing import Design
-from symbalance.design.balancing.ellipse_document import READING, ellipse_table, share_cell
+from symbalance.design.balancing.ellipse_document import READING, ellipse_table
+from symbalance.design.balancing.weight_cells import size_cell, station_cell
 from symbalance.document.formula import Decimal, Formula, Name, Subscript, equal, number
 from symbalance.document.nodes import (
     Block,
@@ -103,8 +104,8 @@ def _row(weight: PlacedWeight) -> tuple[Cell, ...]:
     return (
         Decimal(f"{weight.device.speed:+d}"),
         name(weight.device),
-        signed(weight.station),
-        share_cell(weight.vector),
+        station_cell(weight.station),
+        size_cell(weight.vector),
         direction(weight.vector),
         "" if weight.unbalance is None else Decimal(rounded(weight.unbalance)),
     )
