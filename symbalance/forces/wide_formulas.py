@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 import sympy
 
 from symbalance.document.expressions import latex, spread_latex
+from symbalance.document.latex_writer import latex_width
 from symbalance.forces.rows import Row
 
 LONGEST_CELL = 34
@@ -38,7 +38,7 @@ def exact_forms(found: Sequence[Row]) -> list[str]:
 def _breakable(name: str, value: sympy.Expr) -> tuple[str, str]:
     """Return name and formula of a number; one too wide for a line without the root or bar over it."""
     formula = latex(value)
-    if _width(formula) <= WIDEST_LINE - INDENT or value.has(sympy.Symbol):
+    if latex_width(formula) <= WIDEST_LINE - INDENT or value.has(sympy.Symbol):
         return name, formula
     if isinstance(value, sympy.Add):
         return name, spread_latex(value)
@@ -47,13 +47,13 @@ def _breakable(name: str, value: sympy.Expr) -> tuple[str, str]:
 
 def broken(lead: str, formula: str) -> str:
     """Return `lead = formula` over the lines of an align, broken between the terms of the formula."""
-    lines, room = [rf"{lead} = "], WIDEST_LINE - _width(lead) - _width(" = ")
+    lines, room = [rf"{lead} = "], WIDEST_LINE - latex_width(lead) - latex_width(" = ")
     for term in _terms(formula):
-        if _width(term) > room and lines[-1].strip():
+        if latex_width(term) > room and lines[-1].strip():
             lines.append("")
             room = WIDEST_LINE - INDENT
         lines[-1] += term
-        room -= _width(term)
+        room -= latex_width(term)
     return " \\\\ &\\qquad ".join(line.rstrip() for line in lines)
 
 
@@ -66,28 +66,3 @@ def _terms(formula: str) -> list[str]:
             terms.append(formula[start:i])
             start = i
     return [*terms, formula[start:]]
-
-
-def _width(formula: str) -> float:
-    r"""Return about how many digits wide a formula is printed, up to a fourteenth too few.
-
-    >>> _width(r"6 \sqrt{3}"), _width(r"\frac{1}{2} - \cos\tfrac{2 \pi}{7}")
-    (4.0, 8.5)
-    """
-    flat = _FUNCTION.sub(r"\1", _SILENT.sub("", formula.replace(r"\sqrt", "xx")))
-    flat = _LETTER.sub("x", flat)
-    while (simpler := _INNERMOST.sub(_wider, flat)) != flat:
-        flat = simpler
-    return len(flat.replace(" ", "")) + 1.5 * len(_SIGN.findall(flat))
-
-
-_SILENT = re.compile(r"\\(left|right|operatorname|text|[ ,])|[\^_](?=\{)|&")
-_FUNCTION = re.compile(r"\\(cos|sin)")
-_LETTER = re.compile(r"\\(?!t?frac)[a-z]+")
-_SIGN = re.compile(r"[-+=]")
-_INNERMOST = re.compile(r"\\t?frac\{([^{}]*)\}\{([^{}]*)\}|(?<!frac)(?<!\})\{([^{}]*)\}")
-
-
-def _wider(found: re.Match[str]) -> str:
-    """Return the wider part of a fraction, or what a pair of braces holds."""
-    return found[3] if found[1] is None else max(found[1], found[2], key=len)
