@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+from symbalance.document.formula import Decimal
 from symbalance.text.numbers import decimal_text
 from symbalance.text.reals import Real
 
@@ -18,3 +21,12 @@ def shown(value: Real, digits: int = SHOWN_DIGITS) -> str:
     mantissa, *exponent = text.split("e")
     mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
     return "e".join([mantissa, *exponent])
+
+
+def rounded(value: float | Fraction | Real, digits: int = SHOWN_DIGITS) -> Decimal:
+    """Return a number as a formula, rounded as tables print it.
+
+    >>> rounded(-2 / 3)
+    Decimal(span=(0, 0), text='-0.666667')
+    """
+    return Decimal(shown(Real(value), digits))
