@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
+
+from sympy import Symbol
 
 import symbalance as sb
 from symbalance.document.result import Result
@@ -47,6 +50,16 @@ def _design_unlike() -> Result:
 
 def _ellipse() -> Result:
     return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+def _running(name: str, order: int) -> Result:
+    sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5"}
+    return sb.crank_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
+
+
+def _torque_running() -> Result:
+    engine = sb.load(Path(__file__).parent / "record" / "engines" / "lanchester-four.toml")
+    cycle = sb.ideal_cycle("8.5", heat=18)
+    running = sb.crank_torque(engine, cycle, bore=90, rpm=3000, order=6)
+    return sb.torque_report(engine, 6, running=running)
 
 
 EXAMPLES: dict[str, Callable[[], Result]] = {
@@ -60,6 +73,16 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "design": _design,
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
+    "torque": lambda: sb.torque_report(sb.load("v10-72"), 10),
+    "torque-unlike": lambda: sb.torque_report(sb.load("vw-vr6"), 6),
+    "torque-symbolic": lambda: sb.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),
+    "torque-running": _torque_running,
+    "torque-orders": lambda: sb.inertia_torque(sb.load("inline-5"), 10),
+    "running-torque": lambda: _running("v2-45", 3),
+    "gas-torque": lambda: sb.gas_torque(sb.load("v6-90"), sb.ideal_cycle(10, heat=20)),
+    "firing-stars": lambda: sb.firing_stars(sb.load("v6-90"), 4),
+    "ideal-cycle": lambda: sb.ideal_cycle(16, heat=20, peak_pressure=100),
+    "pressure-trace": lambda: sb.ideal_cycle(10, heat=20).trace(4, 720),
 }
 """By a name of its own for each; a class may have several."""
 

@@ -139,9 +139,15 @@ def component_table(title: Said, kept: Sequence[Row], empty: str = "none") -> Ta
     return Table(title, _HEAD, tuple(map(_cells, kept)), keys=2, empty=empty)
 
 
+def order_cell(order: int | Fraction) -> Formula:
+    """Return an order as a cell; half orders as decimals, whose points stand in line."""
+    whole = order == int(order)
+    return number(int(order)) if whole else Decimal(str(float(order)))
+
+
 def _cells(row: Row) -> tuple[Cell, ...]:
     decimals = row.decimals()
-    head = (number(row.order), row.name)
+    head = (order_cell(row.order), row.name)
     if row.is_decimal and decimals is not None:
         cosine, sine, amplitude = (Decimal(d) for d in decimals[:3])
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
