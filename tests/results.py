@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from functools import cache
+
+import sympy
 
 import symbalance as sb
 from symbalance.document.result import Result
@@ -17,9 +20,43 @@ def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
 
 
+def _worst_cases() -> Result:
+    tolerances = sb.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
+    return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
+
+
+def _sensitivities() -> Result:
+    return sb.sensitivities(sb.load("v8-90"), 4)
+
+
+def _assignment() -> Result:
+    return sb.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
+
+
+def _assignment_of_many() -> Result:
+    masses = [Fraction(440 + (7 * n) % 19, 1000) for n in range(16)]
+    return sb.assign_parts(sb.load("bugatti-w16"), masses, orders=[1, 2], whole=True)
+
+
+def _symbolic_order() -> Result:
+    letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
+    return sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters)
+
+
+def _symbolic_order_of_a_vee() -> Result:
+    engine = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin_of_any_angle")
+    return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
+    "worst-cases": _worst_cases,
+    "sensitivities": _sensitivities,
+    "assignment": _assignment,
+    "assignment-of-many": _assignment_of_many,
+    "symbolic-order": _symbolic_order,
+    "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
 }
 """By a name of its own for each; a class may have several."""
 

@@ -88,13 +88,15 @@ def conventions(balance: Balance) -> tuple[Block, ...]:
         entries += kind_facts(layout)
     entries += [("balanced by", said) for said in balancer_facts(layout)]
     entries += [
-        ("signs", "+ is up or right seen from the front; a couple + pushes the front up or right"),
+        SIGNS,
         ("order n", WAVE),
     ]
     facts = Facts(tuple(entries), "How to read it")
     return (facts,) if balance.kinematics else (kind_table(layout), facts)
 
 
+SIGNS = ("signs", "+ is up or right seen from the front; a couple + pushes the front up or right")
+"""What directions and couples count as positive."""
 _ANGLE = _N * _THETA
 WAVE = equal(
     Name("C") * cos(_ANGLE) + Name("S") * sin(_ANGLE), Words("amplitude") * cos(_ANGLE - Words("phase"))
