@@ -9,9 +9,9 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.document.formula import Name, Words, cos
 from symbalance.document.latex_document import document_latex
-from symbalance.document.nodes import Document, Paragraph
 from symbalance.document.latex_writer import formula_latex
 from symbalance.document.mathml_writer import formula_mathml
+from symbalance.document.nodes import Document, Paragraph
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.kinematics.slider_crank import acceleration_series
@@ -122,7 +122,9 @@ def test_latex_loses_no_sign_of_an_engine_s_name(command, tmp_path, capsys, comp
     own = "".join(line for line in text.splitlines(True) if not line.startswith("name"))
     path = tmp_path / "own.toml"
     path.write_text('name = "λ−√度😀 µ½ é_"\n' + own, encoding="utf-8")
-    assert run([*command.replace("%%", "%").format(path).split(), "--format", "latex", "--standalone"]) == 0
+    assert (
+        run([*command.replace("%%", "%").format(path).split(), "--format", "latex", "--standalone"]) == 0
+    )
     printed = capsys.readouterr().out
     for sign in (r"\lambda", r"$\surd$", "度", "U+5EA6", "U+1F600", r"\mu", r"\frac12", "é"):
         assert sign in printed, sign

@@ -95,17 +95,20 @@ def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tupl
     `own` are what a result's own tables mean; they stand before the rest.
     """
     layout, alike = balance.layout, balance.kinematics is not None
-    signs = "+ is up or right seen from the front; a couple + pushes the front up or right"
     entries = (
         *own,
         *origin_facts(layout),
         *size_facts(layout, balance.ratio, alike=alike),
         *balancer_entries(layout),
-        ("signs", signs),
+        SIGNS,
         ORDER,
     )
     facts = Facts(entries, "How to read it")
     return (facts,) if alike else (kind_table(layout), facts)
+
+
+SIGNS = ("signs", "+ is up or right seen from the front; a couple + pushes the front up or right")
+"""What directions and couples count as positive."""
 
 
 def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:

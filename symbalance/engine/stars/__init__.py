@@ -19,6 +19,7 @@ from symbalance.engine.stars.firings import (
 __all__ = [
     "Firing",
     "StarClass",
+    "crank-stars",
     "crank_stars",
     "even_interval",
     "evenest",
