@@ -19,7 +19,6 @@ from symbalance.engine.stars.firings import (
 __all__ = [
     "Firing",
     "StarClass",
-    "crank-stars",
     "crank_stars",
     "even_interval",
     "evenest",
