@@ -3,7 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from functools import cache
+from pathlib import Path
+
+import sympy
+from sympy import Symbol
 
 import symbalance as sb
 from symbalance.document.result import Result
@@ -53,6 +58,44 @@ def _rotating_balance() -> Result:
     pins = [("3/2", 0), ("1/2", 90), ("-1/2", 270), ("-3/2", 180)]
     weights = [sb.Weight(station, angle, unbalance=60) for station, angle in pins]
     return sb.balanced_weights(weights, [2, -2])
+def _running(name: str, order: int) -> Result:
+    sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5"}
+    return sb.crank_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
+
+
+def _torque_running() -> Result:
+    engine = sb.load(Path(__file__).parent / "record" / "engines" / "lanchester-four.toml")
+    cycle = sb.ideal_cycle("8.5", heat=18)
+    running = sb.crank_torque(engine, cycle, bore=90, rpm=3000, order=6)
+    return sb.torque_report(engine, 6, running=running)
+
+
+def _worst_cases() -> Result:
+    tolerances = sb.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
+    return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
+
+
+def _sensitivities() -> Result:
+    return sb.sensitivities(sb.load("v8-90"), 4)
+
+
+def _assignment() -> Result:
+    return sb.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
+
+
+def _assignment_of_many() -> Result:
+    masses = [Fraction(440 + (7 * n) % 19, 1000) for n in range(16)]
+    return sb.assign_parts(sb.load("bugatti-w16"), masses, orders=[1, 2], whole=True)
+
+
+def _symbolic_order() -> Result:
+    letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
+    return sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters)
+
+
+def _symbolic_order_of_a_vee() -> Result:
+    engine = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin_of_any_angle")
+    return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
 
 
 EXAMPLES: dict[str, Callable[[], Result]] = {
@@ -67,6 +110,22 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
     "rotating-balance": _rotating_balance,
+    "torque": lambda: sb.torque_report(sb.load("v10-72"), 10),
+    "torque-unlike": lambda: sb.torque_report(sb.load("vw-vr6"), 6),
+    "torque-symbolic": lambda: sb.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),
+    "torque-running": _torque_running,
+    "torque-orders": lambda: sb.inertia_torque(sb.load("inline-5"), 10),
+    "running-torque": lambda: _running("v2-45", 3),
+    "gas-torque": lambda: sb.gas_torque(sb.load("v6-90"), sb.ideal_cycle(10, heat=20)),
+    "firing-stars": lambda: sb.firing_stars(sb.load("v6-90"), 4),
+    "ideal-cycle": lambda: sb.ideal_cycle(16, heat=20, peak_pressure=100),
+    "pressure-trace": lambda: sb.ideal_cycle(10, heat=20).trace(4, 720),
+    "worst-cases": _worst_cases,
+    "sensitivities": _sensitivities,
+    "assignment": _assignment,
+    "assignment-of-many": _assignment_of_many,
+    "symbolic-order": _symbolic_order,
+    "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
 }
 """By a name of its own for each; a class may have several."""
 

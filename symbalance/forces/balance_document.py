@@ -95,17 +95,20 @@ def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tupl
     `own` are what a result's own tables mean; they stand before the rest.
     """
     layout, alike = balance.layout, balance.kinematics is not None
-    signs = "+ is up or right seen from the front; a couple + pushes the front up or right"
     entries = (
         *own,
         *origin_facts(layout),
         *size_facts(layout, balance.ratio, alike=alike),
         *balancer_entries(layout),
-        ("signs", signs),
+        SIGNS,
         ORDER,
     )
     facts = Facts(entries, "How to read it")
     return (facts,) if alike else (kind_table(layout), facts)
+
+
+SIGNS = ("signs", "+ is up or right seen from the front; a couple + pushes the front up or right")
+"""What directions and couples count as positive."""
 
 
 def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
@@ -139,9 +142,15 @@ def component_table(title: Said, kept: Sequence[Row], empty: str = "none") -> Ta
     return Table(title, _HEAD, tuple(map(_cells, kept)), keys=2, empty=empty)
 
 
+def order_cell(order: int | Fraction) -> Formula:
+    """Return an order as a cell; half orders as decimals, whose points stand in line."""
+    whole = order == int(order)
+    return number(int(order)) if whole else Decimal(str(float(order)))
+
+
 def _cells(row: Row) -> tuple[Cell, ...]:
     decimals = row.decimals()
-    head = (number(row.order), row.name)
+    head = (order_cell(row.order), row.name)
     if row.is_decimal and decimals is not None:
         cosine, sine, amplitude = (Decimal(d) for d in decimals[:3])
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
