@@ -20,6 +20,7 @@ from symbalance.document.formula import (
     Name,
     Negative,
     Power,
+    Product,
     Subscript,
     equal,
     number,
@@ -264,11 +265,12 @@ def _derivation() -> tuple[Block, ...]:
 def _how_to_read(equations: NodeEquations) -> Facts:
     """Return what the letters mean."""
     kind = equations.rotation
-    turn: Said = (
-        "a rotation vector" if kind == "vector" else f"Cardan angles about {', '.join(kind.upper())}"
-    )
+    turn: tuple[Inline, ...] = ("a rotation vector",)
+    if kind != "vector":
+        attitude = Product(tuple(Name(f"R_{axis}") for axis in kind))
+        turn = ("Cardan angles, the body turned by ", attitude)
     entries: list[tuple[Said, Said]] = [
-        (_Q, (*_listed(COORDINATES), f": a shift and {turn}, in axes that turn about W at ", _OMEGA)),
+        (_Q, (*_listed(COORDINATES), ": a shift and ", *turn, ", in axes that turn about W at ", _OMEGA)),
         (_ALPHA, Derivative(_OMEGA, _T)),
         (Name("m"), ("mass of the rigid body at the node ", *_listed(PLACE))),
         (Name("e"), ("its mass centre from the node, ", *_listed(OFFSET))),
