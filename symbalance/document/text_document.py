@@ -131,7 +131,7 @@ class _Writer(DocumentWriter):
         for each in block.equations:
             drawn = _with_matrices(each, left)
             if drawn and max(map(len, drawn)) <= room:
-                lines += drawn
+                lines += ["", *drawn] if lines else drawn
                 continue
             indented = displayed([each], TextWriter(), room, len(_INDENT), left)
             lines += [f"{name:>{left}} {_INDENT * depth}{line}" for name, depth, line in indented]
