@@ -174,7 +174,7 @@ class _Writer(DocumentWriter):
             hidden = f'<span class="pad" aria-hidden="true">{pad}</span>' if pad else ""
             tag = 'th scope="row"' if i < keys and inlines(words) else "td"
             cells.append(
-                f"<{tag}{_number_class(pad)}>{self.words(words)}{hidden}</{tag.split(maxsplit=1)[0]}>"
+                f"<{tag}{_number_class(pad)}>{hidden}{self.words(words)}</{tag.split(maxsplit=1)[0]}>"
             )
         return f"<tr>{''.join(cells)}</tr>"
 
