@@ -94,6 +94,8 @@ def _symbolic_order() -> Result:
 def _symbolic_order_of_a_vee() -> Result:
     engine = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin_of_any_angle")
     return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
+
+
 PAGE = r"""
 $$x \approx r(1-\cos\theta) + \frac{r}{2\lambda}(1-\cos 2\theta)$$
 
