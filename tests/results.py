@@ -10,6 +10,8 @@ from pathlib import Path
 import sympy
 from sympy import Symbol
 
+import sympy
+
 import symbalance as sb
 from symbalance.document.result import Result
 
@@ -98,6 +100,32 @@ def _symbolic_order_of_a_vee() -> Result:
     return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
 
 
+PAGE = r"""
+$$x \approx r(1-\cos\theta) + \frac{r}{2\lambda}(1-\cos 2\theta)$$
+
+連桿比 $\lambda = 147.15/36.65 = 4.02$ and $|k| = |-k|$, so that $k \neq q$; $\ln(k^2) = 2 \ln k$
+
+$$\frac{\mathrm{d}x}{\mathrm{d}\theta} 度 = r \sin\theta = r \cos\theta$$
+"""
+"""Every verdict, Japanese prose, and characters that each medium writes in its own way."""
+LETTERS = {
+    "theta": "crank angle",
+    "r": "crank radius",
+    "lambda": "rod ratio l/r",
+    "x": "displacement from top dead centre",
+    "k": "positive",
+}
+
+
+def _check() -> Result:
+    return sb.check(PAGE, LETTERS)
+
+
+def _verdict() -> Result:
+    x = sympy.Symbol("x")
+    return sb.check_equal(sympy.sin(x) ** 2, (1 + sympy.cos(2 * x)) / 2)
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
@@ -126,6 +154,8 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "assignment-of-many": _assignment_of_many,
     "symbolic-order": _symbolic_order,
     "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
+    "check": _check,
+    "verdict": _verdict,
 }
 """By a name of its own for each; a class may have several."""
 

@@ -197,7 +197,7 @@ def test_designs_variations_and_verdicts_say_the_same_after_pickle():
         assert again.balanced == design.balanced
     checked = sb.check("$$\\sin^2 x = \\frac{1 - \\cos 2x}{3}$$", {"x": "angle"})
     for again in twice(checked):
-        assert sb.report_json(again) == sb.report_json(checked)
+        assert (sb.to_json(again), sb.to_text(again)) == (sb.to_json(checked), sb.to_text(checked))
         assert again.verdicts[0].fix.text == "(1 - cos 2x)/2"
     three = sb.load("inline-3")
     changes = sb.sensitivities(three, 2)
