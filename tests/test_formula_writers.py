@@ -19,11 +19,12 @@ from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_w
 from symbalance.document.letters import letter_parts, lowered, raised
 from symbalance.document.line_breaking import broken, broken_equation, broken_sum
 from symbalance.document.mathml_writer import formula_mathml
+from symbalance.document.nodes import Paragraph
 from symbalance.document.symbols import symbol
 from symbalance.document.sympy_writer import formula_sympy
 from symbalance.document.text_writer import TextWriter, formula_text
 from symbalance.errors import SymbalanceError
-from symbalance.kinematics.derivation import Prose, derive
+from symbalance.kinematics.derivation import derive
 from symbalance.kinematics.slider_crank import QUANTITIES
 from symbalance.notes.reading import read_expression
 
@@ -138,7 +139,7 @@ def test_mathml_is_well_formed_and_says_all_the_letters_and_digits(formula: f.Fo
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_mathml_of_a_whole_derivation(quantity: str) -> None:
     parts = [part for step in derive(quantity, 12).steps for part in step.parts]
-    pieces = [piece for part in parts if isinstance(part, Prose) for piece in part.pieces]
+    pieces = [piece for part in parts if isinstance(part, Paragraph) for piece in part.words]
     equations = [part for part in [*parts, *pieces] if isinstance(part, f.Equation)]
     assert len(equations) > 10
     for equation in equations:

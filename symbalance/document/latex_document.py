@@ -18,7 +18,7 @@ from symbalance.document.formula import Equation, Formula, Words
 from symbalance.document.latex_characters import east_asian, escaped
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
 from symbalance.document.line_breaking import broken_sum
-from symbalance.document.nodes import inlines
+from symbalance.document.nodes import UNKNOWN, inlines
 from symbalance.document.spreading import spread
 
 ROOM = 66.0
@@ -82,7 +82,7 @@ def document_latex(document: nodes.Document, *, standalone: bool = False) -> str
 class _Writer(DocumentWriter):
     def document(self, document: nodes.Document) -> str:
         title = self.words(document.title)
-        parts = [rf"\section*{{{title}}}"]
+        parts = [rf"\section*{{\raggedright {title}}}"]
         if inlines(document.lead):
             parts.append(self.words(document.lead) + r"\par")
         parts += [self.block(block) for block in document.blocks]
@@ -212,8 +212,8 @@ class _Column:
         """Return a cell; a decimal is parted at its point, so that points stand in line."""
         parts = inlines(words)
         if self.splits:
-            if not parts:
-                return " & "
+            if not parts or parts[0] == UNKNOWN:
+                return f"{escaped(UNKNOWN) if parts else ''} & "
             printed = formula_latex(parts[0])  # type: ignore[arg-type]
             whole, point, fraction = printed.partition(".")
             return rf"${whole}$ & ${point}{fraction}$" if point else rf"${printed}$ & "

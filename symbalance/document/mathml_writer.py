@@ -46,6 +46,8 @@ APPLICATION = "\u2061"
 """The sign, never shown, between a function and its argument."""
 TIMES = "\u2062"
 """The sign, never shown, between two factors."""
+_SPACE = '<mspace width="0.2em"></mspace>'
+"""Beside upright words, which would run together with what stands next to them."""
 
 
 def formula_mathml(formula: Formula | Equation, display: bool = False) -> str:
@@ -180,7 +182,8 @@ class MathmlWriter(FormulaWriter):
         digits = piece.startswith(("<mn>", "<msup><mn>", "<mfrac><mn>"))
         if digits and isinstance(before, Number | Power | Name | Constant | Decimal):
             return _mo("·")
-        return _mo(TIMES)
+        words = isinstance(before, Words) or piece.startswith("<mtext>")
+        return _mo(TIMES) + (_SPACE if words else "")
 
     def quotient(self, node: Quotient, _: bool) -> str:
         """Write a fraction with a bar."""

@@ -60,6 +60,8 @@ class Exact:
 
 
 Cell = Words | Exact
+UNKNOWN = "–"
+"""The cell of a number that is not known: it stands among the numbers of its column."""
 
 
 @dataclass(frozen=True, slots=True)

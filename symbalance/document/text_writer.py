@@ -71,7 +71,7 @@ class TextWriter(FormulaWriter):
         """Return the number of columns."""
         return len(printed)
 
-    def fences(self, value: Sum, _printed: str) -> tuple[str, str]:
+    def fences(self, value: Sum, printed: str) -> tuple[str, str]:
         """Return round brackets, square ones around round ones."""
         return ("[", "]") if holds_a_sum(value) else ("(", ")")
 

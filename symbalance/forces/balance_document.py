@@ -8,7 +8,18 @@ from typing import Protocol
 
 from symbalance.document.decimals import shown
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Dots, Formula, Name, Subscript, cos, equal, number, sin
+from symbalance.document.formula import (
+    Decimal,
+    Dots,
+    Equation,
+    Formula,
+    Name,
+    Subscript,
+    cos,
+    equal,
+    number,
+    sin,
+)
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -59,30 +70,45 @@ def balance_document(balance: Balance) -> Document:
 
 def resultant_blocks(balance: Balance) -> tuple[Block, ...]:
     """Return the free force, the free couple, the shafts' roll moment and the coefficients."""
-    alike = balance.kinematics is not None
-    force = equal(_F_N, _A_N * _MR) if alike else _MR
-    couple = _F_N * _A if alike else _MR * _A
     return blocks(
-        _resultant(balance, "force", ("Free force, unit ", force)),
-        _resultant(balance, "couple", (f"Free couple about {plane(balance)}, unit ", couple)),
+        _resultant(balance, "force", ("Free force, unit ", unit(balance, "force"))),
+        _resultant(
+            balance,
+            "couple",
+            (f"Free couple about {plane(balance)}, unit ", unit(balance, "couple")),
+        ),
         _roll(balance),
         _coefficients(balance),
     )
 
 
-def conventions(balance: Balance) -> tuple[Block, ...]:
-    """Return what an engine's letters, signs and angles mean, and what it is balanced by."""
+def unit(balance: Balance, name: str) -> Formula | Equation:
+    """Return the unit of a balance's "force" or "couple" of order n."""
+    if balance.kinematics is None:
+        return _MR if name == "force" else _MR * _A
+    return equal(_F_N, _A_N * _MR) if name == "force" else _F_N * _A
+
+
+def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tuple[Block, ...]:
+    """Return what an engine's letters, signs and angles mean, and what it is balanced by.
+
+    `own` are what a result's own tables mean; they stand before the rest.
+    """
     layout, alike = balance.layout, balance.kinematics is not None
-    signs = "+ is up or right seen from the front; a couple + pushes the front up or right"
     entries = (
+        *own,
         *origin_facts(layout),
         *size_facts(layout, balance.ratio, alike=alike),
         *balancer_entries(layout),
-        ("signs", signs),
+        SIGNS,
         ORDER,
     )
     facts = Facts(entries, "How to read it")
     return (facts,) if alike else (kind_table(layout), facts)
+
+
+SIGNS = ("signs", "+ is up or right seen from the front; a couple + pushes the front up or right")
+"""What directions and couples count as positive."""
 
 
 def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
