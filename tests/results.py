@@ -56,6 +56,10 @@ def _ellipse() -> Result:
     return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
 
 
+def _rotating_balance() -> Result:
+    pins = [("3/2", 0), ("1/2", 90), ("-1/2", 270), ("-3/2", 180)]
+    weights = [sb.Weight(station, angle, unbalance=60) for station, angle in pins]
+    return sb.balanced_weights(weights, [2, -2])
 def _running(name: str, order: int) -> Result:
     sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5"}
     return sb.crank_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
@@ -133,6 +137,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "design": _design,
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
+    "rotating-balance": _rotating_balance,
     "torque": lambda: sb.torque_report(sb.load("v10-72"), 10),
     "torque-unlike": lambda: sb.torque_report(sb.load("vw-vr6"), 6),
     "torque-symbolic": lambda: sb.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),

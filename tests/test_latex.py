@@ -1,17 +1,18 @@
 """Typeset results: golden files that hold the source, and a compiler that accepts it."""
 
 import re
+import subprocess
 
 import pytest
 import sympy
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.document.formula import Name, Words, cos
+from symbalance.document.formula import Decimal, Name, Words, cos
 from symbalance.document.latex_document import document_latex
 from symbalance.document.latex_writer import formula_latex
 from symbalance.document.mathml_writer import formula_mathml
-from symbalance.document.nodes import Document, Paragraph
+from symbalance.document.nodes import Column, Document, Paragraph, Table
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.kinematics.slider_crank import acceleration_series
@@ -97,6 +98,20 @@ def test_formulas_compile(compile_latex):
     assert formulas[1] == r"\sqrt{\frac{25 - 11 \sqrt{5}}{2}}"
     source = document_latex(Document("formulas", (Paragraph("here"),)), standalone=True)
     compile_latex(source.replace("here", "\n".join(rf"\[{formula}\]" for formula in formulas)))
+
+
+def test_the_head_of_decimals_begins_where_its_column_does(compile_latex):
+    """The head spans both halves of numbers parted at their points; measured on the page."""
+    rows = (("a", Decimal("1.5"), Decimal("2.25")), ("b", Decimal("3.25"), Decimal("4.5")))
+    columns = (Column("name"), Column("wide enough"), Column("too"))
+    page = document_latex(Document("Heads", (Table("", columns, rows),)), standalone=True)
+    pdf = compile_latex(page)
+    boxes = subprocess.run(
+        ["pdftotext", "-bbox", str(pdf), "-"], capture_output=True, text=True, check=True, timeout=60
+    ).stdout
+    left = {word: float(x) for x, word in re.findall(r'<word xMin="([\d.]+)".*?>(.*?)</word>', boxes)}
+    assert left["wide"] == pytest.approx(left["3.25"], abs=2)
+    assert left["too"] == pytest.approx(left["4.5"], abs=2)
 
 
 def test_what_has_no_latex_says_so():

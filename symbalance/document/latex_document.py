@@ -182,7 +182,8 @@ class _Writer(DocumentWriter):
         shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
         lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
         lines += [rf"{{{size}", rf"\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
-        lines.append(" & ".join(c.head(self.words(c.cells[0])) for c in columns) + r" \\")
+        heads = [c.head(self.words(c.cells[0]), last=c is columns[-1]) for c in columns]
+        lines.append(" & ".join(heads) + r" \\")
         lines.append(r"\midrule")
         body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
         if any(r"\frac" in line or "aligned" in line for line in body):
@@ -208,8 +209,10 @@ class _Column:
     def as_paragraph(self, width: float) -> None:
         self.shape = rf"p{{{width * 0.5:.1f}em}}"
 
-    def head(self, printed: str) -> str:
-        return rf"\multicolumn{{2}}{{l@{{\hspace{{12pt}}}}}}{{{printed}}}" if self.splits else printed
+    def head(self, printed: str, *, last: bool) -> str:
+        """Return a column's head, over both halves of a column that is parted at its points."""
+        gap = "" if last else r"\hspace{12pt}"
+        return rf"\multicolumn{{2}}{{@{{}}l@{{{gap}}}}}{{{printed}}}" if self.splits else printed
 
     def cell(self, writer: _Writer, words: nodes.Words) -> str:
         """Return a cell; a decimal is parted at its point, so that points stand in line."""

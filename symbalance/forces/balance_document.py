@@ -119,8 +119,8 @@ def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
 
 def _roll(balance: Balance) -> tuple[Block, ...]:
     kept = roll_rows(balance)
-    unit = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
-    title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", unit)
+    moment = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
+    title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", moment)
     return (component_table(title, kept),) if kept else ()
 
 
