@@ -48,6 +48,38 @@ def _symbolic_order_of_a_vee() -> Result:
     return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
 
 
+def _derivation() -> Result:
+    return sb.derive("force", 6)
+
+
+def _crank_stars() -> Result:
+    return sb.crank_stars(5)
+
+
+def _firing_orders() -> Result:
+    return sb.firing_orders(sb.load("vw-vr6"), within="1/2")
+
+
+def _truncation_bounds() -> Result:
+    return sb.truncation_bounds("force", "7/2", 12)
+
+
+def _harmonics() -> Result:
+    return sb.harmonics("displacement", 6)
+
+
+def _design() -> Result:
+    return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
+
+
+def _design_unlike() -> Result:
+    return sb.design_balance(sb.load("vw-vr6"), [1], per_throw=True)
+
+
+def _ellipse() -> Result:
+    return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
@@ -57,6 +89,14 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "assignment-of-many": _assignment_of_many,
     "symbolic-order": _symbolic_order,
     "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
+    "derivation": _derivation,
+    "crank-stars": _crank_stars,
+    "firing-orders": _firing_orders,
+    "truncation-bounds": _truncation_bounds,
+    "harmonics": _harmonics,
+    "design": _design,
+    "design-unlike": _design_unlike,
+    "ellipse": _ellipse,
 }
 """By a name of its own for each; a class may have several."""
 
@@ -77,9 +117,9 @@ def result_classes() -> set[type[Result]]:
     for module in walk_packages(symbalance.__path__, "symbalance."):
         if ".bench" not in module.name and not module.name.endswith("__main__"):
             import_module(module.name)
-    return _below(Result)
+    return {cls for cls in _below(Result) if cls.kind}
 
 
 def _below(cls: type[Result]) -> set[type[Result]]:
-    own = {cls} if cls is not Result else set()
-    return own.union(*map(_below, cls.__subclasses__())) if cls.__subclasses__() else own
+    """Return a class and all that derive from it, those that only others derive from among them."""
+    return {cls}.union(*map(_below, cls.__subclasses__()))

@@ -193,8 +193,8 @@ def test_torque_says_the_same_after_pickle(name):
 def test_designs_variations_and_verdicts_say_the_same_after_pickle():
     design = sb.design_balance(sb.load("inline-3"), remove=[1])
     for again in twice(design):
-        assert sb.design_text(again) == sb.design_text(design)
-        assert sb.design_json(again) == sb.design_json(design)
+        assert sb.to_text(again) == sb.to_text(design)
+        assert sb.to_json(again) == sb.to_json(design)
         assert again.balanced == design.balanced
     checked = sb.check("$$\\sin^2 x = \\frac{1 - \\cos 2x}{3}$$", {"x": "angle"})
     for again in twice(checked):

@@ -9,9 +9,6 @@ from symbalance.design.balancing import overbalanced as overbalanced
 from symbalance.design.balancing import rotating_unbalance as rotating_unbalance
 from symbalance.design.balancing import rotating_weights as rotating_weights
 from symbalance.design.balancing import throw_unbalance as throw_unbalance
-from symbalance.design.balancing.design_json import design_json as design_json
-from symbalance.design.balancing.design_latex import design_latex as design_latex
-from symbalance.design.balancing.design_text import design_text as design_text
 from symbalance.design.variations import Tolerances as Tolerances
 from symbalance.design.variations import assign_parts as assign_parts
 from symbalance.design.variations import read_parts as read_parts

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from symbalance.design.variations.arranging import Assignment
 from symbalance.design.variations.legend import Entry, as_decimal, letters, units
-from symbalance.document.decimals import figure
+from symbalance.document.decimals import rounded
 from symbalance.document.formula import Words, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table
 from symbalance.document.nodes import Words as Said
@@ -25,12 +25,12 @@ def assignment_document(result: Assignment) -> Document:
 def _criterion(result: Assignment) -> Block:
     force, _ = _units(result)
     rows: list[tuple[Cell, ...]] = [
-        ("these places", figure(result.criterion)),
-        ("as listed", figure(result.listed)),
-        ("at random", figure(result.random)),
+        ("these places", rounded(result.criterion)),
+        ("as listed", rounded(result.listed)),
+        ("at random", rounded(result.random)),
     ]
     if not result.proved:
-        rows.append(("any arrangement, at least", figure(result.bound)))
+        rows.append(("any arrangement, at least", rounded(result.bound)))
     return Table(("What they leave, root mean square in ", force), _CRITERION, tuple(rows))
 
 
@@ -41,7 +41,7 @@ def _left(result: Assignment) -> Block:
     force, couple = _units(result)
     pairs = zip(result.left, result.left_listed, strict=True)
     rows = tuple(
-        (number(best.order), *map(figure, (best.force, best.couple, first.force, first.couple)))
+        (number(best.order), *map(rounded, (best.force, best.couple, first.force, first.couple)))
         for best, first in pairs
     )
     title = ("What they leave, largest over a turn, force in ", force, ", couple in ", couple)
@@ -58,7 +58,7 @@ def _units(result: Assignment) -> tuple[Words, Words]:
 def _legend(result: Assignment) -> Block:
     criterion: Said = (
         "root mean square over a turn of the force, and of the couple as a force at a lever of ",
-        figure(result.lever),
+        rounded(result.lever),
         " pitches",
     )
     counted = "their whole masses" if result.whole else "what they differ from the mean of their set by"

@@ -7,7 +7,7 @@ from fractions import Fraction
 from symbalance.design.variations.extremes import WorstCase, WorstCases
 from symbalance.design.variations.legend import AS_MADE, Entry, as_decimal, letters, plane, units
 from symbalance.design.variations.tolerances import PARTS_OF, UNITS
-from symbalance.document.decimals import figure
+from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, blocks
 from symbalance.document.nodes import Words as Said
@@ -57,7 +57,7 @@ def _given(result: WorstCases) -> Said:
 def _rows(result: WorstCases, quantity: str) -> tuple[tuple[Cell, ...], ...]:
     scale = result.scale.couple if quantity.endswith("couple") else result.scale.force
     return tuple(
-        (number(worst.order), worst.of, *map(figure, values))
+        (number(worst.order), worst.of, *map(rounded, values))
         for worst in result
         if worst.quantity == quantity and any(values := _values(worst, scale))
     )

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from symbalance.document.formula import Formula, Negative, Sum
+from symbalance.document.formula import Formula
 from symbalance.document.latex_characters import escaped
-from symbalance.document.latex_writer import formula_latex
+from symbalance.document.latex_writer import LatexWriter
+from symbalance.document.line_breaking import Line, broken_sum
 from symbalance.notes.checking.reports.text import summary, verdict_words, witness_text
 from symbalance.notes.checking.verdicts import REFUTED, Checked, Verdict
 
@@ -56,7 +57,7 @@ def _beside(verdict: Verdict) -> str:
     if not rows:
         return ""
     broken = [(title, _lines(node)) for title, node in rows]
-    size = _size(max(visible_length(line) for _, lines in broken for line in lines))
+    size = _size(max(line.width for _, lines in broken for line in lines))
     printed = [(title, _aligned(lines)) for title, lines in broken]
     lines = rf"\\[1.2ex]{chr(10)}".join(
         rf"\textit{{{title}}} & \displaystyle {formula}" for title, formula in printed
@@ -64,51 +65,28 @@ def _beside(verdict: Verdict) -> str:
     return rf"{{{size}\[\begin{{array}}{{@{{}}l@{{\quad}}l@{{}}}}{lines}\end{{array}}\]}}" + "\n"
 
 
-def _lines(node: Formula) -> list[str]:
-    """Return a formula in lines that fit, broken between the terms of its outermost sum."""
-    if not isinstance(node, Sum):
-        return [formula_latex(node)]
-    lines: list[str] = []
-    for k, term in enumerate(node.terms):
-        negative = isinstance(term, Negative)
-        printed = formula_latex(term)
-        signed = printed if k == 0 else (printed if negative else f"+ {printed}")
-        if lines and visible_length(lines[-1] + signed) <= WIDEST:
-            lines[-1] = f"{lines[-1]} {signed}"
-        else:
-            lines.append(signed)
-    return lines
+def _lines(node: Formula) -> list[Line]:
+    """Return a formula in lines that fit at the usual size of letters."""
+    return broken_sum(node, LatexWriter(), WIDEST, WIDEST, INDENT)
 
 
-def _aligned(lines: list[str]) -> str:
+def _aligned(lines: list[Line]) -> str:
     if len(lines) == 1:
-        return lines[0]
-    joined = rf"\\{chr(10)}&\quad ".join(lines)
+        return lines[0].printed
+    joined = f"\\\\{chr(10)}&".join(r"\quad " * line.depth + line.printed for line in lines)
     return rf"\begin{{aligned}}[t]&{joined}\end{{aligned}}"
 
 
-WIDEST = 60
-_SIZES = ((WIDEST, ""), (72, r"\small"), (84, r"\footnotesize"), (100, r"\scriptsize"))
+WIDEST = 82
+"""How many digits wide a line may be: 174 mm less the words before it hold 90 of them at 10 pt."""
+INDENT = 2
+"""What the indent of a continued line takes of that."""
+_SIZES = ((WIDEST, ""), (93, r"\small"), (105, r"\footnotesize"), (120, r"\scriptsize"))
 
 
-def _size(length: int) -> str:
-    return next((size for limit, size in _SIZES if length <= limit), r"\tiny")
-
-
-def visible_length(formula: str) -> int:
-    r"""Return about how many letters wide a formula is: a fraction counts its longer half.
-
-    >>> visible_length(r"\frac{15}{4096 \lambda^{5}} \cos 2 \theta")
-    11
-    """
-    while found := _FRACTION.search(formula):
-        longer = max(found[1], found[2], key=visible_length)
-        formula = formula[: found.start()] + longer + formula[found.end() :]
-    formula = re.sub(r"\\(sin|cos|tan|quad|exp|ln)", "abc", formula)
-    return len(re.sub(r"\\(left|right|,|;)|[{}^_\s]", "", re.sub(r"\\[a-zA-Z]+", "a", formula)))
-
-
-_FRACTION = re.compile(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}")
+def _size(width: float) -> str:
+    """Return the size of letters at which a line fits that could not be broken."""
+    return next((size for limit, size in _SIZES if width <= limit), r"\tiny")
 
 
 def _source(verdict: Verdict) -> str:
