@@ -10,8 +10,6 @@ from pathlib import Path
 import sympy
 from sympy import Symbol
 
-import sympy
-
 import symbalance as sb
 from symbalance.document.result import Result
 
@@ -22,6 +20,34 @@ def _balance() -> Result:
 
 def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
+
+
+def _worst_cases() -> Result:
+    tolerances = sb.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
+    return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
+
+
+def _sensitivities() -> Result:
+    return sb.sensitivities(sb.load("v8-90"), 4)
+
+
+def _assignment() -> Result:
+    return sb.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
+
+
+def _assignment_of_many() -> Result:
+    masses = [Fraction(440 + (7 * n) % 19, 1000) for n in range(16)]
+    return sb.assign_parts(sb.load("bugatti-w16"), masses, orders=[1, 2], whole=True)
+
+
+def _symbolic_order() -> Result:
+    letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
+    return sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters)
+
+
+def _symbolic_order_of_a_vee() -> Result:
+    engine = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin_of_any_angle")
+    return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
 
 
 def _derivation() -> Result:
@@ -60,6 +86,8 @@ def _rotating_balance() -> Result:
     pins = [("3/2", 0), ("1/2", 90), ("-1/2", 270), ("-3/2", 180)]
     weights = [sb.Weight(station, angle, unbalance=60) for station, angle in pins]
     return sb.balanced_weights(weights, [2, -2])
+
+
 def _running(name: str, order: int) -> Result:
     sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5"}
     return sb.crank_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
@@ -129,6 +157,12 @@ def _verdict() -> Result:
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
+    "worst-cases": _worst_cases,
+    "sensitivities": _sensitivities,
+    "assignment": _assignment,
+    "assignment-of-many": _assignment_of_many,
+    "symbolic-order": _symbolic_order,
+    "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
     "derivation": _derivation,
     "crank-stars": _crank_stars,
     "firing-orders": _firing_orders,

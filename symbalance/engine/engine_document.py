@@ -20,6 +20,11 @@ WAVE = equal(
 )
 """What an order's coefficients, amplitude and phase are."""
 ORDER: tuple[Said, Said] = (("order ", _N), WAVE)
+SIGNS: tuple[Said, Said] = (
+    "signs",
+    "+ is up or right seen from the front; a couple + pushes the front up or right",
+)
+"""What directions and couples count as positive."""
 
 
 def engine_words(engine: Engine) -> str:
