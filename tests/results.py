@@ -9,8 +9,18 @@ from pathlib import Path
 
 import sympy
 from sympy import Symbol
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from cranks import sheet, written
 
 import symbalance as sb
+from symbalance.crankshaft.files import read_running_engine
+from symbalance.crankshaft.reports import summary
+from symbalance.crankshaft.running import setting, swept
 from symbalance.document.result import Result
 
 
@@ -152,6 +162,52 @@ def _check() -> Result:
 def _verdict() -> Result:
     x = sympy.Symbol("x")
     return sb.check_equal(sympy.sin(x) ** 2, (1 + sympy.cos(2 * x)) / 2)
+def _rotor() -> Any:
+    discs = {0.5: sb.Disc(32.6, 0.33, 0.18)}
+    return sb.shaft([sb.Tube(1.5, 0.05)], discs, bearings=(0.0, 1.5))
+
+
+UNEVEN = [sb.Support((1e6, 8e5), damping=100.0)] * 2
+"""Supports softer sideways, N/m, with damping in N s/m."""
+
+
+def _modes() -> Result:
+    return sb.natural_modes(_rotor(), 5)
+
+
+def _campbell() -> Result:
+    rotor = _rotor()
+    return sb.campbell(rotor, [0.0, 200.0, 400.0], sb.held_at(rotor, 1e6, axial=1e8), count=8)
+
+
+def _whirl() -> Result:
+    return sb.whirl(_rotor(), UNEVEN, 400.0)
+
+
+def _critical_speeds() -> Result:
+    return sb.critical_speeds(_rotor(), UNEVEN, most=600.0)
+
+
+def _unbalance_response() -> Result:
+    return sb.unbalance_response(_rotor(), UNEVEN, {0.5: 1e-3, 0.0: 2e-4j}, [80.0, 400.0])
+
+
+def _torsional_chain() -> Result:
+    return sb.torsional_chain([3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05], [12e3, 12e3, 14e3, 10e3])
+
+
+def _crank_node() -> Result:
+    return sb.node_equations("uvw")
+
+
+def _crankshaft() -> Result:
+    """A run of one cylinder at three speeds, of which the last is not to be relied on."""
+    with TemporaryDirectory() as folder:
+        engine = read_running_engine(written(Path(folder), sheet())).at_speeds((1000.0, 1500.0, 2000.0))
+        made = setting(engine, webs="nominal", steps=120, about="centre")
+        outcomes = swept(made, None, lambda line: None)
+    lost = replace(outcomes[-1], reason="films do not settle at 120 steps a cycle")
+    return summary(made, [*outcomes[:-1], lost])
 
 
 EXAMPLES: dict[str, Callable[[], Result]] = {
@@ -190,6 +246,14 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
     "check": _check,
     "verdict": _verdict,
+    "campbell": _campbell,
+    "crank-node": _crank_node,
+    "crankshaft": _crankshaft,
+    "critical-speeds": _critical_speeds,
+    "natural-modes": _modes,
+    "torsional-chain": _torsional_chain,
+    "unbalance-response": _unbalance_response,
+    "whirl": _whirl,
 }
 """By a name of its own for each; a class may have several."""
 
