@@ -220,6 +220,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "symbolic-order": _symbolic_order,
     "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
     "derivation": _derivation,
+    "presets": sb.presets,
     "crank-stars": _crank_stars,
     "firing-orders": _firing_orders,
     "truncation-bounds": _truncation_bounds,
