@@ -110,9 +110,6 @@ from symbalance.kinematics.slider_crank import harmonics as harmonics
 from symbalance.kinematics.truncation import left_out as left_out
 from symbalance.kinematics.truncation_bounds import truncation_bounds as truncation_bounds
 from symbalance.notes.checking import check_equal as check_equal
-from symbalance.notes.checking import report_json as report_json
-from symbalance.notes.checking import report_latex as report_latex
-from symbalance.notes.checking import report_text as report_text
 from symbalance.torque import crank_torque as crank_torque
 from symbalance.torque import firing_stars as firing_stars
 from symbalance.torque import gas_torque as gas_torque

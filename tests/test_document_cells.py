@@ -7,7 +7,7 @@ import re
 import pytest
 
 from symbalance.document.decimals import fixed, rounded
-from symbalance.document.formula import INFINITY, Decimal, Equation, Matrix, Name, number
+from symbalance.document.formula import INFINITY, Decimal, Equation, Matrix, Name, Subscript, number
 from symbalance.document.html_document import document_html
 from symbalance.document.latex_document import document_latex
 from symbalance.document.markdown_document import document_markdown
@@ -56,9 +56,11 @@ def test_an_unknown_number_keeps_its_column_one_of_numbers(write) -> None:  # ty
 
 
 def test_a_matrix_is_drawn_row_by_row_where_it_fits() -> None:
-    block = Formulas((Equation(Name("X"), (("=", MATRIX),)), Equation(Name("Ym"), (("=", Name("a")),))))
+    matrices = (Equation(Name(name), (("=", MATRIX),)) for name in "XZ")
+    block = Formulas((*matrices, Equation(Name("Ym"), (("=", Name("a")),))))
     drawn = document_text(Document("", (block,))).splitlines()
-    assert drawn[-3:] == ["   X = [ a  −b ]", "       [ b  0c ]", "  Ym = a"]
+    rows = ["   X = [ a  −b ]", "       [ b  0c ]"]
+    assert drawn[-6:] == [*rows, "", rows[0].replace("X", "Z"), rows[1], "  Ym = a"]
 
 
 def test_a_matrix_that_does_not_fit_stands_in_one_line() -> None:
@@ -94,3 +96,9 @@ def test_what_is_not_finite_is_no_decimal() -> None:
     assert rounded(float("nan")) == fixed(float("nan"), 2) == UNKNOWN
     assert rounded(float("inf")) == fixed(float("inf"), 2) == INFINITY
     assert fixed(-0.001, 2) == Decimal("0.00")
+
+
+def test_an_index_of_an_indexed_letter_compiles(compile_latex) -> None:  # type: ignore[no-untyped-def]
+    entry = Subscript(Name("F_M"), number(1))
+    block = Formulas((Equation(entry, (("=", Name("m")),)),))
+    compile_latex(document_latex(Document("", (block,)), standalone=True))

@@ -93,7 +93,8 @@ def test_operators_keep_what_is_written() -> None:
 
 _FUNCTION_WORDS = {*f.FUNCTIONS, "arcsin", "arccos", "arctan", "atan2", "F", "d"}
 CORE = {
-    *("math", "mrow", "mi", "mn", "mo", "mtext", "mfrac", "msqrt", "msub", "msup", "msubsup", "munder"),
+    *("math", "mrow", "mi", "mn", "mo", "mtext", "mspace", "mfrac", "msqrt", "msub", "msup", "msubsup"),
+    "munder",
     *("munderover", "mover", "mtable", "mtr", "mtd", "mmultiscripts", "mprescripts"),
 }
 ARGUMENTS = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "munder": 2, "munderover": 3, "mover": 2}
@@ -157,7 +158,8 @@ def test_mathml_of_a_whole_derivation(quantity: str) -> None:
         (f.Words("a < b"), "<mtext>a &lt; b</mtext>"),
         (
             f.cos(2 * f.Name("theta")),
-            "<mrow><mi>cos</mi><mo>\u2061</mo><mrow><mn>2</mn><mo>\u2062</mo><mi>θ</mi></mrow></mrow>",
+            '<mrow><mi>cos</mi><mo>\u2061</mo><mspace width="0.2em"></mspace>'
+            "<mrow><mn>2</mn><mo>\u2062</mo><mi>θ</mi></mrow></mrow>",
         ),
         (
             2 * (f.Name("x") + 1),

@@ -70,7 +70,7 @@ def calls() -> dict[str, Callable[[], object]]:
         "derivation": lambda: derivation_text(sb.derive("force", 6)),
         "derivation of the rod's angle": lambda: derivation_text(sb.derive("rod-angle", 5)),
         "ellipse": lambda: repr(ellipse(sb.balance(sb.load("v2-45"), 2)).reach(Fraction(1, 3))),
-        "a page": lambda: sb.report_text(sb.check(PAGE)),
+        "a page": lambda: sb.to_text(sb.check(PAGE)),
     }
     return found
 

@@ -1,5 +1,6 @@
 from symbalance.design.balancing import Design as Design
 from symbalance.design.balancing import Ellipse as Ellipse
+from symbalance.design.balancing import RotatingBalance as RotatingBalance
 from symbalance.design.balancing import balanced_weights as balanced_weights
 from symbalance.design.balancing import best_forward as best_forward
 from symbalance.design.balancing import best_overbalance as best_overbalance

@@ -187,7 +187,7 @@ class FormulaWriter:
 
     def _term(self, term: Formula, place: int, last: int, closed: bool) -> tuple[str, str]:
         if isinstance(term, Dots):
-            return " + " if place else "", self.dots_sign
+            return " + " if place else "", self.write(term)
         if not place:
             return "", self.write(term, SIGN if last else 0, closed)
         if isinstance(term, Negative) and self.takes_minus(term.operand):

@@ -8,6 +8,7 @@ lualatex with luatexja: pdflatex writes their codes, and says on the page and in
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from symbalance.document import nodes
@@ -29,6 +30,8 @@ _GAP = 2.4
 """Between two columns: 2 tabcolsep, 12 pt."""
 _INDENT = 2.0
 """Of a line that continues a bracket: \\quad."""
+_QUAD = r"\quad "
+_BREAKS = re.compile(r"(?<=.)(?=\\)|(?<=[=+,}/_])(?=.)", re.DOTALL)
 _SIZES = ((1.0, ""), (0.9, r"\small"), (0.8, r"\footnotesize"), (0.7, r"\scriptsize"), (0.55, r"\tiny"))
 _WORDS_ROOM = 24.0
 """A column of words wider than this may be set as a paragraph."""
@@ -94,10 +97,8 @@ class _Writer(DocumentWriter):
         return escaped(text)
 
     def code(self, text: str) -> str:
-        """Return text taken literally, which may be broken after signs that open or join."""
-        printed = escaped(text)
-        for mark in (r"\textbackslash{}", "=", "+", ",", r"\}", "/"):
-            printed = printed.replace(mark, mark + r"\allowbreak{}")
+        """Return text taken literally, which may be broken before a command and after signs that join."""
+        printed = r"\allowbreak{}".join(map(escaped, _BREAKS.split(text)))
         return rf"\texttt{{{printed}}}"
 
     def strong(self, text: str) -> str:
@@ -143,13 +144,15 @@ class _Writer(DocumentWriter):
     def source_line(self, line: nodes.SourceLine) -> str:
         verdict = escaped(line.verdict)
         verdict = rf"\fbox{{\textsc{{{verdict.lower()}}}}}" if line.bad else rf"\textit{{{verdict}}}"
-        parts = [rf"\textbf{{{escaped(line.place)}}}\quad {verdict}\par\nobreak"]
-        parts.append(rf"{{\small\raggedright {self.code(line.text)}\par}}")
-        parts += [rf"{{\small\raggedright {self.words(note)}\par}}" for note in line.notes]
+        head = rf"\textbf{{{escaped(line.place)}}}\quad {verdict}\quad {{\small {self.code(line.text)}}}"
+        parts = [rf"{{\raggedright\hangindent=2em\hangafter=1 {head}\par}}"]
+        below = r"\small\raggedright\leftskip=2em "
+        parts += [rf"{{{below}{self.words(note)}\par}}" for note in line.notes]
         if line.formulas:
-            equations = [Equation(Words(name), (("", value),)) for name, value in line.formulas]
-            parts.append(_aligned(equations))
-        return _kept_together("\n".join(parts))
+            equations = [Equation(Words(f"{name}:"), (("", value),)) for name, value in line.formulas]
+            rows = r" \\".join(_rows(equations, ROOM - 6.0, r"\quad "))
+            parts.append(rf"{{\leftskip=2em$\begin{{aligned}}{rows}\end{{aligned}}$\par}}")
+        return _kept_together("\\parskip=2pt\n" + "\n".join(parts), "smallskip")
 
     # Tables -------------------------------------------------------------------------------------
 
@@ -179,7 +182,8 @@ class _Writer(DocumentWriter):
         shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
         lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
         lines += [rf"{{{size}", rf"\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
-        lines.append(" & ".join(c.head(self.words(c.cells[0])) for c in columns) + r" \\")
+        heads = [c.head(self.words(c.cells[0]), last=c is columns[-1]) for c in columns]
+        lines.append(" & ".join(heads) + r" \\")
         lines.append(r"\midrule")
         body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
         if any(r"\frac" in line or "aligned" in line for line in body):
@@ -205,8 +209,10 @@ class _Column:
     def as_paragraph(self, width: float) -> None:
         self.shape = rf"p{{{width * 0.5:.1f}em}}"
 
-    def head(self, printed: str) -> str:
-        return rf"\multicolumn{{2}}{{l@{{\hspace{{12pt}}}}}}{{{printed}}}" if self.splits else printed
+    def head(self, printed: str, *, last: bool) -> str:
+        """Return a column's head, over both halves of a column that is parted at its points."""
+        gap = "" if last else r"\hspace{12pt}"
+        return rf"\multicolumn{{2}}{{@{{}}l@{{{gap}}}}}{{{printed}}}" if self.splits else printed
 
     def cell(self, writer: _Writer, words: nodes.Words) -> str:
         """Return a cell; a decimal is parted at its point, so that points stand in line."""
@@ -264,10 +270,13 @@ def _left_out_line(form: LeftOut) -> str:
 
 
 def _aligned(equations: Sequence[Equation]) -> str:
-    rows = displayed(equations, LatexWriter(), ROOM, _INDENT)
-    quad = r"\quad "
-    lines = [f"{name} &{quad * depth}{line}".strip() for name, depth, line in rows]
-    return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
+    return "\\begin{align*}\n" + " \\\\\n".join(_rows(equations, ROOM)) + "\n\\end{align*}"
+
+
+def _rows(equations: Sequence[Equation], room: float, gap: str = "") -> list[str]:
+    """Return the lines of equations, parted before the first relation, or where `gap` stands for none."""
+    lines = displayed(equations, LatexWriter(), room, _INDENT)
+    return [f"{name} &{gap}{_QUAD * depth}{line}".strip() for name, depth, line in lines]
 
 
 def _width(words: nodes.Words) -> float:
@@ -283,7 +292,7 @@ def _width(words: nodes.Words) -> float:
     return total
 
 
-def _kept_together(body: str) -> str:
+def _kept_together(body: str, skip: str = "medskip") -> str:
     """Return lines that stay on one page."""
-    begin, end = r"\par\medskip\noindent\begin{minipage}{\linewidth}", r"\end{minipage}\par\medskip"
-    return f"{begin}\n{body}\n{end}"
+    begin = rf"\par\{skip}\noindent\begin{{minipage}}{{\linewidth}}"
+    return f"{begin}\n{body}\n\\end{{minipage}}\\par\\{skip}"

@@ -208,8 +208,11 @@ class LatexWriter(FormulaWriter):
         return self.write(argument).replace(r"\frac{1}{2}", r"\tfrac{1}{2}")
 
     def subscript(self, node: Subscript, _: bool) -> str:
-        """Write a letter with an index."""
-        return f"{self.write(node.base, ATOM)}_{{{self.write(node.index)}}}"
+        """Write a letter with an index; one that has an index of its own goes into braces."""
+        base = self.write(node.base, ATOM)
+        if "_" in base:
+            base = f"{{{base}}}"
+        return f"{base}_{{{self.write(node.index)}}}"
 
     def derivative(self, node: Derivative, _: bool) -> str:
         """Write dx/dθ, or d/dθ(expression)."""

@@ -116,8 +116,8 @@ def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
 
 def _roll(balance: Balance) -> tuple[Block, ...]:
     kept = roll_rows(balance)
-    unit = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
-    title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", unit)
+    moment = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
+    title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", moment)
     return (component_table(title, kept),) if kept else ()
 
 
@@ -139,9 +139,15 @@ def component_table(title: Said, kept: Sequence[Row], empty: str = "none") -> Ta
     return Table(title, _HEAD, tuple(map(_cells, kept)), keys=2, empty=empty)
 
 
+def order_cell(order: int | Fraction) -> Formula:
+    """Return an order as a cell; half orders as decimals, whose points stand in line."""
+    whole = order == int(order)
+    return number(int(order)) if whole else Decimal(str(float(order)))
+
+
 def _cells(row: Row) -> tuple[Cell, ...]:
     decimals = row.decimals()
-    head = (number(row.order), row.name)
+    head = (order_cell(row.order), row.name)
     if row.is_decimal and decimals is not None:
         cosine, sine, amplitude = (Decimal(d) for d in decimals[:3])
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))

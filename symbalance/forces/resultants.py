@@ -194,9 +194,13 @@ def balance(
 
 
 def listed_orders(orders: Sequence[int | Fraction]) -> str:
-    """Return orders with commas, the first and the last where there are many."""
-    shown = [*map(str, orders[:6]), "…", str(orders[-1])] if len(orders) > 8 else map(str, orders)
-    return ", ".join(shown)
+    """Return orders with commas, the first and the last where there are many; halves as decimals.
+
+    >>> listed_orders([Fraction(1, 2), 1, Fraction(3, 2)])
+    '0.5, 1, 1.5'
+    """
+    printed = [str(n) if n == int(n) else str(float(n)) for n in orders]
+    return ", ".join([*printed[:6], "…", printed[-1]] if len(printed) > 8 else printed)
 
 
 def _balance(layout: Engine, order: int, power: int | None, reference: object) -> Balance:

@@ -31,7 +31,7 @@ class TruncationBounds(SequenceResult[tuple[int, Real]]):
     quantity: str
     ratio: Fraction
     items: tuple[tuple[int, Real], ...]
-    kind: ClassVar[str] = "truncation_bounds"
+    kind: ClassVar[str] = "truncation-bounds"
 
     def summary(self) -> str:
         """Return what is bounded, in one line."""

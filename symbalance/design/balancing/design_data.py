@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import atan2, degrees, hypot
 from typing import Any
 
 from symbalance.design.balancing.certifying import Claim
@@ -11,6 +10,7 @@ from symbalance.design.balancing.designing import Design
 from symbalance.design.balancing.devices import Device
 from symbalance.design.balancing.ellipse_data import axes
 from symbalance.design.balancing.limits import Limits
+from symbalance.design.balancing.rotating_data import polar, vector
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import Component
 from symbalance.forces.balance_data import VALUE_DIGITS, balance_data, component_values
@@ -61,26 +61,22 @@ def _device(design: Design, device: Device) -> dict[str, Any]:
         "speed": device.speed,
         "kind": "counterweights" if device.on_crank else "shaft",
         "per_throw": not device.weights,
-        "force": _vector(device.force),
-        "couple": _vector(device.couple),
+        "force": vector(device.force),
+        "couple": vector(device.couple),
         "weights": [
             {
                 "station": str(station),
-                "share": _vector(vector),
-                "unbalance": _unbalance(design, device, vector),
+                "share": vector(share),
+                "unbalance": _unbalance(design, device, share),
             }
-            for station, vector in device.weights
+            for station, share in device.weights
         ],
     }
 
 
-def _unbalance(design: Design, device: Device, vector: Amplitude) -> str | None:
-    size = design.unbalance(device, vector)
+def _unbalance(design: Design, device: Device, share: Amplitude) -> str | None:
+    size = design.unbalance(device, share)
     return None if size is None else decimal_text(size, VALUE_DIGITS)
-
-
-def _vector(number: Amplitude) -> dict[str, Any]:
-    return dict(component_values(Component(number)))
 
 
 def _claim(claim: Claim) -> dict[str, Any]:
@@ -104,18 +100,17 @@ def design_records(design: Design) -> list[dict[str, Any]]:
     rows = []
     for weight in weights(design):
         part = Component(weight.vector)
-        up, right = (None, None) if part.number.has_symbols else map(float, part.decimal())
+        share, degrees = polar(weight.vector)
         exact = {"exact_up": str(part.cos), "exact_right": str(part.sin)}
-        decimals: dict[str, Any] = {}
-        if up is not None and right is not None:
-            decimals = {"share": hypot(up, right), "direction_deg": degrees(atan2(right, up))}
         size = None if weight.unbalance is None else float(weight.unbalance)
         place = {
             "speed": weight.device.speed,
             "on": name(weight.device),
             "station": float(weight.station),
         }
-        rows.append({**none, **place, **decimals, **exact, "unbalance_kg_mm": size})
+        rows.append(
+            {**none, **place, "share": share, "direction_deg": degrees, **exact, "unbalance_kg_mm": size}
+        )
     for counterweight in on_throws(design):
         overbalance = float(counterweight.overbalance or 0)
         on = {"speed": 1, "on": "crank", "throw": counterweight.throw, "overbalance": overbalance}

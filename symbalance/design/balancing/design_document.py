@@ -13,8 +13,9 @@ from symbalance.design.balancing.design_facts import (
     weights,
 )
 from symbalance.design.balancing.designing import Design
-from symbalance.design.balancing.ellipse_document import READING, ellipse_table, share_cell
-from symbalance.document.formula import Decimal, Formula, Name, Subscript, Words, equal, number
+from symbalance.design.balancing.ellipse_document import READING, ellipse_table
+from symbalance.design.balancing.weight_cells import size_cell, station_cell
+from symbalance.document.formula import Decimal, Formula, Name, Subscript, equal, number
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -40,12 +41,12 @@ VERDICTS = {
     "added": "added",
 }
 _A_N = Subscript(Name("A"), Name("n"))
-_U, _N, _M, _R = Name("U"), Name("n"), Name("m"), Name("r")
+_U, _S, _N, _M, _R = Name("U"), Name("s"), Name("n"), Name("m"), Name("r")
 _PROPOSED = (
     Column("speed"),
     Column("on the"),
     Column("station"),
-    Column("share"),
+    Column(("share ", _S), "share"),
     Column(("at ", Name("theta"), " = 0")),
     Column((_U, ", kg mm"), "U"),
 )
@@ -78,17 +79,16 @@ def _lead(design: Design) -> str:
     return " ".join(f"{part[0].upper()}{part[1:]}." for part in parts if part)
 
 
-def _share_unit(design: Design) -> Formula:
-    """Return the mass times radius of a share of 1."""
-    unit = _M * _R
-    return (_A_N * unit if design.layout.has_common_harmonics else unit) / _N**2
+def _size(design: Design) -> Formula:
+    """Return the mass times radius of a share s."""
+    return (_S * _A_N * _M * _R if design.layout.has_common_harmonics else _S * _M * _R) / _N**2
 
 
 def _proposed(design: Design) -> tuple[Block, ...]:
     rows = tuple(map(_row, weights(design)))
     title: Said = (
         "Proposed weights: mass times radius ",
-        equal(_U, Words("share") * _share_unit(design)),
+        equal(_U, _size(design)),
     )
     table = Table(title, _PROPOSED, rows, keys=3) if rows else None
     built = on_throws(design)
@@ -104,8 +104,8 @@ def _row(weight: PlacedWeight) -> tuple[Cell, ...]:
     return (
         Decimal(f"{weight.device.speed:+d}"),
         name(weight.device),
-        signed(weight.station),
-        share_cell(weight.vector),
+        station_cell(weight.station),
+        size_cell(weight.vector),
         direction(weight.vector),
         "" if weight.unbalance is None else Decimal(rounded(weight.unbalance)),
     )

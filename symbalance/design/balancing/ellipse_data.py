@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import degrees
 from typing import Any
 
 from symbalance.design.balancing.ellipses import Ellipse
 from symbalance.exact.spectrum import Component
 from symbalance.forces.balance_data import VALUE_DIGITS, component_values, reference_plane, unit
 from symbalance.text.numbers import decimal_text
+from symbalance.text.reals import pi
 
 
 def ellipse_data(ellipse: Ellipse) -> dict[str, Any]:
@@ -68,5 +68,5 @@ def _decimals(ellipse: Ellipse) -> dict[str, float | None]:
     if ellipse.has_symbols:
         return {"major": None, "minor": None, "direction_deg": None}
     major, minor = map(float, ellipse.decimal_axes)
-    tilt = degrees(float(ellipse.decimal_direction)) if ellipse.shape != "circle" else 0.0
+    tilt = float(ellipse.decimal_direction * 180 / pi())
     return {"major": major, "minor": minor, "direction_deg": tilt}

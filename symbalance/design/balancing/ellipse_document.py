@@ -8,12 +8,13 @@ from typing import Any
 import sympy
 
 from symbalance.design.balancing.ellipses import Ellipse
+from symbalance.design.balancing.weight_cells import size_cell
+from symbalance.document.decimals import shown
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Name, number
+from symbalance.document.formula import Decimal, Name, Subscript, number
 from symbalance.document.nodes import Cell, Column, Document, Exact, Table, Words
 from symbalance.document.text_writer import formula_text
-from symbalance.engine.balancer_facts import LONGEST, direction, nearly, rounded, size
-from symbalance.exact.amplitude import Amplitude
+from symbalance.engine.balancer_facts import LONGEST, direction, rounded
 from symbalance.forces.balance_document import conventions, unit
 from symbalance.text.reals import Real, pi
 
@@ -38,15 +39,28 @@ def ellipse_document(ellipse: Ellipse) -> Document:
     measure = unit(ellipse.balance, ellipse.of)
     drawn = [] if ellipse.shape == "nothing" else [ellipse]
     parts = (("with the crank", ellipse.forward), ("against it", ellipse.backward))
-    rows = tuple((name, share_cell(part), direction(part)) for name, part in parts if not part.is_zero())
+    rows = tuple((name, size_cell(part), direction(part)) for name, part in parts if not part.is_zero())
     return Document(
         ellipse.summary(),
         (
             ellipse_table(("Ellipse, unit ", measure), drawn),
             Table(("Rotating parts, unit ", measure), _PARTS, rows),
-            *conventions(ellipse.balance, READING),
+            *conventions(ellipse.balance, [*READING, *_units(ellipse)]),
         ),
     )
+
+
+def _units(ellipse: Ellipse) -> list[tuple[Words, Words]]:
+    """Return what F_n and the A_n of the ellipse's order are, where those stand apart from geometry."""
+    value = ellipse.balance.values.get(ellipse.order)
+    if ellipse.balance.kinematics is None:
+        return []
+    coefficient = Subscript(Name("A"), number(ellipse.order))
+    here = () if value is None else (", here ", Decimal(shown(value)))
+    return [
+        (unit(ellipse.balance, "force"), "force of order n of one cylinder"),
+        (coefficient, ("coefficient of one cylinder", *here)),
+    ]
 
 
 def ellipse_table(title: Words, ellipses: Sequence[Ellipse]) -> Table:
@@ -84,9 +98,3 @@ def _tilt(ellipse: Ellipse) -> Words:
     if degrees.free_symbols:
         return formula_of(ellipse.direction)
     return ("≈ ", Decimal(_plain(ellipse.decimal_direction * 180 / pi())), "°")
-
-
-def share_cell(vector: Amplitude) -> Cell:
-    """Return how large a vector is: exactly, beside its decimal, where that is short."""
-    words, near = size(vector), nearly(vector)
-    return Exact(words[0], near, beside=True) if isinstance(near, Decimal) else words

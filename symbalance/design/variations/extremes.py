@@ -104,7 +104,7 @@ class WorstCases(Result, Sequence[WorstCase]):
     rpm: Fraction | None
     cases: tuple[WorstCase, ...]
 
-    kind: ClassVar[str] = "worst_cases"
+    kind: ClassVar[str] = "worst-cases"
 
     @overload
     def __getitem__(self, index: int) -> WorstCase: ...

@@ -116,7 +116,7 @@ class SymbolicOrder(Result):
     derivative_by: tuple[Any, ...] = ()
     """The symbols it is the derivative by (`differentiated`)."""
 
-    kind: ClassVar[str] = "symbolic_order"
+    kind: ClassVar[str] = "symbolic-order"
 
     def summary(self) -> str:
         """Return what the formulas are of and which symbols are left in them, in one line."""

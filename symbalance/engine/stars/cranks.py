@@ -105,7 +105,7 @@ class CrankStars(SequenceResult[StarClass]):
     cylinders: int
     strokes: int
     items: tuple[StarClass, ...]
-    kind: ClassVar[str] = "crank_stars"
+    kind: ClassVar[str] = "crank-stars"
 
     def summary(self) -> str:
         """Return how many cranks there are, in one line."""

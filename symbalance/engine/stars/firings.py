@@ -92,7 +92,7 @@ class FiringOrders(SequenceResult[Firing]):
     even_only: bool
     simultaneous: bool
     within: Fraction
-    kind: ClassVar[str] = "firing_orders"
+    kind: ClassVar[str] = "firing-orders"
 
     def summary(self) -> str:
         """Return how many orders there are, in one line."""

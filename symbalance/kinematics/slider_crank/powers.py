@@ -71,7 +71,7 @@ def rod_angle_series(order: int, through: int) -> Series:
     return Series(terms, through)
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@dataclass(frozen=True, repr=False)
 class Harmonics(Result):
     """A quantity as constant + sum of coefficient times cos (or sin) of n theta.
 
