@@ -10,7 +10,7 @@ nothing of engines.
     line_breaking             long formulas over several lines
     symbols                   every symbol with its unit and LaTeX
     letters, wordlists        Greek and function names, letters in print;  decimals: as tables print them
-    grid, plain_tables        columns that line up
+    grid                      columns that line up
     latex_parts               what LaTeX needs;  latex_characters: any sign in LaTeX
     printing                  any result as text, LaTeX or JSON
 """
