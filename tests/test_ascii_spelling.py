@@ -265,16 +265,16 @@ def folder(tmp_path):
 def test_a_file_keeps_its_name_wherever_it_is_printed(name, environment, folder):
     shown = NAMES[name, environment]
     code, out, err = ended(folder, environment, "check", name + b".md")
-    assert (code, err, out.splitlines()[0]) == (0, "", f"{shown}.md")
+    assert (code, err, out.splitlines()[0]) == (0, "", f"Check of {shown}.md")
     code, out, err = ended(folder, environment, "check", name + b".md", "--format", "json")
     of_file = "ü" if shown == r"\xfc" else shown  # JSON escapes stand for the character
     assert (code, err, json.loads(out)["document"]) == (0, "", f"{of_file}.md")
     code, out, err = ended(folder, environment, "check", name + b".md", "-o", "report.txt")
     assert (code, out, err) == (0, "", "")
-    assert (folder / "report.txt").read_text(encoding="utf-8").startswith(f"{of_file}.md\n")
+    assert (folder / "report.txt").read_text(encoding="utf-8").startswith(f"Check of {of_file}.md\n")
     code, out, err = ended(folder, environment, "check", name + b".md", "--format", "latex")
     of_latex = of_file.replace("\\", r"\textbackslash{}")
-    assert rf"\section*{{{of_latex}.md}}" in out
+    assert rf"\section*{{Check of \texttt{{{of_latex}.md}}}}" in out
     code, out, err = ended(folder, environment, "check", name + b"gone.md")
     assert (code, out) == (2, "")
     assert err.startswith(f"symbalance: {shown}gone.md: cannot be read")

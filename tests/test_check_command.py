@@ -1,6 +1,9 @@
 """`symbalance check`, `sb.check` and `sb.check_equal`: formats, exit codes, declarations, refusals."""
 
+import io
 import json
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -8,7 +11,6 @@ import sympy as sp
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.notes.checking import report_latex
 
 LETTERS = {
     "theta": "crank angle",
@@ -62,7 +64,7 @@ def test_every_relation_seen_is_counted(tmp_path, capsys):
     }  # fmt: skip
     assert report["counts"]["undecided"] == 0
     run(["check", path])
-    assert capsys.readouterr().out.splitlines()[-1].startswith("4 relations seen: ")
+    assert "\n4 relations seen: " in capsys.readouterr().out
 
 
 def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
@@ -340,6 +342,44 @@ def test_declarations_may_head_the_document(tmp_path):
         assert found[0].line == head.count("\n") + 1
 
 
+def piped(monkeypatch, text: str) -> None:
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(text.encode("utf-8")), encoding="utf-8"))
+
+
+def test_notes_may_be_piped_in(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "letters.toml").write_text(SIDECAR, encoding="utf-8")
+    (tmp_path / "-.symbols.toml").write_text("no = sidecar", encoding="utf-8")  # of a file called -
+    for text, code in ((GOOD, 0), (BAD, 1)):
+        piped(monkeypatch, text)
+        assert run(["check", "-", "--symbols", "letters.toml"]) == code
+        assert capsys.readouterr().out.startswith("Check of standard input\n1 relation seen: ")
+    piped(monkeypatch, GOOD)
+    assert run(["check", "-", "--declare"]) == 0
+    assert '"r" = ""' in capsys.readouterr().out
+    piped(monkeypatch, BAD)
+    assert run(["check", "-", "--symbols", "-"]) == 2
+    assert "can be read only once" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("opening", "mark", "closing"), [("<!-- ", "", "-->"), ("% ", "% ", ""), ("# ", "# ", "")]
+)
+def test_what_is_piped_in_may_declare_its_letters_itself(opening, mark, closing, capsys, monkeypatch):
+    head = opening + SIDECAR.replace("\n", f"\n{mark}").removesuffix(mark) + closing
+    piped(monkeypatch, f"{head}\n{BAD}")
+    assert run(["check", "-", "--format", "json"]) == 1
+    (link,) = json.loads(capsys.readouterr().out)["links"]
+    assert link["verdict"] == "refuted"
+
+
+def test_a_fault_of_ours_names_standard_input(capsys, monkeypatch):
+    monkeypatch.setattr("symbalance.notes.checking.judging.judged", lambda *_: 1 / 0)
+    piped(monkeypatch, "$$2 = 1 + 1$$")
+    assert run(["check", "-"]) == 3
+    assert "line 1 of standard input: ZeroDivisionError" in capsys.readouterr().err
+
+
 def test_missing_declarations_are_listed_to_be_filled_in(tmp_path, capsys):
     path = tmp_path / "notes.md"
     path.write_text("$$F = m a$$\n\n$$F = m r \\omega^2$$\n", encoding="utf-8")
@@ -385,20 +425,50 @@ def test_what_is_no_document_is_refused(wrong):
 
 def test_the_latex_report_compiles_and_shows_both_lines(compile_latex, tmp_path):
     found = sb.check(Path(written(tmp_path, BAD + r"$$x = \unknown_1$$" + "\n" + GOOD)))
-    printed = report_latex(found)
-    assert r"\textit{stands}" in printed
-    assert r"\textit{right}" in printed
+    printed = sb.to_latex(found, standalone=True)
+    assert "stands:" in printed
+    assert "should be:" in printed
+    assert r"\frac{r}{4 \lambda}" in printed
     compile_latex(printed)
 
 
 def test_the_latex_report_loses_no_character_of_the_source(compile_latex):
-    source = "$$x = −√3·½ λ² ± ∂ ÷ × ∫ ΔΩς désaxé 力 ≠ … ₂ ÿ$$"
-    printed = report_latex(sb.check(source, LETTERS))
-    shown = printed[printed.index(r"\ttfamily") : printed.index(r"\par}", printed.index(r"\ttfamily"))]
+    source = "$$x = −√3·½ λ² ± ∂ ÷ × ∫ ΔΩς désaxé ☃ ≠ … ₂ ÿ$$"
+    printed = sb.to_latex(sb.check(source, LETTERS), standalone=True)
+    shown = next(line for line in printed.splitlines() if r"\textsc{unreadable}" in line)
     assert "?" not in shown
-    for piece in ("--", r"\surd", r"\times", r"\Delta", "désaxé", "529B}", r"\pm", "ÿ"):
+    for piece in ("--", r"\surd", r"\times", r"\Delta", "désaxé", "U+2603", r"\pm", "ÿ"):
         assert piece in shown, piece
     compile_latex(printed)
+
+
+JAPANESE = "連桿比 $2k = 力 k$\n\n$$2r = 90度$$\n"
+
+
+@pytest.mark.parametrize("writer", [sb.to_text, sb.to_latex, sb.to_html, sb.to_markdown, sb.to_json])
+def test_japanese_stands_in_a_report_as_it_is(writer):
+    printed = writer(sb.check(JAPANESE, LETTERS))
+    assert "力" in printed
+    assert "度" in printed
+
+
+@pytest.mark.slow
+def test_a_report_with_japanese_needs_lualatex_and_says_so(tmp_path):
+    if shutil.which("lualatex") is None or not _output("kpsewhich", "luatexja.sty", folder=tmp_path):
+        pytest.skip("lualatex or luatexja is not installed")
+    source = sb.to_latex(sb.check(JAPANESE, LETTERS), standalone=True)
+    (tmp_path / "notes.tex").write_text(source, encoding="utf-8")
+    refused = _output("pdflatex", "-interaction=nonstopmode", "notes.tex", folder=tmp_path)
+    assert "compile it with lualatex" in " ".join(refused.split())
+    _output("lualatex", "-interaction=nonstopmode", "-halt-on-error", "notes.tex", folder=tmp_path)
+    read = _output("pdftotext", "notes.pdf", "-", folder=tmp_path)
+    assert "力" in read
+    assert "度" in read
+
+
+def _output(*command: str, folder: Path) -> str:
+    done = subprocess.run(command, cwd=folder, capture_output=True, timeout=120, check=False)
+    return done.stdout.decode("utf-8", "replace")
 
 
 def test_every_character_of_the_report_compiles(compile_latex):

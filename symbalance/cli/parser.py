@@ -78,7 +78,9 @@ def _add_derive(commands: argparse._SubParsersAction) -> None:
 
 def _add_check(commands: argparse._SubParsersAction) -> None:
     parser = command(commands, "check", "A hand derivation, judged equation by equation.")
-    parser.add_argument("notes", metavar="NOTES", help="a .tex, .md or .txt file, left as it is")
+    parser.add_argument(
+        "notes", metavar="NOTES", help="a .tex, .md or .txt file, left as it is; - is standard input"
+    )
     parser.add_argument(
         "--symbols",
         metavar="FILE",
@@ -93,7 +95,6 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
     )
     add_output(parser)
-    parser.set_defaults(format=None)
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from math import isinf, isnan
 
 from symbalance.document.formula import INFINITY, Decimal, Formula
@@ -26,12 +27,14 @@ def shown(value: Real, digits: int = SHOWN_DIGITS) -> str:
     return "e".join([mantissa, *exponent])
 
 
-def rounded(value: float, digits: int = SHOWN_DIGITS) -> Formula | str:
-    """Return a float as a cell, to so many significant digits; `UNKNOWN` for NaN.
+def rounded(value: float | Fraction | Real, digits: int = SHOWN_DIGITS) -> Formula | str:
+    """Return a number as a cell, to so many significant digits; `UNKNOWN` for NaN.
 
     >>> [rounded(x, 4) for x in (1234.56, 0.5, -2.5e-7, float("nan"))]  # doctest: +ELLIPSIS
     [Decimal(..., text='1235'), Decimal(..., text='0.5'), Decimal(..., text='-2.5e-7'), '–']
     """
+    if isinstance(value, Fraction | Real):
+        return Decimal(shown(Real(value), digits))
     if isnan(value) or isinf(value):
         return _not_finite(value)
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")

@@ -86,7 +86,7 @@ class _Writer(DocumentWriter):
         for line in block.lines:
             word = self.strong(line.verdict) if line.bad else self.string(line.verdict)
             notes = [self.words(note) for note in line.notes]
-            notes += [f"{self.string(name)}: {self.math(value)}" for name, value in line.formulas]
+            notes += [f"{self.string(name)}: ${formula_latex(value)}$" for name, value in line.formulas]
             cells = (self.string(line.place), self.code(line.text), "<br>".join([word, *notes]))
             lines.append(f"| {' | '.join(cells)} |")
         return "\n".join(lines)

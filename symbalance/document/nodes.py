@@ -51,7 +51,7 @@ class Exact:
     """A cell with an exact value and its decimal, each medium showing what its room allows.
 
     Where `value` fits it is shown, followed by ≈ `near` if `beside`; where it does not, `near` stands in
-    the cell and the exact value below the table. Without `near` the exact value stays.
+    the cell (or "below" if there is none) and the exact value below the table.
     """
 
     value: Formula

@@ -20,6 +20,8 @@ _GAP = 2
 _HARD = "\u00a0"
 _NARROWEST = 12
 """No column of words is wrapped to less."""
+_LONGEST_VERDICT = 20
+"""Of those that have their lines' texts beside them."""
 _POINT = re.compile(r"[−-]?\d+")
 
 Spelled = Callable[[str], str]
@@ -97,7 +99,9 @@ class _Writer(DocumentWriter):
         return "\n".join(self.wrapped(f"{caption}[{block.name}] {block.shows}"))
 
     def source(self, block: nodes.Source) -> str:
-        return "\n".join(line for each in block.lines for line in self.source_line(each))
+        longest = max((len(line.verdict) for line in block.lines), default=0)
+        column = min(longest, _LONGEST_VERDICT)
+        return "\n".join(line for each in block.lines for line in self.source_line(each, column))
 
     def details(self, block: nodes.Details) -> str:
         return "\n\n".join([block.summary, *map(self.block, block.blocks)])
@@ -115,12 +119,19 @@ class _Writer(DocumentWriter):
             lines += self.wrapped(value, lead, " " * len(lead))
         return "\n".join([*head, *lines])
 
-    def source_line(self, line: nodes.SourceLine) -> list[str]:
-        head = f"{line.place:>6}  {line.verdict:<28} {self.quoted(line.text)}".rstrip()
+    def source_line(self, line: nodes.SourceLine, column: int) -> list[str]:
+        """Return a line's place, verdict and text, never shortened: beside, or below where it is long."""
+        text = self.quoted(line.text)
+        head = f"{line.place:>6}  {line.verdict:<{column}}{' ' * _GAP}{text}".rstrip()
+        if len(head) <= self.width and len(line.verdict) <= column and "\n" not in text:
+            lines = [head]
+        else:
+            lines = self.wrapped(line.verdict, f"{line.place:>6}  ", " " * 10)
+            lines += wrap(text, self.width, initial_indent=" " * 8, subsequent_indent=" " * 10)
         below = [part for note in line.notes for part in self.wrapped(note, " " * 8, " " * 10)]
         for name, formula in line.formulas:
             below += self.wrapped((f"{name}: ", formula), " " * 8, " " * 10)
-        return [head, *below]
+        return [*lines, *below]
 
     # Formulas -----------------------------------------------------------------------------------
 

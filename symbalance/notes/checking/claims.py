@@ -17,7 +17,7 @@ from symbalance.notes.checking.deciding.relations import judged
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.steps import PROVED, REFUTED, UNDECIDED, Answer
 from symbalance.notes.checking.describing import lines_of, word_for
-from symbalance.notes.checking.differences import differences, exact_text
+from symbalance.notes.checking.differences import differences, exact_value
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.quantities import quantity
 from symbalance.notes.checking.repair.mending import mended, repaired
@@ -122,6 +122,7 @@ def _mended(
 def with_answer(base: Verdict, answer: Answer, bind: Bind, reason: str = "") -> Verdict:
     """Return a verdict filled from the answer of a claim."""
     bad = not answer.proved
+    exact, exact_node = exact_value(answer) if bad else ("", None)
     return replace(
         base,
         verdict=word_for(answer),
@@ -129,7 +130,8 @@ def with_answer(base: Verdict, answer: Answer, bind: Bind, reason: str = "") -> 
         reason=reason or answer.reason,
         order=answer.order if answer.proved else "",
         assumption=", ".join(answer.assumptions) if answer.proved else "",
-        exact=exact_text(answer) if bad else "",
+        exact=exact,
+        exact_node=exact_node,
         witness=answer.witness if bad else {},
         differences=differences(answer) if bad else (),
     )

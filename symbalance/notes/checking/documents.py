@@ -26,7 +26,8 @@ def check(
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
-    `document` is a file (a Path, or a text that ends in .tex, .md or .txt) or the derivation itself.
+    `document` is a file (a Path, or a text that ends in .tex, .md or .txt, or `-` for standard input) or
+    the derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. `engines` knows the engines that lines are bound to; without it such a line is refused.
@@ -102,8 +103,8 @@ def _declarations(
 
 
 def sidecars_beside(path: Path) -> list[Path]:
-    """Return the sidecars that lie beside a document; the first is its own."""
-    if not path.name:
+    """Return the sidecars that lie beside a document; the first is its own. A pipe has none."""
+    if not path.name or str(path) == STANDARD_INPUT:
         return []
     names = (f"{path.stem}.symbols.toml", f"{path.name}.symbols.toml")
     return [beside for name in names if (beside := path.with_name(name)).exists()]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -70,7 +71,7 @@ def check_equal(
     second = Side(second.readings, (len(text) - len(formula_text(second.node, plain=True)), len(text)))
     chain = Chain((first, second), (Relation(sign, 1),), (1,))
     verdict = described(document, chain, 0, answer)
-    return mended(
+    verdict = mended(
         verdict,
         document,
         second,
@@ -78,6 +79,9 @@ def check_equal(
         knowledge,
         lambda node: judged(first, Side((node,), (0, 0)), sign, knowledge, through).proved,
     )
+    # Nothing was read, so a correction has no line and column.
+    fix = verdict.fix and replace(verdict.fix, faults=())
+    return replace(verdict, source=text, fix=fix)
 
 
 def _knowledge(symbols: Mapping[str, Any], assuming: Iterable[str]) -> Knowledge:

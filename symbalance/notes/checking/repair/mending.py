@@ -88,7 +88,8 @@ def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> F
         _fault(old, new, document, side, kind(old, new) if several else repair.kind)
         for old, new in repair.changes
     )
-    return Fix(repair.kind, title + formula_text(repair.node, plain=True), repair.node, faults)
+    text = title + formula_text(repair.node, plain=True)
+    return Fix(repair.kind, text, repair.node, faults, of_left=bool(title))
 
 
 def _fault(old: Formula, new: Formula, document: Document, side: Side, kind_of: str) -> Fault:
@@ -100,4 +101,5 @@ def _fault(old: Formula, new: Formula, document: Document, side: Side, kind_of: 
         source,
         formula_text(new, plain=True),
         kind_of,
+        new,
     )

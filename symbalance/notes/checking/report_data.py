@@ -1,24 +1,25 @@
-"""The report for programs: one entry for each relation, and one for each line that only continues it."""
+"""Verdicts for programs: an entry for each relation, and one for each line that only continues it."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from symbalance.notes.checking.verdicts import HOLDS, REFUTED, VERDICTS, Checked, Verdict
 
 
-def report_json(checked: Checked) -> dict[str, Any]:
+def report_data(checked: Checked) -> dict[str, Any]:
     """Return the report as plain data."""
-    entries = [entry for v in checked.verdicts for entry in (link(v), *continuations(v))]
+    entries = [entry for v in checked.verdicts for entry in (verdict_data(v), *continuations(v))]
     return {
-        "document": checked.document.name,
+        "document": checked.derivation.name,
         "seen": checked.seen,
         "counts": dict.fromkeys(VERDICTS, 0) | checked.counted(),
         "links": sorted(entries, key=lambda entry: entry["line"]),
     }
 
 
-def link(verdict: Verdict) -> dict[str, Any]:
+def verdict_data(verdict: Verdict) -> dict[str, Any]:
     """Return one verdict as plain data; what does not apply is null, empty or absent."""
     fix = verdict.fix
     entry: dict[str, Any] = {
@@ -61,3 +62,26 @@ def continuations(verdict: Verdict) -> list[dict[str, Any]]:
             here = HOLDS
         entries.append({"line": line, "link": verdict.link, "continues": verdict.line, "verdict": here})
     return entries
+
+
+def verdict_records(verdicts: Iterable[Verdict]) -> list[dict[str, Any]]:
+    """Return a row for each verdict, texts and numbers only; what does not apply is None."""
+    return [
+        {
+            "line": v.line,
+            "link": v.link,
+            "column": v.column,
+            "verdict": v.verdict,
+            "source": v.source,
+            "order": v.order or None,
+            "assumption": v.assumption or None,
+            "bind": v.bind or None,
+            "reason": v.reason or None,
+            "claimed": v.claimed or None,
+            "exact": v.exact or None,
+            "fix": v.fix.text if v.fix else None,
+            "fix_kind": v.fix.kind if v.fix else None,
+            "tag": v.tag or None,
+        }
+        for v in verdicts
+    ]
