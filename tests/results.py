@@ -162,6 +162,8 @@ def _check() -> Result:
 def _verdict() -> Result:
     x = sympy.Symbol("x")
     return sb.check_equal(sympy.sin(x) ** 2, (1 + sympy.cos(2 * x)) / 2)
+
+
 def _rotor() -> Any:
     discs = {0.5: sb.Disc(32.6, 0.33, 0.18)}
     return sb.shaft([sb.Tube(1.5, 0.05)], discs, bearings=(0.0, 1.5))
