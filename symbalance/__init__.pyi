@@ -55,9 +55,6 @@ from symbalance.design.balancing import overbalanced as overbalanced
 from symbalance.design.balancing import rotating_unbalance as rotating_unbalance
 from symbalance.design.balancing import rotating_weights as rotating_weights
 from symbalance.design.balancing import throw_unbalance as throw_unbalance
-from symbalance.design.balancing.design_json import design_json as design_json
-from symbalance.design.balancing.design_latex import design_latex as design_latex
-from symbalance.design.balancing.design_text import design_text as design_text
 from symbalance.design.variations import Tolerances as Tolerances
 from symbalance.design.variations import assign_parts as assign_parts
 from symbalance.design.variations import read_parts as read_parts
@@ -111,6 +108,7 @@ from symbalance.kinematics.mechanisms import force_harmonics as force_harmonics
 from symbalance.kinematics.slider_crank import exact_coefficient as exact_coefficient
 from symbalance.kinematics.slider_crank import harmonics as harmonics
 from symbalance.kinematics.truncation import left_out as left_out
+from symbalance.kinematics.truncation_bounds import truncation_bounds as truncation_bounds
 from symbalance.notes.checking import check_equal as check_equal
 from symbalance.torque import crank_torque as crank_torque
 from symbalance.torque import firing_stars as firing_stars

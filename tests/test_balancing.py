@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from fractions import Fraction
 
 import placed
@@ -23,7 +24,6 @@ from symbalance.engine.trains import CrankTrain, Link
 from symbalance.exact.angles import Angle
 from symbalance.exact.arithmetic import total
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.torque.torque_text import torque_text
 
 GONE = 1e-33
 SIZED = CrankTrain(
@@ -294,6 +294,46 @@ def test_rotating_parts_balance_in_two_planes_and_more(weights, stations):
             least = total
         else:
             assert total > least * (1 - 1e-14)
+
+
+@given(WEIGHTS, st.sampled_from([["1"], ["3", "-3"], ["4", "2", "-4"]]))
+@settings(max_examples=25, deadline=None)
+def test_what_is_left_of_turning_weights_is_their_sum_in_decimals(weights, stations):
+    """In one plane the couple stays; the sums are complex numbers of Python's."""
+    found = sb.balanced_weights(weights, stations)
+
+    def plain(vector):
+        return complex(*map(float, sb.exact.Component(vector).decimal()))
+
+    every = [(float(w.station), plain(w.vector)) for w in weights]
+    every += [(float(c.station), plain(c.weight.vector)) for c in found]
+    left = found.remains
+    assert [plain(part) for part in left] == pytest.approx(
+        [sum(v for _, v in every), sum(z * v for z, v in every)], abs=1e-9
+    )
+    assert left[0].is_zero()
+    said = found.data()
+    assert said["complete"] is (left[0].is_zero() and left[1].is_zero())
+    assert said["complete"] or len(stations) == 1
+    assert len(found) == len(said["counterweights"]) == len(list(found))
+    assert (found.summary().endswith("no force and no couple left")) is said["complete"]
+    row = next(line for line in sb.to_text(found).splitlines() if line.startswith("  couple "))
+    assert row.endswith("proved 0") is said["complete"]
+
+
+def test_an_ellipse_says_of_which_order_and_engine_it_is():
+    """Its axes in records are those of the extremes of its reach, found by trying."""
+    drawn = sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+    assert repr(drawn) == "Free couple of order 1 of v10-72: ellipse, with the crank"
+    (row,) = drawn.records()
+    reach = [float(drawn.reach(Fraction(k, 200) * 3)) for k in range(210)]
+    assert row["major"] == pytest.approx(max(reach), rel=1e-4)
+    assert row["minor"] == pytest.approx(min(reach), rel=1e-4)
+    best = max(range(210), key=reach.__getitem__)
+    assert math.cos(2 * (math.radians(row["direction_deg"]) - best * 0.015)) == pytest.approx(1, abs=1e-3)
+    said = sb.to_text(drawn)
+    assert "6.5186" in said
+    assert "3.441" in said
 
 
 def test_ends_have_the_least_total_of_all_choices():
@@ -592,7 +632,7 @@ def test_every_roll_moment_has_the_shafts():
     assert alone.is_opposite
     assert not whole.is_opposite
     assert whole.frame is not None
-    assert "balance shafts" in torque_text(whole)
+    assert "balance shafts" in sb.to_text(whole)
     trace = sb.ideal_cycle(10, heat=20).trace(4)
     given = {"bore": 80, "stroke": 86, "reciprocating_mass": "1/2", "rpm": 3000}
     given["ratio"] = Fraction(143, 43)

@@ -309,7 +309,7 @@ def test_couples_are_plain_sums_in_order(count, strokes):
 
 
 def test_couples_are_those_of_the_balance():
-    for found in crank_stars(5) + crank_stars(6) + crank_stars(7)[::60]:
+    for found in (*crank_stars(5), *crank_stars(6), *crank_stars(7)[::60]):
         left = balance(found.layout, order=2).couple
         for order, amplitude in ((1, found.first_couple), (2, found.second_couple)):
             assert left.component(order, "vertical").amplitude == amplitude

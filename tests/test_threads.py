@@ -43,7 +43,7 @@ def calls() -> dict[str, Callable[[], object]]:
             f"{name}: torque": lambda n=name: repr(
                 sb.inertia_torque(sb.load(n), 6, ratio=_ratio(n)).terms()
             ),
-            f"{name}: design": lambda n=name: sb.design_text(sb.design_balance(sb.load(n))),
+            f"{name}: design": lambda n=name: sb.to_text(sb.design_balance(sb.load(n))),
             f"{name}: sensitivities": lambda n=name: repr(
                 [(s.parameter, s.cylinder, s.factor, s.values) for s in sb.sensitivities(sb.load(n), 3)]
             ),

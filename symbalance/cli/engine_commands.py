@@ -116,12 +116,7 @@ def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
         "--passes", metavar="N", default="9", help="orbit: how often films are made at most; default: 9"
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
-    parser.add_argument(
-        "--format",
-        choices=("text", "json", "latex"),
-        default="text",
-        help="on the terminal; default: text",
-    )
+    add_output(parser, "FOLDER")
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
 

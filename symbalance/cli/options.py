@@ -24,11 +24,15 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
-    """Add the options of the medium a result is shown in, and of where it goes; see `output.show`."""
+    """Add the options of the medium a result is shown in, and of where it goes; see `output.show`.
+
+    Where `what` is no FILE, the command adds its own -o.
+    """
+    default = "what the ending of -o says (.tex, .html, .md, .json), else text"
     parser.add_argument(
         "--format",
         choices=tuple(MEDIA),
-        help="default: what the ending of -o says (.tex, .html, .md, .json), else text",
+        help=f"default: {default}" if what == "FILE" else "on the terminal; default: text",
     )
     parser.add_argument(
         "--standalone", action="store_true", help="latex: a document that compiles alone, not a fragment"

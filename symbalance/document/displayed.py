@@ -18,14 +18,15 @@ class DisplayedLine(NamedTuple):
 
 
 def displayed(
-    equations: Sequence[Equation], writer: Medium, room: float, indent: float
+    equations: Sequence[Equation], writer: Medium, room: float, indent: float, column: float = 0
 ) -> Iterator[DisplayedLine]:
     """Yield the lines of equations that share one left column, none wider than `room` where that can be.
 
-    Lengths are in the writer's own unit; each bracket that a line continues takes up `indent`.
+    Lengths are in the writer's own unit; each bracket that a line continues takes up `indent`, and the
+    left column at least `column`.
     """
     space = writer.width(" ")
-    left = max(writer.width(writer.write(each.left)) for each in equations) + space
+    left = max(column, *(writer.width(writer.write(each.left)) for each in equations)) + space
     for each in equations:
         name = writer.write(each.left)
         for line in broken_equation(each, writer, room - left, indent):

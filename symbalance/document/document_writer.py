@@ -5,8 +5,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 from symbalance.document import nodes
-from symbalance.document.formula import Decimal, Equation, Formula, Number
-from symbalance.document.nodes import Inline, inlines
+from symbalance.document.formula import INFINITY, Decimal, Equation, Formula, Number
+from symbalance.document.nodes import UNKNOWN, Inline, inlines
 
 
 class DocumentWriter(ABC):
@@ -78,11 +78,16 @@ class DocumentWriter(ABC):
 
 
 def is_number(words: nodes.Words) -> bool:
-    """Tell whether a cell is a lone number, or empty: its point stands in line with others'.
+    """Tell whether a cell is a lone number, infinite, unknown or empty: points stand in line.
 
     >>> from symbalance.document.formula import number
-    >>> is_number(number(3)), is_number("3 of 4"), is_number("")
-    (True, False, True)
+    >>> is_number(number(3)), is_number("3 of 4"), is_number(""), is_number(UNKNOWN)
+    (True, False, True, True)
     """
-    parts = inlines(words)
-    return not parts or (len(parts) == 1 and isinstance(parts[0], Decimal | Number))
+    match inlines(words):
+        case ():
+            return True
+        case (only,):
+            return isinstance(only, Decimal | Number) or only in (UNKNOWN, INFINITY)
+        case _:
+            return False

@@ -67,6 +67,7 @@ def spread_formula(expression: Any) -> Formula:
     return _added([(factor.p, factor.q, rest) for factor, rest in sorted(terms, key=_rank)])
 
 
+@lru_cache(maxsize=1024)
 def text(expression: Any) -> str:
     """Return an exact number as Unicode text.
 
@@ -79,6 +80,7 @@ def text(expression: Any) -> str:
         return str(expression)
 
 
+@lru_cache(maxsize=1024)
 def latex(expression: Any) -> str:
     r"""Return an exact number as LaTeX.
 

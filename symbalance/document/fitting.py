@@ -77,17 +77,12 @@ def _full(cell: Cell) -> Words:
 
 
 def _gives_way(cell: Cell, limit: int | None) -> bool:
-    return (
-        limit is not None
-        and isinstance(cell, Exact)
-        and cell.near is not None
-        and len(formula_text(cell.value)) > limit
-    )
+    return limit is not None and isinstance(cell, Exact) and len(formula_text(cell.value)) > limit
 
 
 def _chosen(cell: Cell, limit: int | None) -> Words:
-    if isinstance(cell, Exact) and cell.near is not None and _gives_way(cell, limit):
-        return cell.near
+    if isinstance(cell, Exact) and _gives_way(cell, limit):
+        return "below" if cell.near is None else cell.near
     return _full(cell)
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from typing import Any
 
 from symbalance.document.formula import (
     Apply,
@@ -44,14 +45,16 @@ def strength(node: Formula) -> int:
     (True, True)
     """
     if isinstance(node, Number):
-        if node.value < 0:
+        if node.value.numerator < 0:
             return SIGN
-        return ATOM if numeral(node) else QUOTIENT
-    if isinstance(node, Decimal):
+        whole = node.last_place is None and node.value.denominator == 1
+        return ATOM if whole or numeral(node) else QUOTIENT
+    if isinstance(node, Product | Sum):
+        parts = node.factors if isinstance(node, Product) else node.terms
+        if len(parts) < 2:
+            return strength(parts[0]) if parts else ATOM
+    elif isinstance(node, Decimal):
         return SIGN if node.text.startswith("-") else PRODUCT if "e" in node.text else ATOM
-    parts = node.factors if isinstance(node, Product) else node.terms if isinstance(node, Sum) else None
-    if parts is not None and len(parts) < 2:
-        return strength(parts[0]) if parts else ATOM
     return _STRENGTH[type(node)]
 
 
@@ -87,7 +90,7 @@ def is_whole(node: Formula) -> bool:
     """Tell whether a formula is a natural number printed without a point."""
     if not isinstance(node, Number) or node.last_place is not None:
         return False
-    return node.value >= 0 and node.value.denominator == 1
+    return node.value.numerator >= 0 and node.value.denominator == 1
 
 
 def is_simple_angle(node: Formula) -> bool:
@@ -124,13 +127,17 @@ class FormulaWriter:
 
     def __init__(self) -> None:
         self.exponentials = 0
+        self._methods: dict[type[Formula], Callable[[Any, bool], str]] = {}
 
     def write(self, node: Formula, least: int = 0, closed: bool = False) -> str:
         """Return the formula in print, in brackets if it binds less than `least`.
 
         `closed` asks for brackets around function arguments, as more is to follow.
         """
-        writer = getattr(self, type(node).__name__.lower())
+        kind = type(node)
+        writer = self._methods.get(kind)
+        if writer is None:
+            writer = self._methods[kind] = getattr(self, kind.__name__.lower())
         if least and self.binding(node) < least:
             return self.bracketed(writer(node, False))
         return writer(node, closed)
@@ -162,7 +169,7 @@ class FormulaWriter:
         if not digits:
             top, bottom = abs(node.value).as_integer_ratio()
             digits = str(top) if bottom == 1 else self.fraction(top, bottom)
-        return f"{self.minus}{digits}" if node.value < 0 else digits
+        return f"{self.minus}{digits}" if node.value.numerator < 0 else digits
 
     def negative(self, node: Negative, closed: bool) -> str:
         """Write -a."""
@@ -180,7 +187,7 @@ class FormulaWriter:
 
     def _term(self, term: Formula, place: int, last: int, closed: bool) -> tuple[str, str]:
         if isinstance(term, Dots):
-            return " + " if place else "", self.dots_sign
+            return " + " if place else "", self.write(term)
         if not place:
             return "", self.write(term, SIGN if last else 0, closed)
         if isinstance(term, Negative) and self.takes_minus(term.operand):

@@ -6,6 +6,7 @@ set, and holds its few lines of style, so that it needs nothing beside it.
 
 from __future__ import annotations
 
+import re
 from base64 import b64encode
 from collections.abc import Sequence
 from html import escape
@@ -15,7 +16,7 @@ from textwrap import shorten
 from symbalance.document import nodes
 from symbalance.document.document_writer import DocumentWriter, is_number
 from symbalance.document.fitting import Fitted, fitted, plain_words
-from symbalance.document.formula import Decimal, Equation, Formula
+from symbalance.document.formula import Decimal, Equation, Formula, Number
 from symbalance.document.mathml_writer import formula_mathml
 from symbalance.document.nodes import inlines
 
@@ -31,7 +32,11 @@ _STYLE = """
 .symbalance caption{text-align:left;font-weight:bold;padding:.3rem 0}
 .symbalance th,.symbalance td{padding:.15rem .8rem .15rem 0;text-align:left;vertical-align:baseline}
 .symbalance thead th{border-bottom:1px solid}
-.symbalance .number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+.symbalance tbody th{font-weight:normal}
+.symbalance h1{font-size:1.5rem}
+.symbalance h2{font-size:1.25rem}
+.symbalance h3{font-size:1.1rem}
+.symbalance .number{font-variant-numeric:tabular-nums;white-space:nowrap}
 .symbalance .pad{visibility:hidden}
 .symbalance .wide{overflow-x:auto}
 .symbalance dt{float:left;clear:left;margin-right:.6rem;font-weight:bold}
@@ -92,9 +97,8 @@ class _Writer(DocumentWriter):
         return f"<strong>{escape(text, quote=False)}</strong>"
 
     def math(self, value: Formula | Equation) -> str:
-        if isinstance(value, Decimal) and "e" not in value.text:
-            return escape(plain_words(value))
-        return formula_mathml(value)
+        whole = isinstance(value, Number) and value.value.denominator == 1
+        return plain_words(value) if whole or isinstance(value, Decimal) else formula_mathml(value)
 
     # Blocks -------------------------------------------------------------------------------------
 
@@ -170,7 +174,7 @@ class _Writer(DocumentWriter):
             hidden = f'<span class="pad" aria-hidden="true">{pad}</span>' if pad else ""
             tag = 'th scope="row"' if i < keys and inlines(words) else "td"
             cells.append(
-                f"<{tag}{_number_class(pad)}>{self.words(words)}{hidden}</{tag.split(maxsplit=1)[0]}>"
+                f"<{tag}{_number_class(pad)}>{hidden}{self.words(words)}</{tag.split(maxsplit=1)[0]}>"
             )
         return f"<tr>{''.join(cells)}</tr>"
 
@@ -193,14 +197,17 @@ class _Writer(DocumentWriter):
 
 
 def _padding(cells: Sequence[nodes.Words]) -> list[str] | None:
-    """Return what is missing behind each number of a column so that points stand in line, or None."""
+    """Return what is missing before each number of a column so that points stand in line, or None."""
     if not all(map(is_number, cells)):
         return None
-    tails = [plain_words(cell).partition(".")[1:] for cell in cells]
-    if any("e" in tail for _, tail in tails):
-        return ["" for _ in tails]
-    longest = max((point + tail for point, tail in tails), key=len, default="")
-    return [longest[len(point + tail) :] for point, tail in tails]
+    wholes = [_WHOLE.match(plain_words(cell)) for cell in cells]
+    heads = [whole[0] if whole else "" for whole in wholes]
+    longest = max(heads, key=len, default="")
+    return [longest[: len(longest) - len(head)] for head in heads]
+
+
+_WHOLE = re.compile("−?[0-9]+")
+"""What stands before a number's point."""
 
 
 def _number_class(pad: object) -> str:

@@ -78,17 +78,21 @@ _SIGNS = {
 }
 
 
-def holds_east_asian(text: str) -> bool:
-    """Tell whether Chinese, Japanese or Korean stands in a text.
+def east_asian(text: str) -> list[str]:
+    """Return the Chinese, Japanese and Korean characters of a text, each once, in order.
 
-    >>> holds_east_asian("度"), holds_east_asian("θ")
-    (True, False)
+    >>> east_asian("角度 of 度 and θ")
+    ['度', '角']
     """
-    return any(map(_is_east_asian, text))
+    return sorted(set(filter(_is_east_asian, text)))
 
 
 def _is_east_asian(character: str) -> bool:
-    return character > "\u2e7f" and unicodedata.east_asian_width(character) in "WF"
+    return (
+        character > "\u2e7f"
+        and unicodedata.east_asian_width(character) in "WF"
+        and character < "\U0001f000"
+    )
 
 
 def letter(character: str) -> str:

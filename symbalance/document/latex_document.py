@@ -3,7 +3,7 @@ r"""Documents as LaTeX: a fragment for an article, or a document that compiles a
 A fragment needs amsmath and booktabs (graphicx where it has a picture), which its first line says. It is
 measured for a line of 345 pt at 10 pt, the default article's, so nothing runs off a page there, nor in
 the document of its own. pdflatex and lualatex both compile it; Chinese, Japanese and Korean need
-lualatex with luatexja, and pdflatex stops and says so.
+lualatex with luatexja: pdflatex writes their codes, and says on the page and in its log that it does.
 """
 
 from __future__ import annotations
@@ -16,9 +16,11 @@ from symbalance.document.displayed import displayed
 from symbalance.document.document_writer import DocumentWriter, is_number
 from symbalance.document.fitting import Fitted, LeftOut, fitted, plain_words
 from symbalance.document.formula import Equation, Formula, Words
-from symbalance.document.latex_characters import escaped, holds_east_asian
+from symbalance.document.latex_characters import east_asian, escaped
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
-from symbalance.document.nodes import inlines
+from symbalance.document.line_breaking import broken_sum
+from symbalance.document.nodes import UNKNOWN, inlines
+from symbalance.document.spreading import spread
 
 ROOM = 66.0
 """How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
@@ -34,48 +36,56 @@ _SIZES = ((1.0, ""), (0.9, r"\small"), (0.8, r"\footnotesize"), (0.7, r"\scripts
 _WORDS_ROOM = 24.0
 """A column of words wider than this may be set as a paragraph."""
 
-_PREAMBLE = r"""\documentclass[11pt]{article}
-\usepackage{iftex}
-\iftutex
-ENGINE\else
-  EIGHT
-\fi
+_CLASS = r"""\documentclass[11pt]{article}
 \usepackage[a4paper,margin=25mm]{geometry}
 \usepackage{amsmath}
 \usepackage{booktabs}
-GRAPHICS\setlength{\parindent}{0pt}
+"""
+_EIGHT_BITS = r"""\usepackage{iftex}
+\iftutex\else
+  \usepackage[T1]{fontenc}
+  \usepackage[utf8]{inputenc}
+  \usepackage{lmodern}
+\fi
+"""
+_SETTINGS = r"""\setlength{\parindent}{0pt}
 \setlength{\parskip}{4pt}
 \setlength{\emergencystretch}{3em}
 \setlength{\jot}{6pt}
 \allowdisplaybreaks
 \begin{document}
 """
-_EIGHT_BITS = r"\usepackage[T1]{fontenc}\usepackage[utf8]{inputenc}\usepackage{lmodern}"
-_STOP = (
-    r"\errmessage{This document holds East Asian characters: compile it with lualatex, "
-    r"which needs the package luatexja}"
-)
+_EAST_ASIAN = r"""\iftutex
+  \usepackage{luatexja}
+\else
+CODES  \AtBeginDocument{\noindent\textbf{Characters are written by their codes (U+...):
+    compile with lualatex, which has their signs.}\par\medskip}
+  \AtEndDocument{\PackageWarningNoLine{symbalance}{East Asian characters are written by
+    their codes; compile with lualatex}}
+\fi
+"""
 
 
 def document_latex(document: nodes.Document, *, standalone: bool = False) -> str:
     """Return a document as LaTeX: a fragment, or with `standalone` one that compiles alone."""
     body = _Writer().document(document)
-    pictures = r"\includegraphics" in body
-    if standalone:
-        east_asian = holds_east_asian(body)
-        preamble = _PREAMBLE.replace("ENGINE", "  \\usepackage{luatexja}\n" if east_asian else "")
-        preamble = preamble.replace("EIGHT", _STOP if east_asian else _EIGHT_BITS)
-        preamble = preamble.replace("GRAPHICS", "\\usepackage{graphicx}\n" if pictures else "")
-        return f"{preamble}{body}\\end{{document}}\n"
-    needs = ["amsmath", "booktabs", *(["graphicx"] if pictures else [])]
-    also = "; compile with lualatex and luatexja" if holds_east_asian(body) else ""
-    return f"% Needs \\usepackage{{{','.join(needs)}}}{also}\n{body}"
+    needs = ["amsmath", "booktabs", *(["graphicx"] if r"\includegraphics" in body else [])]
+    signs = east_asian(body)
+    if not standalone:
+        also = "; compile with lualatex and luatexja" if signs else ""
+        return f"% Needs \\usepackage{{{','.join(needs)}}}{also}\n{body}"
+    parts = [_CLASS, *(f"\\usepackage{{{package}}}\n" for package in needs[2:]), _EIGHT_BITS]
+    if signs:
+        code = r"  \DeclareUnicodeCharacter{%s}{\texttt{U+%s}\allowbreak}" + "\n"
+        codes = "".join(code % (f"{ord(sign):04X}", f"{ord(sign):04X}") for sign in signs)
+        parts.append(_EAST_ASIAN.replace("CODES", codes))
+    return "".join([*parts, _SETTINGS, body, "\\end{document}\n"])
 
 
 class _Writer(DocumentWriter):
     def document(self, document: nodes.Document) -> str:
         title = self.words(document.title)
-        parts = [rf"\section*{{{title}}}"]
+        parts = [rf"\section*{{\raggedright {title}}}"]
         if inlines(document.lead):
             parts.append(self.words(document.lead) + r"\par")
         parts += [self.block(block) for block in document.blocks]
@@ -172,7 +182,8 @@ class _Writer(DocumentWriter):
         shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
         lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
         lines += [rf"{{{size}", rf"\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
-        lines.append(" & ".join(c.head(self.words(c.cells[0])) for c in columns) + r" \\")
+        heads = [c.head(self.words(c.cells[0]), last=c is columns[-1]) for c in columns]
+        lines.append(" & ".join(heads) + r" \\")
         lines.append(r"\midrule")
         body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
         if any(r"\frac" in line or "aligned" in line for line in body):
@@ -198,15 +209,17 @@ class _Column:
     def as_paragraph(self, width: float) -> None:
         self.shape = rf"p{{{width * 0.5:.1f}em}}"
 
-    def head(self, printed: str) -> str:
-        return rf"\multicolumn{{2}}{{l@{{\hspace{{12pt}}}}}}{{{printed}}}" if self.splits else printed
+    def head(self, printed: str, *, last: bool) -> str:
+        """Return a column's head, over both halves of a column that is parted at its points."""
+        gap = "" if last else r"\hspace{12pt}"
+        return rf"\multicolumn{{2}}{{@{{}}l@{{{gap}}}}}{{{printed}}}" if self.splits else printed
 
     def cell(self, writer: _Writer, words: nodes.Words) -> str:
         """Return a cell; a decimal is parted at its point, so that points stand in line."""
         parts = inlines(words)
         if self.splits:
-            if not parts:
-                return " & "
+            if not parts or parts[0] == UNKNOWN:
+                return f"{escaped(UNKNOWN) if parts else ''} & "
             printed = formula_latex(parts[0])  # type: ignore[arg-type]
             whole, point, fraction = printed.partition(".")
             return rf"${whole}$ & ${point}{fraction}$" if point else rf"${printed}$ & "
@@ -239,8 +252,21 @@ def _left_out(forms: Sequence[LeftOut]) -> list[str]:
     """Return the exact forms that have no room in a table, below it."""
     if not forms:
         return []
-    equations = [Equation(Words(f"{each.place} {each.name}"), (("=", each.value),)) for each in forms]
-    return [r"exactly:\par\nobreak", _aligned(equations)]
+    lines = " \\\\\n".join(map(_left_out_line, forms))
+    return [r"exactly:\par\nobreak", f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"]
+
+
+def _left_out_line(form: LeftOut) -> str:
+    """Return a form after its name; one too wide for a line without the root or bar over it."""
+    power, value = 1, form.value
+    label = rf"\text{{{escaped(f'{form.place} {form.name}')}}}"
+    room = ROOM - 2 * _INDENT
+    first = room - _width(f"{form.place} {form.name} = ")
+    if latex_width(formula_latex(value)) > first:
+        power, value = spread(value)
+    head = rf"&{label}{'^2' if power == 2 else ''} = "
+    lines = [line.printed for line in broken_sum(value, LatexWriter(), room, first, _INDENT)]
+    return head + r" \\ &\qquad ".join(line.rstrip() for line in lines)
 
 
 def _aligned(equations: Sequence[Equation]) -> str:

@@ -65,13 +65,20 @@ class LatexWriter(FormulaWriter):
     dots_sign = "\\cdots"
     relations = {"≈": r"\approx", "≤": r"\leq"}  # noqa: RUF012 - a table
 
+    def __init__(self) -> None:
+        super().__init__()
+        self._widths: dict[str, float] = {}
+
     def width(self, printed: str) -> float:
         """Return how many digits wide something printed is, on the wide side: `latex_width`."""
-        return latex_width(printed)
+        width = self._widths.get(printed)
+        if width is None:
+            width = self._widths[printed] = latex_width(printed)
+        return width
 
-    def fences(self, value: Sum) -> tuple[str, str]:
+    def fences(self, value: Sum, printed: str) -> tuple[str, str]:
         r"""Return brackets of fixed size, which may stand on different lines as \left, \right may not."""
-        size = (r"\biggl", r"\biggr") if _is_tall(self.write(value)) else ("", "")
+        size = (r"\biggl", r"\biggr") if _is_tall(printed) else ("", "")
         left, right = ("[", "]") if holds_a_sum(value) else ("(", ")")
         return size[0] + left, size[1] + right
 
@@ -95,7 +102,8 @@ class LatexWriter(FormulaWriter):
 
     def between(self, before: Formula, piece: str, after: Formula) -> str:
         """Return a dot before digits, a thin space where letters would run together, else none."""
-        if isinstance(before, Decimal) or isinstance(after, Words):
+        word_before = isinstance(before, Words) and not isinstance(after, Call)  # \cos has its own space
+        if isinstance(before, Decimal) or isinstance(after, Words) or word_before:
             return r" \, "
         digits = piece[:1].isdecimal() and not isinstance(before, Sum)
         mixed = isinstance(before, Number) and piece.startswith("\\frac")
@@ -200,8 +208,11 @@ class LatexWriter(FormulaWriter):
         return self.write(argument).replace(r"\frac{1}{2}", r"\tfrac{1}{2}")
 
     def subscript(self, node: Subscript, _: bool) -> str:
-        """Write a letter with an index."""
-        return f"{self.write(node.base, ATOM)}_{{{self.write(node.index)}}}"
+        """Write a letter with an index; one that has an index of its own goes into braces."""
+        base = self.write(node.base, ATOM)
+        if "_" in base:
+            base = f"{{{base}}}"
+        return f"{base}_{{{self.write(node.index)}}}"
 
     def derivative(self, node: Derivative, _: bool) -> str:
         """Write dx/dθ, or d/dθ(expression)."""
@@ -296,7 +307,8 @@ def _is_bare_argument(node: Formula) -> bool:
 def latex_width(printed: str) -> float:
     r"""Return about how many digits wide a formula is printed, up to a fourteenth too few.
 
-    A fraction is as wide as its wider part; a sign takes a digit and the space around it.
+    A fraction is as wide as its wider part; a sign takes a digit and the space around it, a bracket that
+    grows half a digit more than a plain one.
 
     >>> latex_width(r"6 \sqrt{3}"), latex_width(r"\frac{1}{2} - \cos\tfrac{2 \pi}{7}")
     (4.0, 8.5)
@@ -305,7 +317,8 @@ def latex_width(printed: str) -> float:
     flat = _LETTER.sub("x", flat)
     while (simpler := _INNERMOST.sub(_wider, flat)) != flat:
         flat = simpler
-    return len(flat.replace(" ", "")) + 1.5 * len(_SIGN.findall(flat))
+    tall = printed.count(r"\left") + printed.count(r"\right") + printed.count(r"\bigg")
+    return len(flat.replace(" ", "")) + 1.5 * len(_SIGN.findall(flat)) + 0.5 * tall
 
 
 _SILENT = re.compile(

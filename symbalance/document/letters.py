@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from symbalance.document.wordlists import listed, word_set
 
 _LOWER = listed("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho")
@@ -141,6 +143,7 @@ def plain_letter(name: str) -> str:
     return f"{GREEK_SIGN.get(base, base)}_{script}{primes}"
 
 
+@lru_cache(maxsize=1024)
 def text_letter(name: str) -> str:
     """Return a letter as Unicode text.
 
@@ -153,6 +156,7 @@ def text_letter(name: str) -> str:
     return base + _ACCENT_SIGNS.get(accent, "") + (lowered(script) if script else "") + primes
 
 
+@lru_cache(maxsize=1024)
 def latex_letter(name: str) -> str:
     r"""Return a letter as LaTeX that reads back as the same letter.
 

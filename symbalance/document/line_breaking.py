@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Protocol
 
-from symbalance.document.formula import Equation, Formula, Negative, Product, Sum
+from symbalance.document.formula import Dots, Equation, Formula, Negative, Product, Sum, Summation
+from symbalance.document.formula_printing import PRODUCT
 
 
 class Medium(Protocol):
@@ -32,8 +33,8 @@ class Medium(Protocol):
         """Return how much room something printed takes."""
         ...
 
-    def fences(self, value: Sum) -> tuple[str, str]:
-        """Return the brackets around a sum that may run over several lines."""
+    def fences(self, value: Sum, printed: str) -> tuple[str, str]:
+        """Return the brackets around a sum, `printed`, that may run over several lines."""
         ...
 
     def factor(self, value: Formula, closed: bool = False, last: bool = False) -> str:
@@ -112,7 +113,9 @@ def broken_sum(value: Formula, medium: Medium, room: float, first: float, indent
     ['a', '+ b − c']
     """
     piece = _piece(value, medium)
-    return filled(piece.inside or (piece,), room, indent, taken=room - first, depth=1)
+    lines = filled(piece.inside or (piece,), room, indent, taken=room - first, depth=1)
+    # Whole on one line it has brackets that grow, which the pieces of a broken one cannot have.
+    return lines if len(lines) > 1 else [Line(0, medium.write(value), lines[0].width)]
 
 
 def filled(
@@ -156,7 +159,14 @@ def _term(term: Formula, first: bool, medium: Medium) -> Piece:
     sign = medium.minus if negative else "" if first else "+"
     if not first:
         sign = f" {sign} "
-    piece = _bracketed(operand, medium) if isinstance(operand, Sum) else _piece(operand, medium)
+    if isinstance(operand, Sum):
+        piece = _bracketed(operand, medium)
+    elif isinstance(operand, Product):
+        piece = _piece(operand, medium)
+    else:
+        bare = isinstance(operand, Summation | Dots) or not sign
+        printed = medium.write(operand, 0 if bare else PRODUCT)
+        piece = Piece(printed, medium.width(printed))
     return _glued(piece, sign, "", medium)
 
 
@@ -175,8 +185,8 @@ def _product(value: Product, medium: Medium) -> Piece:
 
 
 def _bracketed(value: Sum, medium: Medium) -> Piece:
-    left, right = medium.fences(value)
-    return _glued(_piece(value, medium), left, right, medium)
+    piece = _piece(value, medium)
+    return _glued(piece, *medium.fences(value, piece.printed), medium)
 
 
 def _glued(piece: Piece, before: str, after: str, medium: Medium) -> Piece:

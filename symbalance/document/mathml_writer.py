@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+import re
 from html import escape
 
 from symbalance.document.formula import (
@@ -44,8 +45,12 @@ from symbalance.document.letters import CIRCULAR, letter_parts
 
 APPLICATION = "\u2061"
 """The sign, never shown, between a function and its argument."""
+_FUNCTION = re.compile("<mrow>(<msup>)?<mi>[a-z]{2,}<")
+"""How a function begins: by a name of several letters."""
 TIMES = "\u2062"
 """The sign, never shown, between two factors."""
+_SPACE = '<mspace width="0.2em"></mspace>'
+"""Beside upright words, which would run together with what stands next to them."""
 
 
 def formula_mathml(formula: Formula | Equation, display: bool = False) -> str:
@@ -180,7 +185,8 @@ class MathmlWriter(FormulaWriter):
         digits = piece.startswith(("<mn>", "<msup><mn>", "<mfrac><mn>"))
         if digits and isinstance(before, Number | Power | Name | Constant | Decimal):
             return _mo("·")
-        return _mo(TIMES)
+        apart = isinstance(before, Words | Call) or piece.startswith("<mtext>") or _FUNCTION.match(piece)
+        return _mo(TIMES) + (_SPACE if apart else "")
 
     def quotient(self, node: Quotient, _: bool) -> str:
         """Write a fraction with a bar."""
@@ -210,7 +216,7 @@ class MathmlWriter(FormulaWriter):
     def _applied(self, node: Formula, closed: bool) -> tuple[str, str]:
         bare = not closed and _is_bare_argument(node)
         inside = self.write(node)
-        return _mo(APPLICATION), inside if bare else self.bracketed(inside)
+        return _mo(APPLICATION), _SPACE + inside if bare else self.bracketed(inside)
 
     def apply(self, node: Apply, _: bool) -> str:
         """Write a binomial coefficient, 2F1, atan2(y, x)."""

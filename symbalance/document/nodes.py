@@ -51,7 +51,7 @@ class Exact:
     """A cell with an exact value and its decimal, each medium showing what its room allows.
 
     Where `value` fits it is shown, followed by ≈ `near` if `beside`; where it does not, `near` stands in
-    the cell and the exact value below the table. Without `near` the exact value stays.
+    the cell (or "below" if there is none) and the exact value below the table.
     """
 
     value: Formula
@@ -60,6 +60,8 @@ class Exact:
 
 
 Cell = Words | Exact
+UNKNOWN = "–"
+"""The cell of a number that is not known: it stands among the numbers of its column."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,10 +12,13 @@ Balance of inline-4 to order 4: free force of order 2, 4; no free couple
 from __future__ import annotations
 
 import json
-from typing import Any, ClassVar
+from collections.abc import Sequence
+from typing import Any, ClassVar, TypeVar, overload
 
 from symbalance.document.nodes import Document
 from symbalance.errors import SymbalanceError
+
+Item = TypeVar("Item")
 
 
 class Result:
@@ -55,6 +58,29 @@ class Result:
 
     def _repr_markdown_(self) -> str:
         return to_markdown(self)
+
+
+class SequenceResult(Result, Sequence[Item]):
+    """A result that is a row of things, its `items`: it counts, indexes and compares like them."""
+
+    items: tuple[Item, ...]
+
+    def __len__(self) -> int:
+        return len(self.items)
+
+    @overload
+    def __getitem__(self, place: int) -> Item: ...
+    @overload
+    def __getitem__(self, place: slice) -> tuple[Item, ...]: ...
+    def __getitem__(self, place: int | slice) -> Item | tuple[Item, ...]:
+        return self.items[place]
+
+    def __eq__(self, other: object) -> bool:
+        """Tell whether the things are those of another row, such as a list."""
+        return isinstance(other, Sequence) and list(self) == list(other)
+
+    def __hash__(self) -> int:
+        return hash(self.items)
 
 
 def to_text(result: Result, *, width: int = 80) -> str:

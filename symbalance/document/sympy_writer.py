@@ -83,7 +83,9 @@ def _writers() -> dict[type[Formula], Callable[[Any], Any]]:
         if node.function == "hyp2f1":
             a, b, c, z = arguments
             return sympy.hyper((a, b), (c,), z)
-        known = {"binomial": sympy.binomial, "atan2": sympy.atan2}
+        if node.function == "atan2":
+            return sympy.atan2(*arguments, evaluate=False)
+        known = {"binomial": sympy.binomial}
         return known.get(node.function, sympy.Function(node.function))(*arguments)
 
     def subscript(node: Subscript) -> Any:

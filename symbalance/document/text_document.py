@@ -10,8 +10,8 @@ from symbalance.document import nodes
 from symbalance.document.displayed import displayed
 from symbalance.document.document_writer import DocumentWriter, is_number
 from symbalance.document.fitting import Fitted, fitted
-from symbalance.document.formula import Equation, Formula
-from symbalance.document.nodes import Words, inlines
+from symbalance.document.formula import INFINITY, Equation, Formula, Matrix
+from symbalance.document.nodes import UNKNOWN, Words, inlines
 from symbalance.document.text_writer import TextWriter, formula_text
 
 WIDTH = 80
@@ -109,11 +109,13 @@ class _Writer(DocumentWriter):
     def facts(self, block: nodes.Facts) -> str:
         """Return facts, names in a column of their own."""
         head = self.wrapped(block.title) if inlines(block.title) else []
-        names = [self.plain(name) for name, _ in block.entries]
-        column = max(map(len, names), default=0)
+        column = max((len(self.plain(name)) for name, value in block.entries if value != ""), default=0)
         lines = []
-        for name, (_, value) in zip(names, block.entries, strict=True):
-            lead = f"{_INDENT}{name:<{column}}  " if value != "" else f"{_INDENT}{name}"
+        for name, value in block.entries:
+            if value == "":
+                lines += self.wrapped(name, _INDENT, 2 * _INDENT)
+                continue
+            lead = f"{_INDENT}{self.plain(name):<{column}}  "
             lines += self.wrapped(value, lead, " " * len(lead))
         return "\n".join([*head, *lines])
 
@@ -134,10 +136,17 @@ class _Writer(DocumentWriter):
     # Formulas -----------------------------------------------------------------------------------
 
     def formulas(self, block: nodes.Formulas) -> str:
-        rows = list(displayed(block.equations, TextWriter(), self.width - len(_INDENT), len(_INDENT)))
-        left = max((len(name) for name, _, _ in rows), default=0)
-        lines = [f"{name:>{left}} {_INDENT * depth}{line}" for name, depth, line in rows]
-        return "\n".join(f"{_INDENT}{line}" for line in lines)
+        left = max((len(formula_text(each.left)) for each in block.equations), default=0)
+        room = self.width - len(_INDENT)
+        lines: list[str] = []
+        for each in block.equations:
+            drawn = _with_matrices(each, left)
+            if drawn and max(map(len, drawn)) <= room:
+                lines += ["", *drawn] if lines else drawn
+                continue
+            indented = displayed([each], TextWriter(), room, len(_INDENT), left)
+            lines += [f"{name:>{left}} {_INDENT * depth}{line}" for name, depth, line in indented]
+        return "\n".join(f"{_INDENT}{line}".rstrip() for line in lines)
 
     # Tables -------------------------------------------------------------------------------------
 
@@ -176,7 +185,7 @@ class _Writer(DocumentWriter):
             return [head, *body]
         before = max(len(_whole(cell)) for cell in body)
         body = [" " * (before - len(_whole(cell))) + cell if cell else "" for cell in body]
-        if all(cell.strip().lstrip("−-").isdecimal() for cell in body if cell):
+        if all(cell.strip().lstrip("−-").isdecimal() for cell in body if cell.strip() not in _WORDLESS):
             head = head.rjust(before)
             body = [cell.rjust(len(head)) for cell in body]
         return [head, *body]
@@ -206,8 +215,39 @@ class _Writer(DocumentWriter):
         return [f"{_INDENT}exactly:", *lines] if lines else []
 
 
+_WORDLESS = ("", UNKNOWN, formula_text(INFINITY))
 _SIGNS = re.compile(f"{_HARD}(?=[+−=≈] ?)")
 """Where a formula too wide for a line may be broken."""
+
+
+def _with_matrices(equation: Equation, left: int) -> list[str] | None:
+    """Return an equation with its matrices drawn over several lines, None if it has none.
+
+    >>> from symbalance.document.formula import Matrix, Name, number
+    >>> a, b = Name("a"), Name("b")
+    >>> print(*_with_matrices(Equation(Name("X"), (("=", Matrix(((a, -b), (b, a)))),)), 1), sep="\\n")
+    X = [ a  −b ]
+        [ b   a ]
+    """
+    if not any(isinstance(right, Matrix) for _, right in equation.links):
+        return None
+    parts = [[f"{formula_text(equation.left):>{left}}"]]
+    for sign, right in equation.links:
+        parts += [[sign], _matrix_lines(right) if isinstance(right, Matrix) else [formula_text(right)]]
+    height = max(map(len, parts))
+    columns = []
+    for part in parts:
+        above = (height - len(part)) // 2
+        padded = [""] * above + part + [""] * (height - len(part) - above)
+        columns.append([line.ljust(max(map(len, part))) for line in padded])
+    return [" ".join(line) for line in zip(*columns, strict=True)]
+
+
+def _matrix_lines(node: Matrix) -> list[str]:
+    """Return a matrix row by row between brackets, its columns flush right."""
+    columns = [[formula_text(entry) for entry in column] for column in zip(*node.rows, strict=True)]
+    columns = [[cell.rjust(max(map(len, column))) for cell in column] for column in columns]
+    return [f"[ {'  '.join(row)} ]" for row in zip(*columns, strict=True)]
 
 
 def _whole(cell: str) -> str:

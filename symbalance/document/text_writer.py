@@ -7,8 +7,6 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from symbalance.document.formula import (
     INFINITY,
     Apply,
@@ -39,6 +37,7 @@ from symbalance.document.formula_printing import (
     holds_a_sum,
     is_simple_angle,
     is_whole,
+    strength,
 )
 from symbalance.document.formula_printing import PRODUCT as PRODUCT_STRENGTH
 from symbalance.document.letters import CIRCULAR, lowered, plain_letter, raised, text_letter
@@ -72,14 +71,15 @@ class TextWriter(FormulaWriter):
         """Return the number of columns."""
         return len(printed)
 
-    def fences(self, value: Sum) -> tuple[str, str]:
+    def fences(self, value: Sum, printed: str) -> tuple[str, str]:
         """Return round brackets, square ones around round ones."""
         return ("[", "]") if holds_a_sum(value) else ("(", ")")
 
     def factor(self, value: Formula, closed: bool = False, last: bool = False) -> str:
         """Return a factor of a product, in brackets where it needs them; fractions only at the end."""
         if isinstance(value, Sum) and len(value.terms) > 1:
-            return self.write(value).join(self.fences(value))
+            printed = self.write(value)
+            return printed.join(self.fences(value, printed))
         least = POWER
         if isinstance(value, Decimal):
             least = PRODUCT_STRENGTH
@@ -103,9 +103,9 @@ class TextWriter(FormulaWriter):
 
     def binding(self, node: Formula) -> int:
         """Return how tightly a formula binds; a half has a sign of its own."""
-        if isinstance(node, Number) and node.value == _HALF:
+        if isinstance(node, Number) and node.value.denominator == 2 and node.value.numerator == 1:
             return ATOM
-        return super().binding(node)
+        return strength(node)
 
     def fraction(self, top: int, bottom: int) -> str:
         """Return a fraction of two numbers."""
@@ -226,9 +226,6 @@ class TextWriter(FormulaWriter):
         return f"[{'; '.join(', '.join(map(self.write, row)) for row in node.rows)}]"
 
 
-_HALF = Fraction(1, 2)
-
-
 def _is_plain_product(node: Formula) -> bool:
     """Tell whether a function's argument goes without brackets, as in cos 2kθ."""
     if isinstance(node, Product):
@@ -250,7 +247,7 @@ class PlainWriter(TextWriter):
 
     def binding(self, node: Formula) -> int:
         """Return how tightly a formula binds."""
-        return FormulaWriter.binding(self, node)
+        return strength(node)
 
     def takes_minus(self, operand: Formula) -> bool:
         """Tell whether a minus may stand before an operand: dots carry no sign when read."""
@@ -327,7 +324,8 @@ class PlainWriter(TextWriter):
     def subscript(self, node: Subscript, _: bool) -> str:
         """Write A_{2k}."""
         index = self.write(node.index)
-        return f"{self.write(node.base, ATOM)}_{index if index.isalnum() else f'{{{index}}}'}"
+        bare = index.isdecimal() or len(index) == 1
+        return f"{self.write(node.base, ATOM)}_{index if bare else f'{{{index}}}'}"
 
     def derivative(self, node: Derivative, _: bool) -> str:
         """Write dx/dθ, or d/dθ(expression)."""

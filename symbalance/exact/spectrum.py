@@ -123,8 +123,15 @@ class Component:
 
     def decimal(self, digits: int = 30) -> tuple[Real, Real]:
         """Return the two coefficients to `digits` significant digits each; symbols are refused."""
-        value = self.number.evaluated(digits)
-        return value.real, value.imag
+        if digits not in self._decimals:
+            value = self.number.evaluated(digits)
+            self._decimals[digits] = value.real, value.imag
+        return self._decimals[digits]
+
+    @cached_property
+    def _decimals(self) -> dict[int, tuple[Real, Real]]:
+        """What `decimal` has worked out: a table asks several times, until its columns fit."""
+        return {}
 
 
 def _real_form(number: Amplitude) -> sympy.Expr:

@@ -22,17 +22,26 @@ VALUE_DIGITS = 20
 
 def balance_data(balance: Balance) -> dict[str, Any]:
     """Return what `to_json` writes of a balance, as plain Python values."""
-    plane = "mean of stations" if balance.reference is None else f"station {balance.reference}"
     return {
         "engine": balance.layout.name,
         "strokes": balance.layout.strokes,
         "ratio": None if balance.ratio is None else str(balance.ratio),
-        "reference_plane": plane,
+        "reference_plane": reference_plane(balance),
         "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.layout.cylinders],
         **({"balancers": _balancers(balance.layout.balancers)} if balance.layout.balancers else {}),
         "orders": [_order(order, balance) for order in balance.orders],
         **({"roll": _roll(balance)} if roll_rows(balance) else {}),
     }
+
+
+def reference_plane(balance: Balance) -> str:
+    """Return what couples are taken about."""
+    return "mean of stations" if balance.reference is None else f"station {balance.reference}"
+
+
+def unit(balance: Balance, name: str) -> str:
+    """Return the unit of a balance's "force" or "couple" of order n."""
+    return _UNITS[balance.kinematics is not None, name]
 
 
 def _roll(balance: Balance) -> list[dict[str, Any]]:
@@ -174,7 +183,7 @@ def balance_records(balance: Balance) -> list[dict[str, Any]]:
                         "amplitude": None if cos is None or sin is None else hypot(cos, sin),
                         "exact_cos": str(part.cos),
                         "exact_sin": str(part.sin),
-                        "unit": _UNITS[balance.kinematics is not None, of],
+                        "unit": unit(balance, of),
                         "coefficient": None if value is None else float(value),
                     }
                 )

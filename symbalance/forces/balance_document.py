@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Protocol
 
 from symbalance.document.decimals import shown
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Formula, Name, Subscript, Words, cos, equal, number, sin
+from symbalance.document.formula import (
+    Decimal,
+    Dots,
+    Equation,
+    Formula,
+    Name,
+    Subscript,
+    cos,
+    equal,
+    number,
+    sin,
+)
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -20,22 +33,33 @@ from symbalance.document.nodes import (
 )
 from symbalance.document.nodes import Words as Said
 from symbalance.document.text_writer import formula_text
-from symbalance.engine.balancer_facts import balancer_facts
-from symbalance.engine.engine import Engine
-from symbalance.engine.facts import banks, firing, origin, strokes
-from symbalance.engine.kinds import kind_facts, kind_table
+from symbalance.engine.engine_document import (
+    ORDER,
+    SIGNS,
+    balancer_entries,
+    engine_title,
+    origin_facts,
+    size_facts,
+)
+from symbalance.engine.kinds import kind_table
 from symbalance.forces.resultants import Balance
 from symbalance.forces.roll_rows import roll_rows
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, rotating, rows
+from symbalance.kinematics.coefficients import Kinematics
 from symbalance.kinematics.series_printing import series_formula
+from symbalance.kinematics.slider_crank import Series
 from symbalance.text.numbers import short_text
+from symbalance.text.reals import Real
 
 LONGEST_PHASE = 8
 """A phase that takes more characters, an atan2 or a fine fraction of pi, is written rounded."""
+LONGEST_NUMERATOR = 30
+"""Digits of a coefficient's leading numerator beyond which its series is written rounded."""
 SHORT = 14
 """An exact amplitude of a rotating part that takes more characters is written rounded."""
-_M, _R, _L, _A, _N = Name("m"), Name("r"), Name("l"), Name("a"), Name("n")
-_OMEGA, _THETA, _LAM = Name("omega"), Name("theta"), Name("lam")
+_M, _R, _A, _N = Name("m"), Name("r"), Name("a"), Name("n")
+_OMEGA, _LAM = Name("omega"), Name("lam")
+_ANGLE = _N * Name("theta")
 _A_N, _F_N = Subscript(Name("A"), _N), Subscript(Name("F"), _N)
 _MR = _M * _R * _OMEGA**2
 
@@ -45,61 +69,43 @@ def balance_document(balance: Balance) -> Document:
     return Document(engine_title(balance.layout), resultant_blocks(balance) + conventions(balance))
 
 
-def engine_title(layout: Engine) -> str:
-    """Return an engine in a line: its name, strokes, cylinders and banks."""
-    count = len(layout.cylinders)
-    return (
-        f"{layout.name}: {strokes(layout)}, {count} cylinder{'s' if count > 1 else ''}, {banks(layout)}"
-    )
-
-
 def resultant_blocks(balance: Balance) -> tuple[Block, ...]:
     """Return the free force, the free couple, the shafts' roll moment and the coefficients."""
-    alike = balance.kinematics is not None
-    force = equal(_F_N, _A_N * _MR) if alike else _MR
-    couple = _F_N * _A if alike else _MR * _A
     return blocks(
-        _resultant(balance, "force", ("Free force, unit ", force)),
-        _resultant(balance, "couple", (f"Free couple about {plane(balance)}, unit ", couple)),
+        _resultant(balance, "force", ("Free force, unit ", unit(balance, "force"))),
+        _resultant(
+            balance,
+            "couple",
+            (f"Free couple about {plane(balance)}, unit ", unit(balance, "couple")),
+        ),
         _roll(balance),
         _coefficients(balance),
     )
 
 
-def conventions(balance: Balance) -> tuple[Block, ...]:
-    """Return what an engine's letters, signs and angles mean, and what it is balanced by."""
-    layout = balance.layout
-    fires = firing(layout)
-    entries: list[tuple[Said, Said]] = [("fires", fires)] if fires else []
-    entries.append(((_THETA, " = 0"), f"{origin(layout)}; θ runs clockwise seen from the front"))
-    if balance.kinematics:
-        ratio = "" if balance.ratio is None else f", here {short_text(balance.ratio)}"
-        entries += [
-            (equal(_LAM, _L / _R), f"connecting rod over crank radius{ratio or ', not given'}"),
-            (
-                (_M, ", ", _R, ", ", _A),
-                "reciprocating mass of one cylinder, crank radius, cylinder pitch",
-            ),
-        ]
-    else:
-        first = layout.first.number
-        entries.append(((_M, ", ", _R), f"reciprocating mass and crank radius of cylinder {first}"))
-        entries.append((_A, "cylinder pitch"))
-        entries += kind_facts(layout)
-    entries += [("balanced by", said) for said in balancer_facts(layout)]
-    entries += [
-        ("signs", "+ is up or right seen from the front; a couple + pushes the front up or right"),
-        ("order n", WAVE),
-    ]
-    facts = Facts(tuple(entries), "How to read it")
-    return (facts,) if balance.kinematics else (kind_table(layout), facts)
+def unit(balance: Balance, name: str) -> Formula | Equation:
+    """Return the unit of a balance's "force" or "couple" of order n."""
+    if balance.kinematics is None:
+        return _MR if name == "force" else _MR * _A
+    return equal(_F_N, _A_N * _MR) if name == "force" else _F_N * _A
 
 
-_ANGLE = _N * _THETA
-WAVE = equal(
-    Name("C") * cos(_ANGLE) + Name("S") * sin(_ANGLE), Words("amplitude") * cos(_ANGLE - Words("phase"))
-)
-"""What an order's coefficients, amplitude and phase are."""
+def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tuple[Block, ...]:
+    """Return what an engine's letters, signs and angles mean, and what it is balanced by.
+
+    `own` are what a result's own tables mean; they stand before the rest.
+    """
+    layout, alike = balance.layout, balance.kinematics is not None
+    entries = (
+        *own,
+        *origin_facts(layout),
+        *size_facts(layout, balance.ratio, alike=alike),
+        *balancer_entries(layout),
+        SIGNS,
+        ORDER,
+    )
+    facts = Facts(entries, "How to read it")
+    return (facts,) if alike else (kind_table(layout), facts)
 
 
 def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
@@ -110,8 +116,8 @@ def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
 
 def _roll(balance: Balance) -> tuple[Block, ...]:
     kept = roll_rows(balance)
-    unit = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
-    title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", unit)
+    moment = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
+    title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", moment)
     return (component_table(title, kept),) if kept else ()
 
 
@@ -126,13 +132,22 @@ _HEAD = (
 
 
 def component_table(title: Said, kept: Sequence[Row], empty: str = "none") -> Table:
-    """Return a table of components, exact where there is room, in decimals where there is not."""
+    """Return a table of components, exact where there is room, in decimals where there is not.
+
+    Rows without a name leave the column of components out.
+    """
     return Table(title, _HEAD, tuple(map(_cells, kept)), keys=2, empty=empty)
+
+
+def order_cell(order: int | Fraction) -> Formula:
+    """Return an order as a cell; half orders as decimals, whose points stand in line."""
+    whole = order == int(order)
+    return number(int(order)) if whole else Decimal(str(float(order)))
 
 
 def _cells(row: Row) -> tuple[Cell, ...]:
     decimals = row.decimals()
-    head = (number(row.order), row.name)
+    head = (order_cell(row.order), row.name)
     if row.is_decimal and decimals is not None:
         cosine, sine, amplitude = (Decimal(d) for d in decimals[:3])
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
@@ -191,19 +206,40 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
     return Exact(amplitude, near, beside), _short_phase(phase, decimals[3])
 
 
+def _series(series: Series) -> Said:
+    """Return a coefficient's series; one whose numbers fill a line by its leading term, rounded."""
+    power, lead = min(series.terms.items())
+    if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
+        return series_formula(series, ellipsis=True)
+    return ("≈ ", Decimal(shown(Real(lead))) * _LAM ** number(-power) + Dots())
+
+
 def _coefficients(balance: Balance) -> tuple[Block, ...]:
     if not balance.orders or balance.kinematics is None:
         return ()
-    at: Said = (
-        "" if balance.ratio is None else (_A_N, " at ", equal(_LAM, Decimal(short_text(balance.ratio))))
-    )
+    return (coefficient_table(balance.kinematics, balance.orders, balance.values, balance.ratio),)
+
+
+class _Ordered(Protocol):
+    """An order of a result, with the coefficient of one cylinder."""
+
+    @property
+    def order(self) -> int: ...
+    @property
+    def coefficient(self) -> Series | None: ...
+
+
+def coefficient_table(
+    kinematics: Kinematics, orders: Sequence[_Ordered], values: Mapping[int, Real], ratio: Fraction | None
+) -> Table:
+    """Return a table of one cylinder's coefficients: as series in 1/λ, and in decimals at the ratio."""
+    letter = Subscript(Name(kinematics.letter), _N)
+    at: Said = "" if ratio is None else (letter, " at ", equal(_LAM, Decimal(short_text(ratio))))
     cells = []
-    for order in balance.orders:
+    for order in orders:
         assert order.coefficient is not None
-        value = balance.values.get(order.order)
+        value = values.get(order.order)
         written = "" if value is None else Decimal(shown(value))
-        cells.append((number(order.order), series_formula(order.coefficient, ellipsis=True), written))
-    columns = (Column("order"), Column((_A_N, " in powers of ", 1 / _LAM)), Column(at))
-    return (
-        Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells)),
-    )
+        cells.append((number(order.order), _series(order.coefficient), written))
+    columns = (Column("order"), Column((letter, " in powers of ", 1 / _LAM)), Column(at))
+    return Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells))

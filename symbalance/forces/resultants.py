@@ -12,6 +12,7 @@ These sums are geometry alone; A_n is the kinematics of one cylinder; tables pri
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -104,7 +105,7 @@ class Balance(Result):
     def summary(self) -> str:
         """Return which orders are left free, in one line."""
         parts = [
-            f"free {name} of order {', '.join(map(str, sorted(orders)))}" if orders else f"no free {name}"
+            f"free {name} of order {listed_orders(sorted(orders))}" if orders else f"no free {name}"
             for name, orders in (("force", self.force.orders()), ("couple", self.couple.orders()))
         ]
         return f"Balance of {self.layout.name} to order {self.highest}: {'; '.join(parts)}"
@@ -192,11 +193,30 @@ def balance(
     return _balance(layout.with_ratio(ratio), order, power, reference)
 
 
+def listed_orders(orders: Sequence[int | Fraction]) -> str:
+    """Return orders with commas, the first and the last where there are many; halves as decimals.
+
+    >>> listed_orders([Fraction(1, 2), 1, Fraction(3, 2)])
+    '0.5, 1, 1.5'
+    """
+    printed = [str(n) if n == int(n) else str(float(n)) for n in orders]
+    return ", ".join([*printed[:6], "…", printed[-1]] if len(printed) > 8 else printed)
+
+
 def _balance(layout: Engine, order: int, power: int | None, reference: object) -> Balance:
     plane = None if reference is None else exact(reference, "reference")
     force, couple = planar_vectors(layout, order, plane)
     apart = FORCE if layout.counts_in_orders else None
     return _with_power(Balance(layout, order, force, couple, plane, kinematics=apart), power)
+
+
+def checked_balance(result: object) -> Balance:
+    """Return a balance, or refuse what is none."""
+    if not isinstance(result, Balance):
+        raise SymbalanceError(
+            f"result = {shown(result)}", "must be a Balance", "make one with balance(layout)"
+        )
+    return result
 
 
 def _with_power(result: Balance, power: int | None) -> Balance:

@@ -27,7 +27,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from symbalance.design.variations.hung import MOVING, clusters, hung_changes
-from symbalance.design.variations.sensitivity import Sensitivity
+from symbalance.design.variations.sensitivity import Sensitivities, Sensitivity
 from symbalance.design.variations.shares import Share, mechanism_to, rotating_pair, shares
 from symbalance.design.variations.slopes import Slopes, slopes
 from symbalance.engine.cylinders import Cylinder
@@ -37,7 +37,7 @@ from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.kinematics.mechanisms import SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
-from symbalance.text.numbers import listed
+from symbalance.text.numbers import exact, listed
 from symbalance.text.reals import Complex, Real
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
@@ -47,7 +47,7 @@ LENGTHS = ("stroke", "rod", "offset")
 
 def sensitivities(
     layout: Engine, order: int = 4, *, parameters: object = None, reference: object = None
-) -> list[Sensitivity]:
+) -> Sensitivities:
     """Return all derivatives to an order, those of the worst steps (`STEPS`) first.
 
     `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
@@ -62,7 +62,8 @@ def sensitivities(
     [(1, 1, 1, 1.5), (1, 4, 1, -1.5)]
     """
     names = _checked_parameters(parameters)
-    by_order = shares(layout, order, reference)
+    plane = None if reference is None else exact(reference, "reference")
+    by_order = shares(layout, order, plane)
     lengths = _slopes(layout, order) if set(names) & set(LENGTHS) else {}
     pins = [link_pin_force(c.mechanism, order) for c in layout.cylinders] if "rotating" in names else []
     changes = [*hung_changes(layout, by_order, order, names)]
@@ -72,9 +73,8 @@ def sensitivities(
                 changes += _rotating(layout, n, by_order[1], pins)
             else:
                 changes += _of_order(layout, n, name, by_order, lengths)
-    return sorted(
-        changes, key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder)
-    )
+    changes.sort(key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder))
+    return Sensitivities(layout, order, names, plane, tuple(changes))
 
 
 def _checked_parameters(parameters: object) -> tuple[str, ...]:

@@ -12,7 +12,8 @@ import decimal
 from fractions import Fraction
 
 from symbalance.document.formula import Decimal, Formula, Quotient, Words, equal, number
-from symbalance.kinematics.derivation.setting import LAM, RHO, L, Prose, R, Setting, prose
+from symbalance.document.nodes import Paragraph, inlines
+from symbalance.kinematics.derivation.setting import LAM, RHO, L, R, Setting, prose
 from symbalance.kinematics.slider_crank import (
     Harmonics,
     acceleration_value,
@@ -32,7 +33,7 @@ _AT_RATIO = {
 }
 
 
-def numbers(setting: Setting, found: Harmonics) -> tuple[Prose, ...]:
+def numbers(setting: Setting, found: Harmonics) -> tuple[Paragraph, ...]:
     """Return what is left out at l/r = 4, in figures."""
     bound = _with_unit(setting, left_out(setting.order, RATIO, setting.quantity))
     at = _AT_RATIO[setting.convention]
@@ -47,7 +48,7 @@ def numbers(setting: Setting, found: Harmonics) -> tuple[Prose, ...]:
         return (first,)
     return (
         prose(
-            *first.pieces,
+            *inlines(first.words),
             " With the coefficients as they are printed the error is at most ",
             printed,
             ".",

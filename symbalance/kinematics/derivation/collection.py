@@ -17,13 +17,13 @@ from symbalance.document.formula import (
     number,
     signed,
 )
+from symbalance.document.nodes import Paragraph
 from symbalance.kinematics.derivation.setting import (
     LONGEST_IN_FULL,
     OMEGA,
     PHI,
     THETA,
     M,
-    Prose,
     Setting,
     Step,
     X,
@@ -45,7 +45,7 @@ _TITLES = {
 _OPENING = {"displacement": 4, "velocity": 3, "acceleration": 3, "force": 3, "rod-angle": 3}
 """How many terms a long sum shows before its dots."""
 
-Parts = tuple[Prose | Equation, ...]
+Parts = tuple[Paragraph | Equation, ...]
 
 
 def collection_steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:

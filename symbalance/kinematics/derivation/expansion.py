@@ -26,6 +26,7 @@ from symbalance.document.formula import (
     sqrt,
     total,
 )
+from symbalance.document.nodes import Paragraph
 from symbalance.kinematics.derivation.setting import (
     INDEX_I,
     PHI,
@@ -33,7 +34,6 @@ from symbalance.kinematics.derivation.setting import (
     J,
     K,
     L,
-    Prose,
     R,
     S,
     Setting,
@@ -63,7 +63,7 @@ def geometry(setting: Setting) -> Step:
     slope = equal(sin(PHI), letters.sine)
     if setting.rod_angle:
         side = " (positive towards the side of the pin after top dead centre)."
-        return Step("Geometry", (Prose((*about, side)), pin, ratio, slope))
+        return Step("Geometry", (Paragraph((*about, side)), pin, ratio, slope))
     measured = prose(
         "The piston's displacement ", X, " is measured from top dead centre towards the crank;"
         " velocity and acceleration are positive in the same direction."
@@ -71,7 +71,7 @@ def geometry(setting: Setting) -> Step:
     radius = letters.radius
     whole = radius + L - (radius * cos(THETA) + L * cos(PHI))
     position = equal(X, whole, radius * (1 - cos(THETA)) + L * (1 - cos(PHI)))
-    return Step("Geometry", (Prose((*about, ".")), measured, pin, position, ratio, slope))
+    return Step("Geometry", (Paragraph((*about, ".")), measured, pin, position, ratio, slope))
 
 
 def _crank(setting: Setting) -> tuple[str | Formula | Equation, ...]:
@@ -135,7 +135,7 @@ def _power_of_x(coefficient: Fraction, exponent: int) -> Formula:
     return monomial(coefficient, BIG_X, exponent)
 
 
-def _kept_to(setting: Setting) -> Prose:
+def _kept_to(setting: Setting) -> Paragraph:
     also = ""
     if setting.long:
         also = " (the derivation being long, only the first and the last are written out)"

@@ -25,6 +25,7 @@ from symbalance.document.formula import (
     sqrt,
     total,
 )
+from symbalance.document.nodes import Paragraph
 from symbalance.kinematics.conventions import CONVENTIONS
 from symbalance.kinematics.derivation.bounds import numbers
 from symbalance.kinematics.derivation.collection import LETTER
@@ -37,7 +38,6 @@ from symbalance.kinematics.derivation.setting import (
     THETA,
     J,
     K,
-    Prose,
     Q,
     Setting,
     Step,
@@ -51,7 +51,7 @@ REST, MEAN = Subscript(Name("B"), number(0)), Subscript(Name("c"), number(0))
 V, A, F = Name("v"), Name("a"), Name("F")
 _LEFT = {"displacement": X, "velocity": V, "acceleration": A, "force": F}
 
-Parts = tuple[Prose | Equation, ...]
+Parts = tuple[Paragraph | Equation, ...]
 
 
 def left_out_step(setting: Setting, found: Harmonics) -> Step:
@@ -60,7 +60,7 @@ def left_out_step(setting: Setting, found: Harmonics) -> Step:
     return Step("What is left out", (_missing(setting), *middle, *numbers(setting, found)))
 
 
-def _missing(setting: Setting) -> Prose:
+def _missing(setting: Setting) -> Paragraph:
     kept = setting.last if setting.rod_angle else setting.last - 1
     letters, (letter, direction, _) = setting.letters, CONVENTIONS[setting.convention]
     powers = (" beyond ", monomial(Fraction(1), Name(letter), direction * kept)) if kept > 0 else ()
@@ -151,7 +151,7 @@ def _bound_piston(setting: Setting, coefficient: Subscript) -> Parts:
     return there, equal(every, whole), Equation(error, (("≤", tail), *rest))
 
 
-def _adding_up(coefficient: Subscript, index: Name, function: Formula) -> Prose:
+def _adding_up(coefficient: Subscript, index: Name, function: Formula) -> Paragraph:
     return prose(
         "All terms of one coefficient have the same sign, and the signs of ", coefficient,
         " alternate with ", index, ", as those of ", function, " do at ", equal(THETA, PI / number(2)),

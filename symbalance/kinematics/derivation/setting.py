@@ -18,6 +18,7 @@ from symbalance.document.formula import (
     number,
     sin,
 )
+from symbalance.document.nodes import Paragraph
 from symbalance.kinematics.conventions import CONVENTIONS
 
 LONGEST_IN_FULL = 40
@@ -32,23 +33,16 @@ HALF = number(Fraction(1, 2))
 
 
 @dataclass(frozen=True)
-class Prose:
-    """A paragraph: words, formulas and equations."""
-
-    pieces: tuple[str | Formula | Equation, ...]
-
-
-@dataclass(frozen=True)
 class Step:
     """One step of a derivation: a title, then paragraphs and displayed equations."""
 
     title: str
-    parts: tuple[Prose | Equation, ...]
+    parts: tuple[Paragraph | Equation, ...]
 
 
-def prose(*pieces: str | Formula | Equation) -> Prose:
+def prose(*pieces: str | Formula | Equation) -> Paragraph:
     """Return a paragraph."""
-    return Prose(pieces)
+    return Paragraph(pieces)
 
 
 @dataclass(frozen=True)
