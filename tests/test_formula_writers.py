@@ -20,8 +20,8 @@ from symbalance.document.letters import letter_parts, lowered, raised
 from symbalance.document.line_breaking import broken, broken_equation, broken_sum
 from symbalance.document.mathml_writer import formula_mathml
 from symbalance.document.nodes import Paragraph
-from symbalance.document.symbols import symbol
 from symbalance.document.spreading import spread
+from symbalance.document.symbols import symbol
 from symbalance.document.sympy_writer import formula_sympy
 from symbalance.document.text_writer import TextWriter, formula_text
 from symbalance.errors import SymbalanceError

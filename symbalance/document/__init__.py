@@ -1,7 +1,7 @@
 """How results are written: formulas and documents as data, and one writer for each medium.
 
-In: formulas, documents made of nodes. Out: text, LaTeX (amsmath and booktabs), HTML with MathML, Markdown.
-Knows nothing of engines.
+In: formulas, documents made of nodes. Out: text, LaTeX (amsmath and booktabs), HTML with MathML,
+Markdown. Knows nothing of engines.
 
     formula                   formulas as trees: read, derived, printed;  expressions: SymPy's as such
     formula_printing          brackets and signs, which all writers of formulas share
