@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 import sympy
+from cranks import sheet, written
 from sympy import Symbol
 
-import sympy
-
 import symbalance as sb
+from symbalance.crankshaft.files import read_running_engine
+from symbalance.crankshaft.reports import summary
+from symbalance.crankshaft.running import setting, swept
 from symbalance.document.result import Result
 
 
@@ -22,6 +28,34 @@ def _balance() -> Result:
 
 def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
+
+
+def _worst_cases() -> Result:
+    tolerances = sb.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
+    return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
+
+
+def _sensitivities() -> Result:
+    return sb.sensitivities(sb.load("v8-90"), 4)
+
+
+def _assignment() -> Result:
+    return sb.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
+
+
+def _assignment_of_many() -> Result:
+    masses = [Fraction(440 + (7 * n) % 19, 1000) for n in range(16)]
+    return sb.assign_parts(sb.load("bugatti-w16"), masses, orders=[1, 2], whole=True)
+
+
+def _symbolic_order() -> Result:
+    letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
+    return sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters)
+
+
+def _symbolic_order_of_a_vee() -> Result:
+    engine = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin_of_any_angle")
+    return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
 
 
 def _derivation() -> Result:
@@ -60,6 +94,8 @@ def _rotating_balance() -> Result:
     pins = [("3/2", 0), ("1/2", 90), ("-1/2", 270), ("-3/2", 180)]
     weights = [sb.Weight(station, angle, unbalance=60) for station, angle in pins]
     return sb.balanced_weights(weights, [2, -2])
+
+
 def _running(name: str, order: int) -> Result:
     sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5"}
     return sb.crank_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
@@ -126,10 +162,65 @@ def _verdict() -> Result:
     return sb.check_equal(sympy.sin(x) ** 2, (1 + sympy.cos(2 * x)) / 2)
 
 
+def _rotor() -> Any:
+    discs = {0.5: sb.Disc(32.6, 0.33, 0.18)}
+    return sb.shaft([sb.Tube(1.5, 0.05)], discs, bearings=(0.0, 1.5))
+
+
+UNEVEN = [sb.Support((1e6, 8e5), damping=100.0)] * 2
+"""Supports softer sideways, N/m, with damping in N s/m."""
+
+
+def _modes() -> Result:
+    return sb.natural_modes(_rotor(), 5)
+
+
+def _campbell() -> Result:
+    rotor = _rotor()
+    return sb.campbell(rotor, [0.0, 200.0, 400.0], sb.held_at(rotor, 1e6, axial=1e8), count=8)
+
+
+def _whirl() -> Result:
+    return sb.whirl(_rotor(), UNEVEN, 400.0)
+
+
+def _critical_speeds() -> Result:
+    return sb.critical_speeds(_rotor(), UNEVEN, most=600.0)
+
+
+def _unbalance_response() -> Result:
+    return sb.unbalance_response(_rotor(), UNEVEN, {0.5: 1e-3, 0.0: 2e-4j}, [80.0, 400.0])
+
+
+def _torsional_chain() -> Result:
+    return sb.torsional_chain([3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05], [12e3, 12e3, 14e3, 10e3])
+
+
+def _crank_node() -> Result:
+    return sb.node_equations("uvw")
+
+
+def _crankshaft() -> Result:
+    """A run of one cylinder at three speeds, of which the last is not to be relied on."""
+    with TemporaryDirectory() as folder:
+        engine = read_running_engine(written(Path(folder), sheet())).at_speeds((1000.0, 1500.0, 2000.0))
+        made = setting(engine, webs="nominal", steps=120, about="centre")
+        outcomes = swept(made, None, lambda line: None)
+    lost = replace(outcomes[-1], reason="films do not settle at 120 steps a cycle")
+    return summary(made, [*outcomes[:-1], lost])
+
+
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
+    "worst-cases": _worst_cases,
+    "sensitivities": _sensitivities,
+    "assignment": _assignment,
+    "assignment-of-many": _assignment_of_many,
+    "symbolic-order": _symbolic_order,
+    "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
     "derivation": _derivation,
+    "presets": sb.presets,
     "crank-stars": _crank_stars,
     "firing-orders": _firing_orders,
     "truncation-bounds": _truncation_bounds,
@@ -148,14 +239,16 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "firing-stars": lambda: sb.firing_stars(sb.load("v6-90"), 4),
     "ideal-cycle": lambda: sb.ideal_cycle(16, heat=20, peak_pressure=100),
     "pressure-trace": lambda: sb.ideal_cycle(10, heat=20).trace(4, 720),
-    "worst-cases": _worst_cases,
-    "sensitivities": _sensitivities,
-    "assignment": _assignment,
-    "assignment-of-many": _assignment_of_many,
-    "symbolic-order": _symbolic_order,
-    "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
     "check": _check,
     "verdict": _verdict,
+    "campbell": _campbell,
+    "crank-node": _crank_node,
+    "crankshaft": _crankshaft,
+    "critical-speeds": _critical_speeds,
+    "natural-modes": _modes,
+    "torsional-chain": _torsional_chain,
+    "unbalance-response": _unbalance_response,
+    "whirl": _whirl,
 }
 """By a name of its own for each; a class may have several."""
 
@@ -176,7 +269,12 @@ def result_classes() -> set[type[Result]]:
     for module in walk_packages(symbalance.__path__, "symbalance."):
         if ".bench" not in module.name and not module.name.endswith("__main__"):
             import_module(module.name)
-    return {cls for cls in _below(Result) if cls.kind}
+    # A class with slots is made twice; the first lives on among the subclasses.
+    return {
+        cls
+        for cls in _below(Result)
+        if cls.kind and getattr(sys.modules[cls.__module__], cls.__name__) is cls
+    }
 
 
 def _below(cls: type[Result]) -> set[type[Result]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.output import show, whole_number, write
+from symbalance.cli.output import show, whole_number
 from symbalance.errors import SymbalanceError
 
 

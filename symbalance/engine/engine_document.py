@@ -19,7 +19,12 @@ WAVE = equal(
     Name("C") * cos(_ANGLE) + Name("S") * sin(_ANGLE), Words("amplitude") * cos(_ANGLE - Words("phase"))
 )
 """What an order's coefficients, amplitude and phase are."""
-ORDER: tuple[Said, Said] = ("order n", WAVE)
+ORDER: tuple[Said, Said] = (("order ", _N), WAVE)
+SIGNS: tuple[Said, Said] = (
+    "signs",
+    "+ is up or right seen from the front; a couple + pushes the front up or right",
+)
+"""What directions and couples count as positive."""
 
 
 def engine_words(engine: Engine) -> str:
@@ -27,7 +32,7 @@ def engine_words(engine: Engine) -> str:
 
     >>> from symbalance.engine.catalogue import load
     >>> engine_words(load("v8-90"))
-    'four-stroke, 8 cylinders, banks at −45°, 45° from vertical'
+    'four-stroke, 8 cylinders, banks at 45°, −45° from vertical'
     """
     count = len(engine.cylinders)
     return f"{strokes(engine)}, {count} cylinder{'s' if count > 1 else ''}, {banks(engine)}"

@@ -35,6 +35,7 @@ from symbalance.document.nodes import Words as Said
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.engine_document import (
     ORDER,
+    SIGNS,
     balancer_entries,
     engine_title,
     origin_facts,
@@ -105,10 +106,6 @@ def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tupl
     )
     facts = Facts(entries, "How to read it")
     return (facts,) if alike else (kind_table(layout), facts)
-
-
-SIGNS = ("signs", "+ is up or right seen from the front; a couple + pushes the front up or right")
-"""What directions and couples count as positive."""
 
 
 def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:

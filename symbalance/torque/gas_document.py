@@ -16,7 +16,7 @@ from symbalance.torque.gas import GasTorque
 from symbalance.torque.running_document import ORDER_COLUMNS, Entry, pressure_facts
 from symbalance.torque.stars import FiringStars, Star
 
-_A, _R = Name("A"), Name("r")
+_A, _R, _J = Name("A"), Name("r"), Name("j")
 _STAR_COLUMNS = (Column("order"), Column("star"), Column("direction: cylinders"))
 
 
@@ -57,11 +57,11 @@ def stars_document(stars: FiringStars) -> Document:
         (order_cell(star.order), "closed" if star.is_closed() else "open", _directions(star))
         for star in stars
     )
-    theta = Subscript(Name("theta"), Name("j"))
+    theta = Subscript(Name("theta"), _J)
     legend: tuple[Entry, ...] = (
         *origin_facts(stars.layout),
         ("star", ("one unit vector a cylinder, at the angle ", Name("n") * theta)),
-        (theta, "crank angle at which the pin of cylinder j passes its axis to fire"),
+        (theta, ("crank angle at which the pin of cylinder ", _J, " passes its axis to fire")),
         ("closed", "the vectors cancel, and so does this order of the gas torque"),
         ORDER,
     )

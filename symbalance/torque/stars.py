@@ -8,13 +8,13 @@ is decided exactly.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
-from typing import TYPE_CHECKING, Any, ClassVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.document.result import Result
+from symbalance.document.result import SequenceResult
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
@@ -46,33 +46,20 @@ class Star:
         return self.resultant.is_zero()
 
 
-@dataclass(frozen=True, repr=False)
-class FiringStars(Result, Sequence[Star]):
+@dataclass(frozen=True, repr=False, eq=False)
+class FiringStars(SequenceResult[Star]):
     """The stars of all orders of an engine's gas torque, up to `highest`: a sequence of `Star`."""
 
     layout: Engine
     highest: int
-    stars: tuple[Star, ...]
+    items: tuple[Star, ...]
 
     kind: ClassVar[str] = "firing-stars"
-
-    def __len__(self) -> int:
-        return len(self.stars)
-
-    @overload
-    def __getitem__(self, index: int) -> Star: ...
-    @overload
-    def __getitem__(self, index: slice) -> tuple[Star, ...]: ...
-    def __getitem__(self, index: int | slice) -> Star | tuple[Star, ...]:
-        return self.stars[index]
-
-    def __iter__(self) -> Iterator[Star]:
-        return iter(self.stars)
 
     @property
     def open(self) -> tuple[Star, ...]:
         """The stars whose vectors do not cancel: the orders that the gas torque has."""
-        return tuple(star for star in self.stars if not star.is_closed())
+        return tuple(star for star in self.items if not star.is_closed())
 
     def summary(self) -> str:
         """Return which orders are left, in one line."""
@@ -101,7 +88,7 @@ class FiringStars(Result, Sequence[Star]):
                 "degrees": float(360 * turns),
                 "closed": star.is_closed(),
             }
-            for star in self.stars
+            for star in self.items
             for number, turns in star.vectors
         ]
 

@@ -96,7 +96,7 @@ def _unit(balance: TorqueBalance) -> Formula | Equation:
     if balance.kinematics is None:
         return unit
     unit = Subscript(Name(balance.kinematics.letter), _N) * unit
-    return equal(Subscript(_T, _N), unit) if balance.kinematics is INERTIA else unit
+    return equal(Subscript(_T, _N), unit) if balance.kinematics == INERTIA else unit
 
 
 def _coefficients(balance: TorqueBalance) -> tuple[Block, ...]:

@@ -21,6 +21,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.variations.entries import entries, symbols_in
+from symbalance.design.variations.legend import plane_key
 from symbalance.document.result import Result
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -143,9 +144,7 @@ class SymbolicOrder(Result):
             if series is None
             else {"series": str(series.in_lam()), "through": series.through},
             "through": self.through,
-            "reference_plane": "mean of stations"
-            if self.reference is None
-            else f"station {self.reference}",
+            "reference_plane": plane_key(self.reference),
             "sizes": list(self.sizes),
             "symbols": list(map(str, self.given)),
             "values": {str(symbol): str(value) for symbol, value in self.values},

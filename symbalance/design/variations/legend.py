@@ -44,12 +44,12 @@ def letters(engine: Engine) -> Entry:
     )
 
 
-def plane(reference: Fraction | None) -> str:
+def plane(reference: object) -> str:
     """Return what couples are taken about."""
     return "the mean of all stations" if reference is None else f"station {reference}"
 
 
-def plane_key(reference: Fraction | None) -> str:
+def plane_key(reference: object) -> str:
     """Return what couples are taken about, as JSON has it of every result."""
     return "mean of stations" if reference is None else f"station {reference}"
 

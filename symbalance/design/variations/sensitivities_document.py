@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from symbalance.design.variations.legend import TURNING, Entry, letters, plane, units
 from symbalance.design.variations.sensitivity import STEPS, Sensitivities
 from symbalance.document.decimals import rounded
-from symbalance.document.formula import Decimal, Name, number
+from symbalance.document.formula import Formula, Name, number
 from symbalance.document.nodes import Cell, Column, Document, Facts, Table
 from symbalance.document.nodes import Words as Said
 
@@ -34,7 +34,7 @@ def sensitivities_document(result: Sensitivities) -> Document:
 
 
 def _rows(result: Sensitivities) -> tuple[tuple[Cell, ...], ...]:
-    groups: dict[tuple[str, int, Decimal, Decimal], list[int]] = {}
+    groups: dict[tuple[str, int, Formula | str, Formula | str], list[int]] = {}
     for change in result:
         force, couple = map(rounded, change.step())
         groups.setdefault((change.parameter, change.order, force, couple), []).append(change.cylinder)

@@ -8,7 +8,7 @@ from typing import Any
 import sympy
 
 from symbalance.design.variations.formulas import SymbolicOrder, SymbolResultant
-from symbalance.design.variations.legend import MASS, OMEGA, PITCH, RADIUS, Entry
+from symbalance.design.variations.legend import MASS, OMEGA, PITCH, RADIUS, Entry, plane
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import (
     Equation,
@@ -28,8 +28,7 @@ from symbalance.document.formula import (
     sin,
 )
 from symbalance.document.nodes import Block, Document, Facts, Formulas, Heading, Inline, Paragraph
-from symbalance.engine.facts import origin
-from symbalance.forces.balance_document import SIGNS
+from symbalance.engine.engine_document import SIGNS, origin_facts
 from symbalance.kinematics.series_printing import series_formula
 
 _THETA, _R, _L, _E = Name("theta"), Name("r"), Name("l"), Name("e")
@@ -44,7 +43,7 @@ def symbolic_order_document(order: SymbolicOrder) -> Document:
     couple = force if "stations" in order.sizes else force * PITCH
     parts = (
         *_formulas(order, ("Free force, unit ", force), order.force),
-        *_formulas(order, (f"Free couple about {_plane(order)}, unit ", couple), order.couple),
+        *_formulas(order, ("Free couple about ", *_plane(order), ", unit ", couple), order.couple),
     )
     return Document(tuple(title), (*parts, _legend(order)))
 
@@ -62,8 +61,11 @@ def _coefficient(order: SymbolicOrder) -> Name:
     return Name(f"A_{order.order}")
 
 
-def _plane(order: SymbolicOrder) -> str:
-    return "the mean of all stations" if order.reference is None else f"station {order.reference}"
+def _plane(order: SymbolicOrder) -> tuple[Inline, ...]:
+    """Return what couples are taken about, a station with symbols as a formula."""
+    if getattr(order.reference, "free_symbols", None):
+        return "station ", formula_of(order.reference)
+    return (plane(order.reference),)
 
 
 def _formulas(order: SymbolicOrder, title: Any, resultant: SymbolResultant) -> tuple[Block, ...]:
@@ -148,9 +150,8 @@ def _legend(order: SymbolicOrder) -> Block:
         entries.append(("put in", tuple(part for pair in pairs for part in pair)[1:]))
     entries += [(letter, said) for size, letter, said in _UNITS if size not in order.sizes]
     if order.sizes:
-        entries.append(("units", f"besides, those that {', '.join(order.sizes)} are given in"))
-    entries += [("θ = 0", f"{origin(order.engine)}; θ runs clockwise seen from the front"), SIGNS]
-    return Facts(tuple(entries), "How to read it")
+        entries.append(("units", f"besides, those in which {' and '.join(order.sizes)} are given"))
+    return Facts((*entries, *origin_facts(order.engine), SIGNS), "How to read it")
 
 
 _UNITS = (
