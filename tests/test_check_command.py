@@ -1,7 +1,9 @@
 """`symbalance check`, `sb.check` and `sb.check_equal`: formats, exit codes, declarations, refusals."""
 
+import html
 import io
 import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -11,6 +13,8 @@ import sympy as sp
 
 import symbalance as sb
 from symbalance.cli import run
+from symbalance.notes.checking.verdicts import VERDICTS
+from tests.results import example
 
 LETTERS = {
     "theta": "crank angle",
@@ -421,6 +425,90 @@ def test_bad_declarations_are_refused_in_one_line(sidecar, tmp_path, capsys):
 def test_what_is_no_document_is_refused(wrong):
     with pytest.raises(sb.SymbalanceError):
         sb.check(wrong)
+
+
+def plain(medium: str, printed: str) -> str:
+    """Return what a medium says, in the letters it was handed, without blanks."""
+    if medium == "html":
+        printed = html.unescape(re.sub(r"<[^>]*>", "", printed))
+    if medium == "markdown":
+        printed = re.sub(r"\\([\\`*_{}\[\]<>#|$])", r"\1", printed)
+    if medium == "latex":
+        printed = re.sub(r"\\allowbreak(\{\})?|\$", "", printed)
+        for command, letter in TEX.items():
+            printed = printed.replace(command, letter)
+        printed = re.sub(r"\\([&%#_{}])", r"\1", printed)
+    return "".join(printed.replace("\\", "").replace("−", "-").split())
+
+
+TEX = {
+    r"\textbackslash{}": "\\", r"\textasciicircum{}": "^", "--": "-", r"\lambda": "λ", r"\theta": "θ",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("medium", ["text", "latex", "html", "markdown"])
+def test_every_medium_says_what_the_data_says(medium):
+    checked = example("check")
+    printed = plain(medium, getattr(sb, f"to_{medium}")(checked))
+    found = {link["verdict"] for link in checked.data()["links"]}
+    assert found == {*VERDICTS} - {"conditional"}
+    at = 0
+    for link in checked.data()["links"]:
+        if "continues" in link:
+            continue
+        at = printed.index(plain(medium, link["source"]), at)
+        below = printed[at:]
+        said = [link["reason"], link["fix_kind"], *link["witness"].values(), *link.get("notes", ())]
+        said += [f"line {w['line']}, column {w['column']}: " for w in link["wrong"]]
+        for text in filter(None, said):
+            assert plain(medium, text) in below, (link["line"], text)
+
+
+def test_the_count_is_read_before_the_relations_and_the_legend_after_them():
+    printed = sb.to_text(sb.check(BAD, LETTERS))
+    order = ["Check of ", "1 relation seen: 1 refuted.", "  REFUTED  ", "found: ", "How to read it"]
+    assert sorted(order, key=printed.index) == order
+
+
+def test_a_line_of_text_stands_beside_its_verdict_or_whole_below_it():
+    long = " + ".join(["k"] * 60)
+    printed = sb.to_text(sb.check(f"$$2k = k + k$$\n\n$$60k = {long}$$", LETTERS))
+    assert "\n     1  holds  k + k\n     3  holds\n        k + k + k" in printed
+    assert long in " ".join(printed.split())
+    assert "\n     3  holds  k + k + k" in sb.to_text(
+        sb.check(f"\n\n$$60k = {long}$$", LETTERS), width=300
+    )
+
+
+def test_records_are_one_row_for_each_relation(tmp_path):
+    rows = sb.check(Path(written(tmp_path, f"{GOOD}\n{BAD}"))).records()
+    assert [(row["line"], row["verdict"], row["fix_kind"]) for row in rows] == [
+        (1, "holds_to_order", None),
+        (3, "refuted", "number misprinted (4 for 2)"),
+    ]
+
+
+def test_the_ending_of_the_output_chooses_the_medium(tmp_path, capsys):
+    path = written(tmp_path, BAD)
+    for name, begins in (
+        ("r.html", "<!DOCTYPE html>"),
+        ("r.tex", "% Needs"),
+        ("r.json", "{"),
+        ("r.md", "# "),
+    ):
+        assert run(["check", path, "-o", str(tmp_path / name)]) == 1
+        assert (tmp_path / name).read_text(encoding="utf-8").startswith(begins)
+    assert run(["check", path, "--declare", "--standalone"]) == 2
+    assert "--standalone: plays no part in --declare" in capsys.readouterr().err
+
+
+def test_a_correction_of_the_left_side_says_so():
+    (found,) = sb.check("$$(r - k)^3 = r^3 + 3 r^2 k + 3 r k^2 + k^3$$", LETTERS).verdicts
+    printed = sb.to_text(found)
+    assert "left side should be: (r + k)³" in printed
+    assert "stands:" not in printed  # of the right side, which is not what is wrong
+    (found,) = sb.check("$$(r - k)^2 = r^2 + 2 r k + k^2$$", LETTERS).verdicts
+    assert "stands: r² + 2r k + k²\n        should be: r² − 2r k + k²" in sb.to_text(found)
 
 
 def test_the_latex_report_compiles_and_shows_both_lines(compile_latex, tmp_path):

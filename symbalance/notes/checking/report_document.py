@@ -8,6 +8,7 @@ from itertools import islice
 from symbalance.document.fitting import plain_words
 from symbalance.document.formula import Equation, Formula, Name, walk
 from symbalance.document.nodes import Code, Document, Facts, Inline, Source, SourceLine, Words
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.differences import rounded_number
 from symbalance.notes.checking.verdicts import (
     CONDITIONAL,
@@ -91,7 +92,10 @@ def summary(checked: Checked) -> str:
 def verdict_summary(verdict: Verdict) -> str:
     """Return a verdict in one line: its place, its word, and the correction or the reason."""
     fix = verdict.fix
-    said = f"should be {fix.text} ({fix.kind})" if fix else verdict.reason or verdict.source
+    said = verdict.reason or verdict.source
+    if fix:
+        side = "left side should be" if fix.of_left else "should be"
+        said = f"{side} {formula_text(fix.node, plain=True)} ({fix.kind})"
     return one_line(f"Verdict on line {place(verdict)}: {verdict_words(verdict)}: {said}", 180)
 
 
