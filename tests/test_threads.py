@@ -51,7 +51,7 @@ def calls() -> dict[str, Callable[[], object]]:
                 sb.to_function(sb.balance(sb.load(n), 6), outputs="force.vertical", tolerance=1e-9).source
             ),
             f"{name}: worst cases": lambda n=name: repr(
-                sb.worst_cases(sb.load(n), sb.Tolerances(throw="0.1", mass="1%"), 2)
+                sb.worst_cases(sb.load(n), sb.Tolerances(throw="0.1", mass="1%"), 2).cases
             ),
         }
     for digits in (12, 20, 35, 50, 80, 120):

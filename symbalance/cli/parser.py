@@ -106,6 +106,7 @@ def _add_engines(commands: argparse._SubParsersAction) -> None:
     shown.add_argument(
         "--schema", action="store_true", help="print the JSON Schema of engine files, for editors"
     )
+    add_output(parser)
 
 
 def _add_bench(commands: argparse._SubParsersAction) -> None:

@@ -92,7 +92,12 @@ class Campbell(Result):
     @property
     def unstable(self) -> NDArray[np.bool_]:
         """Where a mode grows (s, k), by more than rounding does."""
-        return self.growth > GROWS * self.rotating.max(initial=1.0)
+        return self.growth > self.rounding
+
+    @property
+    def rounding(self) -> float:
+        """A growth in 1/s below which there is none."""
+        return GROWS * float(self.rotating.max(initial=1.0))
 
     def summary(self) -> str:
         """Return modes, speeds and whether something grows, in one line."""

@@ -66,7 +66,8 @@ def _courses(lines: Campbell) -> Table:
 def _course(lines: Campbell, mode: int, ends: list[int]) -> tuple[Cell, ...]:
     motion = whirl_word(float(lines.forward[-1, mode])) if lines.lateral[-1, mode] else "axial or torsion"
     hertz = [rounded(float(lines.stationary[i, mode]) * HERTZ, DIGITS) for i in ends]
-    return number(mode + 1), motion, *hertz, rounded(float(lines.growth[:, mode].max()), 3)
+    growth = float(lines.growth[:, mode].max())
+    return number(mode + 1), motion, *hertz, rounded(growth if abs(growth) > lines.rounding else 0.0, 3)
 
 
 def _over_speed(title: str, lines: Campbell, values: Array) -> Iterator[Table]:

@@ -35,7 +35,7 @@ class Modes(Result):
     rotor: Rotor
     is_free: bool
 
-    kind: ClassVar[str] = "natural_modes"
+    kind: ClassVar[str] = "natural-modes"
 
     def summary(self) -> str:
         """Return the number of modes and the range of their frequencies, in one line."""

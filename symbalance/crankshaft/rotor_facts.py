@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from symbalance.document.decimals import rounded
+from symbalance.document.formula import Name, number
 from symbalance.document.nodes import Column, Table, Words
 
 if TYPE_CHECKING:
@@ -20,11 +21,10 @@ HERTZ = 1 / (2 * np.pi)
 """Hz of one rad/s."""
 DIGITS = 5
 """Of frequencies and speeds."""
-_DIRECTIONS = (
-    (0, 0, "vertical"),
-    (1, 1, "lateral"),
-    (0, 1, "vertical-lateral"),
-    (1, 0, "lateral-vertical"),
+_PLACES = {"vv": (0, 0), "ll": (1, 1), "vl": (0, 1), "lv": (1, 0)}
+"""Of a stiffness or a damping: v vertical, l lateral, the force before the motion it answers."""
+_SUPPORTS = (
+    "Supports: stiffness K in N/m, damping C in N s/m; v vertical, l lateral, the force before the motion"
 )
 
 
@@ -58,16 +58,15 @@ def percent(share: float) -> Words:
 
 def supports_table(rotor: Rotor, supports: Sequence[Support]) -> Table:
     """Return the supports, a row for each bearing; columns that are zero throughout are left out."""
-    columns = [Column("bearing"), Column("at m")]
+    heads = [Column("bearing"), Column("at m")]
+    heads += [Column(Name(f"{letter}_{places}")) for letter in "KC" for places in _PLACES]
+    heads.append(Column("tilt, N m/rad"))
     rows = []
-    for number, (node, support) in enumerate(zip(rotor.journals, supports, strict=True), 1):
-        values = [m[i, j] for m in support.matrices for i, j, _ in _DIRECTIONS] + [support.tilt]
-        place = rounded(float(rotor.points[node, 2]), 4)
-        rows.append((str(number), place, *("" if v == 0 else rounded(float(v)) for v in values)))
-    for letter, unit in (("K", "N/m"), ("C", "N s/m")):
-        columns += [Column(f"{letter} {name}, {unit}") for *_, name in _DIRECTIONS]
-    columns.append(Column("tilt, N m/rad"))
-    return Table("Supports", tuple(columns), tuple(rows))
+    for bearing, (node, support) in enumerate(zip(rotor.journals, supports, strict=True), 1):
+        values = [m[place] for m in support.matrices for place in _PLACES.values()] + [support.tilt]
+        cells = ("" if value == 0 else rounded(float(value)) for value in values)
+        rows.append((number(bearing), rounded(float(rotor.points[node, 2]), 4), *cells))
+    return Table(_SUPPORTS, tuple(heads), tuple(rows))
 
 
 def supports_data(supports: Sequence[Support] | None) -> list[dict[str, Any]] | None:

@@ -27,7 +27,7 @@ class TorsionalChain(Result):
     inertias: Array
     stiffnesses: Array
 
-    kind: ClassVar[str] = "torsional_chain"
+    kind: ClassVar[str] = "torsional-chain"
 
     def summary(self) -> str:
         """Return the discs and the lowest frequency, in one line."""

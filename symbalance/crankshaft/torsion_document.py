@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from symbalance.crankshaft.rotor_facts import DIGITS
-from symbalance.document.decimals import rounded
+from symbalance.document.decimals import fixed, rounded
 from symbalance.document.formula import number
 from symbalance.document.nodes import Column, Document, Facts, Table, blocks
 
@@ -55,7 +55,7 @@ def _shapes(shapes: np.ndarray) -> Iterator[Table]:
         stop = min(start + ABREAST, count)
         heads = (Column("disc"), *(Column(f"mode {k + 1}") for k in range(start, stop)))
         rows = tuple(
-            (number(i), *(rounded(round(float(x), 5), DIGITS) for x in row[start:stop]))
+            (number(i), *(fixed(float(x), 4) for x in row[start:stop]))
             for i, row in enumerate(relative, 1)
         )
         yield Table("Shapes", heads, rows)

@@ -48,7 +48,7 @@ class UnbalanceResponse(Result):
     unbalances: tuple[tuple[float, complex], ...]
     supports: tuple[Support, ...] | None
 
-    kind: ClassVar[str] = "unbalance_response"
+    kind: ClassVar[str] = "unbalance-response"
 
     def summary(self) -> str:
         """Return the largest orbit and where it is, in one line."""

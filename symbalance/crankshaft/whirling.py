@@ -133,7 +133,7 @@ class CriticalSpeeds(Result):
     supports: tuple[Support, ...] | None
     most: float | None = None
 
-    kind: ClassVar[str] = "critical_speeds"
+    kind: ClassVar[str] = "critical-speeds"
 
     def __len__(self) -> int:
         return len(self.speeds)

@@ -10,7 +10,11 @@ from symbalance.design.balancing import overbalanced as overbalanced
 from symbalance.design.balancing import rotating_unbalance as rotating_unbalance
 from symbalance.design.balancing import rotating_weights as rotating_weights
 from symbalance.design.balancing import throw_unbalance as throw_unbalance
+from symbalance.design.variations import Assignment as Assignment
+from symbalance.design.variations import Sensitivities as Sensitivities
+from symbalance.design.variations import SymbolicOrder as SymbolicOrder
 from symbalance.design.variations import Tolerances as Tolerances
+from symbalance.design.variations import WorstCases as WorstCases
 from symbalance.design.variations import assign_parts as assign_parts
 from symbalance.design.variations import read_parts as read_parts
 from symbalance.design.variations import sensitivities as sensitivities

@@ -78,7 +78,7 @@ class NodeEquations(Result):
     euler_force: sympy.ImmutableMatrix
     gravity_force: sympy.ImmutableMatrix
 
-    kind: ClassVar[str] = "crank_node"
+    kind: ClassVar[str] = "crank-node"
 
     def summary(self) -> str:
         """Return the coordinates and the symbols, in one line."""

@@ -134,8 +134,8 @@ class WorstCases(Result, Sequence[WorstCase]):
             max((w for w in self if w.quantity == quantity), key=lambda w: w.bound, default=None)
             for quantity in QUANTITIES
         ]
-        said = "; ".join(
-            f"{w.quantity} at most {w.bound:.6g} {self.unit(w)} in order {w.order}" for w in worst if w
+        said = ", ".join(
+            f"{w.quantity} ≤ {w.bound:.6g} {self.unit(w)} (order {w.order})" for w in worst if w
         )
         return f"Worst cases of {self.engine.name} to order {self.order}: {said or 'none'}"
 
@@ -202,7 +202,7 @@ def worst_cases(
     >>> [(w.quantity, w.nominal, round(w.attained, 9), round(w.bound, 6)) for w in found]
     [('force', 0.0, 0.04, 0.04), ('couple', 0.0, 0.04, 0.04)]
     >>> found
-    Worst cases of inline-4 to order 1: force at most 0.04 m r ω² in order 1; couple at most 0.04 m r ω² a
+    Worst cases of engine to order 1: force ≤ 0.04 m r ω² (order 1), couple ≤ 0.04 m r ω² a (order 1)
     """
     checked_layout(layout)
     modes = tuple(listed(of, "of", '["largest"]'))
