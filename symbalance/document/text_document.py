@@ -104,7 +104,7 @@ class _Writer(DocumentWriter):
         return "\n".join(line for each in block.lines for line in self.source_line(each, column))
 
     def details(self, block: nodes.Details) -> str:
-        return "\n\n".join([block.summary, *map(self.block, block.blocks)])
+        return "\n\n".join([self.heading(nodes.Heading(block.summary)), *map(self.block, block.blocks)])
 
     def facts(self, block: nodes.Facts) -> str:
         """Return facts, names in a column of their own."""
