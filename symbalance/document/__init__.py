@@ -1,7 +1,7 @@
-"""How results are written: formulas as trees, symbols, aligned tables, text and LaTeX.
+"""How results are written: formulas as trees, documents as nodes, and a writer for each medium.
 
-In: formulas, cells, SymPy numbers. Out: Unicode text and LaTeX (amsmath and booktabs alone). Knows
-nothing of engines.
+In: formulas, documents, SymPy numbers. Out: text, LaTeX (amsmath and booktabs alone), HTML, Markdown.
+Knows nothing of engines.
 
     formula                   formulas as trees: read, derived, printed
     formula_printing          brackets and signs, which all writers share
@@ -10,9 +10,10 @@ nothing of engines.
     line_breaking             long formulas over several lines
     symbols                   every symbol with its unit and LaTeX
     letters, wordlists        Greek and function names, letters in print;  decimals: as tables print them
-    grid                      columns that line up
-    latex_parts               what LaTeX needs;  latex_characters: any sign in LaTeX
-    printing                  any result as text, LaTeX or JSON
+    latex_characters          any sign in LaTeX
+    nodes, result             a document's parts;  what every result can do
+    text_document, latex_document, html_document, markdown_document     a document in each medium
+    fitting                   which exact cells of a table give way to decimals
 """
 
 from symbalance.loading import attach
