@@ -17,7 +17,6 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.design.balancing import ellipse
-from symbalance.kinematics.derivation import derivation_text
 from symbalance.kinematics.inertia import torque_left_out, torque_values
 from symbalance.kinematics.kinetic import inertia_harmonics
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank, dead_centres, force_harmonics
@@ -43,6 +42,9 @@ def calls() -> dict[str, Callable[[], object]]:
             f"{name}: torque": lambda n=name: repr(
                 sb.inertia_torque(sb.load(n), 6, ratio=_ratio(n)).terms()
             ),
+            f"{name}: torque, printed": lambda n=name: sb.to_text(
+                sb.torque_report(sb.load(n), 6, ratio=_ratio(n))
+            ),
             f"{name}: design": lambda n=name: sb.to_text(sb.design_balance(sb.load(n))),
             f"{name}: sensitivities": lambda n=name: repr(
                 [(s.parameter, s.cylinder, s.factor, s.values) for s in sb.sensitivities(sb.load(n), 3)]
@@ -67,8 +69,8 @@ def calls() -> dict[str, Callable[[], object]]:
     found |= {
         "left out": lambda: repr([left_out(n, Fraction(7, 2)) for n in (2, 6, 12)]),
         "torque left out": lambda: repr([torque_left_out(n, Fraction(7, 2)) for n in (2, 6, 12)]),
-        "derivation": lambda: derivation_text(sb.derive("force", 6)),
-        "derivation of the rod's angle": lambda: derivation_text(sb.derive("rod-angle", 5)),
+        "derivation": lambda: sb.to_text(sb.derive("force", 6)),
+        "derivation of the rod's angle": lambda: sb.to_text(sb.derive("rod-angle", 5)),
         "ellipse": lambda: repr(ellipse(sb.balance(sb.load("v2-45"), 2)).reach(Fraction(1, 3))),
         "a page": lambda: sb.to_text(sb.check(PAGE)),
     }
