@@ -278,7 +278,7 @@ def test_at_a_speed_worst_cases_are_newtons_and_newton_metres():
     """VQ30DE: 36.65 mm of radius, and its mass and pitch, at 3000 rpm."""
     engine, tolerances = sb.load("vq30de"), sb.Tolerances(mass="1%", throw="0.1", rotating="1%")
     plain = sb.worst_cases(engine, tolerances, 2)
-    at_speed = sb.worst_cases(engine, tolerances, 2, rpm="3000")
+    at_speed = sb.worst_cases(engine, tolerances, 2, rpm="3000.0")
     mass, pitch = engine.cylinders[0].reciprocating_mass, engine.pitch
     assert mass is not None
     assert pitch is not None
@@ -292,6 +292,7 @@ def test_at_a_speed_worst_cases_are_newtons_and_newton_metres():
     assert [plain.unit(w) for w in plain[:2]] == ["m r ω²", "m r ω² a"]
     assert [at_speed.unit(w) for w in at_speed[:2]] == ["N", "N m"]
     assert at_speed.data()["rpm"] == "3000"
+    assert sb.worst_cases(engine, tolerances, 1, rpm="2500.5").data()["rpm"] == "2500.5"
 
 
 def printed(value: float) -> str:

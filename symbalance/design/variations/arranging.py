@@ -25,6 +25,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.variations.bounds import Vector, norm, total
+from symbalance.design.variations.legend import as_decimal
 from symbalance.design.variations.measures import (
     Shaking,
     checked_speed,
@@ -97,7 +98,7 @@ class Assignment(Result):
         return {
             "engine": self.engine.name,
             "orders": list(map(str, self.orders)),
-            "rpm": None if self.rpm is None else str(self.rpm),
+            "rpm": None if self.rpm is None else as_decimal(self.rpm),
             "units": {"force": self.units[0], "couple": self.units[1]},
             "places": {str(number): names for number, names in self.places.items()},
             "criterion": self.criterion,

@@ -41,7 +41,7 @@ from symbalance.design.variations.aims import (
 )
 from symbalance.design.variations.boxes import Box, boxes
 from symbalance.design.variations.derivatives import sensitivities
-from symbalance.design.variations.legend import plane_key
+from symbalance.design.variations.legend import as_decimal, plane_key
 from symbalance.design.variations.made import NOTHING, Made, made_parts
 from symbalance.design.variations.measures import Scale, checked_speed, scale_of
 from symbalance.design.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
@@ -157,7 +157,7 @@ class WorstCases(Result, Sequence[WorstCase]):
             "tolerances": {name: str(value) for name, value in given.items() if value},
             "tolerance_units": {name: UNITS[name] for name, value in given.items() if value},
             "units": {"force": force, "couple": couple},
-            "rpm": None if self.rpm is None else str(self.rpm),
+            "rpm": None if self.rpm is None else as_decimal(self.rpm),
             "worst_cases": [
                 {
                     "order": str(worst.order),
