@@ -108,34 +108,6 @@ def _torque_running() -> Result:
     return sb.torque_report(engine, 6, running=running)
 
 
-def _worst_cases() -> Result:
-    tolerances = sb.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
-    return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
-
-
-def _sensitivities() -> Result:
-    return sb.sensitivities(sb.load("v8-90"), 4)
-
-
-def _assignment() -> Result:
-    return sb.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
-
-
-def _assignment_of_many() -> Result:
-    masses = [Fraction(440 + (7 * n) % 19, 1000) for n in range(16)]
-    return sb.assign_parts(sb.load("bugatti-w16"), masses, orders=[1, 2], whole=True)
-
-
-def _symbolic_order() -> Result:
-    letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
-    return sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters)
-
-
-def _symbolic_order_of_a_vee() -> Result:
-    engine = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin_of_any_angle")
-    return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
-
-
 PAGE = r"""
 $$x \approx r(1-\cos\theta) + \frac{r}{2\lambda}(1-\cos 2\theta)$$
 

@@ -22,7 +22,8 @@ def notebook() -> object:
     nbformat = pytest.importorskip("nbformat", reason="in the test group")
     from nbconvert.preprocessors import ExecutePreprocessor
 
-    cells = [nbformat.v4.new_code_cell("from tests.results import example")]
+    imports = "import sys\nsys.path.append('tests')\nfrom tests.results import example"
+    cells = [nbformat.v4.new_code_cell(imports)]
     cells += [nbformat.v4.new_code_cell(f"example({name!r})") for name in EXAMPLES]
     made = nbformat.v4.new_notebook(cells=cells)
     ExecutePreprocessor(timeout=900, kernel_name="python3").preprocess(
