@@ -137,7 +137,9 @@ def test_a_shown_preset_is_a_usable_engine_file(capsys, tmp_path):
 
 def test_derive_prints_text_and_latex(capsys):
     assert "θ" in printed(capsys, "derive", "--quantity", "displacement", "--convention", "l/s")
-    assert r"\begin{document}" in printed(capsys, "derive", "--format", "latex", "--order", "4")
+    assert r"\begin{document}" in printed(
+        capsys, "derive", "--standalone", "--format", "latex", "--order", "4"
+    )
 
 
 def test_derive_prints_the_equations_of_a_crankshaft_node(capsys):
@@ -148,7 +150,7 @@ def test_derive_prints_the_equations_of_a_crankshaft_node(capsys):
     assert r"\begin{document}" in latex
     assert "R_{u} R_{v} R_{w}" in latex
     data = json.loads(printed(capsys, *node, "--format", "json"))
-    assert data["schema"] == {"result": "crank_node", "version": 1}
+    assert data["schema"] == {"result": "crank-node", "version": 1}
     assert data["rotation"] == "uvw"
 
 

@@ -11,7 +11,7 @@ from symbalance.document.formula import INFINITY, Decimal, Equation, Matrix, Nam
 from symbalance.document.html_document import document_html
 from symbalance.document.latex_document import document_latex
 from symbalance.document.markdown_document import document_markdown
-from symbalance.document.nodes import UNKNOWN, Column, Document, Facts, Formulas, Table
+from symbalance.document.nodes import UNKNOWN, Column, Document, Exact, Facts, Formulas, Table
 from symbalance.document.text_document import document_text
 
 TABLE = Table(
@@ -102,3 +102,17 @@ def test_an_index_of_an_indexed_letter_compiles(compile_latex) -> None:  # type:
     entry = Subscript(Name("F_M"), number(1))
     block = Formulas((Equation(entry, (("=", Name("m")),)),))
     compile_latex(document_latex(Document("", (block,)), standalone=True))
+
+
+@pytest.mark.parametrize("write", [document_html, document_latex, document_markdown, document_text])
+def test_a_row_below_a_table_is_named_by_the_key_columns_that_are_left(write) -> None:  # type: ignore[no-untyped-def]
+    """A key column without a cell is left out; the value beside it does not become a name."""
+    wide = Exact(
+        sum((Name(letter) for letter in "bcdefghijklmnopqrstuvwxyz" * 4), Name("a")), Decimal("0.25")
+    )
+    columns = (Column("order"), Column("component"), Column("size"))
+    for name in ("", "vertical"):
+        printed = write(Document("", (Table("", columns, ((number(3), name, wide),), keys=2),)))
+        (below,) = [line for line in re.split(r"\n|<dt>|</dt>", printed) if "order 3" in line]
+        assert re.search(r"order 3 (vertical )?size", below)
+        assert ("vertical" in below) == bool(name)

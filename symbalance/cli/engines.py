@@ -19,10 +19,10 @@ def run(options: argparse.Namespace) -> int:
         if getattr(options, name):
             other = "--schema" if options.schema else "--show"
             raise SymbalanceError(f"--{name}", f"plays no part in {other}", "leave it out")
-    if options.schema:
-        from symbalance.engine.engine_file import schema_text
-
-        write(schema_text(), options.output, "json")
-    else:
+    if options.show is not None:
         write(preset_text(options.show), options.output, "source")
+        return 0
+    from symbalance.engine.engine_file import schema_text
+
+    write(schema_text(), options.output, "json")
     return 0

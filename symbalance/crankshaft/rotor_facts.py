@@ -23,9 +23,8 @@ DIGITS = 5
 """Of frequencies and speeds."""
 _PLACES = {"vv": (0, 0), "ll": (1, 1), "vl": (0, 1), "lv": (1, 0)}
 """Of a stiffness or a damping: v vertical, l lateral, the force before the motion it answers."""
-_SUPPORTS = (
-    "Supports: stiffness K in N/m, damping C in N s/m; v vertical, l lateral, the force before the motion"
-)
+SUPPORTS = ("v, l", "vertical, lateral; of two, the force's direction comes first")
+"""What the letters of a supports' table mean, for facts."""
 
 
 def speed_words(speed: float) -> str:
@@ -66,7 +65,7 @@ def supports_table(rotor: Rotor, supports: Sequence[Support]) -> Table:
         values = [m[place] for m in support.matrices for place in _PLACES.values()] + [support.tilt]
         cells = ("" if value == 0 else rounded(float(value)) for value in values)
         rows.append((number(bearing), rounded(float(rotor.points[node, 2]), 4), *cells))
-    return Table(_SUPPORTS, tuple(heads), tuple(rows))
+    return Table("Supports: stiffness K in N/m, damping C in N s/m", tuple(heads), tuple(rows))
 
 
 def supports_data(supports: Sequence[Support] | None) -> list[dict[str, Any]] | None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from symbalance.crankshaft.rotor_facts import RPM, rotor_entry, speed_words, supports_table
+from symbalance.crankshaft.rotor_facts import RPM, SUPPORTS, rotor_entry, speed_words, supports_table
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import number
 from symbalance.document.nodes import Cell, Column, Details, Document, Facts, Table, blocks
@@ -93,6 +93,5 @@ def _how_to_read(answer: UnbalanceResponse) -> Facts:
         ("forward, backward", "radii of the circles, with and against the shaft, that make up an orbit"),
         ("phase", "ahead of axis U of the rotor, which stands straight up at angle 0"),
     ]
-    if answer.supports is None:
-        entries.append(("supports", "a function of the speed"))
+    entries.append(SUPPORTS if answer.supports else ("supports", "a function of the speed"))
     return Facts(tuple(entries), "How to read it")

@@ -8,6 +8,7 @@ from symbalance.crankshaft.rotor_facts import (
     DIGITS,
     HERTZ,
     RPM,
+    SUPPORTS,
     percent,
     rotor_entry,
     speed_words,
@@ -49,6 +50,7 @@ def whirl_document(whirl: Whirl) -> Document:
         ("Hz", "with damping; natural: the size of the root"),
         ("damping ratio", "below 0: the motion grows"),
         WHIRL,
+        SUPPORTS,
         ("overdamped", f"{len(whirl.overdamped)} motions do not oscillate"),
     )
     return Document(
@@ -91,6 +93,7 @@ def critical_document(critical: CriticalSpeeds) -> Document:
         entries.append(("supports", "a function of the speed"))
         supports = None
     else:
+        entries.append(SUPPORTS)
         supports = supports_table(critical.rotor, critical.supports)
     return Document(
         f"Critical speeds{limit}",

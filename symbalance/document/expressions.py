@@ -7,7 +7,6 @@ short fraction into an ambiguous one.
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import lru_cache
 from math import lcm
 from typing import Any
@@ -29,11 +28,7 @@ from symbalance.document.formula import (
     number,
     signed,
 )
-from symbalance.document.latex_writer import formula_latex
-from symbalance.document.symbols import latex_names
-from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, shown
-from symbalance.text.numbers import short_text
 
 
 def formula_of(expression: Any) -> Formula:
@@ -47,67 +42,15 @@ def formula_of(expression: Any) -> Formula:
     True
     >>> formula_of(sympy.Rational(1, 2) - sympy.sqrt(5) / 2) == (1 - Call("sqrt", number(5))) / number(2)
     True
+    >>> from symbalance.document.text_writer import formula_text
+    >>> formula_text(formula_of(sympy.sqrt(sympy.Rational(25, 2) - 11 * sympy.sqrt(5) / 2)))
+    '√((25 − 11√5)/2)'
     """
     if isinstance(expression, sympy.MatrixBase):
         return Matrix(tuple(tuple(map(formula_of, row)) for row in expression.tolist()))
     if expression.is_Add:
         return _sum(expression)
     return signed(*_signed(expression))
-
-
-def spread_formula(expression: Any) -> Formula:
-    """Return a sum with a denominator for each term, so that it can be broken over lines.
-
-    >>> spread_formula(sympy.Rational(1, 2) - sympy.sqrt(5) / 2) == 1 / number(2) - Call(
-    ...     "sqrt", number(5)
-    ... ) / number(2)
-    True
-    """
-    terms = [_part(term) for term in sympy.Add.make_args(expression)]
-    return _added([(factor.p, factor.q, rest) for factor, rest in sorted(terms, key=_rank)])
-
-
-@lru_cache(maxsize=1024)
-def text(expression: Any) -> str:
-    """Return an exact number as Unicode text.
-
-    >>> text(sympy.sqrt(sympy.Rational(25, 2) - 11 * sympy.sqrt(5) / 2)), text(-3 * sympy.pi / 10)
-    ('√((25 − 11√5)/2)', '−3π/10')
-    """
-    try:
-        return formula_text(formula_of(expression))
-    except SymbalanceError:  # an integral, a limit: SymPy's own spelling
-        return str(expression)
-
-
-@lru_cache(maxsize=1024)
-def latex(expression: Any) -> str:
-    r"""Return an exact number as LaTeX.
-
-    >>> print(latex(6 * sympy.sqrt(3)), latex(sympy.cos(2 * sympy.pi / 7) / 2))
-    6 \sqrt{3} \frac{\cos\tfrac{2 \pi}{7}}{2}
-    """
-    try:
-        return formula_latex(formula_of(expression))
-    except SymbalanceError:
-        return sympy.latex(expression, symbol_names=latex_names())
-
-
-def spread_latex(expression: Any) -> str:
-    r"""Return a sum as LaTeX with a denominator for each term, so that it can be broken over lines.
-
-    >>> print(spread_latex(sympy.Rational(1, 2) - sympy.cos(2 * sympy.pi / 7) / 2))
-    \frac{1}{2} - \frac{\cos\tfrac{2 \pi}{7}}{2}
-    """
-    return formula_latex(spread_formula(expression))
-
-
-def ratio_latex(ratio: Fraction) -> str:
-    """Return a rod ratio in math mode, cut off to decimals where the fraction is long."""
-    printed = short_text(ratio, r"\ldots")
-    if "." in printed or ratio.denominator == 1:
-        return printed
-    return formula_latex(number(ratio))
 
 
 _Part = tuple[Any, Any]

@@ -64,7 +64,8 @@ def fitted(table: Table, width: Callable[[Words], float], room: float, gap: floa
             open_columns.discard(widest)
             longest[widest] = limit
             rows = shown()
-    return Fitted(columns, tuple(rows), _left_out(table, columns, cells, longest))
+    keys = sum(i < table.keys for i in kept)
+    return Fitted(columns, tuple(rows), _left_out(keys, columns, cells, longest))
 
 
 def _full(cell: Cell) -> Words:
@@ -91,16 +92,19 @@ def _can_give_way(cells: list[tuple[Cell, ...]], column: int, limit: int) -> boo
 
 
 def _left_out(
-    table: Table, columns: tuple[Column, ...], cells: list[tuple[Cell, ...]], longest: dict[int, int]
+    keys: int, columns: tuple[Column, ...], cells: list[tuple[Cell, ...]], longest: dict[int, int]
 ) -> tuple[LeftOut, ...]:
-    """Return the exact forms that gave way, each once, with all the rows it belongs to."""
+    """Return the exact forms that gave way, each once, with all the rows it belongs to.
+
+    The first `keys` columns say which row it is.
+    """
     rows_of: dict[tuple[Formula, str, int], list[str]] = {}
     for row in cells:
-        keys = [plain_words(_full(cell)) for cell in row[: table.keys]]
+        names = [plain_words(_full(cell)) for cell in row[:keys]]
         for i, cell in enumerate(row):
             if isinstance(cell, Exact) and _gives_way(cell, longest.get(i)):
-                place = (cell.value, " ".join(key for key in keys[1:] if key), i)
-                rows_of.setdefault(place, []).append(keys[0])
+                place = (cell.value, " ".join(name for name in names[1:] if name), i)
+                rows_of.setdefault(place, []).append(names[0])
     head = name_of(columns[0]) if columns else ""
     return tuple(
         LeftOut(

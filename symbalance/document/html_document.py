@@ -161,9 +161,8 @@ class _Writer(DocumentWriter):
             f'<th scope="col"{_number_class(pad)}>{self.words(column.head)}</th>'
             for column, pad in zip(fit.columns, columns, strict=True)
         )
-        rows = [
-            self.row(row, [c and c[k] for c in columns], block.keys) for k, row in enumerate(fit.rows)
-        ]
+        pads = [[None if c is None else c[k] for c in columns] for k in range(len(fit.rows))]
+        rows = [self.row(row, pad, block.keys) for row, pad in zip(fit.rows, pads, strict=True)]
         caption = f"<caption>{self.words(block.title)}</caption>" if inlines(block.title) else ""
         shown = self.scrolling(plain_words(block.title) or "table", f"<tr>{heads}</tr>", rows, caption)
         return shown + self.left_out(fit)

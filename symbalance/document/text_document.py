@@ -104,7 +104,7 @@ class _Writer(DocumentWriter):
         return "\n".join(line for each in block.lines for line in self.source_line(each, column))
 
     def details(self, block: nodes.Details) -> str:
-        return "\n\n".join([block.summary, *map(self.block, block.blocks)])
+        return "\n\n".join([self.heading(nodes.Heading(block.summary)), *map(self.block, block.blocks)])
 
     def facts(self, block: nodes.Facts) -> str:
         """Return facts, names in a column of their own."""
@@ -155,7 +155,7 @@ class _Writer(DocumentWriter):
         if not block.rows:
             return "\n".join([*title, *self.wrapped(block.empty, _INDENT, _INDENT)])
         room = self.width - len(_INDENT)
-        fit = fitted(block, lambda words: len(self.plain(words)), room, _GAP)
+        fit = fitted(block, lambda words: len(self.cell(words)), room, _GAP)
         return "\n".join([*title, *self.grid(fit, room), *self.left_out(fit)])
 
     def grid(self, fit: Fitted, room: int) -> list[str]:
@@ -166,7 +166,7 @@ class _Writer(DocumentWriter):
         widths = [max(map(len, column)) for column in columns]
         spare = room - sum(widths) - _GAP * (len(widths) - 1)
         if spare < 0:
-            widths = self.narrowed(fit, widths, -spare)
+            widths = self.narrowed(fit, columns, -spare)
         rows = []
         for i in range(len(fit.rows) + 1):
             words = [column.head for column in fit.columns] if i == 0 else fit.rows[i - 1]
@@ -180,7 +180,7 @@ class _Writer(DocumentWriter):
 
     def column(self, cells: Sequence[Words]) -> list[str]:
         """Return a column's cells; where all below the head are numbers, their points stand in line."""
-        head, *body = map(self.plain, cells)
+        head, *body = map(self.cell, cells)
         if not all(is_number(cell) for cell in cells[1:]):
             return [head, *body]
         before = max(len(_whole(cell)) for cell in body)
@@ -190,13 +190,17 @@ class _Writer(DocumentWriter):
             body = [cell.rjust(len(head)) for cell in body]
         return [head, *body]
 
-    def narrowed(self, fit: Fitted, widths: list[int], over: int) -> list[int]:
+    def cell(self, words: Words) -> str:
+        """Return a cell as one line, a decimal's power of ten in short: 7.4379e−5."""
+        return _POWER.sub(lambda power: "e" + power[1].translate(_UNRAISED), self.plain(words))
+
+    def narrowed(self, fit: Fitted, columns: Sequence[Sequence[str]], over: int) -> list[int]:
         """Return widths that fit, the widest columns giving way: words, and the heads of numbers."""
-        narrow = list(widths)
-        numbers = [all(is_number(row[i]) for row in fit.rows) for i in range(len(widths))]
+        narrow = [max(map(len, column)) for column in columns]
+        numbers = [all(is_number(row[i]) for row in fit.rows) for i in range(len(narrow))]
         least = [
-            max(len(self.plain(row[i])) for row in fit.rows) + 1 if numbers[i] else _NARROWEST
-            for i in range(len(widths))
+            max(map(len, column[1:])) if lone else _NARROWEST
+            for column, lone in zip(columns, numbers, strict=True)
         ]
         while over > 0 and (open_columns := [i for i, w in enumerate(narrow) if w > least[i]]):
             narrow[max(open_columns, key=lambda i: narrow[i])] -= 1
@@ -215,6 +219,8 @@ class _Writer(DocumentWriter):
         return [f"{_INDENT}exactly:", *lines] if lines else []
 
 
+_POWER = re.compile(" × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
+_UNRAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "−0123456789")
 _WORDLESS = ("", UNKNOWN, formula_text(INFINITY))
 _SIGNS = re.compile(f"{_HARD}(?=[+−=≈] ?)")
 """Where a formula too wide for a line may be broken."""

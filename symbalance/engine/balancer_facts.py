@@ -84,11 +84,11 @@ def size(vector: Amplitude) -> tuple[Any, ...]:
 
 def nearly(vector: Amplitude) -> Words:
     """Return a weight's size rounded, empty where the exact one says it all or symbols stand in it."""
-    exact = size(vector)
-    if vector.has_symbols or len(exact) > 1:
+    first, *more = size(vector)
+    if vector.has_symbols or more:
         return ""
     near = rounded(vector.size()).removesuffix(".0")
-    return "" if near == formula_text(exact[0]) else Decimal(near)
+    return "" if near == formula_text(first) else Decimal(near)
 
 
 def rounded(value: Any) -> str:

@@ -88,9 +88,10 @@ def angle_text(angle: Angle) -> str:
     ('−30°', '360/7°')
     """
     if angle.symbols:
-        from symbalance.document.expressions import text
+        from symbalance.document.expressions import formula_of
+        from symbalance.document.text_writer import formula_text
 
-        return text(angle.expression())
+        return formula_text(formula_of(angle.expression()))
     return f"{_decimal(angle.in_degrees())}°".replace("-", "−")
 
 

@@ -78,4 +78,4 @@ def _directions(star: Star) -> str:
     at: dict[Fraction, list[str]] = {}
     for cylinder, turns in sorted(star.vectors):
         at.setdefault(turns, []).append(str(cylinder))
-    return "; ".join(f"{angle_text(Angle(turns))}: {', '.join(at[turns])}" for turns in sorted(at))
+    return "; ".join(f"{angle_text(Angle(turns))}:\u00a0{', '.join(at[turns])}" for turns in sorted(at))

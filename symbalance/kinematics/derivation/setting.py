@@ -18,7 +18,7 @@ from symbalance.document.formula import (
     number,
     sin,
 )
-from symbalance.document.nodes import Paragraph
+from symbalance.document.nodes import Inline, Paragraph
 from symbalance.kinematics.conventions import CONVENTIONS
 
 LONGEST_IN_FULL = 40
@@ -40,7 +40,7 @@ class Step:
     parts: tuple[Paragraph | Equation, ...]
 
 
-def prose(*pieces: str | Formula | Equation) -> Paragraph:
+def prose(*pieces: Inline) -> Paragraph:
     """Return a paragraph."""
     return Paragraph(pieces)
 
