@@ -1,7 +1,8 @@
 """What every result can do: be shown as text, LaTeX, HTML, Markdown and JSON, and in a notebook.
 
 A result's class derives from `Result` and gives four things: `kind`, `summary()`, `document()` and
-`data()`; `records()` where a table of plain numbers makes sense of it. Everything else follows.
+`data()`; `records()` where a table of plain numbers makes sense of it. Beside the module stands
+KIND.schema.json, which describes every key of `data()`. Everything else follows.
 
 >>> from symbalance.engine.catalogue import load
 >>> from symbalance.forces.resultants import balance
@@ -12,6 +13,7 @@ Balance of inline-4 to order 4: free force of order 2, 4; no free couple
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Sequence
 from typing import Any, ClassVar, TypeVar, overload
 
@@ -46,6 +48,22 @@ class Result:
     def records(self) -> list[dict[str, Any]]:
         """Return the result as rows of plain values, for `pandas.DataFrame` or `polars.DataFrame`."""
         raise NotImplementedError
+
+    @classmethod
+    def json_schema(cls) -> dict[str, Any]:
+        """Return the JSON Schema (draft 2020-12) of what `to_json` writes of such results.
+
+        It says of every key its type, its unit and what it means. It stands beside the module of the
+        class, as KIND.schema.json; refused for a class that has none.
+        """
+        from importlib.resources import files
+
+        package = sys.modules[cls.__module__].__package__
+        file = files(package) / f"{cls.kind}.schema.json" if package else None
+        if file is None or not file.is_file():
+            remedy = "the results that symbalance computes have one"
+            raise SymbalanceError(cls.__name__, "has no JSON Schema", remedy)
+        return json.loads(file.read_text(encoding="utf-8"))
 
     def __repr__(self) -> str:
         return self.summary()
@@ -134,7 +152,8 @@ def to_markdown(result: Result) -> str:
 def to_json(result: Result) -> str:
     """Return a result as a JSON document for other programs: exact numbers as strings.
 
-    Its first key, `schema`, names the kind of result and the version of its keys.
+    Its first key, `schema`, names the kind of result and the version of its keys, which
+    `result.json_schema()` describes one by one.
     """
     checked = _checked(result)
     schema = {"result": checked.kind, "version": checked.schema_version}
