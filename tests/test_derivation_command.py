@@ -292,7 +292,8 @@ def test_golden(name: str, golden) -> None:
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_latex_compiles_within_the_margins(quantity: str, order: int, compile_latex) -> None:
     convention = list(CONVENTIONS)[order % 3]
-    assert compile_latex(to_latex(derive(quantity, order, convention))).exists()
+    source = to_latex(derive(quantity, order, convention), standalone=True)
+    assert compile_latex(source).exists()
 
 
 def test_a_letter_names_one_thing() -> None:

@@ -40,7 +40,7 @@ from symbalance.exact.radicals.forms import _cached_form as exact_form_cache
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.balance_data import balance_data
 from symbalance.forces.resultants import balance
-from symbalance.kinematics.derivation import derivation_text, derive
+from symbalance.kinematics.derivation import derive
 from symbalance.kinematics.derivation.bounds import printed_error
 from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics
 from symbalance.kinematics.truncation import left_out
@@ -508,7 +508,7 @@ def printed_at(digits: int) -> list[object]:
         function = to_function(seven, outputs="couple.vertical")
         return [
             *(form(result) for result in (*engines, seven) for form in (to_text, to_latex, to_json)),
-            *(derivation_text(derive(quantity, n)) for quantity in QUANTITIES for n in (2, 6, 41)),
+            *(to_text(derive(quantity, n)) for quantity in QUANTITIES for n in (2, 6, 41)),
             *(printed_error(n, harmonics(quantity, n)) for quantity in QUANTITIES for n in (1, 2, 7)),
             *(left_out(6, ratio, quantity) for quantity in QUANTITIES for ratio in (lam, lam / 3)),
             function.outputs,
