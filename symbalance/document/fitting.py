@@ -15,6 +15,8 @@ from symbalance.document.text_writer import formula_text
 
 SHORT = 14
 """An exact form of up to so many characters keeps its cell, whatever becomes of its column."""
+LONGEST_PIECE = 60
+"""Characters of an exact form that no sign parts; one with more has numbers that nobody reads."""
 SHORTEST = 3
 """No form shorter than this is worth a line below the table."""
 
@@ -35,6 +37,8 @@ class Fitted:
     columns: tuple[Column, ...]
     rows: tuple[tuple[Words, ...], ...]
     left_out: tuple[LeftOut, ...]
+    remark: str = ""
+    """What is said of exact forms that no medium has room for."""
 
 
 def fitted(table: Table, width: Callable[[Words], float], room: float, gap: float) -> Fitted:
@@ -44,7 +48,12 @@ def fitted(table: Table, width: Callable[[Words], float], room: float, gap: floa
     """
     kept = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in table.rows)]
     columns = tuple(table.columns[i] for i in kept)
-    cells = [tuple(row[i] for i in kept) for row in table.rows]
+    cells = [tuple(_readable(row[i]) for i in kept) for row in table.rows]
+    unread = sum(
+        cell is not row[i]
+        for row, own in zip(table.rows, cells, strict=True)
+        for i, cell in zip(kept, own, strict=True)
+    )
     longest: dict[int, int] = {}  # by column: how long an exact form may be
 
     def shown() -> list[tuple[Words, ...]]:
@@ -65,7 +74,22 @@ def fitted(table: Table, width: Callable[[Words], float], room: float, gap: floa
             longest[widest] = limit
             rows = shown()
     keys = sum(i < table.keys for i in kept)
-    return Fitted(columns, tuple(rows), _left_out(keys, columns, cells, longest))
+    return Fitted(columns, tuple(rows), _left_out(keys, columns, cells, longest), _remark(unread))
+
+
+def _readable(cell: Cell) -> Cell:
+    """Return a cell; of an exact form with a number longer than a line its decimal alone."""
+    if not isinstance(cell, Exact) or cell.near is None:
+        return cell
+    pieces = formula_text(cell.value).split(" ")
+    return cell if max(map(len, pieces)) <= LONGEST_PIECE else cell.near
+
+
+def _remark(unread: int) -> str:
+    if not unread:
+        return ""
+    forms = "exact form has numbers" if unread == 1 else "exact forms have numbers"
+    return f"{unread} {forms} longer than a line: the JSON of this result has them"
 
 
 def _full(cell: Cell) -> Words:

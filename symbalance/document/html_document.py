@@ -165,7 +165,8 @@ class _Writer(DocumentWriter):
         rows = [self.row(row, pad, block.keys) for row, pad in zip(fit.rows, pads, strict=True)]
         caption = f"<caption>{self.words(block.title)}</caption>" if inlines(block.title) else ""
         shown = self.scrolling(plain_words(block.title) or "table", f"<tr>{heads}</tr>", rows, caption)
-        return shown + self.left_out(fit)
+        remark = f"\n<p>{fit.remark}</p>" if fit.remark else ""
+        return shown + self.left_out(fit) + remark
 
     def row(self, row: Sequence[nodes.Words], pads: Sequence[str | None], keys: int) -> str:
         cells = []

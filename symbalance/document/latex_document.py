@@ -165,7 +165,8 @@ class _Writer(DocumentWriter):
         for first in range(0, len(fit.rows), ROWS):
             head = title if first == 0 else f"{title} (continued)" if title else ""
             parts.append(self.tabular(head, fit, fit.rows[first : first + ROWS]))
-        return "\n".join([*parts, *_left_out(fit.left_out)])
+        remark = [rf"{fit.remark}.\par"] if fit.remark else []
+        return "\n".join([*parts, *_left_out(fit.left_out), *remark])
 
     def tabular(self, title: str, fit: Fitted, rows: Sequence[tuple[nodes.Words, ...]]) -> str:
         """Return a part of a table that fits a page, in the largest size that fits a line."""

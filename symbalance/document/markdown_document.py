@@ -78,8 +78,10 @@ class _Writer(DocumentWriter):
         rows += [[self.words(cell) for cell in row] for row in fit.rows]
         lines = ["| " + " | ".join(row) + " |" for row in rows]
         below = [f"- {self.string(f'{e.place} {e.name}')} = {self.math(e.value)}" for e in fit.left_out]
+        below = ["", "exactly:", "", *below] if below else []
+        below += ["", fit.remark] if fit.remark else []
         head = [title if "$" in title else f"**{title}**", ""] if title else []
-        return "\n".join([*head, *lines, *(["", "exactly:", "", *below] if below else [])])
+        return "\n".join([*head, *lines, *below])
 
     def source(self, block: nodes.Source) -> str:
         lines = ["| line | as it stands | verdict |", "|---|---|---|"]

@@ -216,7 +216,8 @@ class _Writer(DocumentWriter):
                 (f"{each.place} {each.name} = ", each.value), _INDENT, _INDENT + "    "
             )
         ]
-        return [f"{_INDENT}exactly:", *lines] if lines else []
+        remark = self.wrapped(fit.remark, _INDENT, _INDENT) if fit.remark else []
+        return [*([f"{_INDENT}exactly:", *lines] if lines else []), *remark]
 
 
 _POWER = re.compile(" × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
