@@ -37,9 +37,8 @@ def _digits(text: str) -> set[str]:
 
 
 def test_html_export_keeps_every_result(notebook: object) -> None:
-    from nbconvert import HTMLExporter
-
     from bs4 import BeautifulSoup
+    from nbconvert import HTMLExporter
 
     page, _ = HTMLExporter().from_notebook_node(notebook)
     shown = [str(each) for each in BeautifulSoup(page, "html.parser").find_all("article")]

@@ -10,7 +10,6 @@ from contextlib import contextmanager, suppress
 from errno import EINVAL
 from typing import TYPE_CHECKING
 
-from symbalance.cli.ascii_spelling import as_encodable, as_json, as_quoted
 from symbalance.errors import SymbalanceError, encodable_name
 from symbalance.text import writing
 
@@ -29,7 +28,6 @@ NARROWEST, WIDEST = 60, 160
 """Columns of a terminal that text is fitted to; 80 where there is no terminal."""
 ESCAPES = {"json": "\\\\"}
 """How a backslash is written, where one stands for a byte of a file's name that is no text."""
-SPELLINGS = {"text": as_encodable, "json": as_json}
 
 
 def whole_number(text: str, name: str) -> int:
@@ -69,7 +67,7 @@ def printed(result: Result, form: str, output: str | None, *, standalone: bool =
 
         stream = "utf-8" if output not in (None, "-") else sys.stdout.encoding or "utf-8"
         width = columns() if output in (None, "-") else 80
-        return document_text(result.document(), width, lambda text: as_quoted(text, stream))
+        return document_text(result.document(), width, lambda text: _quoted(text, stream))
     if form == "latex":
         return results.to_latex(result, standalone=standalone)
     if form == "html":
@@ -120,14 +118,37 @@ def finish() -> None:
 def _to_stdout(text: str, form: str) -> None:
     encoding = sys.stdout.encoding or "utf-8"
     with _stdout():
-        if form in SPELLINGS:
-            sys.stdout.write(SPELLINGS[form](text, encoding))
+        if form in ("text", "json"):
+            sys.stdout.write(_spelled(text, form, encoding))
         elif encoding.lower().replace("_", "-") in ("utf-8", "utf8"):  # utf-8-sig would open with a mark
             sys.stdout.write(text)
         else:
             sys.stdout.flush()
             sys.stdout.buffer.write(text.encode("utf-8"))
         sys.stdout.flush()
+
+
+def _is_utf8(encoding: str) -> bool:
+    return encoding.lower().replace("_", "-") in ("utf-8", "utf8", "utf-8-sig")
+
+
+def _quoted(text: str, encoding: str) -> str:
+    """Return somebody's own words so that a stream can take them; rules load where needed."""
+    text = encodable_name(text)
+    if _is_utf8(encoding):
+        return text
+    from symbalance.cli.ascii_spelling import as_quoted
+
+    return as_quoted(text, encoding)
+
+
+def _spelled(text: str, form: str, encoding: str) -> str:
+    """Return a text or JSON so that a stream can take it."""
+    if _is_utf8(encoding):
+        return text
+    from symbalance.cli.ascii_spelling import as_encodable, as_json
+
+    return as_json(text, encoding) if form == "json" else as_encodable(text, encoding)
 
 
 @contextmanager

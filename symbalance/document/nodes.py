@@ -17,6 +17,8 @@ Details        what a reader may skip
 =============  ==================================================================================
 
 Words are an `Inline` or several: a string, a formula, an equation, `Code` (taken literally) or `Strong`.
+
+Nodes are compared by identity: classes that compare by content take twice as long to make, at every start.
 """
 
 from __future__ import annotations
@@ -27,14 +29,14 @@ from typing import Any
 from symbalance.document.formula import Equation, Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Code:
     """Something taken literally: a file's name, a key, a line somebody wrote."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Strong:
     """Words that must not be missed."""
 
@@ -46,7 +48,7 @@ Words = Inline | tuple[Inline, ...]
 """One inline, or several that follow one another; strings carry the spaces between them."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Exact:
     """A cell with an exact value and its decimal, each medium showing what its room allows.
 
@@ -64,7 +66,7 @@ UNKNOWN = "–"
 """The cell of a number that is not known: it stands among the numbers of its column."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Column:
     """A column's head; `name` is what the column is called in a sentence, where that differs."""
 
@@ -72,7 +74,7 @@ class Column:
     name: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Heading:
     """A title within a document; it never parts from what follows it."""
 
@@ -80,14 +82,14 @@ class Heading:
     level: int = 2
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Paragraph:
     """Words and formulas."""
 
     words: Words
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Facts:
     """Names and what is said of each."""
 
@@ -95,7 +97,7 @@ class Facts:
     title: Words = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Table:
     """Rows of cells under columns; the first `keys` columns say what a row is about.
 
@@ -110,14 +112,14 @@ class Table:
     empty: str = "none"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Formulas:
     """Equations displayed one below the other; long ones are broken between terms."""
 
     equations: tuple[Equation, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Figure:
     """A picture: its file's name, its bytes (PNG) or text (SVG), and what it shows in words."""
 
@@ -127,7 +129,7 @@ class Figure:
     shows: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class SourceLine:
     """A line somebody wrote: its place, its text, a verdict in a word or two, and what is said of it.
 
@@ -142,14 +144,14 @@ class SourceLine:
     formulas: tuple[tuple[str, Formula], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Source:
     """Lines somebody wrote, with what is said of each."""
 
     lines: tuple[SourceLine, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Details:
     """What a reader may skip; folded where a medium can fold."""
 
@@ -160,7 +162,7 @@ class Details:
 Block = Heading | Paragraph | Facts | Table | Formulas | Figure | Source | Details
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Document:
     """A title and blocks; `lead` are the words under the title, before the first block."""
 

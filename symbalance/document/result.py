@@ -15,10 +15,12 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Sequence
-from typing import Any, ClassVar, TypeVar, overload
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
-from symbalance.document.nodes import Document
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 Item = TypeVar("Item")
 

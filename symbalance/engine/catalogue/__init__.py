@@ -7,14 +7,16 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.document.nodes import Code, Column, Document, Table
 from symbalance.document.result import SequenceResult
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine, read_engine_file
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.files import STANDARD_INPUT, toml_table
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 _FOLDER = Path(__file__).parent
 
@@ -41,6 +43,8 @@ class Presets(SequenceResult[Preset]):
 
     def document(self) -> Document:
         """Return a table of names, descriptions and sources."""
+        from symbalance.document.nodes import Code, Column, Document, Table
+
         columns = (Column("name"), Column("what it is, and where its figures come from"))
         rows = tuple((Code(p.name), f"{p.description} [{p.source}]") for p in self)
         return Document("Preset engines", (Table("", columns, rows),))
