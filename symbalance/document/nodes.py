@@ -18,7 +18,8 @@ Details        what a reader may skip
 
 Words are an `Inline` or several: a string, a formula, an equation, `Code` (taken literally) or `Strong`.
 
-Nodes are compared by identity: classes that compare by content take twice as long to make, at every start.
+Nodes are compared by identity: classes that compare by content take twice as long to make, and they are
+made at every start.
 """
 
 from __future__ import annotations
