@@ -43,7 +43,8 @@ class LibraryEngines:
 def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
-    `document` is a file (a Path, or a text that ends in .tex, .md or .txt) or the derivation itself.
+    `document` is a file (a Path, or a text that ends in .tex, .md or .txt, or `-` for standard input) or
+    the derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. Lines are bound to this library's presets and engine files.

@@ -14,14 +14,14 @@ from typing import Any
 import hypothesis.strategies as st
 from mpmath import mp
 
-from symbalance.document.syntax import (
+from symbalance.document.formula import (
     Call,
     Constant,
     Derivative,
     Dots,
+    Formula,
     Name,
     Negative,
-    Node,
     Number,
     Power,
     Product,
@@ -67,12 +67,12 @@ def points(count: int) -> list[dict[str, Fraction]]:
 # Trees from texts ---------------------------------------------------------------------------------
 
 
-def tree(text: str) -> Node:
+def tree(text: str) -> Formula:
     """Return the tree of a Python expression; `diff(f, x, n)` and `sum(f, k, 1, 4)` are known too."""
     return _read(ast.parse(text.replace("lambda", "lambda_"), mode="eval").body)
 
 
-def _read(node: ast.expr) -> Node:
+def _read(node: ast.expr) -> Formula:
     match node:
         case ast.Constant(value=int(number)):
             return Number(Fraction(number))
@@ -95,7 +95,7 @@ def _read(node: ast.expr) -> Node:
     raise ValueError(ast.dump(node))
 
 
-def _joined(op: ast.operator, left: Node, right: Node) -> Node:
+def _joined(op: ast.operator, left: Formula, right: Formula) -> Formula:
     match op:
         case ast.Add():
             return Sum((left, right))
@@ -109,7 +109,7 @@ def _joined(op: ast.operator, left: Node, right: Node) -> Node:
             return Power(left, right)
 
 
-def forms(*trees: Node | str) -> list[Form]:
+def forms(*trees: Formula | str) -> list[Form]:
     """Return the forms of trees, or of their texts, in one fresh domain."""
     evaluator = Evaluator(Domain(POSITIVE, INTEGER), MEANING)
     return [evaluator.form(tree(t) if isinstance(t, str) else t) for t in trees]
@@ -122,7 +122,7 @@ def number(exact: Fraction) -> Any:
     return mp.mpf(exact.numerator) / exact.denominator
 
 
-def value(node: Node, at: Mapping[str, Any]) -> Any:
+def value(node: Formula, at: Mapping[str, Any]) -> Any:
     """Return the value at a point of mpmath numbers, principal values throughout."""
     match node:
         case Number(value=exact):
@@ -156,7 +156,7 @@ def value(node: Node, at: Mapping[str, Any]) -> Any:
     raise ValueError(node)
 
 
-def at_point(node: Node | str, point: Point, digits: int = 60) -> Any:
+def at_point(node: Formula | str, point: Point, digits: int = 60) -> Any:
     """Return the value of a tree, or of its text, at a point of fractions."""
     with mp.workdps(digits + 20):
         exact = {name: number(q) for name, q in point.items()}
@@ -173,17 +173,17 @@ def close(found: Any, expected: Any, digits: int = 22) -> bool:
 # Random trees -------------------------------------------------------------------------------------
 
 
-def _call(function: str, argument: Node) -> Node:
+def _call(function: str, argument: Formula) -> Formula:
     return Call(function, argument)
 
 
-def _number(n: int, d: int = 1) -> Node:
+def _number(n: int, d: int = 1) -> Formula:
     if n < 0:
         return Negative(_number(-n, d))
     return Number(Fraction(n)) if d == 1 else Quotient(Number(Fraction(n)), Number(Fraction(d)))
 
 
-def _times(factor: Node, of: Node) -> Node:
+def _times(factor: Formula, of: Formula) -> Formula:
     return Product((factor, of))
 
 
@@ -220,12 +220,12 @@ decays = st.builds(lambda f, x: Call(f, Negative(x)), st.sampled_from(["exp", "s
 leaves = st.one_of(rationals, surds, letters, letters, waves, circular, decays)
 
 
-def _square_and(part: Node, positive: Node) -> Node:
+def _square_and(part: Formula, positive: Formula) -> Formula:
     """A radicand that is positive whatever the part: part² + positive."""
     return Sum((Power(part, _number(2)), positive))
 
 
-def _larger(parts: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
+def _larger(parts: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
     several = st.lists(parts, min_size=2, max_size=3).map(tuple)
     powers = st.integers(-3, 4).map(_number)
     index = st.sampled_from([1, 2, 3]).map(_number)

@@ -16,7 +16,7 @@ from formulas import MEANING, POINT, at_point, close, forms, points, tree, trees
 from hypothesis import HealthCheck, assume, given, settings
 from mpmath import mp
 
-from symbalance.document.syntax import Derivative, Name, Node, Number, children, with_children
+from symbalance.document.formula import Derivative, Formula, Name, Number, children, with_children
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.division import quotient
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
@@ -33,7 +33,7 @@ class DisagreementError(AssertionError):
     """The algebra and mpmath say different things."""
 
 
-def formed(*nodes: Node | str) -> list[Form]:
+def formed(*nodes: Formula | str) -> list[Form]:
     """Return forms, dropping a hypothesis example that divides by zero or passes the limits."""
     try:
         return forms(*nodes)
@@ -42,7 +42,7 @@ def formed(*nodes: Node | str) -> list[Form]:
         raise
 
 
-def expected_at(node: Node | str, point: formulas.Point) -> Any:
+def expected_at(node: Formula | str, point: formulas.Point) -> Any:
     try:
         expected = at_point(node, point)
     except ZeroDivisionError:
@@ -52,7 +52,7 @@ def expected_at(node: Node | str, point: formulas.Point) -> Any:
     return expected
 
 
-def assert_value(node: Node | str, form: Form, point: formulas.Point) -> None:
+def assert_value(node: Formula | str, form: Form, point: formulas.Point) -> None:
     expected = at_point(node, point)
     found = values.value(form, point)
     if not close(found, expected):
@@ -64,7 +64,7 @@ def assert_value(node: Node | str, form: Form, point: formulas.Point) -> None:
 
 @settings(suppress_health_check=SLOW, max_examples=400)
 @given(trees)
-def test_a_form_has_the_value_of_its_formula(node: Node) -> None:
+def test_a_form_has_the_value_of_its_formula(node: Formula) -> None:
     (form,) = formed(node)
     for point in points(2):
         expected_at(node, point)
@@ -73,7 +73,7 @@ def test_a_form_has_the_value_of_its_formula(node: Node) -> None:
 
 @settings(suppress_health_check=SLOW)
 @given(trees, st.sampled_from(["theta", "x", "rho", "a"]), st.integers(1, 2))
-def test_a_derivative_has_the_slope_of_its_formula(node: Node, name: str, order: int) -> None:
+def test_a_derivative_has_the_slope_of_its_formula(node: Formula, name: str, order: int) -> None:
     slope = Derivative(node, Name(name), order)
     expected_at(node, POINT)
     expected_at(slope, POINT)
@@ -83,7 +83,7 @@ def test_a_derivative_has_the_slope_of_its_formula(node: Node, name: str, order:
 
 @settings(suppress_health_check=SLOW)
 @given(trees)
-def test_values_straight_from_trees(node: Node) -> None:
+def test_values_straight_from_trees(node: Formula) -> None:
     expected = expected_at(node, POINT)
     assert close(TreeValues(MEANING, POINT).value(node), expected)
 
@@ -231,7 +231,7 @@ def test_laws_are_proved(left: str, right: str) -> None:
     assert not first.domain.assumptions
 
 
-def changed(node: Node, by: Fraction) -> list[Node]:
+def changed(node: Formula, by: Fraction) -> list[Formula]:
     """Return the formula once for each of its numbers, that number changed."""
     if isinstance(node, Number):
         return [Number(node.value + by)]
@@ -243,12 +243,12 @@ def changed(node: Node, by: Fraction) -> list[Node]:
     ]
 
 
-def apart_at(left: Node, right: Node, point: formulas.Point) -> Any:
+def apart_at(left: Formula, right: Formula, point: formulas.Point) -> Any:
     with mp.workdps(60):
         return at_point(left, point) - at_point(right, point)
 
 
-def assert_soundly_compared(left: Node, right: Node) -> None:
+def assert_soundly_compared(left: Formula, right: Formula) -> None:
     """Assert what `equals` says, and the value of the difference, against 60 digits at five points."""
     first, second = forms(left, right)
     difference = first.minus(second)
@@ -274,7 +274,7 @@ def test_a_law_with_one_number_changed_is_refuted(left: str, right: str) -> None
                     assert_soundly_compared(node, other)
 
 
-def _has_form(node: Node) -> bool:
+def _has_form(node: Formula) -> bool:
     """Pass over roots of sums and complex powers, on whose branch mpmath and hand notation differ."""
     try:
         (form,) = forms(node)
@@ -285,7 +285,7 @@ def _has_form(node: Node) -> bool:
 
 @settings(suppress_health_check=SLOW)
 @given(trees, trees, trees)
-def test_the_laws_of_a_field(a: Node, b: Node, c: Node) -> None:
+def test_the_laws_of_a_field(a: Formula, b: Formula, c: Formula) -> None:
     one, two, three = formed(a, b, c)
     try:
         assert one.plus(two).equals(two.plus(one)) is not False
@@ -299,7 +299,7 @@ def test_the_laws_of_a_field(a: Node, b: Node, c: Node) -> None:
 
 @settings(suppress_health_check=SLOW)
 @given(trees, st.data())
-def test_one_coefficient_changed_is_seen(node: Node, data: st.DataObject) -> None:
+def test_one_coefficient_changed_is_seen(node: Formula, data: st.DataObject) -> None:
     """Never True where 60 digits say otherwise."""
     numbers = changed(node, Fraction(1, 1000))
     assume(numbers)
@@ -323,7 +323,7 @@ def test_one_coefficient_changed_is_seen(node: Node, data: st.DataObject) -> Non
 
 @settings(suppress_health_check=SLOW)
 @given(trees, trees)
-def test_division_undoes_multiplication(a: Node, b: Node) -> None:
+def test_division_undoes_multiplication(a: Formula, b: Formula) -> None:
     one, two = formed(a, b)
     assume(one.is_polynomial and two.is_polynomial)
     try:

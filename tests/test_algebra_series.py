@@ -17,7 +17,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
-from symbalance.document.syntax import Node
+from symbalance.document.formula import Formula
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.series import Expansion, Series
@@ -30,7 +30,7 @@ class RemainderError(AssertionError):
     """A series leaves more than it may."""
 
 
-def series_of(text: str | Node, letter: tuple[str, int], through: int) -> Series:
+def series_of(text: str | Formula, letter: tuple[str, int], through: int) -> Series:
     (form,) = forms(text)
     return Expansion(form.domain, *letter, through).of(form)
 
@@ -41,7 +41,7 @@ def coefficients(series: Series) -> dict[int, Any]:
         return {k: values.value(form, POINT) for k, form in series.terms.items()}
 
 
-def remainder(text: str | Node, letter: tuple[str, int], series: Series, small: Fraction) -> Any:
+def remainder(text: str | Formula, letter: tuple[str, int], series: Series, small: Fraction) -> Any:
     """Return (f(ε) - the partial sum)/ε^(through + 1)."""
     name, sign = letter
     node = tree(text) if isinstance(text, str) else text
@@ -52,7 +52,7 @@ def remainder(text: str | Node, letter: tuple[str, int], series: Series, small: 
         return (exact - partial) / epsilon ** (series.through + 1)
 
 
-def assert_good(text: str | Node, letter: tuple[str, int], series: Series) -> None:
+def assert_good(text: str | Formula, letter: tuple[str, int], series: Series) -> None:
     """Assert that the remainder is of the next order: it settles to the next coefficient."""
     first, second = (remainder(text, letter, series, Fraction(1, 10**n)) for n in (8, 9))
     if not abs(first - second) <= (1 + abs(first)) * mp.mpf(10) ** -3:
@@ -161,7 +161,7 @@ whole_parts = st.sampled_from(
 ).map(tree)
 
 
-def _larger(parts: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
+def _larger(parts: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
     pairs = st.tuples(parts, parts)
     return st.one_of(
         pairs.map(formulas.Sum),
@@ -171,7 +171,7 @@ def _larger(parts: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
     )
 
 
-def _of_small(part: Node) -> st.SearchStrategy[Node]:
+def _of_small(part: Formula) -> st.SearchStrategy[Formula]:
     inside = formulas.Sum((Number_one, part))
     return st.sampled_from(
         [
@@ -200,7 +200,7 @@ random_series = st.recursive(
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
 )
 @given(random_series, st.integers(0, 5))
-def test_random_series_never_claim_too_much(node: Node, through: int) -> None:
+def test_random_series_never_claim_too_much(node: Formula, through: int) -> None:
     try:
         series = series_of(node, LARGE, through)
     except (NoFormError, TooLargeError):

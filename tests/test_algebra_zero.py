@@ -15,12 +15,12 @@ from formulas import MEANING, POINT, at_point, close, forms, tree
 from hypothesis import given, settings
 from mpmath import mp
 
-from symbalance.document.syntax import (
+from symbalance.document.formula import (
     Call,
     Constant,
+    Formula,
     Name,
     Negative,
-    Node,
     Number,
     Power,
     Quotient,
@@ -118,8 +118,8 @@ def test_what_cannot_be_decided_is_left_open_and_at_once() -> None:
 # Limits -------------------------------------------------------------------------------------------
 
 
-def chain(depth: int, kind: str) -> Node:
-    node: Node = Name("x")
+def chain(depth: int, kind: str) -> Formula:
+    node: Formula = Name("x")
     one = Number(Fraction(1))
     for _ in range(depth):
         node = {

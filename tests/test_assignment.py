@@ -201,7 +201,7 @@ def test_the_command(capsys, tmp_path: Path):
     assert document["criterion"] <= document["as_listed"]
     tex = tmp_path / "a.tex"
     assert run(["assign", "inline-4", "--parts", str(path), "--format", "latex", "-o", str(tex)]) == 0
-    assert r"\end{document}" in tex.read_text(encoding="utf-8")
+    assert r"\begin{tabular}" in tex.read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ import sympy
 from hypothesis import given, settings
 
 from symbalance.codegen import to_function
-from symbalance.document.printing import to_json, to_latex, to_text
+from symbalance.document.result import to_json, to_latex, to_text
 from symbalance.document.symbols import symbol
 from symbalance.engine.builders import boxer, from_cylinders, from_firing_order, inline, radial, vee, w
 from symbalance.engine.cylinders import Cylinder

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from fractions import Fraction
 
 import placed
@@ -23,7 +24,6 @@ from symbalance.engine.trains import CrankTrain, Link
 from symbalance.exact.angles import Angle
 from symbalance.exact.arithmetic import total
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.torque.torque_text import torque_text
 
 GONE = 1e-33
 SIZED = CrankTrain(
@@ -294,6 +294,53 @@ def test_rotating_parts_balance_in_two_planes_and_more(weights, stations):
             least = total
         else:
             assert total > least * (1 - 1e-14)
+
+
+@given(WEIGHTS, st.sampled_from([["1"], ["3", "-3"], ["4", "2", "-4"]]))
+@settings(max_examples=25, deadline=None)
+def test_what_is_left_of_turning_weights_is_their_sum_in_decimals(weights, stations):
+    """In one plane the couple stays; the sums are complex numbers of Python's."""
+    found = sb.balanced_weights(weights, stations)
+
+    def plain(vector):
+        return complex(*map(float, sb.exact.Component(vector).decimal()))
+
+    every = [(float(w.station), plain(w.vector)) for w in weights]
+    every += [(float(c.station), plain(c.weight.vector)) for c in found]
+    left = found.remains
+    assert [plain(part) for part in left] == pytest.approx(
+        [sum(v for _, v in every), sum(z * v for z, v in every)], abs=1e-9
+    )
+    assert left[0].is_zero()
+    said = found.data()
+    assert said["complete"] is (left[0].is_zero() and left[1].is_zero())
+    assert said["complete"] or len(stations) == 1
+    assert len(found) == len(said["counterweights"]) == len(list(found))
+    assert (found.summary().endswith("no force and no couple left")) is said["complete"]
+    row = next(line for line in sb.to_text(found).splitlines() if line.startswith("  couple "))
+    assert row.endswith("proved 0") is said["complete"]
+
+
+def test_an_ellipse_says_of_which_order_and_engine_it_is():
+    drawn = sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+    assert repr(drawn) == "Free couple of order 1 of v10-72: ellipse, with the crank"
+    said = sb.to_text(drawn)
+    assert "6.5186" in said
+    assert "3.441" in said
+
+
+def test_the_records_of_an_ellipse_are_the_extremes_of_its_reach():
+    """Found by trying directions, on an engine that is symmetric about no plane."""
+    rows = [sb.Cylinder(1, 137, -45, 1), sb.Cylinder(2, 25, 30, "-1/2"), sb.Cylinder(3, 211, -20, 0)]
+    drawn = sb.ellipse(sb.balance(sb.from_cylinders(rows, ratio=4), 1))
+    (row,) = drawn.records()
+    reach = [float(drawn.reach(Fraction(k, 500))) for k in range(1571)]
+    assert row["major"] == pytest.approx(max(reach), rel=1e-4)
+    assert row["minor"] == pytest.approx(min(reach), rel=1e-4)
+    longest = max(range(1571), key=reach.__getitem__) / 500
+    apart = (math.radians(row["direction_deg"]) - longest + math.pi / 2) % math.pi - math.pi / 2
+    assert apart == pytest.approx(0, abs=3e-3)
+    assert abs(row["direction_deg"]) > 5
 
 
 def test_ends_have_the_least_total_of_all_choices():
@@ -592,7 +639,7 @@ def test_every_roll_moment_has_the_shafts():
     assert alone.is_opposite
     assert not whole.is_opposite
     assert whole.frame is not None
-    assert "balance shafts" in torque_text(whole)
+    assert "all inertia and balance shafts" in " ".join(sb.to_text(whole).split())
     trace = sb.ideal_cycle(10, heat=20).trace(4)
     given = {"bore": 80, "stroke": 86, "reciprocating_mass": "1/2", "rpm": 3000}
     given["ratio"] = Fraction(143, 43)

@@ -1,6 +1,11 @@
 """`symbalance check`, `sb.check` and `sb.check_equal`: formats, exit codes, declarations, refusals."""
 
+import html
+import io
 import json
+import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -8,7 +13,8 @@ import sympy as sp
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.notes.checking import report_latex
+from symbalance.notes.checking.verdicts import VERDICTS
+from tests.results import example
 
 LETTERS = {
     "theta": "crank angle",
@@ -62,7 +68,7 @@ def test_every_relation_seen_is_counted(tmp_path, capsys):
     }  # fmt: skip
     assert report["counts"]["undecided"] == 0
     run(["check", path])
-    assert capsys.readouterr().out.splitlines()[-1].startswith("4 relations seen: ")
+    assert "\n4 relations seen: " in capsys.readouterr().out
 
 
 def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
@@ -340,6 +346,44 @@ def test_declarations_may_head_the_document(tmp_path):
         assert found[0].line == head.count("\n") + 1
 
 
+def piped(monkeypatch, text: str) -> None:
+    monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(text.encode("utf-8")), encoding="utf-8"))
+
+
+def test_notes_may_be_piped_in(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "letters.toml").write_text(SIDECAR, encoding="utf-8")
+    (tmp_path / "-.symbols.toml").write_text("no = sidecar", encoding="utf-8")  # of a file called -
+    for text, code in ((GOOD, 0), (BAD, 1)):
+        piped(monkeypatch, text)
+        assert run(["check", "-", "--symbols", "letters.toml"]) == code
+        assert capsys.readouterr().out.startswith("Check of standard input\n1 relation seen: ")
+    piped(monkeypatch, GOOD)
+    assert run(["check", "-", "--declare"]) == 0
+    assert '"r" = ""' in capsys.readouterr().out
+    piped(monkeypatch, BAD)
+    assert run(["check", "-", "--symbols", "-"]) == 2
+    assert "can be read only once" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("opening", "mark", "closing"), [("<!-- ", "", "-->"), ("% ", "% ", ""), ("# ", "# ", "")]
+)
+def test_what_is_piped_in_may_declare_its_letters_itself(opening, mark, closing, capsys, monkeypatch):
+    head = opening + SIDECAR.replace("\n", f"\n{mark}").removesuffix(mark) + closing
+    piped(monkeypatch, f"{head}\n{BAD}")
+    assert run(["check", "-", "--format", "json"]) == 1
+    (link,) = json.loads(capsys.readouterr().out)["links"]
+    assert link["verdict"] == "refuted"
+
+
+def test_a_fault_of_ours_names_standard_input(capsys, monkeypatch):
+    monkeypatch.setattr("symbalance.notes.checking.judging.judged", lambda *_: 1 / 0)
+    piped(monkeypatch, "$$2 = 1 + 1$$")
+    assert run(["check", "-"]) == 3
+    assert "line 1 of standard input: ZeroDivisionError" in capsys.readouterr().err
+
+
 def test_missing_declarations_are_listed_to_be_filled_in(tmp_path, capsys):
     path = tmp_path / "notes.md"
     path.write_text("$$F = m a$$\n\n$$F = m r \\omega^2$$\n", encoding="utf-8")
@@ -383,22 +427,135 @@ def test_what_is_no_document_is_refused(wrong):
         sb.check(wrong)
 
 
+def plain(medium: str, printed: str) -> str:
+    """Return what a medium says, in the letters it was handed, without blanks."""
+    if medium == "html":
+        printed = html.unescape(re.sub(r"<[^>]*>", "", printed))
+    if medium == "markdown":
+        printed = re.sub(r"\\([\\`*_{}\[\]<>#|$])", r"\1", printed)
+    if medium == "latex":
+        printed = re.sub(r"\\allowbreak(\{\})?|\$", "", printed)
+        for command, letter in TEX.items():
+            printed = printed.replace(command, letter)
+        printed = re.sub(r"\\([&%#_{}])", r"\1", printed)
+    return "".join(printed.replace("\\", "").replace("−", "-").split())
+
+
+TEX = {
+    r"\textbackslash{}": "\\", r"\textasciicircum{}": "^", "--": "-", r"\lambda": "λ", r"\theta": "θ",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("medium", ["text", "latex", "html", "markdown"])
+def test_every_medium_says_what_the_data_says(medium):
+    checked = example("check")
+    printed = plain(medium, getattr(sb, f"to_{medium}")(checked))
+    found = {link["verdict"] for link in checked.data()["links"]}
+    assert found == {*VERDICTS} - {"conditional"}
+    at = 0
+    for link in checked.data()["links"]:
+        if "continues" in link:
+            continue
+        at = printed.index(plain(medium, link["source"]), at)
+        below = printed[at:]
+        said = [link["reason"], link["fix_kind"], *link["witness"].values(), *link.get("notes", ())]
+        said += [f"line {w['line']}, column {w['column']}: " for w in link["wrong"]]
+        for text in filter(None, said):
+            assert plain(medium, text) in below, (link["line"], text)
+
+
+def test_the_count_is_read_before_the_relations_and_the_legend_after_them():
+    printed = sb.to_text(sb.check(BAD, LETTERS))
+    order = ["Check of ", "1 relation seen: 1 refuted.", "  REFUTED  ", "found: ", "How to read it"]
+    assert sorted(order, key=printed.index) == order
+
+
+def test_a_line_of_text_stands_beside_its_verdict_or_whole_below_it():
+    long = " + ".join(["k"] * 60)
+    printed = sb.to_text(sb.check(f"$$2k = k + k$$\n\n$$60k = {long}$$", LETTERS))
+    assert "\n     1  holds  k + k\n     3  holds\n        k + k + k" in printed
+    assert long in " ".join(printed.split())
+    assert "\n     3  holds  k + k + k" in sb.to_text(
+        sb.check(f"\n\n$$60k = {long}$$", LETTERS), width=300
+    )
+
+
+def test_records_are_one_row_for_each_relation(tmp_path):
+    rows = sb.check(Path(written(tmp_path, f"{GOOD}\n{BAD}"))).records()
+    assert [(row["line"], row["verdict"], row["fix_kind"]) for row in rows] == [
+        (1, "holds_to_order", None),
+        (3, "refuted", "number misprinted (4 for 2)"),
+    ]
+
+
+def test_the_ending_of_the_output_chooses_the_medium(tmp_path, capsys):
+    path = written(tmp_path, BAD)
+    for name, begins in (
+        ("r.html", "<!DOCTYPE html>"),
+        ("r.tex", "% Needs"),
+        ("r.json", "{"),
+        ("r.md", "# "),
+    ):
+        assert run(["check", path, "-o", str(tmp_path / name)]) == 1
+        assert (tmp_path / name).read_text(encoding="utf-8").startswith(begins)
+    assert run(["check", path, "--declare", "--standalone"]) == 2
+    assert "--standalone: plays no part in --declare" in capsys.readouterr().err
+
+
+def test_a_correction_of_the_left_side_says_so():
+    (found,) = sb.check("$$(r - k)^3 = r^3 + 3 r^2 k + 3 r k^2 + k^3$$", LETTERS).verdicts
+    printed = sb.to_text(found)
+    assert "left side should be: (r + k)³" in printed
+    assert "stands:" not in printed  # of the right side, which is not what is wrong
+    (found,) = sb.check("$$(r - k)^2 = r^2 + 2 r k + k^2$$", LETTERS).verdicts
+    assert "stands: r² + 2r k + k²\n        should be: r² − 2r k + k²" in sb.to_text(found)
+
+
 def test_the_latex_report_compiles_and_shows_both_lines(compile_latex, tmp_path):
     found = sb.check(Path(written(tmp_path, BAD + r"$$x = \unknown_1$$" + "\n" + GOOD)))
-    printed = report_latex(found)
-    assert r"\textit{stands}" in printed
-    assert r"\textit{right}" in printed
+    printed = sb.to_latex(found, standalone=True)
+    assert "stands:" in printed
+    assert "should be:" in printed
+    assert r"\frac{r}{4 \lambda}" in printed
     compile_latex(printed)
 
 
 def test_the_latex_report_loses_no_character_of_the_source(compile_latex):
-    source = "$$x = −√3·½ λ² ± ∂ ÷ × ∫ ΔΩς désaxé 力 ≠ … ₂ ÿ$$"
-    printed = report_latex(sb.check(source, LETTERS))
-    shown = printed[printed.index(r"\ttfamily") : printed.index(r"\par}", printed.index(r"\ttfamily"))]
+    source = "$$x = −√3·½ λ² ± ∂ ÷ × ∫ ΔΩς désaxé ☃ ≠ … ₂ ÿ$$"
+    printed = sb.to_latex(sb.check(source, LETTERS), standalone=True)
+    shown = next(line for line in printed.splitlines() if r"\textsc{unreadable}" in line)
     assert "?" not in shown
-    for piece in ("--", r"\surd", r"\times", r"\Delta", "désaxé", "529B}", r"\pm", "ÿ"):
+    for piece in ("--", r"\surd", r"\times", r"\Delta", "désaxé", "U+2603", r"\pm", "ÿ"):
         assert piece in shown, piece
     compile_latex(printed)
+
+
+JAPANESE = "連桿比 $2k = 力 k$\n\n$$2r = 90度$$\n"
+
+
+@pytest.mark.parametrize("writer", [sb.to_text, sb.to_latex, sb.to_html, sb.to_markdown, sb.to_json])
+def test_japanese_stands_in_a_report_as_it_is(writer):
+    printed = writer(sb.check(JAPANESE, LETTERS))
+    assert "力" in printed
+    assert "度" in printed
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("engine", "read"), [("lualatex", "2k = 力 k"), ("pdflatex", "2k = U+529B k")])
+def test_a_report_with_japanese_is_set_by_lualatex_and_spelled_by_pdflatex(engine, read, tmp_path):
+    if shutil.which(engine) is None or not _output("kpsewhich", "luatexja.sty", folder=tmp_path):
+        pytest.skip(f"{engine} or luatexja is not installed")
+    source = sb.to_latex(sb.check(JAPANESE, LETTERS), standalone=True)
+    (tmp_path / "notes.tex").write_text(source, encoding="utf-8")
+    _output(engine, "-interaction=nonstopmode", "-halt-on-error", "notes.tex", folder=tmp_path)
+    page = " ".join(_output("pdftotext", "notes.pdf", "-", folder=tmp_path).split())
+    assert read in page
+    assert ("compile with lualatex" in page) == (engine == "pdflatex")
+
+
+def _output(*command: str, folder: Path) -> str:
+    done = subprocess.run(command, cwd=folder, capture_output=True, timeout=120, check=False)
+    return done.stdout.decode("utf-8", "replace")
 
 
 def test_every_character_of_the_report_compiles(compile_latex):

@@ -137,17 +137,21 @@ def test_a_shown_preset_is_a_usable_engine_file(capsys, tmp_path):
 
 def test_derive_prints_text_and_latex(capsys):
     assert "θ" in printed(capsys, "derive", "--quantity", "displacement", "--convention", "l/s")
-    assert r"\begin{document}" in printed(capsys, "derive", "--format", "latex", "--order", "4")
+    assert r"\begin{document}" in printed(
+        capsys, "derive", "--standalone", "--format", "latex", "--order", "4"
+    )
 
 
 def test_derive_prints_the_equations_of_a_crankshaft_node(capsys):
     lines = printed(capsys, "derive", "--quantity", "crank-node").splitlines()
-    assert "  dK[4,4] = -I_vv + I_ww + V*e_v*m + e_v**2*m - e_w**2*m" in lines
-    latex = printed(
-        capsys, "derive", "--quantity", "crank-node", "--rotation", "uvw", "--format", "latex"
-    )
+    assert "  ΔK₄₄ = I_ww − Iᵥᵥ + m (V eᵥ + eᵥ² − e_w²)" in lines
+    node = ("derive", "--quantity", "crank-node", "--rotation", "uvw")
+    latex = printed(capsys, *node, "--format", "latex", "--standalone")
     assert r"\begin{document}" in latex
-    assert "R_u R_v R_w" in latex
+    assert "R_{u} R_{v} R_{w}" in latex
+    data = json.loads(printed(capsys, *node, "--format", "json"))
+    assert data["schema"] == {"result": "crank-node", "version": 1}
+    assert data["rotation"] == "uvw"
 
 
 @pytest.mark.parametrize(

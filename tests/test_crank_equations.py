@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import random
 import re
 from itertools import product
@@ -15,6 +16,7 @@ from mpmath import mp
 import symbalance as sb
 from symbalance.crankshaft.equations import compared, node_equations, turned_bearing
 from symbalance.crankshaft.equations.bearings import DAMPING, STIFFNESS
+from symbalance.crankshaft.equations.node_document import entry_formula
 from symbalance.crankshaft.equations.published import published
 from symbalance.crankshaft.equations.quantities import OFFSET, OMEGA, PRODUCTS, THETA, TURN
 from symbalance.crankshaft.equations.rotations import CARDAN, ROTATIONS
@@ -28,6 +30,7 @@ from symbalance.crankshaft.frames import (
 from symbalance.crankshaft.gyroscopics import crossing, node_force, node_matrices
 from symbalance.crankshaft.rotor import Rotor
 from symbalance.crankshaft.spin import deflated, spin_growth, spin_motion
+from symbalance.document.sympy_writer import formula_sympy
 from symbalance.errors import SymbalanceError
 
 NAMES = ("m", "U", "V", "W", "e_u", "e_v", "e_w", "I_uu", "I_vv", "I_ww", "I_uv", "I_uw", "I_vw")
@@ -398,6 +401,29 @@ def test_the_page_is_as_it_was_and_compiles(golden, compile_latex):
     golden("crank-node.tex", sb.to_latex(node_equations()))
     compile_latex(sb.to_latex(node_equations(), standalone=True))
     compile_latex(sb.to_latex(node_equations("vuw").principal(), standalone=True))
+
+
+def test_data_and_records_read_back_as_the_matrices():
+    node = node_equations("uvw")
+    known = {str(symbol): symbol for symbol in node.symbols}
+    data = json.loads(sb.to_json(node))
+    for name, matrix in node.parts().items():
+        read = [[sympy.sympify(cell, locals=known) for cell in row] for row in data[name]]
+        assert (sympy.Matrix(read) - matrix).expand().is_zero_matrix
+    filled = sum(sympy.expand(cell) != 0 for matrix in node.parts().values() for cell in matrix)
+    assert len(node.records()) == filled
+
+
+@pytest.mark.parametrize("kind", ["vector", "wvu"])
+def test_printed_entries_are_the_derived_ones(kind):
+    """Every entry of every matrix, as written, is that matrix's: values in both are one number."""
+    node = node_equations(kind)
+    known = {str(symbol): symbol for symbol in node.symbols}
+    for matrix in node.parts().values():
+        for cell in matrix:
+            printed = formula_sympy(entry_formula(cell))
+            same = {symbol: known[symbol.name] for symbol in printed.free_symbols}
+            assert sympy.expand(printed.subs(same, simultaneous=True) - cell) == 0
 
 
 def test_unknown_coordinates_and_a_massless_spin_are_refused():

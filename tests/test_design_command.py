@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
 import json
+import math
 from fractions import Fraction
+from itertools import product
 
 import pytest
 import sympy
@@ -49,21 +52,25 @@ def refused(capsys, *arguments: str) -> str:
 
 def test_text_names_the_weights_the_certificate_and_what_remains(capsys):
     text = output(capsys, "design", "v8-90")
-    assert "Orders 1, 2 end exactly, with counterweights on the crank; no shaft is needed." in text
+    assert text.startswith("v8-90: orders 1, 2 end exactly\n")
+    assert "With counterweights on the crank; no shaft is needed." in text
     assert "√10/3" in text
     assert "≈ −116.57°" in text
     assert "1  couple  proved 0" in text
-    assert "4√2" in text.partition("What remains")[2]
+    remains, before = text.partition("What remains")[2].split("Before: v8-90 as it is")
+    assert "4√2" in remains
+    assert "√10" in before
     assert max(map(len, text.splitlines())) < 80
 
 
 def test_nothing_to_do_is_said(capsys):
-    assert "Orders 1, 2: nothing to remove." in output(capsys, "design", "v12-60")
+    assert "orders 1, 2: nothing to remove\n" in output(capsys, "design", "v12-60")
 
 
 def test_limits_are_kept_and_the_rest_is_told(capsys):
     text = output(capsys, "design", "inline-1", "--remove", "1", "--no-counter-rotation")
-    said = "Order 1: reduced with counterweights on the crank; it takes 1 shaft to end all exactly."
+    assert text.startswith("inline-1: order 1 reduced\n")
+    said = "With counterweights on the crank; it takes 1 shaft to end all exactly."
     assert said in " ".join(text.split())
     assert "circle, against the crank" in text
     text = output(capsys, "design", "inline-4", "--shafts", "1", "--vertical", "3")
@@ -86,16 +93,65 @@ def test_json_is_exact_and_agrees_with_python(capsys):
     assert [o["order"] for o in found["remains"]["orders"]] == ["4", "6", "8", "10", "12"]
 
 
+def test_limits_stand_in_the_legend_and_in_json():
+    """A limit that was not given is not printed; in JSON all stand."""
+    four = sb.inline("1-3-4-2", crank_train=SIZES)
+    plain = sb.design_balance(four)
+    assert "limits" not in sb.to_text(plain)
+    assert plain.data()["limits"]["shafts"] is None
+    given = {"shafts": 1, "counter_rotation": False, "spread": "even", "stations": ["1/2", "-1/2"]}
+    limited = sb.design_balance(four, **given, vertical=3, length=2, most="25/2")
+    legend = " ".join(sb.to_text(limited).partition("How to read it")[2].split())
+    for said in (
+        "at most 1 shaft;",
+        "no shaft against the crank",
+        "weights at stations 1/2, −1/2",
+        "a weight at every station",
+        "at most 25/2 kg mm a weight",
+        "squares of the vertical weigh 3, of the lateral 1",
+        "couples count over 2 pitches",
+    ):
+        assert said in legend
+    assert "no counterweights on the crank" not in legend
+    limits = limited.data()["limits"]
+    assert (limits["most"], limits["stations"]) == ("25/2", ["1/2", "-1/2"])
+    assert (limits["counter_rotation"], limits["counterweights"]) == (False, True)
+
+
+def test_nothing_built_in_is_not_said_to_reduce():
+    bare = sb.design_balance(sb.load("inline-1"), [1], shafts=0, counterweights=False)
+    assert bare.devices == ()
+    assert "order 1 left unchanged" in sb.to_text(bare)
+    assert "reduced" not in sb.to_text(bare)
+    assert bare.records() == []
+
+
+def test_records_name_every_weight_once():
+    """Their sizes are those of SymPy's own evaluation; a throw's counterweight has no share."""
+    design = sb.design_balance(sb.load("inline-5"))
+    rows = design.records()
+    assert len(rows) == sum(len(device.weights) for device in design.devices) == 8
+    for row in rows:
+        up, right = (float(sympy.sympify(row[f"exact_{name}"])) for name in ("up", "right"))
+        assert row["share"] == pytest.approx(abs(complex(up, right)), rel=1e-12)
+        turned = math.radians(row["direction_deg"])
+        assert complex(up, right) == pytest.approx(row["share"] * cmath.exp(1j * turned), rel=1e-9)
+    throws = sb.design_balance(sb.load("v2-45"), [1], shafts=0, per_throw=True).records()
+    assert [(row["throw"], row["overbalance"], row["share"]) for row in throws] == [
+        (1, 0.5, None),
+        (2, 0.5, None),
+    ]
+
+
 def test_latex_holds_together(capsys):
-    page = output(capsys, "design", "inline-3", "--format", "latex")
-    for part in ("Engine.", "Free in the layout as it is", "Proposal.", "Certificate", "What remains"):
+    page = output(capsys, "design", "inline-3", "--format", "latex", "--standalone")
+    for part in ("Proposed weights", "Certificate", "What remains", "Before: inline-3 as it is"):
         assert part in page
-    for name in ("center", "tabular", "document"):
+    for name in ("minipage", "tabular", "document"):
         assert page.count(rf"\begin{{{name}}}") == page.count(rf"\end{{{name}}}")
     assert page.count("{") == page.count("}")
-    assert page.isascii()
     symbolic = sb.design_balance(sb.vee(sympy.Symbol("alpha"), pins=[0]), [1], shafts=0)
-    assert r"\cos" in sb.design_latex(symbolic)
+    assert r"\cos" in sb.to_latex(symbolic)
 
 
 def test_a_picture_is_drawn(capsys, tmp_path):
@@ -127,9 +183,10 @@ def test_the_balanced_engine_goes_through_every_command(name, capsys, tmp_path):
 def test_the_balanced_engine_in_latex_torque_and_code(capsys, tmp_path):
     path = tmp_path / "smooth.toml"
     output(capsys, "design", "inline-3", "--write", str(path))
-    assert "Shaft at" in output(capsys, "balance", str(path), "--format", "latex")
+    assert "shaft at" in output(capsys, "balance", str(path), "--format", "latex")
     plain, smooth = (output(capsys, "torque", engine) for engine in ("inline-3", str(path)))
-    assert plain.partition("\n")[2] == smooth.partition("\n")[2]
+    answers = [text.partition("How to read it")[0].partition("\n")[2] for text in (plain, smooth)]
+    assert answers[0] == answers[1] != ""
     assert "def " in output(capsys, "emit", str(path), "--target", "numpy")
 
 
@@ -173,6 +230,44 @@ def test_the_rods_own_inertia_comes_back(tmp_path):
     assert again.first.rod_split == train.rod_split
 
 
+OWN_SIZES: list[dict[str, int]] = [
+    {},
+    {"stroke": 80},
+    {"rod": 150},
+    {"stroke": 80, "rod": 150},
+    {"stroke": 90, "rod": 180},
+]
+TRAINS = [
+    CrankTrain(stroke=stroke, rod=rod, given_ratio=ratio)
+    for stroke, rod, ratio in product((None, Fraction(80)), (None, Fraction(150)), (None, Fraction(4)))
+]
+
+
+@pytest.mark.parametrize("ratio", [None, 3])
+@pytest.mark.parametrize("train", TRAINS, ids=range(len(TRAINS)))
+def test_a_ratio_beside_strokes_and_rods_comes_back_or_is_refused(train, ratio, tmp_path):
+    """Sizes of two cylinders, each with a stroke, a rod, both or none, beside shared ones."""
+    path, written = tmp_path / "again.toml", 0
+    for first, second in product(OWN_SIZES, repeat=2):
+        rows = [sb.Cylinder(1, **first), sb.Cylinder(2, 180, **second)]
+        try:
+            layout = sb.from_cylinders(rows, crank_train=train)
+            layout = layout if ratio is None else layout.with_ratio(ratio)
+            pushes = [(group.mechanism, group.size) for group in layout.groups]
+        except sb.SymbalanceError:  # no engine: its forces would be refused
+            continue
+        ratio_alone = any(c.sizes.given_ratio and not c.stroke for c in layout.cylinders)
+        if ratio_alone and any(c.sizes.rod for c in layout.cylinders):
+            with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file beside"):
+                sb.engine_text(layout)
+            continue
+        path.write_text(sb.engine_text(layout), encoding="utf-8")
+        again = sb.load(path)
+        assert [(group.mechanism, group.size) for group in again.groups] == pushes, (first, second)
+        written += 1
+    assert written
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -193,6 +288,25 @@ def test_the_file_that_cannot_be_written_is_the_one_named(tmp_path, capsys):
         path = str(tmp_path / "no" / f"a.{ending}")
         assert run(["design", "inline-3", option, path]) == 2
         assert f"symbalance: file {path}: cannot be written" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("ending", ["txt", "tex", "html", "md", "json"])
+def test_a_report_and_the_engine_are_both_written_or_neither(ending, tmp_path, capsys):
+    engine, report = tmp_path / "smooth.toml", tmp_path / f"report.{ending}"
+    assert run(["design", "inline-3", "--write", str(engine), "-o", str(tmp_path / "no" / "a.txt")]) == 2
+    assert run(["design", "inline-3", "--write", str(tmp_path / "no" / "a.toml"), "-o", str(report)]) == 2
+    assert not list(tmp_path.iterdir())
+    output(capsys, "design", "inline-3", "--write", str(engine), "-o", str(report))
+    assert sb.load(engine).balancers
+    design = sb.design_balance(sb.load("inline-3"))
+    whole = {
+        "txt": sb.to_text(design),
+        "tex": sb.to_latex(design),
+        "html": sb.to_html(design, standalone=True),
+        "md": sb.to_markdown(design),
+        "json": sb.to_json(design) + "\n",
+    }
+    assert report.read_text(encoding="utf-8") == whole[ending]
 
 
 def test_symbols_are_refused_by_a_file():
@@ -286,7 +400,7 @@ def test_a_bad_option_is_refused_in_one_line(options, said, capsys):
 def test_bad_python_is_refused():
     four = sb.load("inline-4")
     for make, said in (
-        (lambda: sb.design_balance("inline-4"), "must be a Engine"),
+        (lambda: sb.design_balance("inline-4"), "must be an Engine"),
         (lambda: sb.design_balance(four, []), "names no order"),
         (lambda: sb.design_balance(four, [1.5]), "must be a whole number"),
         (lambda: sb.design_balance(four, spread="wide"), "must be one of"),

@@ -419,20 +419,15 @@ def line_of(lines: dict[Path, int], path: Path) -> int:
 
 
 @each_key
-def test_a_value_of_another_type_is_refused_on_its_line(
-    name: str, path: Path, key: Key, folder: File
+@pytest.mark.parametrize(
+    "values",
+    [wrong_types, lambda key: out_of_range(key.kind)],
+    ids=["of another type", "out of range"],
+)
+def test_a_wrong_value_is_refused_on_its_line(
+    values: Callable[[Key], list[Any]], name: str, path: Path, key: Key, folder: File
 ) -> None:
-    for value in wrong_types(key):
-        text, line = with_value(name, path, value)
-        assert f"engine.toml:{line}: " in refusal(folder, name, text), text_of(value)
-        assert not holds(text), text_of(value)
-
-
-@each_key
-def test_a_value_out_of_range_is_refused_on_its_line(
-    name: str, path: Path, key: Key, folder: File
-) -> None:
-    for value in out_of_range(key.kind):
+    for value in values(key):
         text, line = with_value(name, path, value)
         assert f"engine.toml:{line}: " in refusal(folder, name, text), text_of(value)
         assert not holds(text), text_of(value)

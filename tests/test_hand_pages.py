@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 
 from symbalance.checking import check
-from symbalance.notes.checking import report_json
 
 HAND = Path(__file__).parent / "hand"
 TRUTHS = sorted(HAND.glob("*.truth.toml"))
@@ -20,7 +19,7 @@ ALARMS = {"refuted", "undecided", "unreadable"}
 
 def judged(truth: Path) -> tuple[list[dict], dict[tuple[int, int], dict]]:
     table = tomllib.loads(truth.read_text(encoding="utf-8"))
-    report = report_json(check(HAND / table["page"]))
+    report = check(HAND / table["page"]).data()
     found = {(e["line"], e["link"]): e for e in report["links"] if "continues" not in e}
     return table["link"], found
 

@@ -11,7 +11,6 @@ import pytest
 
 from symbalance.checking import check
 from symbalance.errors import SymbalanceError
-from symbalance.notes.checking import report_json
 
 HOSTILE = Path(__file__).parent / "hand" / "hostile"
 EXPECTED = tomllib.loads((HOSTILE / "expect.toml").read_text(encoding="utf-8"))["file"]
@@ -34,7 +33,7 @@ def test_each_file_ends_as_expected(expected, tmp_path):
     for absent in expected.get("absent", ()):
         assert absent.encode() not in done.stdout + done.stderr
     if done.returncode != 2 and "lines" in expected:
-        found = report_json(check(path))["links"]
+        found = check(path).data()["links"]
         for line in expected["lines"]:
             verdicts = {e["verdict"] for e in found if e["line"] == line["line"]}
             assert verdicts & set(line["verdicts"]) or line.get("none_ok"), line

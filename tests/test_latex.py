@@ -1,11 +1,19 @@
 """Typeset results: golden files that hold the source, and a compiler that accepts it."""
 
+import re
+import subprocess
+
 import pytest
 import sympy
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.document.latex_parts import in_document
+from symbalance.document.formula import Decimal, Name, Words, cos
+from symbalance.document.latex_document import document_latex
+from symbalance.document.latex_writer import formula_latex
+from symbalance.document.mathml_writer import formula_mathml
+from symbalance.document.nodes import Column, Document, Paragraph, Table
+from symbalance.document.text_writer import formula_text
 from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.kinematics.slider_crank import acceleration_series
 
@@ -88,12 +96,39 @@ def test_formulas_compile(compile_latex):
         sb.to_latex(sympy.atan2(-1, 3, evaluate=False)),
     ]
     assert formulas[1] == r"\sqrt{\frac{25 - 11 \sqrt{5}}{2}}"
-    compile_latex(in_document("\n".join(rf"\[{formula}\]" for formula in formulas)))
+    source = document_latex(Document("formulas", (Paragraph("here"),)), standalone=True)
+    compile_latex(source.replace("here", "\n".join(rf"\[{formula}\]" for formula in formulas)))
+
+
+def test_the_head_of_decimals_begins_where_its_column_does(compile_latex):
+    """The head spans both halves of numbers parted at their points; measured on the page."""
+    rows = (("a", Decimal("1.5"), Decimal("2.25")), ("b", Decimal("3.25"), Decimal("4.5")))
+    columns = (Column("name"), Column("wide enough"), Column("too"))
+    page = document_latex(Document("Heads", (Table("", columns, rows),)), standalone=True)
+    pdf = compile_latex(page)
+    boxes = subprocess.run(
+        ["pdftotext", "-bbox", str(pdf), "-"], capture_output=True, text=True, check=True, timeout=60
+    ).stdout
+    left = {word: float(x) for x, word in re.findall(r'<word xMin="([\d.]+)".*?>(.*?)</word>', boxes)}
+    assert left["wide"] == pytest.approx(left["3.25"], abs=2)
+    assert left["too"] == pytest.approx(left["4.5"], abs=2)
 
 
 def test_what_has_no_latex_says_so():
-    with pytest.raises(sb.SymbalanceError, match="no LaTeX form"):
+    with pytest.raises(sb.SymbalanceError, match="is no result that can be printed"):
         sb.to_latex(object())
+
+
+def test_upright_words_stand_apart_from_what_is_beside_them():
+    """`kg r` and `vertical C` would else be one word in LaTeX and MathML, where spaces do not count."""
+    for product in (Words("kg") * Name("r"), Name("r") * Words("kg"), Words("N") * Words("m")):
+        left, right = formula_text(product).split(" ")
+        assert re.search(rf"{left}\}}? \\, (\\mathrm\{{)?{right}", formula_latex(product))
+        assert re.search(
+            rf"{left}</m\w+><mo>\u2062</mo><mspace [^>]+></mspace><m\w+>{right}", formula_mathml(product)
+        )
+    # A function's name has its own space in LaTeX.
+    assert r"\," not in formula_latex(Words("amplitude") * cos(Name("n")))
 
 
 @pytest.mark.parametrize("command", ["balance {}", "torque {}", "design {}", "tolerances {} --mass 1%%"])
@@ -102,9 +137,11 @@ def test_latex_loses_no_sign_of_an_engine_s_name(command, tmp_path, capsys, comp
     own = "".join(line for line in text.splitlines(True) if not line.startswith("name"))
     path = tmp_path / "own.toml"
     path.write_text('name = "λ−√度😀 µ½ é_"\n' + own, encoding="utf-8")
-    assert run([*command.replace("%%", "%").format(path).split(), "--format", "latex"]) == 0
+    assert (
+        run([*command.replace("%%", "%").format(path).split(), "--format", "latex", "--standalone"]) == 0
+    )
     printed = capsys.readouterr().out
-    for sign in (r"\lambda", r"$\surd$", "U+5EA6", "U+1F600", "U+00B5", r"\frac12", "é"):
+    for sign in (r"\lambda", r"$\surd$", "度", "U+5EA6", "U+1F600", r"\mu", r"\frac12", "é"):
         assert sign in printed, sign
     assert "?" not in printed
     compile_latex(printed)

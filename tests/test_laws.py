@@ -23,7 +23,7 @@ from hypothesis import assume, given, settings
 from mpmath import mp
 
 from symbalance.codegen import to_function
-from symbalance.document.printing import to_json, to_latex, to_text
+from symbalance.document.result import to_json, to_latex, to_text
 from symbalance.engine.builders import from_firing_order, inline, vee
 from symbalance.engine.catalogue import load
 from symbalance.engine.cylinders import Cylinder
@@ -38,9 +38,9 @@ from symbalance.exact.radicals import (
 )
 from symbalance.exact.radicals.forms import _cached_form as exact_form_cache
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
-from symbalance.forces.balance_json import document
+from symbalance.forces.balance_data import balance_data
 from symbalance.forces.resultants import balance
-from symbalance.kinematics.derivation import derivation_text, derive
+from symbalance.kinematics.derivation import derive
 from symbalance.kinematics.derivation.bounds import printed_error
 from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics
 from symbalance.kinematics.truncation import left_out
@@ -508,7 +508,7 @@ def printed_at(digits: int) -> list[object]:
         function = to_function(seven, outputs="couple.vertical")
         return [
             *(form(result) for result in (*engines, seven) for form in (to_text, to_latex, to_json)),
-            *(derivation_text(derive(quantity, n)) for quantity in QUANTITIES for n in (2, 6, 41)),
+            *(to_text(derive(quantity, n)) for quantity in QUANTITIES for n in (2, 6, 41)),
             *(printed_error(n, harmonics(quantity, n)) for quantity in QUANTITIES for n in (1, 2, 7)),
             *(left_out(6, ratio, quantity) for quantity in QUANTITIES for ratio in (lam, lam / 3)),
             function.outputs,
@@ -534,14 +534,14 @@ def test_a_bound_is_rounded_up_at_any_precision() -> None:
 
 def test_documents_share_nothing_that_can_be_changed() -> None:
     result = balance(load("v8-90"))
-    before, spoiled = to_json(result), document(result)
+    before, spoiled = to_json(result), balance_data(result)
     for order in spoiled["orders"]:
         for kind in ("force", "couple"):
             for part in order[kind].values():
                 part["decimal"] = [*part["decimal"], "0"]
                 part["cos"] = "spoiled"
     assert to_json(result) == before
-    assert isinstance(document(result)["orders"][0]["force"]["vertical"]["decimal"], tuple)
+    assert isinstance(balance_data(result)["orders"][0]["force"]["vertical"]["decimal"], tuple)
 
 
 # Reading numbers ----------------------------------------------------------------------------------

@@ -8,13 +8,13 @@ from itertools import product
 import numpy as np
 import pytest
 from cranks import engine, sheet
+from cylinders import cylinder_with
 from link_pins import force_series, torque_and_moment
 
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.design.variations.weighed import parse_parts
 from symbalance.engine.engine_file import parse_engine
-from symbalance.engine.trains import OWN
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_path, link_pin_tail
 from symbalance.torque import beside_moment
 
@@ -83,29 +83,9 @@ def vee() -> sb.Engine:
     return sb.from_cylinders(rows, crank_train=train)
 
 
-def sizes_of(cylinder: sb.Cylinder) -> dict[str, Fraction]:
-    """Return a cylinder's sizes but for its rotating mass."""
-    sizes = {key: getattr(cylinder.sizes, key) for key in OWN if key != "rotating_mass"}
-    return {key: value for key, value in sizes.items() if value is not None}
-
-
 def without_masses(layout: sb.Engine) -> sb.Engine:
-    rows = [
-        sb.Cylinder(
-            c.number,
-            c.throw.in_degrees(),
-            c.bank.in_degrees(),
-            c.station,
-            link=c.link,
-            **{
-                k: v
-                for k, v in vars(c.sizes).items()
-                if k in OWN and k != "rotating_mass" and v is not None
-            },
-        )
-        for c in layout.cylinders
-    ]
-    return sb.Engine(rows)
+    """Return an engine whose rotating masses are taken off."""
+    return sb.Engine([cylinder_with(c, rotating_mass=None) for c in layout.cylinders])
 
 
 VEE_SHARES = {2: 1.0, 4: 1.5}
@@ -182,19 +162,7 @@ def test_sensitivities_are_the_differences_of_balance():
     """A gram more on one link pin: every order's change, against balances of two engines."""
     number, step = 4, Fraction(1, 1000)
     rows = [
-        sb.Cylinder(
-            c.number,
-            0,
-            c.bank.in_degrees(),
-            link=c.link,
-            **{
-                k: v
-                for k, v in vars(c.sizes).items()
-                if k in OWN and k != "rotating_mass" and v is not None
-            },
-            rotating_mass=2 + (step if c.number == number else 0),
-        )
-        for c in HEAVY.cylinders
+        cylinder_with(c, rotating_mass=2 + (step if c.number == number else 0)) for c in HEAVY.cylinders
     ]
     changed, before = sb.balance(sb.Engine(rows), 3), sb.balance(HEAVY, 3)
     ours = {
@@ -366,5 +334,5 @@ def test_tables_of_sensitivities_name_the_unit_and_what_stays(tmp_path, capsys):
     path.write_text(train("rotating_mass = 1") + rows, encoding="utf-8")
     assert run(["sensitivities", str(path), "--order", "1"]) == 0
     said = capsys.readouterr().out
-    assert "of cylinder 4;" in said
-    assert "rotating masses stay where they are" in said
+    assert "crank radius of cylinder 4" in said
+    assert "rotating masses stay where they are" in " ".join(said.split())

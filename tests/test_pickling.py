@@ -21,7 +21,6 @@ from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Spectrum
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.torque import torque_report
-from symbalance.torque.torque_text import torque_text
 
 ARGUMENTS = {
     SymbalanceError: ("throw = x", "must be a number", "write it like 120", "a.toml:3"),
@@ -177,9 +176,9 @@ def twice(made):
 @pytest.mark.parametrize("name", ["inline-4", "vw-vr6", "v8-90"])
 def test_torque_says_the_same_after_pickle(name):
     engine, warm = sb.load(name), torque_report(sb.load(name), 4)
-    text = torque_text(warm)
+    text = sb.to_text(warm)
     for again in [*twice(warm), *twice(torque_report(engine, 4))]:
-        assert torque_text(again) == text
+        assert sb.to_text(again) == text
     sizes = {"reciprocating_mass": 0.5} if name == "vw-vr6" else {"reciprocating_mass": 0.5, "stroke": 80}
     running = sb.crank_torque(engine, sb.ideal_cycle(10, heat=20), bore=80, rpm=3000, **sizes)
     expected = running.mean, running.fluctuation, running.terms(3)
@@ -193,12 +192,12 @@ def test_torque_says_the_same_after_pickle(name):
 def test_designs_variations_and_verdicts_say_the_same_after_pickle():
     design = sb.design_balance(sb.load("inline-3"), remove=[1])
     for again in twice(design):
-        assert sb.design_text(again) == sb.design_text(design)
-        assert sb.design_json(again) == sb.design_json(design)
+        assert sb.to_text(again) == sb.to_text(design)
+        assert sb.to_json(again) == sb.to_json(design)
         assert again.balanced == design.balanced
     checked = sb.check("$$\\sin^2 x = \\frac{1 - \\cos 2x}{3}$$", {"x": "angle"})
     for again in twice(checked):
-        assert sb.report_json(again) == sb.report_json(checked)
+        assert (sb.to_json(again), sb.to_text(again)) == (sb.to_json(checked), sb.to_text(checked))
         assert again.verdicts[0].fix.text == "(1 - cos 2x)/2"
     three = sb.load("inline-3")
     changes = sb.sensitivities(three, 2)

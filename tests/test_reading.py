@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from symbalance.document.syntax import (
+from symbalance.document.formula import (
     Call,
     Derivative,
     Dots,
@@ -20,8 +20,8 @@ from symbalance.document.syntax import (
     Summation,
     walk,
 )
-from symbalance.document.syntax_latex import render_latex
-from symbalance.document.syntax_text import render
+from symbalance.document.latex_writer import formula_latex
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading import (
     ReadingError,
     UndeclaredError,
@@ -133,13 +133,13 @@ SAID = [
 
 @pytest.mark.parametrize(("source", "said"), SAID)
 def test_what_a_formula_says(source: str, said: str) -> None:
-    assert render(read_expression(source, LETTERS)[0]) == said
+    assert formula_text(read_expression(source, LETTERS)[0], plain=True) == said
 
 
 @pytest.mark.parametrize(("source", "said"), SAID)
 def test_the_latex_of_a_formula_says_the_same(source: str, said: str) -> None:
-    latex = render_latex(read_expression(source, LETTERS)[0])
-    assert render(read_expression(latex, LETTERS)[0]) == said
+    latex = formula_latex(read_expression(source, LETTERS)[0])
+    assert formula_text(read_expression(latex, LETTERS)[0], plain=True) == said
 
 
 READINGS = [
@@ -159,17 +159,17 @@ READINGS = [
 
 @pytest.mark.parametrize(("source", "said"), READINGS)
 def test_readings_where_usage_differs(source: str, said: list[str]) -> None:
-    assert [render(node) for node in read_expression(source, LETTERS)] == said
+    assert [formula_text(node, plain=True) for node in read_expression(source, LETTERS)] == said
 
 
 def test_readings_are_few_and_different() -> None:
     readings = read_expression("+".join(["1/2λ"] * 40), LETTERS)
     assert len(readings) == 8
-    assert len({render(node) for node in readings}) == 8
+    assert len({formula_text(node, plain=True) for node in readings}) == 8
 
 
 def test_a_declared_d_makes_a_quotient_the_second_reading() -> None:
-    said = [render(node) for node in read_expression(r"\frac{dx}{dt}", [*LETTERS, "d"])]
+    said = [formula_text(node, plain=True) for node in read_expression(r"\frac{dx}{dt}", [*LETTERS, "d"])]
     assert said == ["dx/dt", "d*x/(d*t)"]
 
 
@@ -278,7 +278,7 @@ def test_an_offset_counts_in_refusals_too() -> None:
 
 def test_an_equation_with_its_own_letter() -> None:
     chain = read_equation(r"Z_1 = 4\pi/N ≒ x", ["N", "x"])
-    assert [render(side.node) for side in chain.sides] == ["Z_1", "4 π/N", "x"]
+    assert [formula_text(side.node, plain=True) for side in chain.sides] == ["Z_1", "4 π/N", "x"]
     assert [relation.sign for relation in chain.relations] == ["=", "≈"]
 
 

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from symbalance.document.syntax_text import render
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading import read_document
 from symbalance.notes.reading.equations import Chain, Document
 
@@ -19,9 +19,9 @@ def read(text: str, suffix: str = "") -> Document:
 
 
 def said(chain: Chain) -> str:
-    text = render(chain.sides[0].node)
+    text = formula_text(chain.sides[0].node, plain=True)
     for relation, side in zip(chain.relations, chain.sides[1:], strict=True):
-        text += f" {relation.sign} {render(side.node)}"
+        text += f" {relation.sign} {formula_text(side.node, plain=True)}"
     return text
 
 

@@ -6,8 +6,8 @@ from fractions import Fraction
 
 import pytest
 
-from symbalance.document.syntax import Name, Number, Product
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Name, Number, Product
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading import ReadingError, canonical_name, read_document, read_expression
 from symbalance.notes.reading.equations import Document
 from symbalance.notes.reading.units import scale_of
@@ -25,9 +25,9 @@ def read(text: str, suffix: str = "") -> Document:
 def said(document: Document) -> list[str]:
     chains: list[str] = []
     for chain in document.chains:
-        text = render(chain.sides[0].node)
+        text = formula_text(chain.sides[0].node, plain=True)
         for relation, side in zip(chain.relations, chain.sides[1:], strict=True):
-            text += f" {relation.sign} {render(side.node)}"
+            text += f" {relation.sign} {formula_text(side.node, plain=True)}"
         chains.append(text)
     return chains
 
@@ -93,7 +93,9 @@ ARGUMENTS = [
 
 @pytest.mark.parametrize(("source", "expected"), ARGUMENTS)
 def test_where_an_angle_ends(source: str, expected: list[str]) -> None:
-    assert [render(node) for node in read_expression(source, [*LETTERS, "t"])] == expected
+    assert [
+        formula_text(node, plain=True) for node in read_expression(source, [*LETTERS, "t"])
+    ] == expected
 
 
 EXPONENTS = [
@@ -115,7 +117,7 @@ EXPONENTS = [
 
 @pytest.mark.parametrize(("source", "expected"), EXPONENTS)
 def test_exponents_and_multiples(source: str, expected: str) -> None:
-    assert render(read_expression(source, LETTERS)[0]) == expected
+    assert formula_text(read_expression(source, LETTERS)[0], plain=True) == expected
 
 
 @pytest.mark.parametrize(
@@ -303,13 +305,13 @@ OTHERS = [
 
 @pytest.mark.parametrize(("source", "expected"), OTHERS)
 def test_what_else_people_write(source: str, expected: str) -> None:
-    assert render(read_expression(source, LETTERS)[0]) == expected
+    assert formula_text(read_expression(source, LETTERS)[0], plain=True) == expected
 
 
 def test_an_order_that_is_not_the_last_term_is_a_letter() -> None:
     with pytest.raises(ReadingError, match="letter O is not declared"):
         read_expression(r"O(\rho^2) + a", LETTERS)
-    assert render(read_expression("a + O(x)", [*LETTERS, "O"])[0]) == "a + O x"
+    assert formula_text(read_expression("a + O(x)", [*LETTERS, "O"])[0], plain=True) == "a + O x"
 
 
 def test_a_declared_vector_is_a_letter_of_its_own() -> None:

@@ -10,15 +10,15 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from symbalance.document.syntax import (
+from symbalance.document.formula import (
     FUNCTIONS,
     Call,
     Constant,
     Derivative,
     Dots,
+    Formula,
     Name,
     Negative,
-    Node,
     Number,
     Power,
     Product,
@@ -27,8 +27,8 @@ from symbalance.document.syntax import (
     Summation,
     walk,
 )
-from symbalance.document.syntax_latex import render_latex
-from symbalance.document.syntax_text import render
+from symbalance.document.latex_writer import formula_latex
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading import ReadingError, canonical_name, read_document, read_expression
 
 NAMES = [
@@ -52,7 +52,7 @@ letters = st.sampled_from(NAMES).map(Name)
 leaves = st.one_of(numbers, letters, letters, st.sampled_from(["pi", "infinity", "i", "e"]).map(Constant))
 
 
-def _larger(parts: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
+def _larger(parts: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
     several = st.lists(parts, min_size=2, max_size=4).map(tuple)
     terms = st.lists(st.one_of(parts, parts, st.just(Dots())), min_size=2, max_size=4).map(tuple)
     index = st.sampled_from(["k", "x"]).map(Name)
@@ -73,7 +73,7 @@ def _larger(parts: st.SearchStrategy[Node]) -> st.SearchStrategy[Node]:
 trees = st.recursive(leaves, _larger, max_leaves=14)
 
 
-def value(node: Node) -> complex:
+def value(node: Formula) -> complex:
     """Return a number that two trees share if they say the same: unreal functions, real arithmetic."""
     match node:
         case Number(value=number):
@@ -104,7 +104,7 @@ def value(node: Node) -> complex:
             return 0.617 + 0j
 
 
-def _call(function: str, argument: Node) -> complex:
+def _call(function: str, argument: Formula) -> complex:
     if function == "exp" and argument == Number(Fraction(1)):
         return _letter("e")
     if function == "sqrt" and argument in (Number(Fraction(-1)), Negative(Number(Fraction(1)))):
@@ -147,8 +147,8 @@ junk = st.lists(
 
 @UNHURRIED
 @given(trees)
-def test_a_rendered_tree_reads_back_with_the_same_value(tree: Node) -> None:
-    for text in (render(tree), render_latex(tree)):
+def test_a_rendered_tree_reads_back_with_the_same_value(tree: Formula) -> None:
+    for text in (formula_text(tree, plain=True), formula_latex(tree)):
         back = read_expression(text, [*NAMES, "k"])[0]
         assert abs(value(back) - value(tree)) <= 1e-6 * (1 + abs(value(tree))), text
 
@@ -176,11 +176,11 @@ def test_any_text_is_read_or_refused(text: str, suffix: str) -> None:
 @given(st.one_of(junk, st.text(max_size=40)))
 def test_any_expression_or_name_is_read_or_refused(text: str) -> None:
     for node in _readings(text):
-        assert render(node)
-        assert render_latex(node)
+        assert formula_text(node, plain=True)
+        assert formula_latex(node)
 
 
-def _readings(text: str) -> tuple[Node, ...]:
+def _readings(text: str) -> tuple[Formula, ...]:
     with suppress(ReadingError):
         canonical_name(text)
     try:

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import pytest
 
-from symbalance.document.syntax_latex import render_latex
-from symbalance.document.syntax_text import render
+from symbalance.document.latex_writer import formula_latex
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading import read_document, read_expression
 from symbalance.notes.reading.equations import Chain, Document
 
@@ -306,9 +306,9 @@ def document(text: str, letters: str) -> Document:
 
 
 def said(chain: Chain) -> str:
-    text = render(chain.sides[0].node)
+    text = formula_text(chain.sides[0].node, plain=True)
     for relation, side in zip(chain.relations, chain.sides[1:], strict=True):
-        text += f" {relation.sign} {render(side.node)}"
+        text += f" {relation.sign} {formula_text(side.node, plain=True)}"
     tag = f" ({chain.tag})" if chain.tag else ""
     return text + tag + "".join(f" [{note}]" for note in chain.notes)
 
@@ -335,9 +335,9 @@ def test_its_sides_are_rendered_as_they_read(block: str, letters: str) -> None:
     source = block.partition("\n=> ")[0]
     names = [*letters.split(), "Y", "X", "h", "S", "u"]
     for side in document(source, letters).chains[0].sides:
-        text = render(side.node)
-        assert render(read_expression(text, names)[0]) == text
-        assert render(read_expression(render_latex(side.node), names)[0]) == text
+        text = formula_text(side.node, plain=True)
+        assert formula_text(read_expression(text, names)[0], plain=True) == text
+        assert formula_text(read_expression(formula_latex(side.node), names)[0], plain=True) == text
 
 
 @pytest.mark.parametrize(("line", "expected"), PROSE)

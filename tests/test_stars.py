@@ -309,7 +309,7 @@ def test_couples_are_plain_sums_in_order(count, strokes):
 
 
 def test_couples_are_those_of_the_balance():
-    for found in crank_stars(5) + crank_stars(6) + crank_stars(7)[::60]:
+    for found in (*crank_stars(5), *crank_stars(6), *crank_stars(7)[::60]):
         left = balance(found.layout, order=2).couple
         for order, amplitude in ((1, found.first_couple), (2, found.second_couple)):
             assert left.component(order, "vertical").amplitude == amplitude
@@ -342,12 +342,12 @@ def test_the_smoothest_are_those_that_are_built():
 @pytest.mark.parametrize(
     ("make", "says"),
     [
-        (lambda: firing_orders("v8"), "layout = v8: must be a Engine"),  # pyright: ignore
+        (lambda: firing_orders("v8"), "layout = v8: must be an Engine"),  # pyright: ignore
         (lambda: firing_orders(radial(18), even_only=False), "131072 firing orders"),
         (lambda: firing_orders(inline(throws=[0] * 999), simultaneous=True, even_only=False), "too many"),
         (lambda: known_firing(radial(4)), "cylinder 1 of engine: has no firing angle"),
         (lambda: intervals(inline(throws=[0, 180])), "firing_orders(layout)"),
-        (lambda: is_even(None), "must be a Engine"),  # pyright: ignore
+        (lambda: is_even(None), "must be an Engine"),  # pyright: ignore
         (lambda: crank_stars(11), "count = 11: makes more than 50000 stars"),
         (lambda: crank_stars(10, strokes=2), "makes more than 50000"),
         (lambda: crank_stars(1000), "makes more than 50000"),

@@ -17,7 +17,6 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.design.balancing import ellipse
-from symbalance.kinematics.derivation import derivation_text
 from symbalance.kinematics.inertia import torque_left_out, torque_values
 from symbalance.kinematics.kinetic import inertia_harmonics
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank, dead_centres, force_harmonics
@@ -43,7 +42,10 @@ def calls() -> dict[str, Callable[[], object]]:
             f"{name}: torque": lambda n=name: repr(
                 sb.inertia_torque(sb.load(n), 6, ratio=_ratio(n)).terms()
             ),
-            f"{name}: design": lambda n=name: sb.design_text(sb.design_balance(sb.load(n))),
+            f"{name}: torque, printed": lambda n=name: sb.to_text(
+                sb.torque_report(sb.load(n), 6, ratio=_ratio(n))
+            ),
+            f"{name}: design": lambda n=name: sb.to_text(sb.design_balance(sb.load(n))),
             f"{name}: sensitivities": lambda n=name: repr(
                 [(s.parameter, s.cylinder, s.factor, s.values) for s in sb.sensitivities(sb.load(n), 3)]
             ),
@@ -51,7 +53,7 @@ def calls() -> dict[str, Callable[[], object]]:
                 sb.to_function(sb.balance(sb.load(n), 6), outputs="force.vertical", tolerance=1e-9).source
             ),
             f"{name}: worst cases": lambda n=name: repr(
-                sb.worst_cases(sb.load(n), sb.Tolerances(throw="0.1", mass="1%"), 2)
+                sb.worst_cases(sb.load(n), sb.Tolerances(throw="0.1", mass="1%"), 2).cases
             ),
         }
     for digits in (12, 20, 35, 50, 80, 120):
@@ -67,10 +69,10 @@ def calls() -> dict[str, Callable[[], object]]:
     found |= {
         "left out": lambda: repr([left_out(n, Fraction(7, 2)) for n in (2, 6, 12)]),
         "torque left out": lambda: repr([torque_left_out(n, Fraction(7, 2)) for n in (2, 6, 12)]),
-        "derivation": lambda: derivation_text(sb.derive("force", 6)),
-        "derivation of the rod's angle": lambda: derivation_text(sb.derive("rod-angle", 5)),
+        "derivation": lambda: sb.to_text(sb.derive("force", 6)),
+        "derivation of the rod's angle": lambda: sb.to_text(sb.derive("rod-angle", 5)),
         "ellipse": lambda: repr(ellipse(sb.balance(sb.load("v2-45"), 2)).reach(Fraction(1, 3))),
-        "a page": lambda: sb.report_text(sb.check(PAGE)),
+        "a page": lambda: sb.to_text(sb.check(PAGE)),
     }
     return found
 

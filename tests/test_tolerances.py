@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import itertools
 import json
+import re
 from fractions import Fraction
 
 import numpy as np
@@ -258,20 +259,62 @@ def test_the_command(capsys, tmp_path):
     assert run(options) == 0
     out = capsys.readouterr().out
     assert "0.0406046" in out
-    assert "rotating couple" in out
+    assert "Couple of the rotating masses' errors alone" in out
     assert run([*options, "--format", "json"]) == 0
     document = json.loads(capsys.readouterr().out)
     assert document["worst_cases"][0]["errors"]["1"]["weight"] in (0.99, 1.01)
     assert run([*options, "--format", "latex", "-o", str(tmp_path / "a.tex")]) == 0
     assert r"\begin{tabular}" in (tmp_path / "a.tex").read_text(encoding="utf-8")
     assert run(["tolerances", "vq30de", "--mass", "0.002", "--rpm", "6000", "--order", "1"]) == 0
-    force = next(
-        line for line in capsys.readouterr().out.splitlines() if " force" in line and "largest" in line
-    )
+    title, *lines = capsys.readouterr().out.splitlines()
+    assert "at 6000 rpm" in title
+    order, of, drawn, worst, most, _ = next(line for line in lines if "largest" in line).split()
+    assert (order, of, drawn, worst) == ("1", "largest", "0", most)
     # 2 sqrt 3 times 2 g at r omega^2, r = 36.65 mm at 6000 rpm
-    assert float(force.split()[4]) == pytest.approx(
-        2 * 3**0.5 * 0.002 * 0.03665 * (200 * np.pi) ** 2, rel=1e-5
-    )
+    assert float(worst) == pytest.approx(2 * 3**0.5 * 0.002 * 0.03665 * (200 * np.pi) ** 2, rel=1e-5)
+
+
+def test_at_a_speed_worst_cases_are_newtons_and_newton_metres():
+    """VQ30DE: 36.65 mm of radius, and its mass and pitch, at 3000 rpm."""
+    engine, tolerances = sb.load("vq30de"), sb.Tolerances(mass="1%", throw="0.1", rotating="1%")
+    plain = sb.worst_cases(engine, tolerances, 2)
+    at_speed = sb.worst_cases(engine, tolerances, 2, rpm="3000.0")
+    mass, pitch = engine.cylinders[0].reciprocating_mass, engine.pitch
+    assert mass is not None
+    assert pitch is not None
+    newtons = float(mass) * 0.03665 * (100 * np.pi) ** 2
+    assert len(plain) == len(at_speed) == 6
+    for one, other in zip(plain, at_speed, strict=True):
+        by = newtons * float(pitch) / 1000 if "couple" in one.quantity else newtons
+        for name in ("nominal", "attained", "bound", "statistical"):
+            assert getattr(other, name) == pytest.approx(by * getattr(one, name), rel=1e-12), name
+        assert one.errors == other.errors
+    assert [plain.unit(w) for w in plain[:2]] == ["m r ω²", "m r ω² a"]
+    assert [at_speed.unit(w) for w in at_speed[:2]] == ["N", "N m"]
+    assert at_speed.data()["rpm"] == "3000"
+    assert sb.worst_cases(engine, tolerances, 1, rpm="2500.5").data()["rpm"] == "2500.5"
+
+
+def printed(value: float) -> str:
+    """Return a float in the six digits of tables, its power of ten left out."""
+    mantissa, exponent = f"{value:.5e}".split("e")
+    digits = f"{value:.6g}" if -3 <= int(exponent) < 6 else mantissa
+    return digits.rstrip("0").rstrip(".") if "." in digits else digits
+
+
+def test_every_worst_case_stands_in_the_text():
+    """With what is reached, what is proved, the drawing's own, and the estimate, in one line."""
+    tolerances = sb.Tolerances(mass="1%", throw="0.3", bank="0.2", rotating="1%")
+    result = sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "lateral", "forward"])
+    text = sb.to_text(result)
+    wide = [w for w in result if w.bound > w.attained * (1 + 1e-6)]
+    assert wide
+    for worst in result:
+        row = [worst.of, *map(printed, (worst.nominal, worst.attained))]
+        row += [printed(worst.bound)] * (worst in wide) + [printed(worst.statistical)]
+        pattern = rf"^ +{worst.order}  .*" + ".* ".join(map(re.escape, row))
+        assert re.search(pattern, text, re.M), (pattern, text)
+    assert "every cylinder: mass ±1 % of m, throw ±0.3°, bank ±0.2°, rotating ±1 % of m" in text
 
 
 @pytest.mark.parametrize(

@@ -541,7 +541,7 @@ def test_files(tmp_path: Path) -> None:
 
 BAD = {
     "no ratio": (lambda: inertia_torque(sb.inline("1-3-4-2")).terms(), "no rod ratio"),
-    "no layout": (lambda: inertia_torque("inline-4"), "must be a Engine"),
+    "no layout": (lambda: inertia_torque("inline-4"), "must be an Engine"),
     "unlike": (
         lambda: inertia_torque(sb.Engine([sb.Cylinder(1, reciprocating_mass=1), sb.Cylinder(2, 180)])),
         "reciprocating_mass: is given for some cylinders and not for others",

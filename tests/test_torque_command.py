@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -52,6 +53,40 @@ def test_a_running_engine_has_mean_swing_and_flywheel(engine, capsys):
     assert found["flywheel"] == pytest.approx(found["energy"] / (0.02 * (100 * 3.141592653589793) ** 2))
     assert {"0.5", "1/2"}.isdisjoint(o["order"] for o in found["orders"])  # fires evenly: whole orders
     assert "flywheel" in printed(capsys, engine, *options)
+
+
+@pytest.mark.parametrize("ending", ["txt", "tex", "html", "md", "json"])
+def test_the_running_engine_is_part_of_the_one_document(engine, ending, tmp_path, capsys):
+    """In every medium: orders of inertia, then mean, extremes, energy and flywheel, to 6 digits."""
+    target = tmp_path / f"four.{ending}"
+    options = ("--compression", "10", "--bore", "86", "--rpm", "3000", "--order", "4", "--delta", "0.03")
+    assert printed(capsys, engine, *options, "-o", str(target)) == ""
+    text = target.read_text(encoding="utf-8")
+    if ending == "json":
+        document = json.loads(text)
+        assert next(iter(document)) == "schema"
+        assert [o["order"] for o in document["inertia"]] == ["2", "4"]
+        assert [o["order"] for o in document["running"]["orders"]] == ["2", "4"]
+        assert document["running"]["delta"] == 0.03
+        return
+    made = sb.crank_torque(
+        sb.load(engine), sb.ideal_cycle(10, heat=18), bore=86, rpm=3000, order=4, delta="0.03"
+    )
+    swing, pi = made.fluctuation, 3.141592653589793
+    flywheel = swing.energy / (0.03 * (100 * pi) ** 2)
+    text = re.sub(r"\$ & \$\.", ".", text)  # LaTeX parts numbers at their points
+    numbers = (
+        made.mean,
+        made.mean * 100 * pi / 1000,
+        swing.largest,
+        -swing.least,
+        swing.energy,
+        flywheel,
+    )
+    for value in (*numbers, *(abs(float(s)) for *_, s in made.terms(4))):
+        assert f"{value:.6g}" in text
+    assert text.index("Inertia torque on the crank") < text.index("Running at 3000 rpm")
+    assert text.index("Running at 3000 rpm") < text.index("How to read it")
 
 
 def test_a_pressure_trace_from_a_file(engine, capsys, tmp_path):

@@ -14,6 +14,7 @@ import math
 from fractions import Fraction
 
 import pytest
+from cylinders import cylinder_with
 from mpmath import mp
 from placed import along, exact, place
 from placed import turned as direction
@@ -21,7 +22,7 @@ from test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine.trains import OWN, CrankTrain
+from symbalance.engine.trains import CrankTrain
 from symbalance.kinematics.mechanisms import LinkRod, RodSplit, SliderCrank
 from symbalance.kinematics.pistons import Piston
 from symbalance.kinematics.rod import (
@@ -42,7 +43,6 @@ from symbalance.torque import (
     roll_moment,
     torque_report,
 )
-from symbalance.torque.torque_latex import torque_latex
 
 POINTS = ((Fraction(1, 3), Fraction(-1, 10)), (Fraction(1, 5), Fraction(2, 5)), (Fraction(1, 7), 1))
 """A rod: kg at shares of its length from the big end."""
@@ -234,16 +234,9 @@ def test_without_offset_or_rods_the_frame_gets_the_opposite() -> None:
 
 def fired(layout: sb.Engine) -> sb.Engine:
     """Return a layout with firing angles: each cylinder at its own next dead centre of the first turn."""
+    first = layout.cylinders[0].delay
     rows = [
-        sb.Cylinder(
-            c.number,
-            c.throw.in_degrees(),
-            c.bank.in_degrees(),
-            c.station,
-            (layout.cylinders[0].delay - c.delay).in_degrees() % 360 + 360 * (c.number % 2),
-            link=c.link,
-            **{k: v for k, v in vars(c.sizes).items() if v is not None and k in OWN},
-        )
+        cylinder_with(c, fires=(first - c.delay).in_degrees() % 360 + 360 * (c.number % 2))
         for c in layout.cylinders
     ]
     return sb.Engine(rows, pitch=layout.pitch, name=layout.name)
@@ -357,14 +350,14 @@ def test_a_file_with_offset_and_rods(tmp_path, capsys, compile_latex) -> None:
     path.write_text(FILE, encoding="utf-8")
     options = (str(path), "--order", "3", "--compression", "10", "--bore", "81", "--rpm", "3000")
     text = command(capsys, *options)
-    assert "Jₓ = −0.000313 kg m²" in text
+    assert "−3.13 × 10⁻⁴ kg m²" in text
     assert "Roll moment on the frame" in text
     document = json.loads(command(capsys, *options, "--format", "json"))
     assert [o["order"] for o in document["inertia"]] == ["3"]
     assert document["inertia"][0]["coefficient"] is None
     assert document["rod"]["excess"] == "-313"
     assert document["frame"]["total"][0]["order"] == "3"
-    compile_latex(command(capsys, *options, "--format", "latex"))
+    compile_latex(command(capsys, *options, "--format", "latex", "--standalone"))
 
 
 @pytest.mark.parametrize(
@@ -406,10 +399,10 @@ def test_the_unit_is_cylinder_one_wherever_it_is_listed(name: str) -> None:
     assert runs[1].at(0.7) == pytest.approx(runs[0].at(0.7), rel=1e-12)
 
 
-def test_latex_names_the_link_pins_angle_and_no_ratio_of_all() -> None:
-    """The heading of a radial's torque: psi as a letter, and no lambda where every kind has its own."""
-    latex = torque_latex(torque_report(hung_radial(), 2))
-    assert r"\(\psi\) = 72" in latex
+def test_the_legend_names_the_link_pins_angle_and_no_ratio_of_all() -> None:
+    """Of a radial's torque: psi as a letter, and no lambda where every kind has its own."""
+    latex = sb.to_latex(torque_report(hung_radial(), 2))
+    assert r"\psi" in latex
     assert "?" not in latex
-    assert r"here \(\lambda" not in latex
-    assert r"here \(\lambda = 4\)" in torque_latex(torque_report(sb.load("inline-6"), 3, ratio=4))
+    assert r"\lambda" not in latex
+    assert ", here 4" in sb.to_latex(torque_report(sb.load("inline-6"), 3, ratio=4))

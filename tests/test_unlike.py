@@ -270,7 +270,7 @@ def test_the_unit_is_cylinder_1_wherever_it_is_listed():
     forwards = sb.Engine(backwards.cylinders[::-1])
     mine, other = (sb.balance(engine, 4)[1].force.vertical for engine in (backwards, forwards))
     assert mine.decimal(25) == other.decimal(25)
-    assert "of cylinder 1;" in sb.to_text(sb.balance(backwards, 2))
+    assert "crank radius of cylinder 1\n" in sb.to_text(sb.balance(backwards, 2))
     tolerances = sb.Tolerances(mass=0.01)
     for one, two in zip(
         sb.worst_cases(backwards, tolerances, 2), sb.worst_cases(forwards, tolerances, 2), strict=True

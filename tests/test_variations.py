@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from fractions import Fraction
 from typing import Any
 
@@ -14,6 +15,8 @@ from hypothesis import strategies as st
 
 import symbalance as sb
 from symbalance.cli import run
+from symbalance.document.nodes import Formulas
+from symbalance.document.sympy_writer import formula_sympy
 from tests.pistons import Piston, harmonics, pistons
 
 LAYOUTS = ["inline-4", "inline-5", "v6-60", "v8-90", "boxer-4", "radial-5"]
@@ -334,7 +337,7 @@ def test_bad_formulas_are_refused(arguments, words):
 
 
 def test_other_refusals():
-    with pytest.raises(sb.SymbalanceError, match="must be a Engine"):
+    with pytest.raises(sb.SymbalanceError, match="must be an Engine"):
         sb.symbolic_order("inline-4", 1)  # type: ignore[arg-type]
     with pytest.raises(sb.SymbalanceError, match="not alike"):
         sb.symbolic_order(
@@ -391,10 +394,94 @@ def test_the_command(capsys, tmp_path):
 def test_an_order_with_symbols_is_typeset(compile_latex):
     alpha = sympy.Symbol("alpha")
     twin = sb.to_latex(sb.symbolic_order(sb.vee(alpha, pins=[0]), 1, masses="m"), standalone=True)
-    assert r"&\text{vertical}\ C = \frac{m_{1} \cos{\left(\alpha \right)}}{2}" in twin
-    assert "Free couple}: none." in twin
+    assert r"\frac{\left(1 + \cos \alpha\right) m_{1}}{2}" in twin
+    assert "none: it vanishes for all values" in twin
     letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
     three = sb.to_latex(sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters), standalone=True)
     assert r"total power 3" in three
     for page in (twin, three):
         compile_latex(page)
+
+
+M, D = sympy.symbols("m d")
+TYPESET = {
+    "vee of any angle": (sb.vee(sympy.Symbol("alpha"), pins=[0, 120]), 2, {"masses": "m"}),
+    "lengths": (sb.inline("1-3-2"), 1, {"masses": "m", "rods": "l", "offsets": "e", "through": 4}),
+    "irrational": (sb.inline("1-2-4-5-3"), 2, {"masses": "m", "stations": "a"}),
+    "few symbols": (sb.inline("1-2-3-4-5-6-7"), 1, {"masses": [M + D, D, *[M] * 5]}),
+    "none": (sb.load("v8-90"), 1, {"masses": [1, 2, 3, 4, 5, 6, 7, 8]}),
+}
+
+
+@pytest.mark.parametrize("name", TYPESET)
+def test_the_formulas_of_a_document_are_those_of_the_order(name):
+    """Their terms are ordered and their fractions built anew: numbers put into both agree."""
+    engine, n, letters = TYPESET[name]
+    order = sb.symbolic_order(engine, n, **letters)
+    blocks = [block for block in order.document().blocks if isinstance(block, Formulas)]
+    formulas = iter(each.links[0][1] for block in blocks for each in block.equations)
+    count = 0
+    for resultant in (order.force, order.couple):
+        for component in (resultant.vertical, resultant.lateral):
+            for value in (component.cos, component.sin):
+                if value == 0:
+                    continue
+                written = formula_sympy(next(formulas))
+                numbers = {
+                    symbol: 1 + sympy.Rational(sum(map(ord, symbol.name)) % 37, 40)
+                    for symbol in value.free_symbols | written.free_symbols
+                }
+                assert float(written.subs(numbers)) == pytest.approx(
+                    float(value.subs(numbers)), rel=1e-12
+                )
+                count += 1
+    assert count > 1
+    assert next(formulas, None) is None
+
+
+def test_an_order_says_what_was_put_in_and_what_it_is_the_derivative_by():
+    order = sb.symbolic_order(sb.inline("1-3-4-2"), 1, masses="m", stations="a")
+    text = sb.to_text(order.at({"m_1": "1/3", "a_2": 2}).at({"m_2": 1}).differentiated(order.given[2]))
+    assert "derivative by m₃" in text.splitlines()[0]
+    assert "m₁ = 1/3, a₂ = 2, m₂ = 1" in text
+    assert "unit A₁ r ω²\n" in text  # neither m nor a: masses and stations are given
+    plain = sb.to_text(sb.symbolic_order(sb.inline("1-3-4-2"), 1, radii="r", rods="l"))
+    assert "Free force, unit m ω²\n" in plain
+    assert "unit m ω² a\n" in plain
+
+
+def test_every_sensitivity_stands_in_one_row_of_the_text():
+    """Cylinders that change alike share a row: those of all rows are those of the result."""
+    result = sb.sensitivities(sb.load("v6-90-splayed"), 3)
+    rows = [re.split("  +", line.strip()) for line in sb.to_text(result, width=100).splitlines()]
+    steps = {
+        (int(row[0]), row[1], number): row[-2:]
+        for row in rows
+        if len(row) == 6 and row[0].isdecimal()
+        for number in numbers_of(row[3])
+    }
+    assert len(steps) == len(result) > 60
+    for change in result:
+        written = steps[change.order, change.parameter, change.cylinder]
+        values = [float(cell.translate(RAISED).replace(" × 10", "e")) for cell in written]
+        assert values == pytest.approx(change.step(), rel=1e-5, abs=1e-30)
+
+
+RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
+
+
+def numbers_of(runs: str) -> list[int]:
+    ends = [tuple(map(int, run.split("–"))) for run in runs.split(", ")]
+    return [number for run in ends for number in range(run[0], run[-1] + 1)]
+
+
+def test_results_are_sequences():
+    """What was a list can be used as one: by index, slice, length, in loops, reversed."""
+    changes = sb.sensitivities(sb.load("inline-4"), 2, parameters=["mass"])
+    worst = sb.worst_cases(sb.load("inline-4"), sb.Tolerances(mass="1%"), 2)
+    for sequence, count in ((changes, 8), (worst, 4)):
+        assert len(sequence) == len(list(sequence)) == count
+        assert sequence[0] is next(iter(sequence))
+        assert next(reversed(sequence)) is sequence[-1]
+        assert sequence[1:3] == tuple(sequence)[1:3]
+        assert sequence.index(sequence[2]) == 2

@@ -169,11 +169,11 @@ def test_a_long_ratio_is_printed_as_decimals_and_kept_exactly(capsys, tmp_path):
     path.write_text(LIKE, encoding="utf-8")
     ratio = 2 * Fraction(drawn(2, 139, 141)) / Fraction(drawn(1, 79, 81))
     assert run(["balance", str(path), "--order", "4"]) == 0
-    assert f"(rod over crank radius): {float(ratio):.12g}"[:-3] in capsys.readouterr().out
+    assert f"connecting rod over crank radius, here {float(ratio):.12g}"[:-3] in capsys.readouterr().out
     assert run(["balance", str(path), "--order", "4", "--format", "json"]) == 0
     assert f'"ratio": "{ratio}"' in capsys.readouterr().out
     assert run(["balance", str(path), "--order", "4", "--format", "latex"]) == 0
-    assert r"\ldots" in capsys.readouterr().out
+    assert f"{float(ratio):.12g}"[:-3] in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

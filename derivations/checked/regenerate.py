@@ -12,12 +12,18 @@ from __future__ import annotations
 
 import re
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from symbalance.checking import check
-from symbalance.notes.checking import Checked, corrections_markdown, report_markdown
+from symbalance.document.markdown_document import document_markdown
+from symbalance.document.nodes import Code, Column, Document, Table, Words, inlines
+from symbalance.notes.checking import Checked, Verdict
+from symbalance.notes.checking.report_document import one_line
 
 HERE = Path(__file__).parent
+LONGEST = 110
+"""Characters of a wrong piece that are shown."""
 NAMES = {
     "000_6d19e3a8fb7bcb72": "Inertia forces of one cylinder, of in-line and of vee engines",
     "001_7249841cd23ed9c0": "Balance of piston engines: two tables of unbalance",
@@ -45,31 +51,55 @@ def documents() -> dict[Path, str]:
 
 def page(name: str, checked: Checked) -> str:
     """Return one checked document."""
-    return (
-        f"# {NAMES[name]}\n\n"
-        f"Every equation of `{name}.txt`, by line, as `symbalance check` judges it with "
-        f"`{name}.symbols.toml`. `29.2` is the second relation of line 29. "
-        "What is refuted has its correction beside it.\n\n"
-        f"{report_markdown(checked)}"
-    )
+    report = checked.document()
+    lead = (
+        "Every equation of ", Code(f"{name}.txt"), ", by line, as ", Code("symbalance check"),
+        " judges it with ", Code(f"{name}.symbols.toml"), ". ", *inlines(report.lead),
+    )  # fmt: skip
+    return document_markdown(replace(report, title=NAMES[name], lead=lead))
 
 
 def errors(checked: dict[str, Checked]) -> str:
     """Return the list of all that is refuted in the documents."""
-    return (
-        "# Errors found\n\n"
-        "What `symbalance check` refutes in the four documents: document and line, the piece that is "
-        "wrong, what should stand there, and the kind of slip where it was found and proved. λ is each "
-        "document's own.\n\n"
-        f"{corrections_markdown(list(checked.values()))}"
-    )
+    lead = (
+        "What ", Code("symbalance check"), " refutes in the four documents: document and line, the piece "
+        "that is wrong, what should stand there, and the kind of slip where it was found and proved. "
+        "λ is each document's own.",
+    )  # fmt: skip
+    rows = [
+        row
+        for name, result in checked.items()
+        for verdict in result.verdicts
+        if verdict.is_bad
+        for row in wrong_pieces(name[:3], verdict)
+    ]
+    columns = tuple(Column(head) for head in ("line", "as it stands", "should be", "kind"))
+    return document_markdown(Document("Errors found", (Table("", columns, tuple(rows)),), lead))
+
+
+def wrong_pieces(document: str, verdict: Verdict) -> list[tuple[Words, ...]]:
+    """Return a row for each wrong piece of a refuted line, or one for the line."""
+    faults = verdict.fix.faults if verdict.fix else ()
+    if faults:
+        return [
+            (
+                f"{document}:{fault.line}",
+                Code(one_line(fault.source, LONGEST)) if fault.source else "nothing",
+                fault.node or fault.should,
+                fault.kind,
+            )
+            for fault in faults
+        ]
+    said = "; ".join(f"{d.term}: {d.exact}, not {d.claimed}" for d in verdict.differences[:4])
+    source = Code(one_line(verdict.source, LONGEST))
+    return [(f"{document}:{verdict.line}", source, said or verdict.exact or verdict.reason, verdict.bind)]
 
 
 def made_sheet(document: Path, symbols: Path) -> str:
     """Return the equations of a document at their places: a run of its prose leaves a 、."""
     checked = check(document, symbols)
-    lines = checked.document.text.split("\n")
-    wanted = {line for chain in checked.document.chains for line in chain.lines}
+    lines = checked.derivation.text.split("\n")
+    wanted = {line for chain in checked.derivation.chains for line in chain.lines}
     wanted |= {verdict.line for verdict in checked.verdicts}
     kept = [bare(line).rstrip() if number in wanted else "" for number, line in enumerate(lines, 1)]
     return "\n".join(kept).rstrip("\n") + "\n"

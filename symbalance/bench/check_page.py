@@ -17,7 +17,7 @@ from typing import Any
 
 from symbalance.bench.in_sympy import InSympy
 from symbalance.checking import check
-from symbalance.document.syntax import names
+from symbalance.document.formula import names
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import canonical_name, read_document, read_expression
 from symbalance.notes.reading.equations import Chain, Document

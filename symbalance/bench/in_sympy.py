@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from symbalance.document import syntax
+from symbalance.document import formula
 
 _FUNCTIONS = {
     "abs": sympy.Abs, "ln": sympy.log, "log": sympy.log, "sqrt": sympy.sqrt,
@@ -36,7 +36,7 @@ class InSympy:
     3*x*cos(2*x)
     """
 
-    values: Mapping[str, syntax.Node] = field(default_factory=dict)
+    values: Mapping[str, formula.Formula] = field(default_factory=dict)
     positive: frozenset[str] = frozenset()
     integer: frozenset[str] = frozenset()
     time: str = "t"
@@ -44,7 +44,7 @@ class InSympy:
     speed: str = "omega"
     _known: dict[str, Any] = field(default_factory=dict)
 
-    def of(self, node: syntax.Node) -> Any:
+    def of(self, node: formula.Formula) -> Any:
         """Return a formula as a SymPy expression; dots are left out."""
         rule = getattr(self, f"_{type(node).__name__.lower()}")
         return rule(node)
@@ -62,34 +62,34 @@ class InSympy:
             return sympy.Symbol(name, positive=True)
         return sympy.Symbol(name, integer=True) if name in self.integer else sympy.Symbol(name, real=True)
 
-    def _number(self, node: syntax.Number) -> Any:
+    def _number(self, node: formula.Number) -> Any:
         return sympy.Rational(node.value.numerator, node.value.denominator)
 
-    def _name(self, node: syntax.Name) -> Any:
+    def _name(self, node: formula.Name) -> Any:
         return self.letter(node.name)
 
-    def _constant(self, node: syntax.Constant) -> Any:
+    def _constant(self, node: formula.Constant) -> Any:
         return _CONSTANTS[node.name]
 
-    def _sum(self, node: syntax.Sum) -> Any:
+    def _sum(self, node: formula.Sum) -> Any:
         return sympy.Add(*map(self.of, node.terms))
 
-    def _product(self, node: syntax.Product) -> Any:
+    def _product(self, node: formula.Product) -> Any:
         return sympy.Mul(*map(self.of, node.factors))
 
-    def _quotient(self, node: syntax.Quotient) -> Any:
+    def _quotient(self, node: formula.Quotient) -> Any:
         return self.of(node.numerator) / self.of(node.denominator)
 
-    def _power(self, node: syntax.Power) -> Any:
+    def _power(self, node: formula.Power) -> Any:
         return self.of(node.base) ** self.of(node.exponent)
 
-    def _negative(self, node: syntax.Negative) -> Any:
+    def _negative(self, node: formula.Negative) -> Any:
         return -self.of(node.operand)
 
-    def _call(self, node: syntax.Call) -> Any:
+    def _call(self, node: formula.Call) -> Any:
         return _FUNCTIONS[node.function](self.of(node.argument))
 
-    def _derivative(self, node: syntax.Derivative) -> Any:
+    def _derivative(self, node: formula.Derivative) -> Any:
         found, name = self.of(node.expression), node.variable.name
         for _ in range(node.order):
             if name == self.time:
@@ -98,12 +98,12 @@ class InSympy:
                 found = sympy.diff(found, self.symbol(name))
         return found
 
-    def _summation(self, node: syntax.Summation) -> Any:
+    def _summation(self, node: formula.Summation) -> Any:
         if node.index is None or node.lower is None or node.upper is None:
             raise ValueError("a sum without bounds")
         body, index = self.of(node.body), self.symbol(node.index.name)
         bounds = range(int(self.of(node.lower)), int(self.of(node.upper)) + 1)
         return sympy.Add(*(body.subs(index, value) for value in bounds))
 
-    def _dots(self, _: syntax.Dots) -> Any:
+    def _dots(self, _: formula.Dots) -> Any:
         return sympy.S.Zero

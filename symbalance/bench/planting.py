@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from symbalance.bench.check_page import Block, Page, blocks, context, masked, place_of
 from symbalance.bench.faults import KINDS
 from symbalance.bench.values import PageValues
-from symbalance.document.syntax import Name, Node
+from symbalance.document.formula import Formula, Name
 from symbalance.notes.checking.verdicts import REFUTED, Checked
 from symbalance.notes.reading.equations import Chain
 
@@ -128,12 +128,12 @@ class Planter:
             fault = self.with_verdicts(fault, place, node, checked)
         return replace(fault, where=where)
 
-    def reading(self, changed: str, place: Place) -> Node | None:
+    def reading(self, changed: str, place: Place) -> Formula | None:
         """Return the changed side as read; None if it is no formula any more."""
         found = [c for c in self.page.read(masked(changed, [place.block])).chains if _is(c, place.chain)]
         return found[0].sides[place.side].node if len(found) == 1 else None
 
-    def where(self, place: Place, node: Node) -> str:
+    def where(self, place: Place, node: Formula) -> str:
         """Return whether a changed side is a fault, and where it stands."""
         chain, k = place.chain, place.side
         try:
@@ -148,7 +148,7 @@ class Planter:
             return LOWERED
         return STEP
 
-    def with_verdicts(self, fault: Fault, place: Place, node: Node, checked: Checked) -> Fault:
+    def with_verdicts(self, fault: Fault, place: Place, node: Formula, checked: Checked) -> Fault:
         """Return the fault with what the checker says of the changed page."""
         refuted = [v for v in checked.verdicts if v.verdict == REFUTED]
         fixes = [v.fix for v in refuted if v.fix]
@@ -165,7 +165,7 @@ class Planter:
             other_side=bool(chosen) and not back and self.fits(chosen.node, node),
         )
 
-    def restores(self, fixed: Node, right: Node) -> bool:
+    def restores(self, fixed: Formula, right: Formula) -> bool:
         """Tell whether a corrected side has the value it should have, through the order it kept."""
         try:
             if self.values.same(fixed, right):
@@ -175,7 +175,7 @@ class Planter:
         except (ZeroDivisionError, ValueError, TypeError, KeyError):
             return False
 
-    def fits(self, fixed: Node, wrong: Node) -> bool:
+    def fits(self, fixed: Formula, wrong: Formula) -> bool:
         """Tell whether a changed side agrees with the faulty one, through the order it keeps."""
         try:
             return self.values.same(fixed, wrong) or self.values.is_true_to_order(fixed, wrong)

@@ -20,7 +20,7 @@ import sympy
 
 from symbalance.bench.check_page import Page, place_of
 from symbalance.bench.in_sympy import InSympy
-from symbalance.document import syntax
+from symbalance.document import formula
 from symbalance.notes.reading.equations import Chain
 
 LIMIT = 10.0
@@ -73,7 +73,7 @@ def _link(
 ) -> Link:
     left, other = chain.sides[sound].node, chain.sides[k + 1].node
     difference = convert.of(left) - convert.of(other)
-    dots = any(isinstance(part, syntax.Dots) for part in syntax.walk(other))
+    dots = any(isinstance(part, formula.Dots) for part in formula.walk(other))
     if chain.relations[k].sign != "≈" and not dots:
         return Link(*place, difference, right)
     large = convert.symbol("lambda")
@@ -89,8 +89,8 @@ def _degree(expression: Any, letter: sympy.Symbol) -> int:
     return int(sympy.Poly(sympy.expand(expression), letter).degree())
 
 
-def _has_decimals(node: syntax.Node) -> bool:
-    return any(isinstance(p, syntax.Number) and p.last_place is not None for p in syntax.walk(node))
+def _has_decimals(node: formula.Formula) -> bool:
+    return any(isinstance(p, formula.Number) and p.last_place is not None for p in formula.walk(node))
 
 
 def simplified(chosen: Sequence[Link], limit: float = LIMIT) -> Iterator[Outcome]:

@@ -50,7 +50,7 @@ def stripped() -> Balance:
     """Return the same without a look at whether cylinders are alike."""
     layout = inline("1-3-4-2", ratio=Fraction(7, 2))
     orders = [n for n in range(1, ORDER + 1) if surviving(n)]
-    arms = [c.station - layout.mean_station for c in layout.cylinders]
+    arms = layout.arms()
     ones = [Fraction(1)] * len(arms)
     return Balance(layout, ORDER, geometry(layout, orders, ones), geometry(layout, orders, arms))
 
@@ -66,13 +66,13 @@ def functions() -> tuple[Callable[[], object], Callable[[], object]]:
         for c in shared.cylinders
     ]
     own = from_cylinders(rows, name=shared.name, ratio=shared.ratio)
-    made = [
+    of_own, of_shared = (
         to_function(balance(layout), outputs="force.vertical", tolerance=0) for layout in (own, shared)
-    ]
-    if made[0].source != made[1].source:
+    )
+    if of_own.source != of_shared.source:
         raise AssertionError("equal sizes said one by one gave another function")
     theta = np.linspace(0, 4 * np.pi, ANGLES)
-    return (lambda: made[0](theta)), (lambda: made[1](theta))
+    return (lambda: of_own(theta)), (lambda: of_shared(theta))
 
 
 def in_turn(

@@ -11,7 +11,7 @@ import mpmath
 import sympy
 
 from symbalance.bench.check_page import Page
-from symbalance.document.syntax import Dots, Node, walk
+from symbalance.document.formula import Dots, Formula, walk
 
 POINTS, DIGITS, MANY_DIGITS = 3, 30, 150
 TINY = -12
@@ -24,7 +24,7 @@ class PageValues:
 
     page: Page
     seed: int = 1
-    _known: dict[Node, Any] = field(default_factory=dict)
+    _known: dict[Formula, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         chance = random.Random(self.seed)
@@ -32,7 +32,7 @@ class PageValues:
         self.free = sorted(self.page.letters - set(self.page.values))
         self.points = [{name: _chosen(name, chance) for name in self.free} for _ in range(POINTS)]
 
-    def of(self, node: Node) -> Sequence[Any]:
+    def of(self, node: Formula) -> Sequence[Any]:
         """Return a formula's values at the points."""
         if node not in self._known:
             function = self._function(self.convert.of(node))
@@ -40,12 +40,12 @@ class PageValues:
                 self._known[node] = [function(point) for point in self.points]
         return self._known[node]
 
-    def same(self, one: Node, other: Node) -> bool:
+    def same(self, one: Formula, other: Formula) -> bool:
         """Tell whether two formulas have one value at all points."""
         pairs = zip(self.of(one), self.of(other), strict=True)
         return all(abs(a - b) <= 1e-15 * max(abs(a), abs(b), 1e-6) for a, b in pairs)
 
-    def degree(self, node: Node) -> int | None:
+    def degree(self, node: Formula) -> int | None:
         """Return the highest power of the small letter in a formula; None if it is no polynomial."""
         small = sympy.Symbol("small", positive=True)
         found = sympy.expand(self.convert.of(node).subs(self._large, 1 / small).subs(self._small, small))
@@ -53,7 +53,7 @@ class PageValues:
             int(sympy.Poly(found, small).degree()) if found.is_polynomial(small) and found != 0 else None
         )
 
-    def agreement(self, one: Node, other: Node) -> float:
+    def agreement(self, one: Formula, other: Formula) -> float:
         """Return the power of the small letter with which two formulas begin to differ."""
         function = self._function(self.convert.of(one) - self.convert.of(other))
         with mpmath.workdps(MANY_DIGITS):
@@ -64,7 +64,7 @@ class PageValues:
                 return float("inf")
             return int(mpmath.nint(mpmath.log10(difference) / TINY))
 
-    def is_true_to_order(self, one: Node, exact: Node) -> bool:
+    def is_true_to_order(self, one: Formula, exact: Formula) -> bool:
         """Tell whether a formula equals another through the highest power of the small letter it keeps.
 
         That is claimed only of a cut-off series: where the other is no polynomial, or dots end one.

@@ -61,6 +61,7 @@ _MIXED = re.compile(rf"(?<![\w.])(\d+)([{_PARTS}])")
 _UNDER_ROOT = re.compile(
     rf"√*(?:\d+(?:\.\d+)?|[{_PARTS}]|(?:[A-Za-z]|{_GREEK}){_DOWN}*(?![A-Za-z]|{_GREEK}))(?!{_UP})"
 )
+_POWER_OF_TEN = re.compile(r"(?<=\d) × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
 _FACTORS = "λπρ"
 """Letters that are no functions: λ(λ + 1) is a product."""
 _RULE = re.compile(r" *─[─ ]*$")
@@ -170,6 +171,7 @@ def _table(lines: list[str], rule: int, encoding: str) -> list[str]:
 
 def _spelled(line: str, encoding: str) -> str:
     """Return one line, or a piece of one, with every sign of a formula spelled in ASCII."""
+    line = _POWER_OF_TEN.sub(lambda m: "e" + "".join(RAISED[c] for c in m[1]), line)
     line, out, at = _bracketed_arguments(line), "", 0
     while at < len(line):
         character, end = line[at], at + 1

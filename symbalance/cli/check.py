@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import json
-import sys
 from pathlib import Path
 
-from symbalance.cli.ascii_spelling import as_quoted
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
-from symbalance.cli.output import write
+from symbalance.cli.output import show, write
 from symbalance.errors import SymbalanceError
 
 
@@ -19,25 +16,21 @@ def run(options: argparse.Namespace) -> int:
     Not to be relied on: no relation was seen, or one is refuted, undecided or unreadable.
     """
     from symbalance.checking import check
-    from symbalance.notes.checking import report_json, report_latex, report_text, sidecar_draft
+    from symbalance.text.files import file_name
 
     if options.declare:
-        for given, name in ((options.format, "format"), (options.lenient, "lenient")):
-            if given:
+        from symbalance.notes.checking import sidecar_draft
+
+        for name in ("format", "standalone", "lenient"):
+            if getattr(options, name):
                 raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
         write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")
         return DONE
     checked = check(Path(options.notes), options.symbols)
-    if options.format == "json":
-        printed = json.dumps(report_json(checked), ensure_ascii=False, indent=1)
-    elif options.format == "latex":
-        printed = report_latex(checked)
-    else:
-        encoding = "utf-8" if options.output not in (None, "-") else sys.stdout.encoding or "utf-8"
-        printed = report_text(checked, quoted=lambda text: as_quoted(text, encoding))
-    write(printed.rstrip("\n") + "\n", options.output, options.format or "text")
+    show(checked, options)
     for verdict in checked.faults:
-        say_fault(f"line {verdict.line} of {options.notes}: {verdict.fault}", verdict.traceback)
+        place = f"line {verdict.line} of {file_name(options.notes)}"
+        say_fault(f"{place}: {verdict.fault}", verdict.traceback)
     if checked.faults:
         return FAULT
     return FAILED if checked.fails(lenient=options.lenient) else DONE

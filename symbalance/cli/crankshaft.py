@@ -6,9 +6,13 @@ import argparse
 import os
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from symbalance.cli.output import whole_number, write, write_files
+from symbalance.cli.output import medium, printed, show, whole_number, write_files
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.crankshaft.reports import Summary
 
 MOST_SPEEDS = 1000
 
@@ -23,10 +27,12 @@ def run(options: argparse.Namespace) -> int:
     steps = whole_number(options.steps, "steps")
     passes = whole_number(options.passes, "passes")
     folder = _checked_folder(options.output)
+    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
+    form = medium(terminal)
 
     from symbalance.crankshaft.files import read_running_engine
     from symbalance.crankshaft.reports import summary
-    from symbalance.crankshaft.reports.pictures import check_drawing, pictures
+    from symbalance.crankshaft.reports.pictures import check_drawing
     from symbalance.crankshaft.running import setting, swept
     from symbalance.crankshaft.running.measured import check_overlay
 
@@ -53,10 +59,11 @@ def run(options: argparse.Namespace) -> int:
     kept = None if folder is None else folder / "speeds"
     outcomes = swept(made, kept, _progress)
     found = summary(made, outcomes)
-    drawn = {} if options.no_plots or folder is None else pictures(found)
+    if not options.no_plots and (folder is not None or form == "html"):
+        found = found.with_pictures()
     if folder is not None:
-        _write_all(folder, found, drawn)
-    write(_printed(found, options.format), None, options.format)
+        _write_all(folder, found)
+    show(found, terminal)
     return 0 if found.valid else 1
 
 
@@ -64,30 +71,24 @@ def _progress(line: str) -> None:
     print(line, file=sys.stderr, flush=True)
 
 
-def _printed(found, form: str) -> str:
-    from symbalance.crankshaft.reports import summary_json, summary_page, summary_text
-
-    return {"text": summary_text, "json": summary_json, "latex": summary_page}[form](found)
+REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
+"""The media of the reports that a folder gets, by their ending."""
 
 
-def _write_all(folder: Path, found, drawn: dict[str, bytes]) -> None:
+def _write_all(folder: Path, found: Summary) -> None:
     """Write every report, curve and picture: all whole before the first is put in place."""
     from symbalance.crankshaft.files.operation import speed_text
-    from symbalance.crankshaft.reports import (
-        curves_csv,
-        loads_csv,
-        summary_json,
-        summary_page,
-        summary_text,
-    )
+    from symbalance.crankshaft.reports import curves_csv, loads_csv
 
+    reports = {
+        f"report.{ending}": printed(found, form, str(folder), standalone=form == "latex")
+        for ending, form in REPORTS.items()
+    }
     contents: dict[str, str | bytes] = {
-        "report.txt": summary_text(found),
-        "report.tex": summary_page(found, list(drawn)),
-        "report.json": summary_json(found),
+        **reports,
         **{f"curves-{speed_text(o.rpm)}rpm.csv": curves_csv(o) for o in found.outcomes},
         **{f"loads-{speed_text(o.rpm)}rpm.csv": loads_csv(o, found.setting) for o in found.outcomes},
-        **drawn,
+        **found.pictures,
     }
     write_files({str(folder / name): content for name, content in contents.items()})
     patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")

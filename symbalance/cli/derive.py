@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.output import whole_number, write
+from symbalance.cli.output import show, whole_number
 from symbalance.errors import SymbalanceError
 
 
@@ -19,21 +19,15 @@ def run(options: argparse.Namespace) -> int:
         raise SymbalanceError("--rotation", "is for --quantity crank-node", "leave it out")
     order = whole_number("6" if options.order is None else options.order, "order")
 
-    from symbalance.kinematics.derivation import derivation_latex, derivation_text, derive
+    from symbalance.kinematics.derivation import derive
 
-    result = derive(options.quantity, order, options.convention or "l/r")
-    printed = derivation_latex(result) if options.format == "latex" else derivation_text(result)
-    write(printed.rstrip("\n") + "\n", options.output, options.format)
+    show(derive(options.quantity, order, options.convention or "l/r"), options)
     return 0
 
 
 def _run_node(options: argparse.Namespace) -> int:
     """Derive the equations of a node of the turning crankshaft; orders and ratios play no part."""
-    from symbalance.crankshaft.equations import equations_text, node_equations
-    from symbalance.document.printing import to_latex
+    from symbalance.crankshaft.equations import node_equations
 
-    found = node_equations(options.rotation or "vector")
-    latex = options.format == "latex"
-    printed = to_latex(found, standalone=True) if latex else equations_text(found)
-    write(printed, options.output, options.format)
+    show(node_equations(options.rotation or "vector"), options)
     return 0

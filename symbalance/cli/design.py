@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from symbalance.cli.output import whole_number, write, write_files
+from symbalance.cli.output import medium, printed, whole_number, write, write_files
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -36,14 +36,15 @@ def run(options: argparse.Namespace) -> int:
         per_throw=options.per_throw,
         ratio=options.ratio,
     )
-    printed = _printed(design, options.format)
+    form = medium(options)
+    text = printed(design, form, options.output, standalone=options.standalone)
     files = _files(design, options)
-    if options.output not in (None, "-"):
-        files[options.output] = printed
-    if files:
-        write_files(files)
     if options.output in (None, "-"):
-        write(printed, None, options.format)
+        if files:
+            write_files(files)
+        write(text, None, form)
+    else:
+        write_files({**files, options.output: text})
     return 0
 
 
@@ -62,17 +63,3 @@ def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes
 
         found[options.picture] = design_picture(design, options.picture)
     return found
-
-
-def _printed(design: Design, form: str) -> str:
-    if form == "json":
-        from symbalance.design.balancing.design_json import design_json
-
-        return design_json(design) + "\n"
-    if form == "latex":
-        from symbalance.design.balancing.design_latex import design_latex
-
-        return design_latex(design, standalone=True)
-    from symbalance.design.balancing.design_text import design_text
-
-    return design_text(design)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.options import add_engine, add_output, add_running, command
+from symbalance.cli.options import ENGINE, add_engine, add_output, add_running, command
 
 TARGETS = ("numpy", "numba", "array-api", "c", "javascript", "octave")
 
@@ -25,7 +25,7 @@ def _add_balance(commands: argparse._SubParsersAction) -> None:
     parser = command(
         commands, "balance", "Free forces and couples of an engine, order by order, exactly."
     )
-    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
     parser.add_argument(
         "--order", metavar="N", default="12", help="highest order, 1 to 1000; default: 12"
     )
@@ -37,12 +37,12 @@ def _add_balance(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's: 4, 3.7 or 147.15/36.65"
     )
-    add_output(parser, ("text", "latex", "json"))
+    add_output(parser)
 
 
 def _add_emit(commands: argparse._SubParsersAction) -> None:
     parser = command(commands, "emit", "An engine's forces and couples as source code that runs alone.")
-    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
     parser.add_argument("--target", choices=TARGETS, required=True, help="the language or library")
     parser.add_argument(
         "--outputs",
@@ -79,7 +79,7 @@ def _add_torque(commands: argparse._SubParsersAction) -> None:
     add_engine(parser, "6")
     add_running(parser)
     parser.add_argument("--delta", metavar="δ", help="speed fluctuation; default: 0.02")
-    add_output(parser, ("text", "latex", "json"))
+    add_output(parser)
 
 
 def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
@@ -116,12 +116,7 @@ def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
         "--passes", metavar="N", default="9", help="orbit: how often films are made at most; default: 9"
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
-    parser.add_argument(
-        "--format",
-        choices=("text", "json", "latex"),
-        default="text",
-        help="on the terminal; default: text",
-    )
+    add_output(parser, "FOLDER")
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
 
@@ -129,7 +124,7 @@ def _add_design(commands: argparse._SubParsersAction) -> None:
     parser = command(
         commands, "design", "Counterweights and balance shafts that end given orders, with a certificate."
     )
-    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
     parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to end; default: 1,2")
     parser.add_argument(
         "--shafts", metavar="N", help="at most so many shafts; default: as many as it takes"
@@ -164,7 +159,7 @@ def _add_design(commands: argparse._SubParsersAction) -> None:
     )
     parser.add_argument("--most", metavar="KGMM", help="no weight may have a larger unbalance, kg mm")
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
-    add_output(parser, ("text", "latex", "json"))
+    add_output(parser)
     parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
     parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
 
@@ -179,7 +174,7 @@ def _add_sensitivities(commands: argparse._SubParsersAction) -> None:
         metavar="NAMES",
         help="with commas, some of mass, throw, bank, station, stroke, rod, offset, rotating",
     )
-    add_output(parser, ("text", "latex", "json"))
+    add_output(parser)
 
 
 def _add_tolerances(commands: argparse._SubParsersAction) -> None:
@@ -203,7 +198,7 @@ def _add_tolerances(commands: argparse._SubParsersAction) -> None:
         help="with commas: largest (over a turn), vertical, lateral, forward, backward; default: largest",
     )
     parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
-    add_output(parser, ("text", "latex", "json"))
+    add_output(parser)
 
 
 def _add_assign(commands: argparse._SubParsersAction) -> None:
@@ -228,4 +223,4 @@ def _add_assign(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--whole", action="store_true", help="count whole masses, not what they differ from their mean by"
     )
-    add_output(parser, ("text", "latex", "json"))
+    add_output(parser)

@@ -20,6 +20,8 @@ from symbalance.errors import SymbalanceError
 
 READ = ("engine", "notes", "symbols", "pressure", "parts")
 WRITTEN = ("output", "write", "picture")
+PIPED = "-"
+"""Stands for standard input, and among what is written for the terminal."""
 IN_FOLDER = ("report.*", "curves-*.csv", "loads-*.csv", "*.png", "webs.json")
 """What `crankshaft` writes into its folder, beside speeds/*.npz."""
 
@@ -52,6 +54,10 @@ def check_named_files(options: argparse.Namespace) -> None:
 
 def _check_given(options: argparse.Namespace) -> None:
     """Refuse a name that is empty: to the system that is the working folder, and to nobody a file."""
+    piped = [option for option in READ if getattr(options, option, None) == PIPED]
+    if len(piped) > 1:
+        rule = f"is standard input, as {' and '.join(piped[:-1])} is, and can be read only once"
+        raise SymbalanceError(f"{piped[-1]} -", rule, "name a file for one")
     for option in (*READ, *WRITTEN):
         if getattr(options, option, None) == "":
             remedy = "name a file" + (", or a preset (symbalance engines)" if option == "engine" else "")
@@ -93,7 +99,7 @@ def _read(options: argparse.Namespace) -> Iterator[Path]:
     """Yield every file the command would read, as far as its options tell, and the files these name."""
     for option in READ:
         name = getattr(options, option, None)
-        if name is None or (
+        if name in (None, PIPED) or (
             option == "engine" and not _is_file(name) and options.command != "crankshaft"
         ):
             continue

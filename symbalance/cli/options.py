@@ -6,6 +6,9 @@ import argparse
 from importlib import import_module
 
 from symbalance.cli.named_files import check_named_files
+from symbalance.cli.output import MEDIA
+
+ENGINE = "a preset (symbalance engines), a .toml file, or - for standard input"
 
 
 def command(commands: argparse._SubParsersAction, name: str, summary: str) -> argparse.ArgumentParser:
@@ -20,15 +23,28 @@ def _run(options: argparse.Namespace) -> int:
     return import_module(f"symbalance.cli.{options.command}").run(options)
 
 
-def add_output(parser: argparse.ArgumentParser, formats: tuple[str, ...]) -> None:
-    """Add the options of what is written, and where."""
-    parser.add_argument("--format", choices=formats, default="text", help="default: text")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write to FILE instead of the terminal")
+def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
+    """Add the options of the medium a result is shown in, and of where it goes; see `output.show`.
+
+    Where `what` is no FILE, the command adds its own -o.
+    """
+    default = "what the ending of -o says (.tex, .html, .md, .json), else text"
+    parser.add_argument(
+        "--format",
+        choices=tuple(MEDIA),
+        help=f"default: {default}" if what == "FILE" else "on the terminal; default: text",
+    )
+    parser.add_argument(
+        "--standalone", action="store_true", help="latex: a document that compiles alone, not a fragment"
+    )
+    if what == "FILE":
+        help_ = "write to FILE instead of the terminal; - is the terminal"
+        parser.add_argument("-o", "--output", metavar="FILE", help=help_)
 
 
 def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:
     """Add the engine, its rod ratio, and the highest order where one is asked for."""
-    parser.add_argument("engine", metavar="ENGINE", help="a preset (symbalance engines) or a .toml file")
+    parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
     if order is not None:
         help_ = f"highest order, 1 to 1000; default: {order}"
         parser.add_argument("--order", metavar="N", default=order, help=help_)

@@ -6,7 +6,6 @@ import os
 import sys
 from contextlib import suppress
 from pathlib import Path
-from traceback import format_exception
 
 from symbalance.errors import SymbalanceError, fault_of, printable
 
@@ -57,6 +56,8 @@ def ended(problem: BaseException) -> int:
         where = problem.filename or "a file, a pipe or a process"
         say(f"symbalance: {where}: cannot be used ({problem.strerror or problem}); see to it, run again")
         return REFUSED
+    from traceback import format_exception
+
     say_fault(fault_of(problem), "".join(format_exception(problem)))
     return FAULT
 

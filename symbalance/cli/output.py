@@ -1,20 +1,33 @@
-"""Where results go: stdout, or a file that appears whole or not at all."""
+"""Where results go, and in which medium: stdout, or a file that appears whole or not at all."""
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EINVAL
+from typing import TYPE_CHECKING
 
-from symbalance.cli.ascii_spelling import as_encodable, as_json
 from symbalance.errors import SymbalanceError, encodable_name
 from symbalance.text import writing
 
+if TYPE_CHECKING:
+    from symbalance.document.result import Result
+
+MEDIA = {
+    "text": (".txt",),
+    "latex": (".tex",),
+    "html": (".html", ".htm"),
+    "markdown": (".md",),
+    "json": (".json",),
+}
+"""Every medium of `--format`, and the endings of files that ask for it."""
+NARROWEST, WIDEST = 60, 160
+"""Columns of a terminal that text is fitted to; 80 where there is no terminal."""
 ESCAPES = {"json": "\\\\"}
 """How a backslash is written, where one stands for a byte of a file's name that is no text."""
-SPELLINGS = {"text": as_encodable, "json": as_json}
 
 
 def whole_number(text: str, name: str) -> int:
@@ -27,6 +40,47 @@ def whole_number(text: str, name: str) -> int:
             f"--{name} = {shown}", "must be a whole number", f"write it like --{name} 12"
         )
     return int(stripped)
+
+
+def show(result: Result, options: argparse.Namespace) -> None:
+    """Write a result in the medium and to the place that a command line asks for."""
+    form = medium(options)
+    write(printed(result, form, options.output, standalone=options.standalone), options.output, form)
+
+
+def medium(options: argparse.Namespace) -> str:
+    """Return the medium asked for: by --format, by the ending of the file to write, else text."""
+    named = str(options.output or "")
+    by_ending = next((form for form, ends in MEDIA.items() if named.lower().endswith(ends)), "text")
+    form = options.format or by_ending
+    if options.standalone and form != "latex":
+        raise SymbalanceError("--standalone", f"is for LaTeX, and this is {form}", "add --format latex")
+    return form
+
+
+def printed(result: Result, form: str, output: str | None, *, standalone: bool = False) -> str:
+    """Return a result in a medium, ended by a line's end; only that medium's writer is imported."""
+    from symbalance.document import result as results
+
+    if form == "text":
+        from symbalance.document.text_document import document_text
+
+        stream = "utf-8" if output not in (None, "-") else sys.stdout.encoding or "utf-8"
+        width = columns() if output in (None, "-") else 80
+        return document_text(result.document(), width, lambda text: _quoted(text, stream))
+    if form == "latex":
+        return results.to_latex(result, standalone=standalone)
+    if form == "html":
+        return results.to_html(result, standalone=True)
+    return results.to_markdown(result) if form == "markdown" else results.to_json(result) + "\n"
+
+
+def columns() -> int:
+    """Return the columns of the terminal, 80 where stdout is none."""
+    try:
+        return min(max(os.get_terminal_size(sys.stdout.fileno()).columns, NARROWEST), WIDEST)
+    except (OSError, ValueError, AttributeError):
+        return 80
 
 
 def write(text: str, output: str | None, form: str = "text") -> None:
@@ -64,14 +118,37 @@ def finish() -> None:
 def _to_stdout(text: str, form: str) -> None:
     encoding = sys.stdout.encoding or "utf-8"
     with _stdout():
-        if form in SPELLINGS:
-            sys.stdout.write(SPELLINGS[form](text, encoding))
+        if form in ("text", "json"):
+            sys.stdout.write(_spelled(text, form, encoding))
         elif encoding.lower().replace("_", "-") in ("utf-8", "utf8"):  # utf-8-sig would open with a mark
             sys.stdout.write(text)
         else:
             sys.stdout.flush()
             sys.stdout.buffer.write(text.encode("utf-8"))
         sys.stdout.flush()
+
+
+def _is_utf8(encoding: str) -> bool:
+    return encoding.lower().replace("_", "-") in ("utf-8", "utf8", "utf-8-sig")
+
+
+def _quoted(text: str, encoding: str) -> str:
+    """Return somebody's own words so that a stream can take them; rules load where needed."""
+    text = encodable_name(text)
+    if _is_utf8(encoding):
+        return text
+    from symbalance.cli.ascii_spelling import as_quoted
+
+    return as_quoted(text, encoding)
+
+
+def _spelled(text: str, form: str, encoding: str) -> str:
+    """Return a text or JSON so that a stream can take it."""
+    if _is_utf8(encoding):
+        return text
+    from symbalance.cli.ascii_spelling import as_encodable, as_json
+
+    return as_json(text, encoding) if form == "json" else as_encodable(text, encoding)
 
 
 @contextmanager

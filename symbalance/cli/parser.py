@@ -73,12 +73,14 @@ def _add_derive(commands: argparse._SubParsersAction) -> None:
         choices=CONVENTIONS,
         help="what is expanded in: λ = l/r, ρ = r/l or λ = l/s (s the stroke); default: l/r",
     )
-    add_output(parser, ("text", "latex"))
+    add_output(parser)
 
 
 def _add_check(commands: argparse._SubParsersAction) -> None:
     parser = command(commands, "check", "A hand derivation, judged equation by equation.")
-    parser.add_argument("notes", metavar="NOTES", help="a .tex, .md or .txt file, left as it is")
+    parser.add_argument(
+        "notes", metavar="NOTES", help="a .tex, .md or .txt file, left as it is; - is standard input"
+    )
     parser.add_argument(
         "--symbols",
         metavar="FILE",
@@ -92,8 +94,7 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
     )
-    add_output(parser, ("text", "latex", "json"))
-    parser.set_defaults(format=None)
+    add_output(parser)
 
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:
@@ -105,6 +106,7 @@ def _add_engines(commands: argparse._SubParsersAction) -> None:
     shown.add_argument(
         "--schema", action="store_true", help="print the JSON Schema of engine files, for editors"
     )
+    add_output(parser)
 
 
 def _add_bench(commands: argparse._SubParsersAction) -> None:

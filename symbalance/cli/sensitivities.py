@@ -4,28 +4,20 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.output import whole_number, write
+from symbalance.cli.output import show, whole_number
 
 
 def run(options: argparse.Namespace) -> int:
-    """Load the engine, differentiate, write the table in the format asked for."""
+    """Load the engine, differentiate, show the result."""
     order = whole_number(options.order, "order")
 
     from symbalance.design.variations import sensitivities
-    from symbalance.design.variations.sensitivity_table import (
-        sensitivities_json,
-        sensitivities_latex,
-        sensitivities_text,
-    )
     from symbalance.engine.catalogue import load
 
-    layout = load(options.engine)
+    engine = load(options.engine)
     if options.ratio is not None:
-        layout = layout.with_ratio(options.ratio)
-    asked = None
-    if options.parameters is not None:
-        asked = [name.strip() for name in options.parameters.split(",")]
-    found = sensitivities(layout, order, parameters=asked)
-    printers = {"text": sensitivities_text, "json": sensitivities_json, "latex": sensitivities_latex}
-    write(printers[options.format](layout, found, order), options.output, options.format)
+        engine = engine.with_ratio(options.ratio)
+    given = options.parameters
+    parameters = None if given is None else [name.strip() for name in given.split(",")]
+    show(sensitivities(engine, order, parameters=parameters), options)
     return 0

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.output import whole_number, write
+from symbalance.cli.output import show, whole_number
 from symbalance.errors import SymbalanceError
 
 TOLERANCES = ("mass", "throw", "bank", "station", "stroke", "rod", "offset", "rotating")
 
 
 def run(options: argparse.Namespace) -> int:
-    """Load the engine, bound every order, write the table in the format asked for."""
+    """Load the engine, bound every order, show the result."""
     order = whole_number(options.order, "order")
     given = {name: getattr(options, name) for name in TOLERANCES if getattr(options, name) is not None}
     if not given:
@@ -19,20 +19,11 @@ def run(options: argparse.Namespace) -> int:
         raise SymbalanceError("symbalance tolerances", "is given no tolerance", f"give some of {names}")
 
     from symbalance.design.variations import Tolerances, worst_cases
-    from symbalance.design.variations.tolerance_table import (
-        tolerances_json,
-        tolerances_latex,
-        tolerances_text,
-    )
     from symbalance.engine.catalogue import load
 
-    layout = load(options.engine)
+    engine = load(options.engine)
     if options.ratio is not None:
-        layout = layout.with_ratio(options.ratio)
-    tolerances = Tolerances(**given)
-    modes = [name.strip() for name in options.of.split(",")]
-    found = worst_cases(layout, tolerances, order, of=modes)
-    printers = {"text": tolerances_text, "json": tolerances_json, "latex": tolerances_latex}
-    printed = printers[options.format](layout, tolerances, found, options.rpm)
-    write(printed, options.output, options.format)
+        engine = engine.with_ratio(options.ratio)
+    of = [name.strip() for name in options.of.split(",")]
+    show(worst_cases(engine, Tolerances(**given), order, of=of, rpm=options.rpm), options)
     return 0

@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from symbalance.cli.output import whole_number, write
+from symbalance.cli.output import show, whole_number
 from symbalance.errors import SymbalanceError
 
 FOR_RUNNING = ("is for a running engine", "add --pressure FILE or --compression ε")
-HEAT, DELTA = "18", 0.02
+HEAT = "18"
 
 
 def run(options: argparse.Namespace) -> int:
@@ -18,29 +18,25 @@ def run(options: argparse.Namespace) -> int:
 
     from symbalance.engine.catalogue import load
     from symbalance.torque import torque_report
-    from symbalance.torque.torque_latex import torque_latex
-    from symbalance.torque.torque_text import running_text, torque_json, torque_text
+    from symbalance.torque.flywheel import checked_delta
 
-    report = torque_report(load(options.engine), order, ratio=options.ratio)
-    running = running_engine(options, report.layout)
-    delta = DELTA if options.delta is None else _number(options.delta, "delta")
+    engine = load(options.engine)
+    engine = engine if options.ratio is None else engine.with_ratio(options.ratio)
+    printed: dict[str, Any] = {"order": order}
+    if options.delta is not None:
+        printed["delta"] = checked_delta(options.delta, "--delta")
+    running = running_engine(options, engine, **printed)
     if options.delta is not None and running is None:
         raise SymbalanceError("--delta", *FOR_RUNNING)
-    if options.format == "json":
-        printed = torque_json(report, running, delta, order) + "\n"
-    elif options.format == "latex":
-        printed = torque_latex(report, running, delta, order, standalone=True)
-    else:
-        parts = [torque_text(report), *([running_text(running, delta, order)] if running else [])]
-        printed = "\n".join(parts)
-    write(printed, options.output, options.format)
+    show(torque_report(engine, order, running=running), options)
     return 0
 
 
-def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True) -> Any:
+def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True, **printed: Any) -> Any:
     """Return the running engine's torque, None where no pressure is given.
 
-    Without `whole` only its gas is asked for, over the crank radius: sizes that are not known do no harm.
+    `printed` are the order and the speed fluctuation that it is printed for. Without `whole` only its gas
+    is asked for, over the crank radius: sizes that are not known do no harm.
     """
     from symbalance.torque import crank_torque, ideal_cycle, read_pressure
 
@@ -53,7 +49,7 @@ def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True)
         gas = ideal_cycle(options.compression, heat=heat, strokes=layout.strokes)
     sizes = _sizes(options, layout.first, whole)
     rpm = "1" if options.rpm is None else options.rpm
-    return crank_torque(layout, gas, bore=options.bore, rpm=rpm, **sizes)
+    return crank_torque(layout, gas, bore=options.bore, rpm=rpm, **sizes, **printed)
 
 
 def _is_running(options: argparse.Namespace, whole: bool) -> bool:
@@ -84,14 +80,3 @@ def _sizes(options: argparse.Namespace, first: Any, whole: bool) -> dict[str, ob
             remedy = f"give --{option}, or {name} in an engine file"
             raise SymbalanceError(name, "is needed, and the engine does not give it", remedy)
     return found
-
-
-def _number(text: str, name: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not 0 < value < 1:
-        rule = "must lie between 0 and 1"
-        raise SymbalanceError(f"--{name} = {text}", rule, "(highest - lowest)/mean speed, often 0.02")
-    return value

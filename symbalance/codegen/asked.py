@@ -186,8 +186,8 @@ class _Asked:
             return tuple(_turned(n, a, turns) for n, a in values.items())
         spectrum = self._balanced(order)
         parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
-        found = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
-        return tuple(Term(Fraction(n), values[n] * cos, values[n] * sin) for n, (cos, sin) in found)
+        harmonics = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
+        return tuple(Term(Fraction(n), values[n] * cos, values[n] * sin) for n, (cos, sin) in harmonics)
 
     def _unlike_terms(self, order: int) -> tuple[Term, ...]:
         """Return the harmonics of unlike cylinders, whose components hold the kinematics too."""
@@ -196,8 +196,8 @@ class _Asked:
             raise SymbalanceError(f"output {self.name!r}", rule, "ask for forces and couples")
         spectrum = self._balanced(order)
         parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
-        found = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
-        return tuple(Term(Fraction(n), cos, sin) for n, (cos, sin) in found)
+        harmonics = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
+        return tuple(Term(Fraction(n), cos, sin) for n, (cos, sin) in harmonics)
 
     def _balanced(self, order: int) -> Spectrum:
         result = self.result
@@ -247,15 +247,12 @@ class _Asked:
         return Closed("secondary", self.ratio, places, self.terms(1)) if places else None
 
     def _weights(self) -> list[Real]:
-        cylinders = self.result.layout.cylinders
+        layout = self.result.layout
         if self.kind == "piston":
             return [Real(1)]
         if self.kind == "force":
-            return [Real(1)] * len(cylinders)
-        reference = self.result.reference
-        plane = self.result.layout.mean_station if reference is None else reference
-        arms = (c.station - plane for c in cylinders)
-        return [Real(arm) for arm in arms]
+            return [Real(1)] * len(layout.cylinders)
+        return [Real(arm) for arm in layout.arms(self.result.reference)]
 
 
 def shown_terms(terms: tuple[Term, ...]) -> tuple[Term, ...]:

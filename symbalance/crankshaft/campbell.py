@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,11 +20,17 @@ from numpy.typing import NDArray
 from symbalance.crankshaft.modes import assurance, natural_modes
 from symbalance.crankshaft.rotor import DOF, Array, Rotor, check_rotor
 from symbalance.crankshaft.spin import deflated
+from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 Shapes = NDArray[np.complex128]
 RESTING, REAL = 1e-4, 1e-7
 """Below these a root counts as zero (per shift), or as real (per its size)."""
+GROWS = 1e-7
+"""A root's real part below this share of the largest frequency is rounding."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +67,8 @@ class _Whirls:
         )
 
 
-@dataclass(frozen=True)
-class Campbell:
+@dataclass(frozen=True, repr=False)
+class Campbell(Result):
     """Lines over speed: `speeds` (s,) in rad/s; the others (s, k), in rad/s, one column per mode.
 
     `rotating` frequencies and `growth` rates (positive: unstable) in turning axes; `stationary` the
@@ -76,6 +83,59 @@ class Campbell:
     stationary: Array
     forward: Array
     lateral: NDArray[np.bool_]
+    rotor: Rotor
+    is_free: bool
+    """Whether nothing but its own stiffness holds the rotor."""
+
+    kind: ClassVar[str] = "campbell"
+
+    @property
+    def unstable(self) -> NDArray[np.bool_]:
+        """Where a mode grows (s, k), by more than rounding does."""
+        return self.growth > self.rounding
+
+    @property
+    def rounding(self) -> float:
+        """A growth in 1/s below which there is none."""
+        return GROWS * float(self.rotating.max(initial=1.0))
+
+    def summary(self) -> str:
+        """Return modes, speeds and whether something grows, in one line."""
+        speeds = len(self.speeds)
+        said = "something grows" if self.unstable.any() else "nothing grows"
+        return (
+            f"Frequencies of {self.rotating.shape[1]} modes at {speeds} speed{'s' * (speeds > 1)} to "
+            f"{self.speeds.max() * 30 / np.pi:.6g} rpm: {said}"
+        )
+
+    def document(self) -> Document:
+        """Return whether something grows, each mode's course, and all frequencies by speed."""
+        from symbalance.crankshaft.campbell_document import campbell_document
+
+        return campbell_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return `speeds_rpm` and lists (speed, mode) in Hz; growth in 1/s, forward shares 0 to 1."""
+        hertz = 1 / (2 * np.pi)
+        return {
+            "free": self.is_free,
+            "speeds_rpm": (self.speeds * 30 / np.pi).tolist(),
+            "rotating_hertz": (self.rotating * hertz).tolist(),
+            "stationary_hertz": (self.stationary * hertz).tolist(),
+            "growth": self.growth.tolist(),
+            "forward": self.forward.tolist(),
+            "lateral": self.lateral.tolist(),
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each mode at each speed."""
+        data = self.data()
+        names = ("rotating_hertz", "stationary_hertz", "growth", "forward", "lateral")
+        return [
+            {"rpm": rpm, "mode": k + 1, **{name: data[name][s][k] for name in names}}
+            for s, rpm in enumerate(data["speeds_rpm"])
+            for k in range(self.rotating.shape[1])
+        ]
 
 
 def campbell(
@@ -105,7 +165,7 @@ def campbell(
         whirls = _whirls(parts, float(speed), rotor, basis)
         picked = _matched(found[-1], whirls) if found else _first(whirls, count)
         found.append(whirls.taken(picked))
-    return _lines(found)
+    return _lines(found, rotor, support is None)
 
 
 def _basis(rotor: Rotor, support: Array | None, kept: int) -> Array:
@@ -218,7 +278,7 @@ def _partners(whirls: _Whirls) -> list[int]:
     return [int(k) for k in np.argmax(np.where(apart, -1.0, likeness), axis=1)]
 
 
-def _lines(found: Sequence[_Whirls]) -> Campbell:
+def _lines(found: Sequence[_Whirls], rotor: Rotor, is_free: bool) -> Campbell:
     speeds = np.array([whirls.speed for whirls in found])
     roots = np.array([whirls.roots for whirls in found])
     onward, back, rest = (
@@ -228,4 +288,6 @@ def _lines(found: Sequence[_Whirls]) -> Campbell:
     stationary = np.where(onward >= back, turn + frequencies, turn - frequencies)
     stationary = np.where(rest > 0.5, np.abs(frequencies), stationary)
     forward = onward / np.maximum(onward + back, 1e-300)
-    return Campbell(speeds, np.abs(frequencies), roots.real, stationary, forward, rest <= 0.5)
+    return Campbell(
+        speeds, np.abs(frequencies), roots.real, stationary, forward, rest <= 0.5, rotor, is_free
+    )

@@ -7,23 +7,80 @@ Source: K phi = (2 pi f)^2 M phi; the modal assurance criterion, R. J. Allemang 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.crankshaft.rotor import DOF, Array, Rotor, check_rotor
+from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 AnyShapes = Array | NDArray[np.complex128]
 KINDS = ("bending U", "bending V", "axial", "torsion")
 
 
-@dataclass(frozen=True)
-class Modes:
-    """Elastic modes in rising order: `frequencies` (k,) in Hz, `shapes` (n, k) with phi' M phi = 1."""
+@dataclass(frozen=True, repr=False)
+class Modes(Result):
+    """Elastic modes in rising order: `frequencies` (k,) in Hz, `shapes` (n, k) with phi' M phi = 1.
+
+    They are those of `rotor`, free or on a stiffness.
+    """
 
     frequencies: Array
     shapes: Array
+    rotor: Rotor
+    is_free: bool
+
+    kind: ClassVar[str] = "natural-modes"
+
+    def summary(self) -> str:
+        """Return the number of modes and the range of their frequencies, in one line."""
+        low, high = self.frequencies[[0, -1]]
+        return f"{len(self)} natural modes from {low:.5g} to {high:.5g} Hz, of {self.rotor.size} unknowns"
+
+    def document(self) -> Document:
+        """Return the frequencies, and what moves in each mode."""
+        from symbalance.crankshaft.modes_document import modes_document
+
+        return modes_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return frequencies in Hz, shares of motion 0 to 1, and shapes (modes, nodes, 6)."""
+        shapes = self.shapes.T.reshape(len(self), -1, DOF).tolist()
+        return {
+            "free": self.is_free,
+            "points": self.rotor.points.tolist(),
+            "modes": [{**row, "shape": shape} for row, shape in zip(self.records(), shapes, strict=True)],
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each mode: hertz, mostly, and the shares of each kind of motion."""
+        names = [name.lower().replace(" ", "_") for name in KINDS]
+        return [
+            {
+                "mode": i,
+                "hertz": float(f),
+                "mostly": kind,
+                **dict(zip(names, map(float, row), strict=True)),
+            }
+            for i, (f, kind, row) in enumerate(
+                zip(self.frequencies, self.kinds, self.shares, strict=True), 1
+            )
+        ]
+
+    @property
+    def shares(self) -> Array:
+        """What `motion_shares` gives of them, (k, 4)."""
+        return motion_shares(self.rotor, self)
+
+    @property
+    def kinds(self) -> list[str]:
+        """The name of the largest share of each mode."""
+        return kinds(self.rotor, self)
 
     def __len__(self) -> int:
         return len(self.frequencies)
@@ -51,7 +108,8 @@ def natural_modes(rotor: Rotor, count: int = 20, support: Array | None = None) -
         skipped = DOF
     squares, shapes = _eigen(stiffness, rotor.mass)
     kept = slice(skipped, skipped + count)
-    return Modes(np.sqrt(np.maximum(squares[kept], 0.0)) / (2 * np.pi), shapes[:, kept])
+    frequencies = np.sqrt(np.maximum(squares[kept], 0.0)) / (2 * np.pi)
+    return Modes(frequencies, shapes[:, kept], rotor, support is None)
 
 
 def checked_support(rotor: Rotor, support: Array) -> Array:

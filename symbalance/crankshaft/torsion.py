@@ -8,19 +8,52 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from symbalance.crankshaft.rotor import DOF, Array, Rotor, check_rotor
+from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
 
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
-@dataclass(frozen=True)
-class TorsionalChain:
+
+@dataclass(frozen=True, repr=False)
+class TorsionalChain(Result):
     """Discs' moments of inertia (kg m^2), springs between them (N m/rad)."""
 
     inertias: Array
     stiffnesses: Array
+
+    kind: ClassVar[str] = "torsional-chain"
+
+    def summary(self) -> str:
+        """Return the discs and the lowest frequency, in one line."""
+        return f"Torsional chain of {len(self.inertias)} discs: {self.frequencies()[0]:.5g} Hz and up"
+
+    def document(self) -> Document:
+        """Return natural frequencies, shapes, discs and springs."""
+        from symbalance.crankshaft.torsion_document import torsion_document
+
+        return torsion_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return discs in kg m^2, springs in N m/rad, modes in Hz with shapes, sum of J phi^2 = 1."""
+        hertz, shapes = self.modes()
+        modes = [
+            {"hertz": float(f), "shape": row} for f, row in zip(hertz, shapes.T.tolist(), strict=True)
+        ]
+        return {
+            "inertias": self.inertias.tolist(),
+            "stiffnesses": self.stiffnesses.tolist(),
+            "modes": modes,
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each natural frequency."""
+        return [{"mode": k, "hertz": float(f)} for k, f in enumerate(self.frequencies(), 1)]
 
     @property
     def matrices(self) -> tuple[Array, Array]:

@@ -8,28 +8,35 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.crankshaft.frames import GRAVITY, rotation
 from symbalance.crankshaft.rotor import DOF, Array, Rotor
+from symbalance.crankshaft.rotor_facts import RPM, complex_data, supports_data
 from symbalance.crankshaft.running.holding import held
-from symbalance.crankshaft.stationary import Supports, standing, standing_at
+from symbalance.crankshaft.stationary import Support, Supports, standing, standing_at
 from symbalance.crankshaft.system import Film, PeriodicSystem
+from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 Unbalances = Mapping[float, complex]
 """Place along the shaft (m) to unbalance (kg m), complex where its angle is not 0."""
 NEAR = 1e-6
 
 
-@dataclass(frozen=True)
-class UnbalanceResponse:
+@dataclass(frozen=True, repr=False)
+class UnbalanceResponse(Result):
     """Steady motion x = Re(a e^{iwt}) at `speeds` (s,) in rad/s.
 
     `vertical`, `lateral` (s, n): complex amplitudes at the nodes, m; `forces` (s, b, 2): the shaft's on
-    its supports, vertical and lateral, N.
+    its supports, vertical and lateral, N. `unbalances` are pairs of place (m) and kg m; `supports` is
+    None where they were given as a function of the speed.
     """
 
     speeds: Array
@@ -37,6 +44,60 @@ class UnbalanceResponse:
     vertical: NDArray[np.complex128]
     lateral: NDArray[np.complex128]
     forces: NDArray[np.complex128]
+    rotor: Rotor
+    unbalances: tuple[tuple[float, complex], ...]
+    supports: tuple[Support, ...] | None
+
+    kind: ClassVar[str] = "unbalance-response"
+
+    def summary(self) -> str:
+        """Return the largest orbit and where it is, in one line."""
+        from symbalance.crankshaft.unbalance_document import speeds_words
+
+        if not self.largest.size:
+            return "Answer to unbalance at no speed"
+        s, n = np.unravel_index(np.argmax(self.largest), self.largest.shape)
+        size, place = self.largest[s, n] * 1e6, self.places[n]
+        where = f"at {place:.4g} m" + (
+            f", {self.speeds[s] * RPM:.6g} rpm" if len(self.speeds) > 1 else ""
+        )
+        return f"Answer to unbalance at {speeds_words(self)}: largest orbit {size:.4g} µm {where}"
+
+    def document(self) -> Document:
+        """Return the largest orbits, the forces on the supports, and what was put in."""
+        from symbalance.crankshaft.unbalance_document import unbalance_document
+
+        return unbalance_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return amplitudes at every node in m and forces in N by speed, as [real, imaginary] pairs."""
+        return {
+            "speeds_rpm": (self.speeds * RPM).tolist(),
+            "places": self.places.tolist(),
+            "vertical": complex_data(self.vertical),
+            "lateral": complex_data(self.lateral),
+            "forces": complex_data(self.forces),
+            "unbalances": [
+                {"place": place, "kg_m": [amount.real, amount.imag]} for place, amount in self.unbalances
+            ],
+            "supports": supports_data(self.supports),
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each node at each speed: sizes in m, phases in degrees."""
+        return [
+            {
+                "rpm": float(speed) * RPM,
+                "place": float(place),
+                "largest": float(self.largest[s, n]),
+                "forward": float(np.abs(self.forward[s, n])),
+                "forward_phase": float(np.degrees(np.angle(self.forward[s, n]))),
+                "backward": float(np.abs(self.backward[s, n])),
+                "backward_phase": float(np.degrees(np.angle(self.backward[s, n]))),
+            }
+            for s, speed in enumerate(self.speeds)
+            for n, place in enumerate(self.places)
+        ]
 
     @property
     def forward(self) -> NDArray[np.complex128]:
@@ -90,7 +151,10 @@ def unbalance_response(
     motion = np.array(found).reshape(-1, n, 2)
     borne = np.array(forces, dtype=complex).reshape(len(found), -1, 2)
     given = np.array([float(speed) for speed in speeds])
-    return UnbalanceResponse(given, rotor.points[:, 2], motion[..., 0], motion[..., 1], borne)
+    amounts = tuple((float(place), complex(amount)) for place, amount in unbalances.items())
+    below = None if callable(supports) else tuple(supports)
+    places = rotor.points[:, 2]
+    return UnbalanceResponse(given, places, motion[..., 0], motion[..., 1], borne, rotor, amounts, below)
 
 
 def supported(

@@ -10,14 +10,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.crankshaft.modes import natural_modes
 from symbalance.crankshaft.rotor import Array, Rotor
-from symbalance.crankshaft.stationary import ROUND, Standing, Supports, standing
+from symbalance.crankshaft.rotor_facts import HERTZ, RPM, complex_data, supports_data, whirl_word
+from symbalance.crankshaft.stationary import ROUND, Standing, Support, Supports, standing, standing_at
+from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 Complex = NDArray[np.complex128]
 SINGULAR = 1e13
@@ -26,8 +32,8 @@ OSCILLATES, MOVES = 1e-7, 1e-5
 GRID, NARROWINGS, CLOSE = 96, 60, 1e-12
 
 
-@dataclass(frozen=True)
-class Whirl:
+@dataclass(frozen=True, repr=False)
+class Whirl(Result):
     """Motions at one `speed` (rad/s), slowest first: `roots` (k,) in rad/s, imaginary parts positive.
 
     `shapes` (n, 2, k): vertical and lateral at each node; `forward` (k,): the share, 0 to 1, of the
@@ -39,6 +45,53 @@ class Whirl:
     shapes: Complex
     forward: Array
     overdamped: Array
+    rotor: Rotor
+    supports: tuple[Support, ...]
+    """What is under each bearing at this speed."""
+
+    kind: ClassVar[str] = "whirl"
+
+    def summary(self) -> str:
+        """Return the slowest motion and whether all are stable, in one line."""
+        said = "stable" if self.is_stable else "unstable"
+        slowest = f", the slowest at {self.natural[0] * HERTZ:.5g} Hz" if len(self.roots) else ""
+        return f"Whirl at {self.speed * RPM:.6g} rpm: {len(self.roots)} motions{slowest}; {said}"
+
+    def document(self) -> Document:
+        """Return the motions, whether they are stable, and the supports."""
+        from symbalance.crankshaft.whirl_document import whirl_document
+
+        return whirl_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every motion: Hz, root in 1/s, shape (node, direction) as [real, imaginary] pairs."""
+        roots = complex_data(self.roots)
+        shapes = complex_data(np.moveaxis(self.shapes, -1, 0))
+        return {
+            "rpm": self.speed * RPM,
+            "stable": self.is_stable,
+            "supports": supports_data(self.supports),
+            "places": self.rotor.points[:, 2].tolist(),
+            "overdamped": self.overdamped.tolist(),
+            "motions": [
+                {**row, "root": root, "shape": shape}
+                for row, root, shape in zip(self.records(), roots, shapes, strict=True)
+            ],
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each motion, the slowest first; hertz is negative where it is backward."""
+        columns = {
+            "hertz": self.frequencies * HERTZ,
+            "natural_hertz": self.natural * HERTZ,
+            "damping_ratio": self.damping_ratios,
+            "log_decrement": self.log_decrements,
+            "forward": self.forward,
+        }
+        return [
+            {"mode": k + 1, **{name: float(column[k]) for name, column in columns.items()}}
+            for k in range(len(self.roots))
+        ]
 
     @property
     def frequencies(self) -> Array:
@@ -66,15 +119,49 @@ class Whirl:
         return bool(max(*self.roots.real, *self.overdamped) <= OSCILLATES * self.natural.min(initial=1.0))
 
 
-@dataclass(frozen=True)
-class CriticalSpeeds:
+@dataclass(frozen=True, repr=False)
+class CriticalSpeeds(Result):
     """`speeds` (k,) in rad/s, rising, and the `forward` share (k,) of each: 0 means a backward whirl.
 
-    On supports alike in all directions an unbalance excites those that are forward only.
+    On supports alike in all directions an unbalance excites those that are forward only. `supports` is
+    None where they were given as a function of the speed, `most` where no speed was too large.
     """
 
     speeds: Array
     forward: Array
+    rotor: Rotor
+    supports: tuple[Support, ...] | None
+    most: float | None = None
+
+    kind: ClassVar[str] = "critical-speeds"
+
+    def __len__(self) -> int:
+        return len(self.speeds)
+
+    def summary(self) -> str:
+        """Return how many there are, and the lowest, in one line."""
+        limit = "" if self.most is None else f" up to {self.most * RPM:.6g} rpm"
+        first = f", from {self.speeds[0] * RPM:.5g} rpm on" if len(self) else ""
+        return f"{len(self)} critical speed{'s' * (len(self) != 1)}{limit}{first}"
+
+    def document(self) -> Document:
+        """Return the speeds with the way each whirls, and the supports."""
+        from symbalance.crankshaft.whirl_document import critical_document
+
+        return critical_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every critical speed in rpm, its forward share and the supports."""
+        limit = None if self.most is None else self.most * RPM
+        supports = supports_data(self.supports)
+        return {"most_rpm": limit, "critical_speeds": self.records(), "supports": supports}
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each critical speed, rising."""
+        return [
+            {"rpm": float(speed) * RPM, "forward": float(share), "whirl": whirl_word(float(share))}
+            for speed, share in zip(self.speeds, self.forward, strict=True)
+        ]
 
 
 def whirl(rotor: Rotor, supports: Supports, speed: float) -> Whirl:
@@ -95,7 +182,8 @@ def whirl(rotor: Rotor, supports: Supports, speed: float) -> Whirl:
 
 
 def _whirl(matrices: Standing, supports: Supports, speed: float) -> Whirl:
-    damping, stiffness = matrices.at(supports, speed)
+    below = tuple(standing_at(matrices.rotor, supports, speed))
+    damping, stiffness = matrices.at(below, speed)
     roots, vectors, shift = _roots(matrices, damping, stiffness)
     real = np.abs(roots.imag) <= OSCILLATES * np.abs(roots)
     moving = np.abs(roots) > MOVES * shift
@@ -103,7 +191,8 @@ def _whirl(matrices: Standing, supports: Supports, speed: float) -> Whirl:
     whirling = whirling[np.argsort(np.abs(roots[whirling]), kind="stable")]
     shapes = vectors[:, whirling].reshape(len(matrices.rotor.points), 4, -1)[:, :2]
     overdamped = np.sort(roots[moving & real].real)[::-1]
-    return Whirl(speed, roots[whirling], shapes, forward_share(shapes), overdamped)
+    forward = forward_share(shapes)
+    return Whirl(speed, roots[whirling], shapes, forward, overdamped, matrices.rotor, below)
 
 
 def _roots(matrices: Standing, damping: Array, stiffness: Array) -> tuple[Complex, Complex, float]:
@@ -150,14 +239,18 @@ def critical_speeds(rotor: Rotor, supports: Supports, most: float | None = None)
         damping, stiffness = matrices.at(supports, 0.0)
         uneven = np.abs(stiffness - stiffness.T).max() / np.abs(stiffness).max()
         if not damping.any() and uneven < ROUND:
-            return _undamped(matrices, (stiffness + stiffness.T) / 2, np.inf if most is None else most)
+            speeds, forward = _undamped(
+                matrices, (stiffness + stiffness.T) / 2, np.inf if most is None else most
+            )
+            return CriticalSpeeds(speeds, forward, rotor, tuple(supports), most)
     if most is None:
         rule = "must be given where supports damp, differ with speed or are not symmetric"
         raise SymbalanceError("most", rule, "the largest speed to look at, rad/s")
-    return _crossings(matrices, supports, most)
+    below = None if callable(supports) else tuple(supports)
+    return CriticalSpeeds(*_crossings(matrices, supports, most), rotor, below, most)
 
 
-def _undamped(matrices: Standing, stiffness: Array, most: float) -> CriticalSpeeds:
+def _undamped(matrices: Standing, stiffness: Array, most: float) -> tuple[Array, Array]:
     gyric = matrices.mass - 1j * matrices.turning
     try:
         inverse = np.linalg.inv(np.linalg.cholesky(stiffness))
@@ -169,12 +262,10 @@ def _undamped(matrices: Standing, stiffness: Array, most: float) -> CriticalSpee
     speeds = 1 / np.sqrt(values[kept])
     shapes = (inverse.T @ vectors[:, kept]).reshape(len(matrices.rotor.points), 4, -1)[:, :2]
     inside = speeds <= most
-    return CriticalSpeeds(
-        speeds[inside], forward_share(np.asarray(shapes[..., inside], dtype=np.complex128))
-    )
+    return speeds[inside], forward_share(np.asarray(shapes[..., inside], dtype=np.complex128))
 
 
-def _crossings(matrices: Standing, supports: Supports, most: float) -> CriticalSpeeds:
+def _crossings(matrices: Standing, supports: Supports, most: float) -> tuple[Array, Array]:
     """Return where the k-th of the rising frequencies passes the speed, for every k."""
     grid = np.linspace(most / GRID / 64, most, GRID)
     count = len(matrices.mass)
@@ -191,7 +282,7 @@ def _crossings(matrices: Standing, supports: Supports, most: float) -> CriticalS
             found.append(_narrowed(lambda speed, k=k: float(lead(speed)[k]), ends, passed))
     speeds = np.sort(found)
     shares = [_share_at(_whirl(matrices, supports, float(speed))) for speed in speeds]
-    return CriticalSpeeds(speeds, np.array(shares))
+    return speeds, np.array(shares)
 
 
 def _share_at(found: Whirl) -> float:

@@ -1,5 +1,6 @@
 from symbalance.design.balancing import Design as Design
 from symbalance.design.balancing import Ellipse as Ellipse
+from symbalance.design.balancing import RotatingBalance as RotatingBalance
 from symbalance.design.balancing import balanced_weights as balanced_weights
 from symbalance.design.balancing import best_forward as best_forward
 from symbalance.design.balancing import best_overbalance as best_overbalance
@@ -9,10 +10,11 @@ from symbalance.design.balancing import overbalanced as overbalanced
 from symbalance.design.balancing import rotating_unbalance as rotating_unbalance
 from symbalance.design.balancing import rotating_weights as rotating_weights
 from symbalance.design.balancing import throw_unbalance as throw_unbalance
-from symbalance.design.balancing.design_json import design_json as design_json
-from symbalance.design.balancing.design_latex import design_latex as design_latex
-from symbalance.design.balancing.design_text import design_text as design_text
+from symbalance.design.variations import Assignment as Assignment
+from symbalance.design.variations import Sensitivities as Sensitivities
+from symbalance.design.variations import SymbolicOrder as SymbolicOrder
 from symbalance.design.variations import Tolerances as Tolerances
+from symbalance.design.variations import WorstCases as WorstCases
 from symbalance.design.variations import assign_parts as assign_parts
 from symbalance.design.variations import read_parts as read_parts
 from symbalance.design.variations import sensitivities as sensitivities

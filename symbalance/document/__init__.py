@@ -1,16 +1,19 @@
-"""How results are written: formulas as trees, symbols, aligned tables, text and LaTeX.
+"""How results are written: formulas and documents as data, and one writer for each medium.
 
-In: formulas, cells, SymPy numbers. Out: Unicode text and LaTeX (amsmath and booktabs alone). Knows
-nothing of engines.
+In: formulas, documents made of nodes. Out: text, LaTeX (amsmath and booktabs), HTML with MathML,
+Markdown. Knows nothing of engines.
 
-    formula, writer           formulas as data, printed by text_writer and latex_writer
-    syntax, syntax_printing   formulas as they were read, printed by syntax_text and syntax_latex
-    symbols, notation         every symbol with its unit and LaTeX; series' letters and conventions
-    expressions               exact numbers in print: roots, fractions, cosines
-    letters, wordlists        Greek and function names;  decimals: as tables print them
-    grid, plain_tables        columns that line up
-    latex_parts               what LaTeX needs;  latex_characters, line_breaking: signs, long lines
-    printing                  any result as text, LaTeX or JSON
+    formula                   formulas as trees: read, derived, printed;  expressions: SymPy's as such
+    formula_printing          brackets and signs, which all writers of formulas share
+    text_writer, latex_writer, mathml_writer, sympy_writer       a formula in each medium
+    line_breaking, displayed, spreading                          long formulas over several lines
+    symbols, letters, wordlists    letters with units and meaning, Greek, names of functions
+    nodes                     a document: headings, facts, tables, formulas, figures, source, details
+    fitting                   which exact cells a table has room for;  decimals: numbers in cells
+    document_writer           what the writers of documents share
+    text_document, latex_document, html_document, markdown_document    a document in each medium
+    latex_characters          any sign in LaTeX
+    result                    what every result can do: to_text, to_latex, to_html, to_markdown, to_json
 """
 
 from symbalance.loading import attach

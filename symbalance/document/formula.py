@@ -1,23 +1,36 @@
-"""Formulas as plain data, written with Python's operators and printed by `symbalance.notation`.
+"""Formulas as trees: what is read from hand notes, derived step by step, and printed in every medium.
 
-A formula is kept as it was written: nothing is evaluated, sorted or simplified, so that a derivation
-shows the very steps a person would take.
+Every node is frozen and compares by what it says; where it stands in a document (`span`) does not count.
+Nothing is evaluated, ordered or simplified: `2/4` stays a quotient of 2 and 4, so that a derivation shows
+the very steps a person would take. Python's operators build larger formulas from smaller ones.
 
 >>> theta, r = Name("theta"), Name("r")
->>> r * (1 - cos(theta)) == Times((r, Sum(((1, Number(1)), (-1, cos(theta))))))
+>>> r * (1 - cos(theta)) == Product((r, Sum((number(1), Negative(Call("cos", theta))))))
 True
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
+Span = tuple[int, int]
+"""First and one past the last character, as offsets in the document's text; (0, 0): made by program."""
 
+FUNCTIONS = frozenset(
+    {
+        *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan"),
+        *("sinh", "cosh", "tanh", "exp", "ln", "log", "abs", "sqrt"),
+    }
+)
+
+
+@dataclass(frozen=True, slots=True)
 class Formula:
-    """Anything that can be printed; operators build larger formulas from smaller ones."""
+    """A formula or a part of one."""
 
-    __slots__ = ()
+    span: Span = field(default=(0, 0), compare=False, kw_only=True)
 
     def __add__(self, other: Value) -> Sum:
         return Sum((*_terms(self), *_terms(formula(other))))
@@ -26,152 +39,163 @@ class Formula:
         return formula(other) + self
 
     def __sub__(self, other: Value) -> Sum:
-        return Sum((*_terms(self), (-1, formula(other))))
+        return Sum((*_terms(self), Negative(formula(other))))
 
     def __rsub__(self, other: Value) -> Sum:
         return formula(other) - self
 
-    def __neg__(self) -> Sum:
-        return Sum(((-1, self),))
+    def __neg__(self) -> Negative:
+        return Negative(self)
 
-    def __mul__(self, other: Value) -> Times:
-        return Times((*_factors(self), *_factors(formula(other))))
+    def __mul__(self, other: Value) -> Product:
+        return Product((*_factors(self), *_factors(formula(other))))
 
-    def __rmul__(self, other: Value) -> Times:
+    def __rmul__(self, other: Value) -> Product:
         return formula(other) * self
 
-    def __truediv__(self, other: Value) -> Over:
-        return Over(self, formula(other))
+    def __truediv__(self, other: Value) -> Quotient:
+        return Quotient(self, formula(other))
 
-    def __rtruediv__(self, other: Value) -> Over:
-        return Over(formula(other), self)
+    def __rtruediv__(self, other: Value) -> Quotient:
+        return Quotient(formula(other), self)
 
     def __pow__(self, exponent: Value) -> Power:
         return Power(self, formula(exponent))
 
 
 Value = Formula | int | Fraction
+"""What an operator takes beside a formula: numbers become `Number` nodes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Formula):
+    """A number as written; `last_place` is the value of one unit of the last printed digit after a point.
+
+    `4.02` is Number(Fraction(201, 50), Fraction(1, 100)); `7` has no last_place: it is exact.
+    """
+
+    value: Fraction
+    last_place: Fraction | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Decimal(Formula):
+    """A decimal as it is to be printed, rounded before: "7.4379e-5" is 7.4379 x 10^-5."""
+
+    text: str
 
 
 @dataclass(frozen=True, slots=True)
 class Name(Formula):
-    """A letter, by the name `symbalance.notation` knows it by."""
+    """A letter, by its canonical name: `theta` for θ and \\theta, `lam`, `m_1`, `Delta x` for Δx."""
 
     name: str
 
 
 @dataclass(frozen=True, slots=True)
-class Number(Formula):
-    """A whole number or a half."""
+class Constant(Formula):
+    """`pi`, `e`, `i` or `infinity`."""
 
-    value: int | Fraction
-
-
-@dataclass(frozen=True, slots=True)
-class Scientific(Formula):
-    """mantissa x 10^exponent, the mantissa as it is to be printed."""
-
-    mantissa: str
-    exponent: int
+    name: str
 
 
 @dataclass(frozen=True, slots=True)
-class Monomial(Formula):
-    """coefficient x letter^exponent x `of`, printed as one fraction; the coefficient is positive."""
+class Words(Formula):
+    """Upright words within a formula: a unit, a name in full."""
 
-    coefficient: Fraction
-    letter: str
-    exponent: int
-    of: Formula | None = None
+    text: str
 
 
 @dataclass(frozen=True, slots=True)
 class Sum(Formula):
-    """Signed terms."""
+    """a + b + c; a subtracted term is a Negative. Dots may be among the terms."""
 
-    terms: tuple[tuple[int, Formula], ...]
+    terms: tuple[Formula, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Times(Formula):
-    """Factors side by side."""
+class Product(Formula):
+    """a b c."""
 
     factors: tuple[Formula, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Over(Formula):
-    """A fraction."""
+class Quotient(Formula):
+    """a/b, written with a bar or a slash."""
 
-    over: Formula
-    under: Formula
+    numerator: Formula
+    denominator: Formula
 
 
 @dataclass(frozen=True, slots=True)
 class Power(Formula):
-    """base^exponent."""
+    """a^b; the n-th root is the power 1/n (Quotient of Numbers), the square root a Call of `sqrt`."""
 
     base: Formula
     exponent: Formula
 
 
 @dataclass(frozen=True, slots=True)
-class Root(Formula):
-    """A square root."""
+class Negative(Formula):
+    """-a."""
 
-    inside: Formula
-
-
-@dataclass(frozen=True, slots=True)
-class Absolute(Formula):
-    """An absolute value."""
-
-    inside: Formula
+    operand: Formula
 
 
 @dataclass(frozen=True, slots=True)
-class Applied(Formula):
-    """function^power(argument): sin^2 theta has the power 2."""
+class Call(Formula):
+    """A function of FUNCTIONS applied to one argument."""
 
     function: str
     argument: Formula
-    power: Formula | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Indexed(Formula):
-    """A letter with a subscript."""
+class Apply(Formula):
+    """A function of several arguments: `atan2`, `binomial` (upper, lower), `hyp2f1` (a, b, c, z), ...."""
 
-    letter: str
+    function: str
+    arguments: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Subscript(Formula):
+    """A letter with an index that is a formula of its own: A_(2k). A fixed index belongs to the Name."""
+
+    base: Formula
     index: Formula
 
 
 @dataclass(frozen=True, slots=True)
-class Binomial(Formula):
-    """The binomial coefficient C(upper, lower)."""
+class Derivative(Formula):
+    """d^n(expression)/d(variable)^n; a dot over a letter is a derivative by the Name `t`."""
 
-    upper: Formula
-    lower: Formula
-
-
-@dataclass(frozen=True, slots=True)
-class Series2F1(Formula):
-    """Gauss' hypergeometric function 2F1(a, b; c; z)."""
-
-    a: Formula
-    b: Formula
-    c: Formula
-    z: Formula
+    expression: Formula
+    variable: Name
+    order: int = 1
 
 
 @dataclass(frozen=True, slots=True)
-class Total(Formula):
-    """The sum of `body` over `index` from `first` to `last`, or without end where `last` is None."""
+class Summation(Formula):
+    """A sum sign; without bounds all three of index, lower, upper may be None."""
 
-    index: Name
-    first: Formula
-    last: Formula | None
     body: Formula
+    index: Name | None = None
+    lower: Formula | None = None
+    upper: Formula | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Dots(Formula):
+    """Three dots as a term of a sum: at its end the sum is cut off, within it a progression goes on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix(Formula):
+    """Rows of formulas, all of one length; a vector has rows of one."""
+
+    rows: tuple[tuple[Formula, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,12 +206,24 @@ class Equation:
     links: tuple[tuple[str, Formula], ...]
 
 
-DOTS = Name("dots")
+PI, INFINITY = Constant("pi"), Constant("infinity")
+
+
+# Building ---------------------------------------------------------------------------------------
+
+
+def number(value: int | Fraction) -> Number:
+    """Return an exact number as a formula.
+
+    >>> number(3).value
+    Fraction(3, 1)
+    """
+    return Number(value if isinstance(value, Fraction) else Fraction(value))
 
 
 def formula(value: Value) -> Formula:
     """Return a number as a formula, a formula as it is."""
-    return value if isinstance(value, Formula) else Number(value)
+    return value if isinstance(value, Formula) else number(value)
 
 
 def equal(left: Value, *rights: Value) -> Equation:
@@ -195,24 +231,142 @@ def equal(left: Value, *rights: Value) -> Equation:
     return Equation(formula(left), tuple(("=", formula(right)) for right in rights))
 
 
-def sin(argument: Formula, power: Value | None = None) -> Applied:
+def sin(argument: Formula, power: Value | None = None) -> Formula:
     """Return sin^power(argument)."""
-    return Applied("sin", argument, None if power in (None, 1) else formula(power))
+    call = Call("sin", argument)
+    return call if power in (None, 1) else Power(call, formula(power))
 
 
-def cos(argument: Formula) -> Applied:
+def cos(argument: Formula) -> Call:
     """Return cos(argument)."""
-    return Applied("cos", argument)
+    return Call("cos", argument)
+
+
+def sqrt(argument: Value) -> Call:
+    """Return the square root."""
+    return Call("sqrt", formula(argument))
+
+
+def absolute(argument: Formula) -> Call:
+    """Return the absolute value."""
+    return Call("abs", argument)
 
 
 def alternating(exponent: Value) -> Power:
     """Return (-1)^exponent."""
-    return Power(Number(-1), formula(exponent))
+    return Power(number(-1), formula(exponent))
 
 
-def _terms(value: Formula) -> tuple[tuple[int, Formula], ...]:
-    return value.terms if isinstance(value, Sum) else ((1, value),)
+def binomial(upper: Value, lower: Value) -> Apply:
+    """Return the binomial coefficient C(upper, lower)."""
+    return Apply("binomial", (formula(upper), formula(lower)))
+
+
+def hypergeometric(a: Value, b: Value, c: Value, z: Value) -> Apply:
+    """Return Gauss' hypergeometric function 2F1(a, b; c; z)."""
+    return Apply("hyp2f1", (formula(a), formula(b), formula(c), formula(z)))
+
+
+def total(index: Name, first: Value, last: Value | None, body: Formula) -> Summation:
+    """Return the sum of `body` over `index` from `first` to `last`, or without end where that is None."""
+    return Summation(body, index, formula(first), INFINITY if last is None else formula(last))
+
+
+def monomial(coefficient: Fraction, base: Formula, exponent: int, of: Formula | None = None) -> Formula:
+    """Return coefficient x base^exponent x `of` as one fraction; the coefficient is positive.
+
+    >>> x = Name("x")
+    >>> monomial(Fraction(3, 8), x, -2) == Quotient(number(3), number(8) * x**2)
+    True
+    >>> monomial(Fraction(1), x, 1, of=Name("y")) == x * Name("y")
+    True
+    """
+    above, below = coefficient.as_integer_ratio()
+    power = base if abs(exponent) == 1 else Power(base, number(abs(exponent)))
+    over: list[Formula] = [number(above)] if above != 1 else []
+    under: list[Formula] = [number(below)] if below != 1 else []
+    if exponent:
+        (over if exponent > 0 else under).append(power)
+    if of is not None:
+        over.append(of)
+    return Quotient(_product(over), _product(under)) if under else _product(over)
+
+
+def _product(factors: list[Formula]) -> Formula:
+    if len(factors) == 1:
+        return factors[0]
+    return Product(tuple(factors)) if factors else number(1)
+
+
+def signed(sign: int, value: Formula) -> Formula:
+    """Return a term of a sum with its sign: the value, or its negative."""
+    return value if sign > 0 else Negative(value)
+
+
+def _terms(value: Formula) -> tuple[Formula, ...]:
+    return value.terms if isinstance(value, Sum) else (value,)
 
 
 def _factors(value: Formula) -> tuple[Formula, ...]:
-    return value.factors if isinstance(value, Times) else (value,)
+    return value.factors if isinstance(value, Product) else (value,)
+
+
+# Walking ----------------------------------------------------------------------------------------
+
+_SINGLE: dict[type[Formula], tuple[str, ...]] = {
+    Quotient: ("numerator", "denominator"),
+    Power: ("base", "exponent"),
+    Negative: ("operand",),
+    Call: ("argument",),
+    Subscript: ("base", "index"),
+    Derivative: ("expression", "variable"),
+    Summation: ("body", "index", "lower", "upper"),
+}
+_SEVERAL: dict[type[Formula], str] = {Sum: "terms", Product: "factors", Apply: "arguments"}
+
+
+def children(node: Formula) -> tuple[Formula, ...]:
+    """Return the parts of a formula, in the order written.
+
+    >>> children(Quotient(number(1), Name("s")))
+    (Number(span=(0, 0), value=Fraction(1, 1), last_place=None), Name(span=(0, 0), name='s'))
+    """
+    kind = type(node)
+    if kind in _SEVERAL:
+        return getattr(node, _SEVERAL[kind])
+    if isinstance(node, Matrix):
+        return tuple(entry for row in node.rows for entry in row)
+    found = (getattr(node, name) for name in _SINGLE.get(kind, ()))
+    return tuple(part for part in found if part is not None)
+
+
+def with_children(node: Formula, parts: tuple[Formula, ...]) -> Formula:
+    """Return the formula with its parts (as `children` lists them) replaced."""
+    if isinstance(node, Sum):
+        return Sum(parts, span=node.span)
+    if isinstance(node, Product):
+        return Product(parts, span=node.span)
+    if isinstance(node, Apply):
+        return replace(node, arguments=parts)
+    given = iter(parts)
+    if isinstance(node, Matrix):
+        return replace(node, rows=tuple(tuple(next(given) for _ in row) for row in node.rows))
+    own = (name for name in _SINGLE.get(type(node), ()) if getattr(node, name) is not None)
+    changes = {name: next(given) for name in own}
+    return replace(node, **changes) if changes else node
+
+
+def walk(node: Formula) -> Iterator[Formula]:
+    """Yield the formula and everything in it, outermost first."""
+    yield node
+    for part in children(node):
+        yield from walk(part)
+
+
+def names(node: Formula) -> frozenset[str]:
+    """Return the letters that occur in a formula.
+
+    >>> sorted(names(Name("s") * Call("sin", Name("theta"))))
+    ['s', 'theta']
+    """
+    return frozenset(part.name for part in walk(node) if isinstance(part, Name))

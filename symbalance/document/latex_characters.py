@@ -23,14 +23,14 @@ _SPECIAL = {
 def escaped(text: str) -> str:
     r"""Return text as LaTeX prints it; a character that its standard fonts lack becomes its code.
 
-    >>> print(escaped("50 % of s_1 √ 度"))
-    50 \% of s\_1 $\surd$ \texttt{U+5EA6}
+    Chinese, Japanese and Korean stay as they are, for lualatex.
+
+    >>> print(escaped("50 % of s_1 √ 度 ☃"))
+    50 \% of s\_1 $\surd$ 度 \texttt{U+2603}
     """
     return "".join(_SPECIAL.get(c, c if c.isascii() else letter(c)) for c in encodable_name(text))
 
 
-_RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
-_LOWERED = "₀₁₂₃₄₅₆₇₈₉"
 _SIGNS = {
     "≈": r"$\approx$",
     "≥": r"$\geq$",
@@ -65,8 +65,10 @@ _SIGNS = {
     "\u202f": " ",
     "≃": r"$\simeq$",
     "∈": r"$\in$",
-    "ₓ": "$_x$",
     "∼": r"$\sim$",
+    "─": "--",
+    "Å": r"\AA{}",
+    "µ": r"$\mu$",
     "‐": "-",
     "‑": "-",
     "‘": "`",
@@ -76,20 +78,42 @@ _SIGNS = {
 }
 
 
+def east_asian(text: str) -> list[str]:
+    """Return the Chinese, Japanese and Korean characters of a text, each once, in order.
+
+    >>> east_asian("角度 of 度 and θ")
+    ['度', '角']
+    """
+    return sorted(set(filter(_is_east_asian, text)))
+
+
+def _is_east_asian(character: str) -> bool:
+    return (
+        character > "\u2e7f"
+        and unicodedata.east_asian_width(character) in "WF"
+        and character < "\U0001f000"
+    )
+
+
 def letter(character: str) -> str:
     """Return a character beyond ASCII as LaTeX prints it; by its code where it cannot."""
     if character in _SIGNS:
         return _SIGNS[character]
-    if character in _RAISED:
-        return rf"$^{{{'-0123456789'[_RAISED.index(character)]}}}$"
-    if character in _LOWERED:
-        return rf"$_{{{_LOWERED.index(character)}}}$"
     name = unicodedata.name(character, "")
-    if greek := _greek(name):
-        return greek
-    if name.startswith("LATIN ") and character <= "\u00ff":
+    if known := _greek(name) or _script(character):
+        return known
+    if (name.startswith("LATIN ") and character <= "\u00ff") or _is_east_asian(character):
         return character
     return rf"\texttt{{U+{ord(character):04X}}}"
+
+
+def _script(character: str) -> str:
+    """Return a raised or lowered character, empty for any other."""
+    kind, _, code = unicodedata.decomposition(character).partition(" ")
+    if kind not in ("<super>", "<sub>") or " " in code:
+        return ""
+    line = chr(int(code, 16)).replace("−", "-")
+    return rf"${'^' if kind == '<super>' else '_'}{{{line}}}$" if line.isascii() else ""
 
 
 def _greek(name: str) -> str:

@@ -1,146 +1,335 @@
-r"""Formulas as LaTeX, displayed or within a sentence.
+r"""Formulas as LaTeX for amsmath, displayed or within a sentence, that reads back as the same formula.
 
 >>> from symbalance.document.formula import Name, cos
->>> print(LatexWriter().write(Name("r") * (1 - cos(Name("theta")))))
+>>> print(formula_latex(Name("r") * (1 - cos(Name("theta")))))
 r \left(1 - \cos \theta\right)
 """
 
 from __future__ import annotations
 
 import re
-from fractions import Fraction
-from typing import ClassVar
 
-from symbalance.document import formula as f
-from symbalance.document.notation import LATEX_NAMES, monomial_latex
-from symbalance.document.writer import Visitor, bare_argument, holds_a_sum, meet
+from symbalance.document.formula import (
+    Apply,
+    Call,
+    Constant,
+    Decimal,
+    Derivative,
+    Dots,
+    Equation,
+    Formula,
+    Matrix,
+    Name,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Subscript,
+    Sum,
+    Summation,
+    Words,
+    walk,
+)
+from symbalance.document.formula_printing import (
+    ATOM,
+    POWER,
+    QUOTIENT,
+    SIGN,
+    FormulaWriter,
+    holds_a_sum,
+    is_whole,
+    strength,
+)
+from symbalance.document.formula_printing import PRODUCT as PRODUCT_STRENGTH
+from symbalance.document.latex_characters import escaped
+from symbalance.document.letters import CIRCULAR, latex_letter
 
 
-class LatexWriter(Visitor):
-    """LaTeX for amsmath; widths in points, on the wide side."""
+def formula_latex(formula: Formula | Equation, inline: bool = False) -> str:
+    r"""Return a formula or an equation as LaTeX for math mode.
 
-    names = LATEX_NAMES
-    minus = "-"
-    relations: ClassVar[dict[str, str]] = {"≈": r"\approx", "≤": r"\leq"}
+    `inline` is for a line of a paragraph: fractions with a slash.
+
+    >>> from symbalance.document.formula import Name
+    >>> ratio = Call("sin", Name("theta")) / Name("m_rec")
+    >>> print(formula_latex(ratio), formula_latex(ratio, inline=True))
+    \frac{\sin \theta}{m_{\mathrm{rec}}} \sin \theta/m_{\mathrm{rec}}
+    """
+    writer = InlineLatexWriter() if inline else LatexWriter()
+    return writer.equation(formula) if isinstance(formula, Equation) else writer.write(formula)
+
+
+class LatexWriter(FormulaWriter):
+    """LaTeX for amsmath; widths in digits, on the wide side."""
+
+    dots_sign = "\\cdots"
+    relations = {"≈": r"\approx", "≤": r"\leq"}  # noqa: RUF012 - a table
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._widths: dict[str, float] = {}
 
     def width(self, printed: str) -> float:
-        """Return a generous estimate in points: digits take 5, letters 6, signs 12."""
-        flat = _FRACTION.sub(lambda m: max(m[1], m[2], key=self.width), printed)
-        flat = _FUNCTION.sub(lambda m: m[1], _FENCE.sub("", flat))
-        flat = _BARE.sub("", _COMMAND.sub("x", flat))
-        return 5.5 * len(flat) + 8 * sum(map(flat.count, "+-=≈"))
+        """Return how many digits wide something printed is, on the wide side: `latex_width`."""
+        width = self._widths.get(printed)
+        if width is None:
+            width = self._widths[printed] = latex_width(printed)
+        return width
 
-    def fences(self, value: f.Sum) -> tuple[str, str]:
+    def fences(self, value: Sum, printed: str) -> tuple[str, str]:
         r"""Return brackets of fixed size, which may stand on different lines as \left, \right may not."""
-        tall = r"\biggl", r"\biggr"
-        size = tall if any(mark in self.write(value) for mark in _TALL) else ("", "")
+        size = (r"\biggl", r"\biggr") if _is_tall(printed) else ("", "")
         left, right = ("[", "]") if holds_a_sum(value) else ("(", ")")
         return size[0] + left, size[1] + right
 
-    def product(self, left: f.Formula, right: f.Formula) -> str:
-        """Return a dot between digits, a thin space where letters would run together, else none."""
-        if meet(left, right):
-            return r" \cdot "
-        apart = isinstance(left, f.Scientific) or isinstance(right, f.Series2F1 | f.Over)
-        return r" \, " if apart else " "
+    def bracketed(self, printed: str) -> str:
+        """Return something printed in brackets that grow with it."""
+        return f"\\left({printed}\\right)"
 
-    def factor(self, value: f.Formula) -> str:
-        """Return a factor, sums in brackets that grow with them."""
-        if isinstance(value, f.Sum):
+    def factor(self, value: Formula, closed: bool = False, last: bool = False) -> str:
+        """Return a factor of a product, in brackets where it needs them."""
+        if isinstance(value, Sum) and len(value.terms) > 1:
             left, right = ("[", "]") if holds_a_sum(value) else ("(", ")")
             return rf"\left{left}{self.write(value)}\right{right}"
-        return self.write(value)
+        least = POWER
+        if isinstance(value, Decimal):
+            least = PRODUCT_STRENGTH
+        elif last and not closed and isinstance(value, Summation):
+            least = SIGN
+        elif last and not closed and isinstance(value, Derivative) and isinstance(value.expression, Name):
+            least = QUOTIENT
+        return self.write(value, least, closed)
 
-    def _number(self, value: f.Number) -> str:
-        return r"\tfrac{1}{2}" if value.value == Fraction(1, 2) else str(value.value)
+    def between(self, before: Formula, piece: str, after: Formula) -> str:
+        """Return a dot before digits, a thin space where letters would run together, else none."""
+        word_before = isinstance(before, Words) and not isinstance(after, Call)  # \cos has its own space
+        if isinstance(before, Decimal) or isinstance(after, Words) or word_before:
+            return r" \, "
+        digits = piece[:1].isdecimal() and not isinstance(before, Sum)
+        mixed = isinstance(before, Number) and piece.startswith("\\frac")
+        if digits or mixed or before == Name("d"):
+            return " \\cdot "
+        apart = piece.startswith("\\frac") or (isinstance(after, Apply) and after.function == "hyp2f1")
+        return r" \, " if apart else " "
 
-    def _scientific(self, value: f.Scientific) -> str:
-        if value.exponent == 0:
-            return value.mantissa
-        return rf"{value.mantissa} \times 10^{{{value.exponent}}}"
+    def binding(self, node: Formula) -> int:
+        """Return how tightly a formula binds; a fraction with a bar needs brackets only as a base."""
+        found = strength(node)
+        while isinstance(node, Product) and len(node.factors) == 1:
+            node = node.factors[0]
+        return POWER if found == QUOTIENT and isinstance(node, Quotient | Number) else found
 
-    def _monomial(self, value: f.Monomial) -> str:
-        return monomial_latex(value, self.write(value.of) if value.of else "")
+    def fraction(self, top: int, bottom: int) -> str:
+        """Return a fraction of two numbers."""
+        return f"\\frac{{{top}}}{{{bottom}}}"
 
-    def _over(self, value: f.Over) -> str:
-        return rf"\frac{{{self.write(value.over)}}}{{{self.write(value.under)}}}"
+    def decimal(self, node: Decimal, _: bool) -> str:
+        """Write a decimal with its power of ten."""
+        mantissa, *exponent = node.text.split("e")
+        return mantissa + (rf"\cdot 10^{{{int(exponent[0])}}}" if exponent else "")
 
-    def _power(self, value: f.Power) -> str:
-        base = self.write(value.base)
-        bare = isinstance(value.base, f.Name | f.Indexed) or base.isdecimal()
-        return (base if bare else rf"\left({base}\right)") + f"^{{{self.write(value.exponent)}}}"
+    def name(self, node: Name, _: bool) -> str:
+        """Write a letter."""
+        return latex_letter(node.name)
 
-    def _root(self, value: f.Root) -> str:
-        return rf"\sqrt{{{self.write(value.inside)}}}"
+    def constant(self, node: Constant, _: bool) -> str:
+        """Write pi, e, i or infinity; only within exp the letter i is the imaginary unit."""
+        if node.name == "i" and self.exponentials:
+            return "i"
+        return _CONSTANTS.get(node.name, node.name)
 
-    def _absolute(self, value: f.Absolute) -> str:
-        return rf"\lvert {self.write(value.inside)} \rvert"
+    def words(self, node: Words, _: bool) -> str:
+        """Write words."""
+        upright = node.text.isascii() and node.text.isalpha()
+        return rf"\mathrm{{{node.text}}}" if upright else rf"\text{{{escaped(node.text)}}}"
 
-    def _applied(self, value: f.Applied) -> str:
-        name = _LATEX_FUNCTIONS.get(value.function, rf"\{value.function}")
-        name += f"^{{{self.write(value.power)}}}" if value.power else ""
-        if bare_argument(value):
-            return f"{name} {self.write(value.argument)}"
-        return rf"{name}\left({self.write(value.argument)}\right)"
+    def dots(self, _node: Dots, _: bool) -> str:
+        """Write dots."""
+        return self.dots_sign
 
-    def _indexed(self, value: f.Indexed) -> str:
-        return f"{value.letter}_{{{self.write(value.index)}}}"
+    def product(self, node: Product, closed: bool) -> str:
+        """Write a b c."""
+        factors, last = node.factors, len(node.factors) - 1
+        if last < 1:
+            return self.write(factors[0], 0, closed) if factors else "1"
+        printed = self.factor(factors[0], closed=True)
+        for place, factor in enumerate(factors[1:], 1):
+            piece = self.factor(factor, closed or place < last, place == last)
+            printed += self.between(factors[place - 1], piece, factor) + piece
+        return printed
 
-    def _binomial(self, value: f.Binomial) -> str:
-        return rf"\binom{{{self.write(value.upper)}}}{{{self.write(value.lower)}}}"
+    def quotient(self, node: Quotient, _: bool) -> str:
+        """Write a fraction with a bar."""
+        return f"\\frac{{{self.write(node.numerator)}}}{{{self.write(node.denominator)}}}"
 
-    def _series2f1(self, value: f.Series2F1) -> str:
-        a, b, c, z = (self.write(part) for part in (value.a, value.b, value.c, value.z))
-        return rf"{{}}_{{2}}F_{{1}}\left({a}, {b}; {c}; {z}\right)"
+    def power(self, node: Power, closed: bool) -> str:
+        """Write a to the power of b."""
+        base, exponent = node.base, node.exponent
+        if isinstance(base, Call) and base.function in CIRCULAR and _is_positive(exponent):
+            head = f"\\{base.function}^{{{self.write(exponent)}}}"
+            return head + self._argument(base.argument, closed)
+        return f"{self.write(base, ATOM, closed=True)}^{{{self.write(exponent)}}}"
 
-    def _total(self, value: f.Total) -> str:
-        index, first = self.write(value.index), self.write(value.first)
-        last = r"\infty" if value.last is None else self.write(value.last)
-        return rf"\sum_{{{index}={first}}}^{{{last}}} {self.factor(value.body)}"
+    def call(self, node: Call, closed: bool) -> str:
+        """Write sin x, a root, an absolute value, exp(x)."""
+        if node.function == "exp":
+            return f"\\exp\\left({self.exponential(node)}\\right)"
+        inside = self.write(node.argument) if node.function in ("sqrt", "abs") else ""
+        if node.function == "sqrt":
+            return f"\\sqrt{{{inside}}}"
+        if node.function == "abs":
+            left, right = ("\\left", "\\right") if _is_tall(inside) else ("", "")
+            return f"{left}\\lvert {inside} {right}\\rvert"
+        word = _FUNCTIONS.get(node.function, f"\\{node.function}")
+        return word + self._argument(node.argument, closed)
+
+    def _argument(self, node: Formula, closed: bool) -> str:
+        if not closed:
+            if _is_bare_argument(node):
+                return f" {self.write(node)}"
+            if isinstance(node, Quotient) and not any(isinstance(part, Call) for part in walk(node)):
+                printed = self.write(node)
+                return f"\\t{printed[1:]}" if printed.startswith("\\frac") else self.bracketed(printed)
+        return self.bracketed(self.write(node))
+
+    def apply(self, node: Apply, _: bool) -> str:
+        """Write a binomial coefficient, 2F1, atan2(y, x)."""
+        arguments = [self._small(argument) for argument in node.arguments]
+        if node.function == "binomial":
+            return rf"\binom{{{arguments[0]}}}{{{arguments[1]}}}"
+        left, right = (r"\left(", r"\right)") if any(map(_is_tall, arguments)) else ("(", ")")
+        if node.function == "hyp2f1":
+            a, b, c, z = arguments
+            return rf"{{}}_{{2}}F_{{1}}{left}{a}, {b}; {c}; {z}{right}"
+        return rf"\operatorname{{{escaped(node.function)}}}{left}{', '.join(arguments)}{right}"
+
+    def _small(self, argument: Formula) -> str:
+        r"""Write an argument among others: a half is small in it."""
+        return self.write(argument).replace(r"\frac{1}{2}", r"\tfrac{1}{2}")
+
+    def subscript(self, node: Subscript, _: bool) -> str:
+        """Write a letter with an index; one that has an index of its own goes into braces."""
+        base = self.write(node.base, ATOM)
+        if "_" in base:
+            base = f"{{{base}}}"
+        return f"{base}_{{{self.write(node.index)}}}"
+
+    def derivative(self, node: Derivative, _: bool) -> str:
+        """Write dx/dθ, or d/dθ(expression)."""
+        order = f"^{{{node.order}}}" if node.order > 1 else ""
+        below = f"\\mathrm{{d}}{latex_letter(node.variable.name)}{order}"
+        if isinstance(node.expression, Name):
+            return self._bar(f"\\mathrm{{d}}{order}{latex_letter(node.expression.name)}", below)
+        return self._bar(f"\\mathrm{{d}}{order}", below) + self.bracketed(self.write(node.expression))
+
+    def _bar(self, above: str, below: str) -> str:
+        return f"\\frac{{{above}}}{{{below}}}"
+
+    def summation(self, node: Summation, closed: bool) -> str:
+        """Write a sum sign with its bounds."""
+        bounds = ""
+        if node.index is not None:
+            lower = f"={self.write(node.lower)}" if node.lower is not None else ""
+            bounds = f"_{{{latex_letter(node.index.name)}{lower}}}"
+            bounds += f"^{{{self.write(node.upper)}}}" if node.upper is not None else ""
+        return f"\\sum{bounds} {self.write(node.body, PRODUCT_STRENGTH, closed)}"
+
+    def matrix(self, node: Matrix, _: bool) -> str:
+        """Write a matrix in round brackets."""
+        rows = r" \\ ".join(" & ".join(map(self.write, row)) for row in node.rows)
+        return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
 
 
 class InlineLatexWriter(LatexWriter):
     r"""LaTeX within a sentence: fractions with a slash.
 
-    >>> InlineLatexWriter().write(f.Name("l") / (2 * f.Name("r")))
+    >>> from symbalance.document.formula import number
+    >>> InlineLatexWriter().write(Name("l") / (number(2) * Name("r")))
     'l/(2 r)'
     """
 
-    def factor(self, value: f.Formula) -> str:
+    def bracketed(self, printed: str) -> str:
+        """Return something printed in brackets; nothing is tall within a sentence."""
+        return f"({printed})"
+
+    def binding(self, node: Formula) -> int:
+        """Return how tightly a formula binds."""
+        return strength(node)
+
+    def fraction(self, top: int, bottom: int) -> str:
+        """Return a fraction of two numbers."""
+        return f"{top}/{bottom}"
+
+    def factor(self, value: Formula, closed: bool = False, last: bool = False) -> str:
         """Return a factor, sums and slashed fractions in brackets."""
-        printed = super().factor(value)
-        return f"({printed})" if isinstance(value, f.Over) else printed
+        if last and isinstance(value, Quotient):
+            return self.write(value)
+        return super().factor(value, closed, last)
 
-    def _monomial(self, value: f.Monomial) -> str:
-        size, letter = value.coefficient, f.Name(value.letter) ** f.Number(abs(value.exponent))
-        power = f.Name(value.letter) if abs(value.exponent) == 1 else letter
-        over: list[f.Formula] = [f.Number(size.numerator)] if size.numerator > 1 else []
-        under: list[f.Formula] = [f.Number(size.denominator)] if size.denominator > 1 else []
-        (over if value.exponent > 0 else under).append(power)
-        over += [value.of] if value.of else []
-        above = f.Times(tuple(over)) if over else f.Number(1)
-        return self._over(f.Over(above, _product(under))) if under else self.write(above)
+    def quotient(self, node: Quotient, _: bool) -> str:
+        """Write a/b."""
+        above = self.write(node.numerator, PRODUCT_STRENGTH)
+        return f"{above}/{self.write(node.denominator, POWER)}"
 
-    def _over(self, value: f.Over) -> str:
-        over, under = self.write(value.over), self.write(value.under)
-        if isinstance(value.over, f.Sum):
-            over = f"({over})"
-        return (
-            f"{over}/({under})"
-            if isinstance(value.under, f.Sum | f.Times | f.Over)
-            else f"{over}/{under}"
-        )
+    def _bar(self, above: str, below: str) -> str:
+        return f"{above}/{below}"
 
 
-def _product(factors: list[f.Formula]) -> f.Formula:
-    return factors[0] if len(factors) == 1 else f.Times(tuple(factors))
+_CONSTANTS = {"pi": "\\pi", "infinity": "\\infty", "e": "\\exp\\left(1\\right)", "i": "\\sqrt{-1}"}
+_FUNCTIONS = {"asin": "\\arcsin", "acos": "\\arccos", "atan": "\\arctan"}
+_TALL = (r"\frac", r"\binom", r"\sum", r"\sqrt", r"\tfrac", r"\begin")
 
 
-_TALL = (r"\frac", r"\binom", r"\sum", r"\sqrt")
-_LATEX_FUNCTIONS = {"asin": r"\arcsin"}
-_INNER = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
-_FRACTION = re.compile(rf"\\frac{_INNER}{_INNER}")
-_FUNCTION = re.compile(r"\\(sin|cos|arcsin)")
-_FENCE = re.compile(r"\\(?:left|right|biggl|biggr|lvert|rvert)")
-_COMMAND = re.compile(r"\\[a-zA-Z]+")
-_BARE = re.compile(r"[\^_{} ]|\\,")
+def _is_tall(printed: str) -> bool:
+    return any(mark in printed for mark in _TALL)
+
+
+def _is_positive(exponent: Formula) -> bool:
+    r"""Tell whether an exponent may stand right after a function: \sin^{-1} is the inverse."""
+    if isinstance(exponent, Product):
+        return is_whole(exponent.factors[0]) and all(isinstance(f, Name) for f in exponent.factors[1:])
+    if isinstance(exponent, Sum):
+        return _is_positive(exponent.terms[0]) and all(map(is_whole, exponent.terms[1:]))
+    return is_whole(exponent) or isinstance(exponent, Name)
+
+
+def _is_bare_argument(node: Formula) -> bool:
+    """Tell whether a function needs no brackets around a formula: θ, 2θ, 2kθ."""
+    if isinstance(node, Product):
+        first, *rest = node.factors
+        return bool(rest) and is_whole(first) and all(isinstance(factor, Name) for factor in rest)
+    return isinstance(node, Name)
+
+
+# How wide ---------------------------------------------------------------------------------------
+
+
+def latex_width(printed: str) -> float:
+    r"""Return about how many digits wide a formula is printed, up to a fourteenth too few.
+
+    A fraction is as wide as its wider part; a sign takes a digit and the space around it, a bracket that
+    grows half a digit more than a plain one.
+
+    >>> latex_width(r"6 \sqrt{3}"), latex_width(r"\frac{1}{2} - \cos\tfrac{2 \pi}{7}")
+    (4.0, 8.5)
+    """
+    flat = _FUNCTION.sub(r"\1", _SILENT.sub("", printed.replace(r"\sqrt", "xx")))
+    flat = _LETTER.sub("x", flat)
+    while (simpler := _INNERMOST.sub(_wider, flat)) != flat:
+        flat = simpler
+    tall = printed.count(r"\left") + printed.count(r"\right") + printed.count(r"\bigg")
+    return len(flat.replace(" ", "")) + 1.5 * len(_SIGN.findall(flat)) + 0.5 * tall
+
+
+_SILENT = re.compile(
+    r"\\(left|right|biggl|biggr|operatorname|text|mathrm|lvert|rvert|[ ,])|[\^_](?=\{)|&"
+)
+_FUNCTION = re.compile(r"\\(cos|sin|arcsin)")
+_LETTER = re.compile(r"\\(?!t?frac)[a-zA-Z]+")
+_SIGN = re.compile(r"[-+=≈]")
+_INNERMOST = re.compile(r"\\t?frac\{([^{}]*)\}\{([^{}]*)\}|(?<!frac)(?<!\})\{([^{}]*)\}")
+
+
+def _wider(found: re.Match[str]) -> str:
+    """Return the wider part of a fraction, or what a pair of braces holds."""
+    return found[3] if found[1] is None else max(found[1], found[2], key=len)

@@ -2,6 +2,7 @@
 
 An equation becomes pieces that may not be split, nested as its brackets are. A piece that does not fit
 what is left of a line goes to the next one; one that fits no line is broken at the signs inside it.
+How wide a piece is, says the medium: text counts columns, LaTeX the width of digits.
 """
 
 from __future__ import annotations
@@ -9,9 +10,40 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Protocol
 
-from symbalance.document.formula import Formula, Sum, Times
-from symbalance.document.writer import Writer
+from symbalance.document.formula import Dots, Equation, Formula, Negative, Product, Sum, Summation
+from symbalance.document.formula_printing import PRODUCT
+
+
+class Medium(Protocol):
+    """A writer that knows how wide what it writes is, in a unit of its own."""
+
+    minus: str
+
+    def write(self, node: Formula, least: int = 0, closed: bool = False) -> str:
+        """Return a formula in print."""
+        ...
+
+    def relation(self, sign: str) -> str:
+        """Return the sign of a relation in print."""
+        ...
+
+    def width(self, printed: str) -> float:
+        """Return how much room something printed takes."""
+        ...
+
+    def fences(self, value: Sum, printed: str) -> tuple[str, str]:
+        """Return the brackets around a sum, `printed`, that may run over several lines."""
+        ...
+
+    def factor(self, value: Formula, closed: bool = False, last: bool = False) -> str:
+        """Return a factor of a product, in brackets where it needs them."""
+        ...
+
+    def between(self, before: Formula, piece: str, after: Formula) -> str:
+        """Return what stands between a factor and the one after it, which prints as `piece`."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +64,7 @@ class Line:
     width: float
 
 
-def broken(relation: str, right: Formula, writer: Writer, room: float, indent: float) -> list[Line]:
+def broken(relation: str, right: Formula, medium: Medium, room: float, indent: float) -> list[Line]:
     """Return `relation right` in lines no wider than `room` where that can be.
 
     Each bracket a line continues takes up `indent` of its room.
@@ -43,9 +75,58 @@ def broken(relation: str, right: Formula, writer: Writer, room: float, indent: f
     >>> [line.printed for line in broken("=", a * (a + b * (a + b) - c), TextWriter(), 14, 2)]
     ['= a [a', '+ b (a + b)', '− c]']
     """
-    piece = _glued(_piece(right, writer), f"{relation} ", "", writer)
-    done = [Line(0, "", 0)]
-    _fill((piece,), done, room, indent, 0)
+    piece = _glued(_piece(right, medium), f"{medium.relation(relation)} ", "", medium)
+    return filled((piece,), room, indent)
+
+
+def broken_equation(equation: Equation, medium: Medium, room: float, indent: float) -> list[Line]:
+    """Return what stands right of an equation's left side, in lines: short links together on one.
+
+    >>> from symbalance.document.text_writer import TextWriter
+    >>> from symbalance.document.formula import Name, equal
+    >>> a, b, c = map(Name, "abc")
+    >>> [line.printed for line in broken_equation(equal(a, b, c, a + b + c), TextWriter(), 9, 2)]
+    ['= b = c', '= a + b', '+ c']
+    """
+    lines: list[Line] = []
+    space, held = medium.width(" "), False
+    for sign, right in equation.links:
+        link = broken(sign, right, medium, room, indent)
+        head = link[0]
+        if held and len(link) == 1 and lines[-1].width + space + head.width <= room:
+            lines[-1] = Line(
+                0, f"{lines[-1].printed} {head.printed}", lines[-1].width + space + head.width
+            )
+            continue
+        lines += link
+        held = len(link) == 1
+    return lines
+
+
+def broken_sum(value: Formula, medium: Medium, room: float, first: float, indent: float) -> list[Line]:
+    """Return a formula in lines of which the first has `first` of the room, the others all but `indent`.
+
+    >>> from symbalance.document.text_writer import TextWriter
+    >>> from symbalance.document.formula import Name
+    >>> a, b, c = map(Name, "abc")
+    >>> [line.printed for line in broken_sum(a + b - c, TextWriter(), 10, 3, 2)]
+    ['a', '+ b − c']
+    """
+    piece = _piece(value, medium)
+    lines = filled(piece.inside or (piece,), room, indent, taken=room - first, depth=1)
+    # Whole on one line it has brackets that grow, which the pieces of a broken one cannot have.
+    return lines if len(lines) > 1 else [Line(0, medium.write(value), lines[0].width)]
+
+
+def filled(
+    pieces: Iterable[Piece], room: float, indent: float, taken: float = 0, depth: int = 0
+) -> list[Line]:
+    """Return pieces in lines no wider than `room` where that can be; `taken` is gone from the first.
+
+    Lines after the first are `depth` brackets deep.
+    """
+    done = [Line(0, "", taken)]
+    _fill(pieces, done, room, indent, depth)
     return done
 
 
@@ -63,51 +144,61 @@ def _fill(pieces: Iterable[Piece], done: list[Line], room: float, indent: float,
             _fill(piece.inside, done, room, indent, depth + 1)
 
 
-def _piece(value: Formula, writer: Writer) -> Piece:
-    if isinstance(value, Sum):
-        signs = [writer.minus if value.terms[0][0] < 0 else ""]
-        signs += [f" {'+' if sign > 0 else writer.minus} " for sign, _ in value.terms[1:]]
-        terms = [
-            _glued(
-                _bracketed(term, writer) if isinstance(term, Sum) else _piece(term, writer),
-                sign,
-                "",
-                writer,
-            )
-            for sign, (_, term) in zip(signs, value.terms, strict=True)
-        ]
-        return _joined(terms)
-    if isinstance(value, Times) and any(isinstance(factor, Sum) for factor in value.factors):
-        return _product(value, writer)
-    printed = writer.write(value)
-    return Piece(printed, writer.width(printed))
+def _piece(value: Formula, medium: Medium) -> Piece:
+    if isinstance(value, Sum) and len(value.terms) > 1:
+        return _joined([_term(term, not place, medium) for place, term in enumerate(value.terms)])
+    if isinstance(value, Product) and any(isinstance(factor, Sum) for factor in value.factors):
+        return _product(value, medium)
+    printed = medium.write(value)
+    return Piece(printed, medium.width(printed))
 
 
-def _product(value: Times, writer: Writer) -> Piece:
+def _term(term: Formula, first: bool, medium: Medium) -> Piece:
+    negative = isinstance(term, Negative)
+    operand = term.operand if negative else term
+    sign = medium.minus if negative else "" if first else "+"
+    if not first:
+        sign = f" {sign} "
+    if isinstance(operand, Sum):
+        piece = _bracketed(operand, medium)
+    elif isinstance(operand, Product):
+        piece = _piece(operand, medium)
+    else:
+        bare = isinstance(operand, Summation | Dots) or not sign
+        printed = medium.write(operand, 0 if bare else PRODUCT)
+        piece = Piece(printed, medium.width(printed))
+    return _glued(piece, sign, "", medium)
+
+
+def _product(value: Product, medium: Medium) -> Piece:
     """Return a product that may be broken inside the last of its bracketed factors."""
-    factors = value.factors
+    factors, last = value.factors, len(value.factors) - 1
     place, inner = [(i, factor) for i, factor in enumerate(factors) if isinstance(factor, Sum)][-1]
-    between = [writer.product(left, right) for left, right in pairwise(factors)]
-    before = "".join(writer.factor(factors[i]) + between[i] for i in range(place))
-    after = "".join(between[i] + writer.factor(factors[i + 1]) for i in range(place, len(between)))
-    return _glued(_bracketed(inner, writer), before, after, writer)
+    printed = [medium.factor(factor, i < last, i == last) for i, factor in enumerate(factors)]
+    between = [
+        medium.between(left, piece, right)
+        for (left, right), piece in zip(pairwise(factors), printed[1:], strict=True)
+    ]
+    before = "".join(printed[i] + between[i] for i in range(place))
+    after = "".join(between[i] + printed[i + 1] for i in range(place, last))
+    return _glued(_bracketed(inner, medium), before, after, medium)
 
 
-def _bracketed(value: Sum, writer: Writer) -> Piece:
-    left, right = writer.fences(value)
-    return _glued(_piece(value, writer), left, right, writer)
+def _bracketed(value: Sum, medium: Medium) -> Piece:
+    piece = _piece(value, medium)
+    return _glued(piece, *medium.fences(value, piece.printed), medium)
 
 
-def _glued(piece: Piece, before: str, after: str, writer: Writer) -> Piece:
+def _glued(piece: Piece, before: str, after: str, medium: Medium) -> Piece:
     """Return a piece with something unbreakable before its first part and after its last."""
     if not piece.inside:
         return Piece(
-            before + piece.printed + after, writer.width(before) + piece.width + writer.width(after)
+            before + piece.printed + after, medium.width(before) + piece.width + medium.width(after)
         )
     first, *rest = piece.inside
-    parts = [_glued(first, before, "" if rest else after, writer), *rest]
+    parts = [_glued(first, before, "" if rest else after, medium), *rest]
     if rest:
-        parts[-1] = _glued(parts[-1], "", after, writer)
+        parts[-1] = _glued(parts[-1], "", after, medium)
     return _joined(parts)
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-import sympy
-
-from symbalance.document.expressions import latex, text
+from symbalance.document.expressions import formula_of
+from symbalance.document.formula import Decimal
+from symbalance.document.nodes import Words
+from symbalance.document.text_writer import formula_text
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
@@ -17,96 +16,79 @@ from symbalance.exact.spectrum import Component
 from symbalance.text.reals import atan2, nstr, pi
 
 LONGEST = 34
-"""An exact size whose text is longer than this is printed rounded."""
+"""An exact size whose text is longer than this is written rounded."""
 
 
-@dataclass(frozen=True)
-class Style:
-    """How numbers and angles are printed: as text, or as LaTeX."""
-
-    number: Callable[[Any], str]
-    degree: str
-    nearly: str
-    math: Callable[[str], str]
-
-
-TEXT = Style(text, "°", "≈ ", lambda formula: formula)
-LATEX = Style(latex, r"^\circ", r"\approx ", lambda formula: rf"\({formula}\)")
-
-
-def balancer_lines(layout: Engine, style: Style = TEXT) -> list[str]:
+def balancer_facts(engine: Engine) -> list[Words]:
     """Return what is said of the balancers of an engine, and of rotating masses it takes as balanced.
 
+    >>> from symbalance.document.fitting import plain_words
     >>> from symbalance.engine.builders import inline
-    >>> single = inline("1").balanced_by(Counterweight(throw=1, overbalance="1/2"))
-    >>> balancer_lines(single.balanced_by(BalanceShaft(-1, [Weight(share="1/2", phase=180)])))[1]
-    'shaft at -1 times the crank: share 1/2 at 180°, station 0'
+    >>> single = inline("1").balanced_by(BalanceShaft(-1, [Weight(share="1/2", phase=180)]))
+    >>> plain_words(balancer_facts(single)[0])
+    'shaft at −1 times the crank: share 1/2 at 180°, station 0'
     """
-    found = layout.balancers
-    if not found.counterweights:
-        turning = [c for c in layout.cylinders if c.rotating_mass]
-        lines = ["rotating masses are taken as balanced, throw by throw"] if turning else []
-        if layout.has_link_pin_masses:
-            lines.append("but for what link pins move those on them beside the crank pins")
-    else:
-        lines = [_counterweight(c, style) for c in found.counterweights]
-    return lines + [_shaft(s, style) for s in found.shafts]
+    found = engine.balancers
+    facts: list[Words] = [_counterweight(c) for c in found.counterweights]
+    if not facts:
+        if any(c.rotating_mass for c in engine.cylinders):
+            facts.append("rotating masses are taken as balanced, throw by throw")
+        if engine.has_link_pin_masses:
+            facts.append("but for what link pins move those on them beside the crank pins")
+    return facts + [_shaft(s) for s in found.shafts]
 
 
-def _counterweight(counterweight: Counterweight, style: Style) -> str:
+def _counterweight(counterweight: Counterweight) -> Words:
     where = [f"throw {counterweight.throw}"] if counterweight.throw else []
     where += [f"web {counterweight.web}"] if counterweight.web else []
     opposite = ", from opposite its pin" if where else ""
     if counterweight.station is not None or not where:
-        where.append(f"station {style.math(str(counterweight.station or 0))}")
+        where.append(f"station {signed(counterweight.station or 0)}")
     head = f"counterweight on {', '.join(where)}: "
     if counterweight.weight is None:
-        share = style.math(style.number(_rational(counterweight.overbalance)))
+        share = counterweight.overbalance or 0
         tail = f" from opposite the pin, by {counterweight.angle.as_text()} degrees"
         turned = tail if counterweight.angle.turns or counterweight.angle.symbols else ""
         return f"{head}for its rotating mass and {share} of its reciprocating mass{turned}"
-    return head + _size(counterweight.weight.vector, counterweight.weight.in_kg_mm, style) + opposite
+    return (head, *_size(counterweight.weight.vector, counterweight.weight.in_kg_mm), opposite)
 
 
-def _shaft(shaft: BalanceShaft, style: Style) -> str:
-    turned = shaft.phase.turns or shaft.phase.symbols
-    phase = f", from {shaft.phase.as_text()} degrees" if turned else ""
-    weights = "; ".join(_weight(w, style) for w in shaft.weights)
-    at = f", axis at x = {float(shaft.x):g}, y = {float(shaft.y):g} mm" if shaft.x or shaft.y else ""
-    return f"shaft at {style.math(f'{shaft.speed:+d}')} times the crank: {weights}{phase}{at}"
+def _shaft(shaft: BalanceShaft) -> Words:
+    parts: list[Any] = [f"shaft at {shaft.speed:+d} times the crank: ".replace("-", "−")]
+    for i, weight in enumerate(shaft.weights):
+        parts += ["; "] if i else []
+        parts += _weight(weight)
+    if shaft.phase.turns or shaft.phase.symbols:
+        parts.append(f", from {shaft.phase.as_text()} degrees")
+    if shaft.x or shaft.y:
+        parts.append(f", axis at x = {float(shaft.x):g}, y = {float(shaft.y):g} mm".replace("-", "−"))
+    return tuple(parts)
 
 
-def _weight(weight: Weight, style: Style) -> str:
-    station = style.math(str(weight.station))
-    return f"{_size(weight.vector, weight.in_kg_mm, style)}, station {station}"
+def _weight(weight: Weight) -> tuple[Any, ...]:
+    return (*_size(weight.vector, weight.in_kg_mm), f", station {signed(weight.station)}")
 
 
-def _size(vector: Amplitude, in_kg_mm: bool, style: Style) -> str:
-    printed, unit = size(vector, style), " kg mm" if in_kg_mm else ""
-    return f"{'' if in_kg_mm else 'share '}{style.math(printed)}{unit} at {direction(vector, style)}"
+def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
+    unit = " kg mm" if in_kg_mm else ""
+    return ("" if in_kg_mm else "share ", *size(vector), f"{unit} at ", *direction(vector))
 
 
-def size(vector: Amplitude, style: Style = TEXT) -> str:
-    """Return a weight's size: exactly if that is short, else rounded."""
-    part = Component(vector)
-    exact = style.number(part.amplitude)
-    if len(text(part.amplitude)) <= LONGEST and not part.amplitude.has(sympy.Float):
-        return exact
-    return exact if vector.has_symbols else style.nearly + rounded(size_of(vector))
+def size(vector: Amplitude) -> tuple[Any, ...]:
+    """Return a weight's size in words: exactly if that is short, else ≈ and its decimal."""
+    exact = formula_of(Component(vector).amplitude)
+    if vector.has_symbols or (not vector.is_decimal and len(formula_text(exact)) <= LONGEST):
+        return (exact,)
+    return ("≈ ", Decimal(rounded(vector.size())))
 
 
-def nearly(vector: Amplitude, style: Style = TEXT) -> str:
+def nearly(vector: Amplitude) -> Words:
     """Return a weight's size rounded, empty where the exact one says it all or symbols stand in it."""
-    exact = size(vector, style)
-    if vector.has_symbols or exact.startswith(style.nearly):
+    first, *more = size(vector)
+    if vector.has_symbols or more:
         return ""
-    near = rounded(size_of(vector)).removesuffix(".0")
-    return "" if near == exact else near
-
-
-def size_of(vector: Amplitude) -> Any:
-    """Return a weight's size in decimals."""
-    return vector.size()
+    near = rounded(vector.size()).removesuffix(".0")
+    return "" if near == formula_text(first) else Decimal(near)
 
 
 def rounded(value: Any) -> str:
@@ -114,23 +96,29 @@ def rounded(value: Any) -> str:
     return nstr(value, 5)
 
 
-def direction(vector: Amplitude, style: Style = TEXT) -> str:
+def direction(vector: Amplitude) -> tuple[Any, ...]:
     """Return a weight's direction in degrees from straight up, rounded where it is no fine fraction.
 
+    >>> from symbalance.document.fitting import plain_words
     >>> from symbalance.exact.phasor import Phasor
-    >>> direction(Phasor.root(Fraction(1, 7))), direction(Phasor.of(4, {0: 3, 1: 1}))
-    ('360/7°', '≈ 18.435°')
+    >>> plain_words(direction(Phasor.root(Fraction(1, 7))))
+    '360/7°'
+    >>> plain_words(direction(Phasor.of(4, {0: 3, 1: 1})))
+    '≈ 18.435°'
     """
+    import sympy
+
     phase = Component(vector).phase
     turned = phase * 180 / sympy.pi
     if turned.is_Rational:
-        return style.math(f"{style.number(turned)}{style.degree}")
+        return (formula_of(turned), "°")
     if vector.has_symbols:
-        return style.math(style.number(phase))
+        return (formula_of(phase),)
     near = vector.evaluated()
     degrees = atan2(near.imag, near.real) * 180 / pi()
-    return style.math(f"{style.nearly}{rounded(degrees)}{style.degree}")
+    return ("≈ ", Decimal(rounded(degrees)), "°")
 
 
-def _rational(number: Fraction | None) -> sympy.Expr:
-    return sympy.Rational(0) if number is None else sympy.Rational(number.numerator, number.denominator)
+def signed(number: Fraction | int) -> str:
+    """Return a number with a minus sign of its own."""
+    return str(number).replace("-", "−")

@@ -6,9 +6,10 @@ clockwise. A cylinder's own crank angle is theta + throw - bank: top dead centre
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING, TypeVar
 
 from symbalance.engine.trains import OWN, CrankTrain, Link, check_reach, own_train
 from symbalance.errors import SymbalanceError, shown
@@ -16,12 +17,29 @@ from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, RodSplit, SliderCrank
 from symbalance.text.numbers import checked_whole, exact
 
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+Frozen = TypeVar("Frozen", bound="DataclassInstance")
 NONE = CrankTrain()
 """No size of one's own."""
 CRANKS = 1
 """Cranks of one engine: several, geared together, would each have a speed of their own."""
 MOST_CYLINDERS = 1000
 LONGEST_STATION = 10_000
+
+
+def unchecked_copy(value: Frozen, **changes: object) -> Frozen:
+    """Return a copy of a frozen dataclass with other fields, which the caller has checked.
+
+    The constructors of `Cylinder` and `Engine` take what a person writes, not their fields, so that
+    `dataclasses.replace` is not for them. Cached properties, which depend on the fields, are not copied.
+    """
+    copy = object.__new__(type(value))
+    for field in fields(value):
+        object.__setattr__(copy, field.name, changes.pop(field.name, getattr(value, field.name)))
+    assert not changes, f"no fields: {', '.join(changes)}"
+    return copy
 
 
 @dataclass(frozen=True, init=False)
@@ -161,11 +179,11 @@ class Cylinder:
 
     def with_ratio(self, ratio: Fraction) -> Cylinder:
         """Return the cylinder with another rod ratio; its other sizes stay as they are."""
-        return self._with(sizes=replace(self.sizes, given_ratio=ratio))
+        return unchecked_copy(self, sizes=replace(self.sizes, given_ratio=ratio))
 
     def on_master(self, master: Cylinder) -> Cylinder:
         """Return the cylinder of a link rod with the cylinder that its rod hangs on."""
-        return self._with(master=master)
+        return unchecked_copy(self, master=master)
 
     def with_shared(self, shared: CrankTrain) -> Cylinder:
         """Return the cylinder with sizes that all cylinders share, where it has none of its own.
@@ -174,14 +192,7 @@ class Cylinder:
         """
         if self.link is not None:
             shared = replace(shared, stroke=None, rod=None, given_ratio=None)
-        return self._with(sizes=shared if self.sizes == NONE else shared.overridden(self.sizes))
-
-    def _with(self, **fields: object) -> Cylinder:
-        changed = Cylinder.__new__(Cylinder)
-        had = {name: getattr(self, name) for name in Cylinder.__dataclass_fields__}
-        for name, value in (had | fields).items():
-            object.__setattr__(changed, name, value)
-        return changed
+        return unchecked_copy(self, sizes=shared if self.sizes == NONE else shared.overridden(self.sizes))
 
 
 _centred = lru_cache(maxsize=256)(SliderCrank)

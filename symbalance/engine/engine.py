@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from symbalance.engine.balancers import (
     Balancers,
@@ -16,16 +16,16 @@ from symbalance.engine.balancers import (
     check_shares,
     checked_balancers,
 )
-from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder
+from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, unchecked_copy
 from symbalance.engine.rotors import Rotor, rotors
 from symbalance.engine.trains import checked_size
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import checked_modulus
 from symbalance.kinematics.bodies import Body, bodies
-from symbalance.kinematics.mechanisms import Mechanism
+from symbalance.kinematics.mechanisms import Mechanism, has_link_pin
 from symbalance.kinematics.slider_crank import checked_ratio
-from symbalance.text.numbers import listed
+from symbalance.text.numbers import exact, listed
 
 LONGEST_NAME = 60
 NEAR_TOP = Fraction(1, 8)
@@ -115,12 +115,12 @@ class Engine:
     @property
     def link_pins(self) -> list[int]:
         """The numbers of the cylinders whose rods hang on a link pin away from the crank pin."""
-        return [c.number for c in self.cylinders if c.link and c.link.radius]
+        return [c.number for c in self.cylinders if has_link_pin(c.mechanism)]
 
     @property
     def has_link_pin_masses(self) -> bool:
         """Whether some link pin bears a mass, which moves beside the crank pin's circle."""
-        return any(c.rotating_mass for c in self.cylinders if c.link and c.link.radius)
+        return any(c.rotating_mass for c in self.cylinders if has_link_pin(c.mechanism))
 
     @cached_property
     def sizes(self) -> tuple[Fraction, ...]:
@@ -152,8 +152,8 @@ class Engine:
     def groups(self) -> tuple[Group, ...]:
         """The cylinders in groups that push alike, in the order of the first of each."""
         size = dict(zip((c.number for c in self.cylinders), self.sizes, strict=True))
-        found = self.grouped(lambda c: (c.mechanism, size[c.number]))
-        return tuple(Group(*key, cylinders) for key, cylinders in found.items())
+        groups = self.grouped(lambda c: (c.mechanism, size[c.number]))
+        return tuple(Group(*key, cylinders) for key, cylinders in groups.items())
 
     def grouped(self, key: Callable[[Cylinder], T]) -> dict[T, tuple[Cylinder, ...]]:
         """Return the cylinders in groups of one key each, in the order of the first of each."""
@@ -211,6 +211,10 @@ class Engine:
         """The mean of all stations: the default reference plane of couples."""
         return sum((c.station for c in self.cylinders), Fraction(0)) / len(self.cylinders)
 
+    def plane(self, reference: object = None) -> Fraction:
+        """Return the station couples are taken about: `reference`, exactly, or the stations' mean."""
+        return self.mean_station if reference is None else exact(reference, "reference")
+
     def arms(self, plane: Fraction | None = None) -> list[Fraction]:
         """Return every cylinder's station from a plane (default: the stations' mean), in pitches."""
         level = self.mean_station if plane is None else plane
@@ -230,9 +234,8 @@ class Engine:
         if len({c.ratio for c in self.cylinders if c.link is None}) > 1:
             rule = f"cannot be set for {self.name}, whose cylinders have ratios of their own"
             raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
-        return self._with(
-            cylinders=_joined([c if c.link else c.with_ratio(known) for c in self.cylinders])
-        )
+        changed = [c if c.link else c.with_ratio(known) for c in self.cylinders]
+        return unchecked_copy(self, cylinders=_joined(changed))
 
     def balanced_by(self, *added: Counterweight | BalanceShaft) -> Engine:
         """Return the engine with counterweights and balance shafts added to those it has.
@@ -247,14 +250,6 @@ class Engine:
         balancers = Balancers(had.counterweights + weights, had.shafts + shafts)
         about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch}
         return Engine(self.cylinders, balancers=balancers, **about)
-
-    def _with(self, **changes: Any) -> Engine:
-        """Return a changed copy, whose changes the caller has checked."""
-        changed = Engine.__new__(Engine)
-        had = {name: getattr(self, name) for name in Engine.__dataclass_fields__}
-        for name, value in (had | changes).items():
-            object.__setattr__(changed, name, value)
-        return changed
 
 
 def _is_centred(mechanism: Mechanism | None) -> bool:
@@ -292,13 +287,13 @@ def checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
     if not 1 <= len(cylinders) <= MOST_CYLINDERS:
         rule = f"an engine has 1 to {MOST_CYLINDERS}"
         raise SymbalanceError(f"{len(cylinders)} cylinders", rule, "list each once")
-    seen: set[int] = set()
+    numbers: set[int] = set()
     for cylinder in cylinders:
-        if cylinder.number in seen:
+        if cylinder.number in numbers:
             raise SymbalanceError(
                 f"number = {cylinder.number}", "names two cylinders", "number each cylinder once"
             )
-        seen.add(cylinder.number)
+        numbers.add(cylinder.number)
     return cylinders
 
 

@@ -20,7 +20,7 @@ from symbalance.engine.engine_keys import ENGINE_FILE
 from symbalance.engine.trains import ROD, CrankTrain, Link
 from symbalance.errors import SymbalanceError, encodable_name
 from symbalance.kinematics.slider_crank import checked_ratio
-from symbalance.text.files import read_text
+from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 from symbalance.text.sections import Section, read_sections
 
 LINK = ("master", "link_angle", "link_radius")
@@ -41,7 +41,16 @@ def schema_text() -> str:
 
 def read_engine_file(path: str | Path) -> Engine:
     """Return the engine that a file describes; every refusal names the file and the line."""
-    return parse_engine(read_text(path), str(path), default_name=encodable_name(Path(path).stem))
+    return parse_engine(read_text(path), file_name(path), default_name=default_name(path))
+
+
+def default_name(path: str | Path) -> str:
+    """Return what an engine is called whose file gives no name: after the file.
+
+    >>> default_name("my/v6.toml"), default_name("-")
+    ('v6', 'engine')
+    """
+    return "engine" if str(path) == STANDARD_INPUT else encodable_name(Path(path).stem)
 
 
 def parse_engine(text: str, place: str, default_name: str = "engine") -> Engine:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -27,6 +27,8 @@ from symbalance.text.reals import Real, nstr
 
 DIGITS = 30
 Row = list[tuple[str, Any]]
+Sizes = Mapping[str, Fraction | None]
+"""What a file says of one cylinder's sizes, by key; None where it has none."""
 
 
 def engine_text(layout: Engine) -> str:
@@ -36,12 +38,14 @@ def engine_text(layout: Engine) -> str:
     >>> print(engine_text(inline("1")).splitlines()[3:6])
     ['[[cylinder]]', 'number = 1', 'throw = 0']
     """
+    sizes = [_written_sizes(c) for c in layout.cylinders]
+    shared = _shared(layout, sizes)
     tables = [
         ("", [("name", layout.name), ("strokes", layout.strokes)]),
-        ("[crank_train]", _crank_train(layout)),
+        ("[crank_train]", _crank_train(layout, shared)),
     ]
-    shared = _shared(layout)
-    tables += [("[[cylinder]]", _cylinder(c, shared)) for c in layout.cylinders]
+    rows = zip(layout.cylinders, sizes, strict=True)
+    tables += [("[[cylinder]]", _cylinder(c, own, shared)) for c, own in rows]
     for counterweight in layout.balancers.counterweights:
         tables += [("[[counterweight]]", row) for row in _counterweight(counterweight)]
     tables += [("[[balance_shaft]]", _shaft(s)) for s in layout.balancers.shafts]
@@ -78,15 +82,18 @@ def _given(rows: Iterable[tuple[str, Any]]) -> Row:
     return [(key, value) for key, value in rows if value is not None]
 
 
-def _written_sizes(cylinder: Cylinder) -> dict[str, Fraction | None]:
+def _written_sizes(cylinder: Cylinder) -> Sizes:
     """Return the sizes of a cylinder as a file says them: a rod ratio as a rod, where it has a stroke."""
     sizes, ratio = cylinder.sizes, cylinder.sizes.given_ratio
     if ratio is not None and sizes.stroke is not None:
         sizes, ratio = replace(sizes, rod=ratio * sizes.stroke / 2), None
+    if ratio is not None and sizes.rod is not None:
+        rule = f"cannot stand in an engine file beside rod = {sizes.rod}"
+        raise SymbalanceError(f"ratio = {ratio}", rule, "give stroke and rod")
     return {**{key: getattr(sizes, key) for key in OWN}, "ratio": ratio}
 
 
-def _shared(layout: Engine) -> dict[str, Fraction]:
+def _shared(layout: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
     """Return the sizes that stand in [crank_train]: those no cylinder lacks, as most of them have them.
 
     A link rod takes no stroke, rod and ratio from there.
@@ -94,8 +101,8 @@ def _shared(layout: Engine) -> dict[str, Fraction]:
     shared = {}
     for key in (*OWN, "ratio"):
         values = [
-            _written_sizes(c)[key]
-            for c in layout.cylinders
+            own[key]
+            for c, own in zip(layout.cylinders, sizes, strict=True)
             if c.link is None or key not in ("stroke", "rod", "ratio")
         ]
         known = [value for value in values if value is not None]
@@ -104,17 +111,16 @@ def _shared(layout: Engine) -> dict[str, Fraction]:
     return shared
 
 
-def _crank_train(layout: Engine) -> Row:
-    shared = _shared(layout)
+def _crank_train(layout: Engine, shared: Mapping[str, Fraction]) -> Row:
     keys = ("stroke", "rod", "pitch", *OWN[2:], "ratio")
     return _given((key, layout.pitch if key == "pitch" else shared.get(key)) for key in keys)
 
 
-def _cylinder(cylinder: Cylinder, shared: Mapping[str, Fraction]) -> Row:
+def _cylinder(cylinder: Cylinder, sizes: Sizes, shared: Mapping[str, Fraction]) -> Row:
     places = [("throw", cylinder.throw), ("bank", cylinder.bank)]
     rows: Row = [("number", cylinder.number), *((k, _degrees(a)) for k, a in places)]
     rows += [("station", cylinder.station), ("fires", cylinder.fires)]
-    sizes, link = _written_sizes(cylinder), cylinder.link
+    link = cylinder.link
     if sizes["ratio"] != shared.get("ratio") and link is None:
         rule = "cannot stand in an engine file beside other cylinders' ratios"
         raise SymbalanceError(f"ratio = {sizes['ratio']}", rule, "give its stroke and rod")

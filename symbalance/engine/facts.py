@@ -1,8 +1,7 @@
-"""What both printed tables say of an engine before the numbers, and how a component becomes a row."""
+"""What is said of an engine in words: its banks, its firing order, what stands where at theta = 0."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 
 from symbalance.engine.engine import Engine
@@ -18,12 +17,12 @@ def strokes(layout: Engine) -> str:
     return {2: "two-stroke", 4: "four-stroke"}[layout.strokes]
 
 
-def banks(layout: Engine, printed: Callable[[Angle], str]) -> str:
+def banks(layout: Engine) -> str:
     """Return where the banks stand, each angle once, in the order of the layout."""
     angles = list(dict.fromkeys(c.bank for c in layout.cylinders))
     if angles == [Angle(Fraction(0))]:
         return "one bank, upright"
-    where = ", ".join(map(printed, angles))
+    where = ", ".join(map(angle_text, angles))
     return f"{'banks' if len(angles) > 1 else 'one bank'} at {where} from vertical"
 
 
@@ -62,19 +61,19 @@ def firing_intervals(layout: Engine) -> list[Fraction]:
     return [end - start for start, end in zip(starts, ends, strict=True)]
 
 
-def origin(layout: Engine, printed: Callable[[Angle], str]) -> str:
+def origin(layout: Engine) -> str:
     """Return what stands where at theta = 0.
 
     >>> from symbalance.engine.builders import inline
-    >>> origin(inline("1-2"), degrees_text), origin(inline(throws=[30, 90]), degrees_text)
-    ('cylinder 1 at firing top dead centre', 'the pin of cylinder 1 at 30 from straight up')
+    >>> origin(inline("1-2")), origin(inline(throws=[30, 90]))
+    ('cylinder 1 at firing top dead centre', 'the pin of cylinder 1 at 30° from straight up')
     """
     first = min(layout.cylinders, key=lambda c: c.number)
     dead_centre = f"{'firing ' if first.fires == 0 else ''}top dead centre"
     lead = Fraction(0) if first.delay.symbols else lead_of(first)
     if not lead and first.delay == Angle(Fraction(0)):
         return f"cylinder {first.number} at {dead_centre}"
-    where = f"the pin of cylinder {first.number} at {printed(first.throw)} from straight up"
+    where = f"the pin of cylinder {first.number} at {angle_text(first.throw)} from straight up"
     past = Fraction(0) if first.delay.symbols else round(first.delay.in_degrees() - lead, 2)
     if not lead or abs(past) > NEAR:
         return where
@@ -82,9 +81,18 @@ def origin(layout: Engine, printed: Callable[[Angle], str]) -> str:
     return f"{where}, {side}{dead_centre}"
 
 
-def degrees_text(angle: Angle) -> str:
-    """Return a number of degrees, short decimals as decimals and others as fractions."""
-    return _decimal(angle.in_degrees())
+def angle_text(angle: Angle) -> str:
+    """Return an angle in degrees, short decimals as decimals and others as fractions; symbols in radians.
+
+    >>> angle_text(Angle(Fraction(-1, 12))), angle_text(Angle(Fraction(1, 7)))
+    ('−30°', '360/7°')
+    """
+    if angle.symbols:
+        from symbalance.document.expressions import formula_of
+        from symbalance.document.text_writer import formula_text
+
+        return formula_text(formula_of(angle.expression()))
+    return f"{_decimal(angle.in_degrees())}°".replace("-", "−")
 
 
 def _decimal(number: Fraction) -> str:

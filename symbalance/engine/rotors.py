@@ -38,14 +38,14 @@ class Rotor:
 
 def rotors(layout: Engine) -> list[Rotor]:
     """Return all that turns and is not balanced by itself, each in the unit of its order."""
-    found = [_counterweight(layout, c) for c in layout.balancers.counterweights]
+    all_rotors = [_counterweight(layout, c) for c in layout.balancers.counterweights]
     if layout.balancers.counterweights:
-        found += _rotating(layout)
+        all_rotors += _rotating(layout)
     for shaft in layout.balancers.shafts:
         for weight in shaft.weights:
             vector = directed(_in_units(layout, weight, shaft.speed), shaft.phase)
-            found.append(Rotor(shaft.speed, vector, weight.station, shaft.x, shaft.y))
-    return found
+            all_rotors.append(Rotor(shaft.speed, vector, weight.station, shaft.x, shaft.y))
+    return all_rotors
 
 
 def _counterweight(layout: Engine, counterweight: Counterweight) -> Rotor:
@@ -74,9 +74,20 @@ def _in_units(layout: Engine, weight: Weight, speed: int) -> Amplitude:
             remedy = "give stroke and reciprocating_mass (above 0) in [crank_train], or a share"
             raise SymbalanceError("unbalance", rule, remedy)
         return weight.vector.scaled(speed * speed / unit)
-    if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
+    if has_unit_share(layout, speed):
         return weight.vector
     return DecimalPhasor(weight.vector.evaluated() * share_unit(layout, speed))
+
+
+def has_unit_share(layout: Engine, speed: int) -> bool:
+    """Tell whether a share of 1 is the unit its order counts in: then shares are the order's vectors.
+
+    Shares are of A_n m r omega^2, as orders are where the engine counts in them; or of m r omega^2 at
+    the crank's own speed, and where cylinders have no A_n in common, as orders then are too. They differ
+    where cylinders are alike, and a weight in kg mm faster than the crank makes orders count in
+    m r omega^2 all the same: there a share of 1 is A_n (`share_unit`), which is no fraction.
+    """
+    return layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1
 
 
 def share_unit(layout: Engine, speed: int) -> Real:

@@ -100,6 +100,12 @@ class _Powers(dict[int, tuple[tuple[int, int], ...]]):
 _powers = lru_cache(maxsize=64)(_Powers)
 
 
+@lru_cache(maxsize=4096)
+def _cosine(k: int, modulus: int, digits: int) -> Real:
+    """Return cos(2 pi k/modulus): the numbers of one engine share a few angles."""
+    return cospi(Fraction(2 * k, modulus), digits)
+
+
 def cleared(terms: Mapping[int, Coefficient]) -> tuple[dict[int, int], int]:
     """Return terms as integers over one denominator, which add and multiply faster than fractions.
 
@@ -254,8 +260,7 @@ class Phasor(Amplitude):
         size = sum(abs(Fraction(c)) for c in self.terms.values())
         working = digits + 15
         while True:
-            cosines = ((c, cospi(Fraction(2 * k, self.modulus), working)) for k, c in self.terms.items())
-            value = fsum((cosine * c for c, cosine in cosines), working)
+            value = fsum((_cosine(k, self.modulus, working) * c for k, c in self.terms.items()), working)
             if abs(value) > size / 10 ** (working - digits - 5):
                 return value.rounded(digits + 5)
             working *= 2

@@ -32,6 +32,8 @@ from symbalance.text.reals import Real, atan2, pi
 if TYPE_CHECKING:
     import sympy
 
+    from symbalance.document.formula import Formula
+
 COMPONENTS = ("vertical", "lateral", "forward", "backward")
 SHOWN = 30
 """Digits of a number that has no exact form."""
@@ -60,14 +62,13 @@ class Component:
         """Tell whether the component is exactly zero."""
         return self.number.is_zero()
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return the component as a formula for math mode; no document of its own."""
-        from symbalance.document.expressions import latex
+    def as_formula(self) -> Formula:
+        """Return C cos n theta + S sin n theta as a formula."""
+        from symbalance.document.expressions import formula_of
+        from symbalance.document.formula import Name, cos, sin
 
-        cos, sin = latex(self.cos), latex(self.sin)
-        sum_or_negative = sin.startswith("-") or " + " in sin
-        sin = rf"\left({sin}\right)" if sum_or_negative else sin
-        return rf"{cos} \cos n\theta + {sin} \sin n\theta"
+        angle = Name("n") * Name("theta")
+        return formula_of(self.cos) * cos(angle) + formula_of(self.sin) * sin(angle)
 
     @cached_property
     def cos(self) -> sympy.Expr:
@@ -122,8 +123,15 @@ class Component:
 
     def decimal(self, digits: int = 30) -> tuple[Real, Real]:
         """Return the two coefficients to `digits` significant digits each; symbols are refused."""
-        value = self.number.evaluated(digits)
-        return value.real, value.imag
+        if digits not in self._decimals:
+            value = self.number.evaluated(digits)
+            self._decimals[digits] = value.real, value.imag
+        return self._decimals[digits]
+
+    @cached_property
+    def _decimals(self) -> dict[int, tuple[Real, Real]]:
+        """What `decimal` has worked out: a table asks several times, until its columns fit."""
+        return {}
 
 
 def _real_form(number: Amplitude) -> sympy.Expr:

@@ -5,8 +5,8 @@ In: an `Engine`. Out: a `Balance`: force and couple of each order that survives,
     planar_vectors              the sums;  resultants: the result
     summation                   closed forms for a symbolic number of cylinders
     shafts                      the roll moment of balance shafts
-    rows, roll_rows             components as rows of a table;  wide_formulas: too wide for one
-    balance_text, balance_latex, balance_json   the tables
+    rows, roll_rows             components as rows of a table
+    balance_document, balance_data              what is written of a balance, and its data for programs
 """
 
 from symbalance.loading import attach

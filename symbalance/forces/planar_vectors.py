@@ -81,12 +81,37 @@ def planar_vectors(
     In units of each order's A_n m r omega^2 where the engine `counts_in_orders`, else of m r omega^2.
     """
     plane = layout.mean_station if reference is None else reference
-    ones, arms = [Fraction(1)] * len(layout.cylinders), [c.station - plane for c in layout.cylinders]
-    force, couple = (
-        rotor_spectrum(layout, order, level) + cylinder_spectrum(layout, order, weights)
-        for level, weights in ((None, ones), (plane, arms))
-    )
-    return force, couple
+    weights = _weights(layout, plane)
+    if layout.counts_in_orders:
+        orders = [n for n in range(1, order + 1) if surviving(n)]
+        pushed = [geometry(layout, orders, of_each) for of_each in weights]
+    else:
+        pushed = _spectra_of(moving_masses(layout), layout, order, weights)
+    return _with_rotors(layout, order, plane, pushed)
+
+
+def turning_vectors(
+    layout: Engine, order: int, reference: Fraction | None = None
+) -> tuple[Spectrum, Spectrum]:
+    """Return the part of `planar_vectors` that rotors and masses on link pins add, in the same units."""
+    plane = layout.mean_station if reference is None else reference
+    # Where nothing is on a link pin angles may hold symbols, which moving masses may not.
+    masses = moving_masses(layout, [ROTATING]) if layout.has_link_pin_masses else []
+    pushed = _spectra_of(masses, layout, order, _weights(layout, plane))
+    return _with_rotors(layout, order, plane, pushed)
+
+
+def _weights(layout: Engine, plane: Fraction) -> tuple[list[Fraction], list[Fraction]]:
+    """Return every cylinder's weight in the force, 1, and in the couple about `plane`, its lever arm."""
+    return [Fraction(1)] * len(layout.cylinders), layout.arms(plane)
+
+
+def _with_rotors(
+    layout: Engine, order: int, plane: Fraction, pushed: Sequence[Spectrum]
+) -> tuple[Spectrum, Spectrum]:
+    """Return a force, and a couple about `plane`, with what rotors add to them."""
+    force, couple = pushed
+    return rotor_spectrum(layout, order, None) + force, rotor_spectrum(layout, order, plane) + couple
 
 
 def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
@@ -109,42 +134,24 @@ def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spec
     return Spectrum.of(total)
 
 
-def turning_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
-    """Return what rotors and masses on link pins add to the force, or to the couple about `plane`."""
-    weights = [Fraction(1) if plane is None else c.station - plane for c in layout.cylinders]
-    return rotor_spectrum(layout, highest, plane) + link_pin_spectrum(layout, highest, weights)
-
-
-def cylinder_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
-    """Return the sum of weight times every cylinder's force, to an order, less what turns steadily."""
-    if not layout.counts_in_orders:
-        return _spectrum_of(moving_masses(layout), layout, order, weights)
-    return geometry(layout, [n for n in range(1, order + 1) if surviving(n)], weights)
-
-
-def link_pin_spectrum(layout: Engine, order: int, weights: Sequence[Fraction]) -> Spectrum:
-    """Return the part of `cylinder_spectrum` that masses on link pins add, in m r omega^2."""
-    if not layout.has_link_pin_masses:
-        return Spectrum({})
-    return _spectrum_of(moving_masses(layout, [ROTATING]), layout, order, weights)
-
-
-def _spectrum_of(
-    masses: Iterable[MovingMass], layout: Engine, order: int, weights: Sequence[Fraction]
-) -> Spectrum:
-    weight = {c.number: w for c, w in zip(layout.cylinders, weights, strict=True)}
-    total: dict[int, DecimalPhasor] = {}
+def _spectra_of(
+    masses: Iterable[MovingMass], layout: Engine, order: int, weights: Sequence[Sequence[Fraction]]
+) -> list[Spectrum]:
+    """Return, for each list of the cylinders' weights, the sum of weight times every mass's force."""
+    by_number = [
+        {c.number: w for c, w in zip(layout.cylinders, of_each, strict=True)} for of_each in weights
+    ]
+    totals: list[dict[int, DecimalPhasor]] = [{} for _ in weights]
     for mass in masses:
-        own = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
         forces = mass.body.force(order)
-        exact = _exact_terms(mass.cylinders, layout.modulus, range(1, order + 1), own)
-        for n, phasor in exact.items():
-            if n not in forces:
-                continue
-            part = DecimalPhasor(2 * phasor.evaluated() * forces[n])
-            total[n] = total[n] + part if n in total else part
-    numbers: dict[int, Amplitude] = {n: total[n] for n in sorted(total) if not total[n].is_zero()}
-    return Spectrum(numbers)
+        for total, weight in zip(totals, by_number, strict=True):
+            own = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
+            sums = _exact_sums(mass.cylinders, layout.modulus, range(1, order + 1), own)
+            for n, phasor in sums.items():
+                if n in forces:
+                    part = DecimalPhasor(phasor.evaluated() * forces[n])
+                    total[n] = total[n] + part if n in total else part
+    return [Spectrum.of({n: total[n] for n in sorted(total)}) for total in totals]
 
 
 def left_out_above(layout: Engine, order: int, weights: Sequence[Real]) -> Real:
@@ -161,38 +168,41 @@ def left_out_above(layout: Engine, order: int, weights: Sequence[Real]) -> Real:
 
 
 def geometry(layout: Engine, orders: Sequence[int], weights: Sequence[Fraction]) -> Spectrum:
-    """Return the sum over cylinders of weight times the unit order n, for each of `orders`.
+    """Return the sum over cylinders of weight times cos n p of each, for each of `orders`.
+
+    Half of it turns with the crank and half against it: c_n and c_-n hold half of every weight.
 
     >>> from symbalance.engine.builders import inline
     >>> geometry(inline("1-2-3-4-5-6-7"), range(1, 15), [Fraction(1)] * 7).orders()
     [7, 14]
     """
     modulus = layout.modulus  # refuses angles too fine together, beside symbols too
+    halves = [weight * HALF for weight in weights]
     if not layout.has_symbols:
-        return Spectrum(_exact_terms(layout.cylinders, modulus, orders, weights))
-    return _with_symbols(layout.cylinders, orders, weights)
+        return Spectrum(_exact_sums(layout.cylinders, modulus, orders, halves))
+    return _with_symbols(layout.cylinders, orders, halves)
 
 
-def _exact_terms(
-    cylinders: Sequence[Cylinder], modulus: int, orders: Sequence[int], weights: Sequence[Fraction]
+def _exact_sums(
+    cylinders: Sequence[Cylinder], modulus: int, orders: Iterable[int], weights: Sequence[Fraction]
 ) -> dict[int, Phasor]:
+    """Return the sums of w e^(i (bank + n (throw - bank))) that do not vanish, for n of both signs."""
     denominator = lcm(*(w.denominator for w in weights))
     rows = [
         (_units(c.bank.turns, modulus), _units(c.delay.turns, modulus), int(w * denominator))
         for c, w in zip(cylinders, weights, strict=True)
         if w
     ]
-    half = Fraction(1, 2 * denominator)
-    seen: dict[int, Phasor] = {}  # a sum depends on its order modulo m only
+    by_residue: dict[int, Phasor] = {}  # a sum depends on its order modulo m only
     terms: dict[int, Phasor] = {}
     for n in orders:
         for signed in (n, -n):
             residue = signed % modulus
-            if residue not in seen:
+            if residue not in by_residue:
                 total = Phasor.of(modulus, _summed(rows, residue, modulus))
-                seen[residue] = ZERO if total.is_zero() else total.scaled(half)
-            if seen[residue] is not ZERO:
-                terms[signed] = seen[residue]
+                by_residue[residue] = ZERO if total.is_zero() else total.scaled(Fraction(1, denominator))
+            if by_residue[residue] is not ZERO:
+                terms[signed] = by_residue[residue]
     return terms
 
 
@@ -218,7 +228,7 @@ def _with_symbols(
             for cylinder, weight in zip(cylinders, weights, strict=True):
                 turned = cylinder.bank + cylinder.delay.scaled(signed)
                 part: SymbolPart = turned.symbols
-                phasor = Phasor.root(turned.turns).scaled(weight * HALF)
+                phasor = Phasor.root(turned.turns).scaled(weight)
                 total = total + SymbolicPhasor.of({part: phasor})
             terms[signed] = total
     return Spectrum.of(terms)

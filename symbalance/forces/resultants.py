@@ -12,10 +12,13 @@ These sums are geometry alone; A_n is the kinematics of one cylinder; tables pri
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import Component, Spectrum
@@ -24,6 +27,9 @@ from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import exact
 from symbalance.text.reals import Real
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 
 @dataclass(frozen=True)
@@ -72,8 +78,8 @@ class Order:
     couple: Resultant
 
 
-@dataclass(frozen=True)
-class Balance:
+@dataclass(frozen=True, repr=False)
+class Balance(Result):
     """What is left free in a layout: `force` and `couple` by order, up to `highest`.
 
     `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
@@ -94,23 +100,33 @@ class Balance:
     power: int | None = None
     kinematics: Kinematics | None = FORCE
 
-    def as_text(self) -> str:
-        """Return it as text for a terminal of 80 columns."""
-        from symbalance.forces.balance_text import balance_text
+    kind: ClassVar[str] = "balance"
 
-        return balance_text(self)
+    def summary(self) -> str:
+        """Return which orders are left free, in one line."""
+        parts = [
+            f"free {name} of order {listed_orders(sorted(orders))}" if orders else f"no free {name}"
+            for name, orders in (("force", self.force.orders()), ("couple", self.couple.orders()))
+        ]
+        return f"Balance of {self.layout.name} to order {self.highest}: {'; '.join(parts)}"
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return it as LaTeX, a fragment or a whole document."""
-        from symbalance.forces.balance_latex import balance_latex
+    def document(self) -> Document:
+        """Return the free force and couple by order, then what the letters mean."""
+        from symbalance.forces.balance_document import balance_document
 
-        return balance_latex(self, standalone=standalone)
+        return balance_document(self)
 
-    def as_json(self) -> str:
-        """Return it as JSON, every number exact, as a string."""
-        from symbalance.forces.balance_json import balance_json
+    def data(self) -> dict[str, Any]:
+        """Return the engine and every order, exact numbers as strings that SymPy reads."""
+        from symbalance.forces.balance_data import balance_data
 
-        return balance_json(self)
+        return balance_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each component of each order, in decimals where it has no symbols."""
+        from symbalance.forces.balance_data import balance_records
+
+        return balance_records(self)
 
     @property
     def ratio(self) -> Fraction | None:
@@ -120,7 +136,7 @@ class Balance:
     @cached_property
     def orders(self) -> tuple[Order, ...]:
         """The orders that survive, lowest first; those that cancel are absent."""
-        found = sorted({*self.force.orders(), *self.couple.orders()})
+        numbers = sorted({*self.force.orders(), *self.couple.orders()})
         return tuple(
             Order(
                 n,
@@ -128,13 +144,13 @@ class Balance:
                 Resultant(self.force, n),
                 Resultant(self.couple, n),
             )
-            for n in found
+            for n in numbers
         )
 
     def __getitem__(self, order: int) -> Order:
-        for found in self.orders:
-            if found.order == order:
-                return found
+        for one in self.orders:
+            if one.order == order:
+                return one
         kept = ", ".join(str(o.order) for o in self.orders) or "none"
         raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
 
@@ -170,11 +186,21 @@ def balance(
     order = checked_order(order)
     if not isinstance(layout, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be a Engine", 'load one with load("v12-60"), or build one'
+            f"layout = {shown(layout)}", "must be an Engine", 'load one with load("v12-60"), or build one'
         )
     if ratio is None:
         return _balance(layout, order, power, reference)
     return _balance(layout.with_ratio(ratio), order, power, reference)
+
+
+def listed_orders(orders: Sequence[int | Fraction]) -> str:
+    """Return orders with commas, the first and the last where there are many; halves as decimals.
+
+    >>> listed_orders([Fraction(1, 2), 1, Fraction(3, 2)])
+    '0.5, 1, 1.5'
+    """
+    printed = [str(n) if n == int(n) else str(float(n)) for n in orders]
+    return ", ".join([*printed[:6], "…", printed[-1]] if len(printed) > 8 else printed)
 
 
 def _balance(layout: Engine, order: int, power: int | None, reference: object) -> Balance:

@@ -23,7 +23,7 @@ PLAIN_PARTS = 60
 class Row:
     """One component of one order, exact and (where it has no symbols) in decimals."""
 
-    order: int
+    order: int | Fraction
     name: str
     component: Component
 

@@ -5,11 +5,12 @@ lambda, proved bounds on what a truncation leaves out, and the derivation step b
 
     slider_crank            harmonics of the centred slider-crank
     mechanisms              offset axes, link rods, the rod's own inertia;  pistons: in floating point
-    truncation              bounds on the orders left out
+    truncation              bounds on the orders left out;  truncation_bounds: as a table
     inertia, rod, kinetic   the torque's harmonics, closed and for any mechanism
     bodies                  what moves with a mechanism: piston, rod, link rod's big end
     coefficients            A_n, t_n, u_n, k_n, which like cylinders have in common
-    series_printing         a series in print;  derivation: the whole calculation as a document
+    series_printing         a series as a formula;  conventions: in which letter
+    harmonics_document, derivation   the series of a quantity, as a table and step by step
 """
 
 from symbalance.loading import attach

@@ -25,7 +25,7 @@ from symbalance.kinematics.kinetic import (
     rocking_harmonics,
     rod_harmonics,
 )
-from symbalance.kinematics.mechanisms import LinkRod, Mechanism, force_tail
+from symbalance.kinematics.mechanisms import LinkRod, Mechanism, force_tail, has_link_pin
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force, link_pin_tail, piston_force
 from symbalance.text.reals import Complex, Real
 
@@ -117,6 +117,6 @@ def bodies(mechanism: Mechanism) -> tuple[Body, ...]:
     ['reciprocating mass', 'J_x', 'rotating mass']
     """
     both: tuple[Body, ...] = (PistonMass(mechanism), RodInertia(mechanism))
-    if isinstance(mechanism, LinkRod) and mechanism.link_radius:
+    if has_link_pin(mechanism):
         return (*both, LinkPinMass(mechanism))
     return both

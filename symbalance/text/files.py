@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 import tomllib
 from decimal import Decimal
 from pathlib import Path
@@ -11,17 +12,31 @@ from typing import Any
 from symbalance.errors import SymbalanceError
 
 LARGEST_FILE = 1_000_000
+STANDARD_INPUT = "-"
+"""A name that stands for what is piped into the program."""
+
+
+def file_name(path: str | Path) -> str:
+    """Return what errors call a file.
+
+    >>> file_name("v6.toml"), file_name("-")
+    ('v6.toml', 'standard input')
+    """
+    return "standard input" if str(path) == STANDARD_INPUT else str(path)
 
 
 def read_text(path: str | Path, largest: int = LARGEST_FILE, what: str = "an engine file") -> str:
     """Return a file's text, or refuse what is missing, a directory, too large or not UTF-8.
 
-    `what` is the file that is wanted, as a refusal names it.
+    `what` is the file that is wanted, as a refusal names it; `-` is standard input.
     """
-    place = str(path)
+    place = file_name(path)
     try:
-        with open(path, "rb") as stream:
-            data = stream.read(largest + 1)
+        if str(path) == STANDARD_INPUT:
+            data = sys.stdin.buffer.read(largest + 1)
+        else:
+            with open(path, "rb") as stream:
+                data = stream.read(largest + 1)
     except IsADirectoryError:
         raise SymbalanceError(place, "is a directory", f"name {what} in it") from None
     except (OSError, ValueError) as problem:

@@ -8,12 +8,11 @@ whole before the first is put in place; an end between two of those steps leaves
 from __future__ import annotations
 
 import os
-import secrets
 import stat
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from symbalance.errors import SymbalanceError
 
@@ -87,9 +86,12 @@ def _written_through(name: str, data: bytes) -> bool:
     return True
 
 
-@dataclass(frozen=True)
-class _Staged:
-    """A file to be written: its name as given, its target, and the temporary file beside that."""
+class _Staged(NamedTuple):
+    """A file to be written: its name as given, its target, and the temporary file beside that.
+
+    Neither a dataclass nor `secrets` here: every command imports this, `--help` too, and they load a
+    dozen modules of the standard library.
+    """
 
     name: str
     target: str
@@ -103,7 +105,7 @@ class _Staged:
         """
         target = os.path.realpath(name)
         folder, base = os.path.split(target)
-        return cls(name, target, os.path.join(folder, f".{base[:20]}.{secrets.token_hex(8)}.part"))
+        return cls(name, target, os.path.join(folder, f".{base[:20]}.{os.urandom(8).hex()}.part"))
 
     def fill(self, data: bytes, permissions: int | None, lasting: bool) -> None:
         """Write the temporary file, with the permissions that the target shall have."""

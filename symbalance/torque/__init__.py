@@ -9,7 +9,8 @@ angle, a cylinder's own angle theta + throw - bank. One cylinder's harmonics are
     pressure         pressure traces;  csv_file reads them,  ideal makes them
     tangential       gas torque of one cylinder, work and harmonics;  gas sums it over a layout
     running          whole torque, mean, fluctuation, energy;  flywheel sizes what evens it
-    torque_text, torque_latex   the tables
+    torque_document, running_document, gas_document, pressure_document   what is written of results
+    torque_data   torques as plain values
 """
 
 from symbalance.forces.shafts import has_shafts_aside, shaft_moment
@@ -30,12 +31,13 @@ from symbalance.torque.roll import (
     torque_report,
 )
 from symbalance.torque.running import CrankTorque, crank_torque
-from symbalance.torque.stars import Star, firing_pin_passings, firing_stars
+from symbalance.torque.stars import FiringStars, Star, firing_pin_passings, firing_stars
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
 __all__ = [
     "AMBIENT",
     "CrankTorque",
+    "FiringStars",
     "Fluctuation",
     "GasOrder",
     "GasTorque",

@@ -8,7 +8,7 @@ from pathlib import Path
 from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError
 from symbalance.text.csv_rows import Row, check_units, rows_of, without_headers
-from symbalance.text.files import read_text
+from symbalance.text.files import file_name, read_text
 from symbalance.torque.pressure import Point, PressureTrace, from_rows
 
 LARGEST_FILE = 20_000_000
@@ -29,7 +29,7 @@ def read_pressure(path: str | Path, *, strokes: int = 4) -> PressureTrace:
     except SymbalanceError as problem:
         what, rule = problem.what, problem.rule
         raise SymbalanceError(what, rule, "name a CSV file of angles and pressures") from None
-    return parse_pressure(text, str(path), cycle)
+    return parse_pressure(text, file_name(path), cycle)
 
 
 def parse_pressure(text: str, place: str, cycle: int = 720) -> PressureTrace:

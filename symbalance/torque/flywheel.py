@@ -15,8 +15,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
 
-from symbalance.errors import SymbalanceError
-from symbalance.text.measurements import positive
+from symbalance.errors import SymbalanceError, shown
+from symbalance.text.measurements import measured, positive
 
 POINTS = 1440
 _FINE = 48
@@ -89,6 +89,15 @@ def flywheel_inertia(energy: float, omega: float, delta: object) -> float:
     2.5
     """
     return energy / (positive(delta, "delta") * omega**2)
+
+
+def checked_delta(delta: object, name: str = "delta") -> float:
+    """Return a speed fluctuation (omega_max - omega_min)/omega, or refuse what does not lie in (0, 1)."""
+    number = measured(delta, name)
+    if not 0 < number < 1:
+        what, rule = f"{name} = {shown(delta)}", "must lie between 0 and 1"
+        raise SymbalanceError(what, rule, "(highest - lowest)/mean speed, often 0.02")
+    return float(number)
 
 
 def speed_fluctuation(energy: float, omega: float, inertia: object) -> float:

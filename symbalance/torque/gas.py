@@ -6,9 +6,12 @@ from cmath import exp
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
+from symbalance.forces.resultants import listed_orders
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.linkages import plain
 from symbalance.kinematics.slider_crank import checked_order
@@ -20,6 +23,9 @@ from symbalance.torque.inertia_balance import checked_known, checked_layout
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
 from symbalance.torque.stars import Star, firing_pin_passings, firing_stars, stars_of
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 
 @dataclass(frozen=True)
@@ -58,18 +64,69 @@ class GasOrder:
         return abs(self.number)
 
 
-@dataclass(frozen=True)
-class GasTorque:
+@dataclass(frozen=True, repr=False)
+class GasTorque(Result):
     """The gas torque of a layout by order, in bar: times A r (piston area, crank radius) the torque.
 
     Every cylinder has the same bore, and the same trace or ideal cycle, counted from its own firing top
     dead centre. r is cylinder 1's. Orders that close among like cylinders, and in all, are absent.
+    `pressure` is that trace or cycle.
     """
 
     layout: Engine
     kinds: tuple[GasKind, ...]
     highest: int
     orders: tuple[GasOrder, ...]
+    pressure: PressureTrace | IdealCycle
+
+    kind: ClassVar[str] = "gas-torque"
+
+    def summary(self) -> str:
+        """Return the mean and the orders that survive, in one line."""
+        orders = f"order {listed_orders([o.order for o in self.orders])}" if self.orders else "no order"
+        what = f"Gas torque of {self.layout.name} to order {self.highest}"
+        return f"{what}: {orders}; mean {self.mean:.6g} bar"
+
+    def document(self) -> Document:
+        """Return the mean and the orders that survive, then what they are times and where they act."""
+        from symbalance.torque.gas_document import gas_document
+
+        return gas_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the mean and every order that survives, in bar: times A r the torque."""
+        return {
+            "engine": self.layout.name,
+            "strokes": self.layout.strokes,
+            "ratio": str(self.cylinder.ratio),
+            "ambient_bar": self.ambient,
+            "pressure": self.pressure.summary(),
+            "highest_order": self.highest,
+            "unit": "bar (times piston area and crank radius)",
+            "mean": self.mean,
+            "orders": [
+                {"order": str(o.order), "cos": o.number.real, "sin": o.number.imag} for o in self.orders
+            ],
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each order that survives; keys: order, of, cos, sin, amplitude, unit."""
+        return [
+            {
+                "order": float(o.order),
+                "of": "gas torque on the crank over A r",
+                "cos": o.number.real,
+                "sin": o.number.imag,
+                "amplitude": o.amplitude,
+                "unit": "bar",
+            }
+            for o in self.orders
+        ]
+
+    @property
+    def ambient(self) -> float:
+        """The pressure below the pistons, in bar absolute."""
+        return self.cylinder.ambient
 
     @property
     def cylinder(self) -> TangentialPressure:
@@ -115,6 +172,7 @@ def gas_torque(
     [('3', 12.43), ('6', 3.65), ('9', 1.32)]
     """
     kinds = gas_kinds(layout, trace, ratio=ratio, ambient=ambient)
+    layout = layout if ratio is None else layout.with_ratio(ratio)
     checked_order(order)
     total: dict[Fraction, complex] = {}
     for kind in kinds:
@@ -122,7 +180,7 @@ def gas_torque(
             total[n] = total.get(n, 0j) + number
     stars = {star.order: star for star in firing_stars(layout, order)}
     found = tuple(GasOrder(n, stars[n], total[n]) for n in sorted(total))
-    return GasTorque(layout, kinds, order, found)
+    return GasTorque(layout, kinds, order, found, trace)
 
 
 def gas_kinds(

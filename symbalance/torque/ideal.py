@@ -17,7 +17,9 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank
@@ -26,6 +28,9 @@ from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.measurements import measured
 from symbalance.text.numbers import checked_whole
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 POINTS = 2880
 MOST_POINTS = 100_000
@@ -37,8 +42,8 @@ NEAR = 1e-9
 HALVINGS = 60
 
 
-@dataclass(frozen=True)
-class IdealCycle:
+@dataclass(frozen=True, repr=False)
+class IdealCycle(Result):
     """An ideal cycle: pressures in bar; `cutoff` is V/V_c at the end of constant pressure, at least 1."""
 
     compression_ratio: float
@@ -50,6 +55,42 @@ class IdealCycle:
     cutoff: float
     heat: float
     strokes: int = 4
+
+    kind: ClassVar[str] = "ideal-cycle"
+
+    def summary(self) -> str:
+        """Return compression, heat and peak, in one line."""
+        return (
+            f"Ideal cycle of compression ratio {self.compression_ratio:.6g}, "
+            f"heat {self.heat:.6g} bar, peak {self.peak:.6g} bar"
+        )
+
+    def document(self) -> Document:
+        """Return the pressures of the cycle and its work, then what they are computed from."""
+        from symbalance.torque.pressure_document import cycle_document
+
+        return cycle_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the pressures of the cycle, its work over the swept volume and its efficiency."""
+        return {
+            "strokes": self.strokes,
+            "compression_ratio": self.compression_ratio,
+            "gamma": self.gamma,
+            "heat_bar": self.heat,
+            "intake_bar": self.intake,
+            "compressed_bar": self.compressed,
+            "peak_bar": self.peak,
+            "cutoff": self.cutoff,
+            "expanded_bar": self.expanded,
+            "exhaust_bar": self.exhaust,
+            "mean_effective_pressure_bar": self.mean_effective_pressure,
+            "efficiency": self.efficiency,
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return the cycle as one row, with the keys of `data`."""
+        return [self.data()]
 
     @property
     def closed_work(self) -> float:

@@ -19,17 +19,25 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import QUARTER, Component
+from symbalance.forces.resultants import listed_orders
 from symbalance.kinematics.coefficients import INERTIA, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.text.reals import Real
 from symbalance.torque.groups import has_common_torque, summed_torque, torque_groups
 from symbalance.torque.stars import summed
 
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
+
 DIGITS = 30
+INERTIA_TORQUE = "inertia torque on the crank"
+OPPOSITE = "opposite of the "
 
 
 @dataclass(frozen=True)
@@ -41,11 +49,12 @@ class TorqueOrder:
     torque: Component
 
 
-@dataclass(frozen=True)
-class TorqueBalance:
+@dataclass(frozen=True, repr=False)
+class TorqueBalance(Result):
     """A torque of a layout by order, up to `highest`; unit T_n = t_n m r^2 omega^2.
 
-    `kinematics` says what t_n is; None where the components hold it, in `unit`.
+    `kinematics` says what t_n is; None where the components hold it, in `unit`. `quantity` is which
+    torque or moment it is, in words.
 
     >>> from symbalance.engine.builders import inline
     >>> four = inertia_torque(inline("1-3-4-2"), order=6)
@@ -59,6 +68,33 @@ class TorqueBalance:
     power: int | None = None
     kinematics: Kinematics | None = INERTIA
     unit: str = INERTIA.unit
+    quantity: str = INERTIA_TORQUE
+
+    kind: ClassVar[str] = "torque-orders"
+
+    def summary(self) -> str:
+        """Return which orders are left, in one line."""
+        orders = f"order {listed_orders([*self.components])}" if self.components else "none"
+        what = self.quantity[0].upper() + self.quantity[1:]
+        return f"{what}, {self.layout.name} to order {self.highest}: {orders}"
+
+    def document(self) -> Document:
+        """Return the orders that survive, then what the letters mean."""
+        from symbalance.torque.torque_document import orders_document
+
+        return orders_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the engine and every order, exact numbers as strings that SymPy reads."""
+        from symbalance.torque.torque_data import orders_data
+
+        return orders_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each order, in decimals where it has no symbols."""
+        from symbalance.torque.torque_data import orders_records
+
+        return orders_records(self)
 
     @property
     def ratio(self) -> Fraction | None:
@@ -71,9 +107,9 @@ class TorqueBalance:
         return tuple(TorqueOrder(n, self.coefficient(n), c) for n, c in self.components.items())
 
     def __getitem__(self, order: int) -> TorqueOrder:
-        for found in self.orders:
-            if found.order == order:
-                return found
+        for one in self.orders:
+            if one.order == order:
+                return one
         kept = ", ".join(map(str, self.components)) or "none"
         raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
 
@@ -94,7 +130,10 @@ class TorqueBalance:
 
     def reaction(self) -> TorqueBalance:
         """Return the opposite: without offset and rods' inertia, the torque on the frame."""
-        return replace(self, components={n: Component(-c.number) for n, c in self.components.items()})
+        twice = self.quantity.startswith(OPPOSITE)
+        quantity = self.quantity.removeprefix(OPPOSITE) if twice else OPPOSITE + self.quantity
+        components = {n: Component(-c.number) for n, c in self.components.items()}
+        return replace(self, components=components, quantity=quantity)
 
     def terms(
         self, ratio: object = None, digits: int = DIGITS
@@ -136,7 +175,7 @@ def checked_layout(layout: object) -> Engine:
     """Return a layout, or refuse what is none."""
     if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     return layout
 
 
@@ -169,12 +208,12 @@ def inertia_torque(
 def sine_components(layout: Engine, highest: int) -> dict[int, Component]:
     """Return the components that do not vanish; orders a modulus apart share them, and the work."""
     modulus = highest + 1 if layout.has_symbols else layout.modulus
-    seen: dict[int, Component] = {}
+    by_residue: dict[int, Component] = {}
     for n in range(1, min(highest, modulus) + 1):
         angles = [c.delay.scaled(-n) for c in layout.cylinders]
-        seen[n % modulus] = Component(summed(angles).turned(QUARTER))
-    found = {n: seen[n % modulus] for n in range(1, highest + 1)}
-    return {n: c for n, c in found.items() if not c.is_zero()}
+        by_residue[n % modulus] = Component(summed(angles).turned(QUARTER))
+    components = {n: by_residue[n % modulus] for n in range(1, highest + 1)}
+    return {n: c for n, c in components.items() if not c.is_zero()}
 
 
 def _check_no_power(layout: Engine, power: int | None) -> None:

@@ -13,11 +13,16 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from math import isfinite, pi
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.measurements import reading
 from symbalance.text.numbers import listed
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 MOST_BAR = 2000
 WIDEST = 10
@@ -29,8 +34,8 @@ SAME = 1e-9
 """Degrees that are the rounding of sums of doubles."""
 
 
-@dataclass(frozen=True)
-class PressureTrace:
+@dataclass(frozen=True, repr=False)
+class PressureTrace(Result):
     """Pressures in bar at `degrees` in [0, cycle), in order; a repeated angle is a jump.
 
     >>> trace = PressureTrace((0.0, 180.0, 360.0, 540.0), (3.0, 1.0, 1.0, 1.0))
@@ -41,6 +46,47 @@ class PressureTrace:
     degrees: tuple[float, ...]
     bar: tuple[float, ...]
     strokes: int = 4
+
+    kind: ClassVar[str] = "pressure-trace"
+
+    def summary(self) -> str:
+        """Return its points and its extremes, in one line."""
+        count = len(self.degrees)
+        return (
+            f"Pressure trace over {self.cycle}° of {count} point{'s' if count > 1 else ''}, "
+            f"from {min(self.bar):.6g} to {self.peak:.6g} bar"
+        )
+
+    def document(self) -> Document:
+        """Return the peak and where it stands, then the pressure at even steps of the cycle."""
+        from symbalance.torque.pressure_document import trace_document
+
+        return trace_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the points: degrees after the firing top dead centre, bar absolute."""
+        return {
+            "strokes": self.strokes,
+            "cycle_degrees": self.cycle,
+            "peak_bar": self.peak,
+            "peak_degrees": self.peak_degrees,
+            "degrees": list(self.degrees),
+            "bar": list(self.bar),
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each point; keys: degrees, bar."""
+        return [{"degrees": d, "bar": p} for d, p in zip(self.degrees, self.bar, strict=True)]
+
+    @property
+    def peak(self) -> float:
+        """The highest pressure, in bar."""
+        return max(self.bar)
+
+    @property
+    def peak_degrees(self) -> float:
+        """Where the highest pressure stands, in degrees after the firing top dead centre."""
+        return self.degrees[self.bar.index(self.peak)]
 
     def __post_init__(self) -> None:
         checked_strokes(self.strokes)

@@ -17,9 +17,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError
+from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.forces.shafts import shaft_moment, shaft_terms
@@ -35,8 +37,16 @@ from symbalance.torque.inertia_balance import (
     sine_components,
 )
 
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
+    from symbalance.torque.running import CrankTorque
+
 MILLI = 1000
 """Millimetres in a metre."""
+ROD_TORQUE = "torque of the rods' own inertia on the crank"
+ROD_COUPLE = "couple of the rods' own inertia on the frame"
+BESIDE_MOMENT = "moment on the frame of inertia forces beside the crank's axis"
+ROLL_MOMENT = "roll moment on the frame about the crank's axis, of all inertia"
 
 
 def has_rods(layout: Engine) -> bool:
@@ -71,7 +81,8 @@ def beside_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> T
     """
     layout = _at_ratio(layout, order, ratio)
     groups = [] if has_common_torque(layout) else torque_groups(layout)
-    return TorqueBalance(layout, order, summed_moment(groups, order), kinematics=None)
+    moments = summed_moment(groups, order)
+    return TorqueBalance(layout, order, moments, kinematics=None, quantity=BESIDE_MOMENT)
 
 
 def roll_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
@@ -91,23 +102,25 @@ def roll_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> Tor
     if excess:
         parts += [(rod_torque(layout, order), -excess), (rod_couple(layout, order), excess)]
     terms = [(n, c, s, weight) for part, weight in parts for n, c, s in part.terms(digits=DIGITS)]
-    terms += [(n, c, s, Fraction(1)) for n, c, s in shaft_terms(layout, order)]
+    of_shafts = list(shaft_terms(layout, order))
+    terms += [(n, c, s, Fraction(1)) for n, c, s in of_shafts]
     total: dict[int, DecimalPhasor] = {}
     for n, cos, sin, weight in terms:
         number = DecimalPhasor(Complex(cos, sin) * weight)
         total[int(n)] = total[int(n)] + number if int(n) in total else number
     components = {n: Component(total[n]) for n in sorted(total) if not total[n].is_zero()}
-    return TorqueBalance(layout, order, components, kinematics=None)
+    quantity = ROLL_MOMENT + (" and balance shafts" if of_shafts else "")
+    return TorqueBalance(layout, order, components, kinematics=None, quantity=quantity)
 
 
-@dataclass(frozen=True)
-class TorqueReport:
+@dataclass(frozen=True, repr=False)
+class TorqueReport(Result):
     """All that is known of a layout's inertia torque: on the crank, and on the frame.
 
     `rod` and `rocking` are the rods' parts on crank and frame; `beside` is the frame's from offset axes;
     `shafts` is the moment of balance shafts in F_n r, and
     `frame` the whole moment on it in numbers, None where it is the crank's torque reversed, or where
-    sizes are missing that it needs.
+    sizes are missing that it needs. `running` is the same engine's torque with gas, where that was given.
     """
 
     inertia: TorqueBalance
@@ -117,12 +130,41 @@ class TorqueReport:
     shafts: dict[int, Component]
     excess: Fraction
     frame: TorqueBalance | None
+    running: CrankTorque | None = None
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return it as LaTeX, a fragment or a whole document."""
-        from symbalance.torque.torque_latex import torque_latex
+    kind: ClassVar[str] = "torque"
 
-        return torque_latex(self, standalone=standalone)
+    def summary(self) -> str:
+        """Return which orders the crank gets and what the frame gets, in one line."""
+        frame = "the frame gets the opposite" if self.is_opposite else "the frame gets more than that"
+        run = self.running
+        mean = "" if run is None else f"; mean {run.mean:.6g} N m at {run.rpm:.6g} rpm"
+        return f"{self.inertia.summary()}; {frame}{mean}"
+
+    def document(self) -> Document:
+        """Return the torque's orders on crank and frame, the running engine's, and what letters mean."""
+        from symbalance.torque.torque_document import torque_document
+
+        return torque_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the engine and every order, exact numbers as strings that SymPy reads."""
+        from symbalance.torque.torque_data import torque_data
+
+        return torque_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each order of each part, and of the running engine's torque in N m."""
+        from symbalance.torque.torque_data import torque_records
+
+        return torque_records(self)
+
+    def parts(self) -> tuple[TorqueBalance, ...]:
+        """Return the torques and moments that the report is of: on the crank, then on the frame."""
+        rods = (self.rod, self.rocking) if self.excess else ()
+        beside = (self.beside,) if self.beside.components else ()
+        whole = () if self.frame is None else (self.frame,)
+        return (self.inertia, *rods, *beside, *whole)
 
     @property
     def layout(self) -> Engine:
@@ -135,10 +177,23 @@ class TorqueReport:
         return not (self.excess or self.beside.components or self.shafts)
 
 
-def torque_report(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueReport:
-    """Return a layout's inertia torque with all that goes to the frame."""
+def torque_report(
+    layout: Engine, order: int = 12, *, ratio: object = None, running: CrankTorque | None = None
+) -> TorqueReport:
+    """Return a layout's inertia torque, all that goes to the frame, and the running engine's torque.
+
+    `running` is `crank_torque` of the same engine, at the same rod ratio.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> torque_report(load("inline-6"), 6)
+    Inertia torque on the crank, inline-6 to order 6: order 3, 6; the frame gets the opposite
+    """
     inertia = inertia_torque(layout, order, ratio=ratio)
     layout = inertia.layout
+    if running is not None and running.layout != layout:
+        what = f"running = {shown(running.layout.name)}"
+        rule = f"is another engine than {layout.name}, or has another rod ratio"
+        raise SymbalanceError(what, rule, "give the same engine and ratio to crank_torque")
     rod, rocking = rod_torque(layout, order), rod_couple(layout, order)
     beside, excess = beside_moment(layout, order), first_excess(layout)
     known = all(c.mechanism for c in layout.cylinders) and not layout.has_symbols
@@ -146,7 +201,7 @@ def torque_report(layout: Engine, order: int = 12, *, ratio: object = None) -> T
     shafts = {n: c for n, c in shaft_moment(layout).items() if n <= order}
     opposite = not (excess or beside.components or shafts)
     frame = roll_moment(layout, order) if needs and not opposite else None
-    return TorqueReport(inertia, rod, rocking, beside, shafts, excess, frame)
+    return TorqueReport(inertia, rod, rocking, beside, shafts, excess, frame, running)
 
 
 def mass_scale(layout: Engine) -> Fraction | None:
@@ -166,17 +221,17 @@ def _checked_scale(layout: Engine) -> Fraction:
 
 def _of_rods(layout: Engine, order: int, ratio: object, kinematics: Kinematics) -> TorqueBalance:
     layout = _at_ratio(layout, order, ratio)
-    unit = first_excess(layout)
-    if not unit:
-        return TorqueBalance(layout, order, {}, kinematics=kinematics, unit=OF_RODS)
-    if has_common_torque(layout) and {*excesses(layout)} == {unit}:
-        odd = kinematics is ROCKING
-        found = {n: c for n, c in sine_components(layout, order).items() if n % 2 == odd}
-        return TorqueBalance(layout, order, found, kinematics=kinematics, unit=OF_RODS)
-    summed = summed_moment if kinematics is ROCKING else summed_torque
-    components = summed(torque_groups(layout, [EXCESS]), order)
-    per_unit = {n: Component(c.number.scaled(1 / unit)) for n, c in components.items()}
-    return TorqueBalance(layout, order, per_unit, kinematics=None, unit=OF_RODS)
+    unit, couple = first_excess(layout), kinematics is ROCKING
+    components: dict[int, Component] = {}
+    own: Kinematics | None = kinematics
+    if unit and has_common_torque(layout) and {*excesses(layout)} == {unit}:
+        components = {n: c for n, c in sine_components(layout, order).items() if n % 2 == couple}
+    elif unit:
+        own, summed = None, summed_moment if couple else summed_torque
+        total = summed(torque_groups(layout, [EXCESS]), order)
+        components = {n: Component(c.number.scaled(1 / unit)) for n, c in total.items()}
+    quantity = ROD_COUPLE if couple else ROD_TORQUE
+    return TorqueBalance(layout, order, components, kinematics=own, unit=OF_RODS, quantity=quantity)
 
 
 def _at_ratio(layout: Engine, order: int, ratio: object) -> Engine:

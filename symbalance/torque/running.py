@@ -17,14 +17,23 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from math import pi
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.forces.shafts import shaft_terms
+from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.measurements import measured, positive
 from symbalance.text.numbers import checked_whole
 from symbalance.text.reals import Complex, Real
-from symbalance.torque.flywheel import Fluctuation, extremes, flywheel_inertia, speed_fluctuation
+from symbalance.torque.flywheel import (
+    Fluctuation,
+    checked_delta,
+    extremes,
+    flywheel_inertia,
+    speed_fluctuation,
+)
 from symbalance.torque.gas import GasKind, gas_kinds
 from symbalance.torque.groups import has_common_torque
 from symbalance.torque.ideal import IdealCycle
@@ -34,8 +43,17 @@ from symbalance.torque.roll import MILLI, first_excess, rod_torque
 from symbalance.torque.stars import firing_pin_passings
 from symbalance.torque.tangential import AMBIENT, TangentialPressure
 
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
+
 PASCAL = 100_000
 """A bar, in Pa."""
+HIGHEST = 12
+"""The highest order that is printed, unless another is given."""
+DELTA = 0.02
+"""A usual speed fluctuation."""
+RPM = 60 / (2 * pi)
+"""Revolutions a minute in a radian a second."""
 
 
 @dataclass(frozen=True)
@@ -76,14 +94,98 @@ class RunningCylinder:
         return moment + (self.excess * piston.swing(a)[1] if self.excess else 0.0)
 
 
-@dataclass(frozen=True)
-class CrankTorque:
-    """A running engine's torque on its crank, SI: `area` of one piston in m^2, `omega` in rad/s."""
+@dataclass(frozen=True, repr=False)
+class CrankTorque(Result):
+    """A running engine's torque on its crank, SI: `area` of one piston in m^2, `omega` in rad/s.
+
+    `pressure` is the trace or the cycle of every cylinder. `highest` is the highest order that is
+    printed, `delta` the speed fluctuation that the flywheel is printed for.
+    """
 
     layout: Engine
     cylinders: tuple[RunningCylinder, ...]
     area: float
     omega: float
+    pressure: PressureTrace | IdealCycle
+    highest: int = HIGHEST
+    delta: float = DELTA
+
+    kind: ClassVar[str] = "running-torque"
+
+    def summary(self) -> str:
+        """Return the mean torque, its extremes and the power, in one line."""
+        swing = self.fluctuation
+        return (
+            f"Running torque of {self.layout.name} at {self.rpm:.6g} rpm: mean {self.mean:.6g} N m, "
+            f"from {swing.least:.6g} to {swing.largest:.6g} N m; {self.power / 1000:.6g} kW"
+        )
+
+    def document(self) -> Document:
+        """Return the mean, the swing, the flywheel and the orders, then what the engine runs with."""
+        from symbalance.torque.running_document import running_document
+
+        return running_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the same numbers: torque in N m, power in W, energy in J, flywheel in kg m^2."""
+        swing = self.fluctuation
+        return {
+            "engine": self.layout.name,
+            "strokes": self.layout.strokes,
+            "rpm": round(self.rpm, 9),
+            "bore_mm": self.bore * MILLI,
+            "ambient_bar": self.cylinder.ambient,
+            "pressure": self.pressure.summary(),
+            "cylinders": [
+                {
+                    "number": cylinder.number,
+                    "top_degrees": own.top * 180 / pi,
+                    "stroke_mm": 2 * MILLI * own.radius,
+                    "reciprocating_mass_kg": own.mass,
+                    "rod_excess_kg_m2": own.excess,
+                    "ratio": str(own.tangential.ratio),
+                }
+                for cylinder, own in zip(self.layout.cylinders, self.cylinders, strict=True)
+            ],
+            "mean": self.mean,
+            "power": self.power,
+            "highest": swing.largest,
+            "lowest": swing.least,
+            "energy": swing.energy,
+            "delta": self.delta,
+            "flywheel": self.flywheel(),
+            "highest_order": self.highest,
+            "orders": [
+                {"order": str(n), "cos": float(cos), "sin": float(sin)} for n, cos, sin in self.terms()
+            ],
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each order of the whole torque, in N m, without the mean.
+
+        Keys: order, of, cos, sin, amplitude, unit.
+        """
+        return [
+            {
+                "order": float(n),
+                "of": "whole torque on the crank",
+                "cos": float(cos),
+                "sin": float(sin),
+                "amplitude": math.hypot(cos, sin),
+                "unit": "N m",
+            }
+            for n, cos, sin in self.terms()
+        ]
+
+    @property
+    def rpm(self) -> float:
+        """The speed, in revolutions a minute."""
+        return self.omega * RPM
+
+    @property
+    def bore(self) -> float:
+        """The bore, in m."""
+        return 2 * math.sqrt(self.area / pi)
 
     @cached_property
     def first(self) -> RunningCylinder:
@@ -180,9 +282,13 @@ class CrankTorque:
         low, high = extremes(self.energy, self.cycle)
         return Fluctuation(self.mean, least, largest, high - low, self.work)
 
-    def flywheel(self, delta: object) -> float:
-        """Return the moment of inertia J in kg m^2 that keeps the speed's fluctuation at `delta`."""
-        return flywheel_inertia(self.fluctuation.energy, self.omega, delta)
+    def flywheel(self, delta: object = None) -> float:
+        """Return the moment of inertia J in kg m^2 that keeps the speed's fluctuation at `delta`.
+
+        Without one it is the result's own.
+        """
+        wanted = self.delta if delta is None else delta
+        return flywheel_inertia(self.fluctuation.energy, self.omega, wanted)
 
     def speed_fluctuation(self, inertia: object) -> float:
         """Return delta = (omega_max - omega_min)/omega for a moment of inertia in kg m^2."""
@@ -192,16 +298,20 @@ class CrankTorque:
         """Return the same engine with the same trace at another speed."""
         return replace(self, omega=_omega(rpm))
 
-    def terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
-        """Return (order, C, S) of the whole torque in N m, halves included, without the mean."""
+    def terms(self, order: int | None = None) -> tuple[tuple[Fraction, Real, Real], ...]:
+        """Return (order, C, S) of the whole torque in N m, halves included, without the mean.
+
+        Without an order they go to `highest`, as do those of gas and inertia.
+        """
         total: dict[Fraction, Complex] = {}
         for part in (self.gas_terms(order), self.inertia_terms(order)):
             for n, cos, sin in part:
                 total[n] = total.get(n, Complex(0)) + Complex(cos, sin)
         return tuple((n, total[n].real, total[n].imag) for n in sorted(total))
 
-    def gas_terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
+    def gas_terms(self, order: int | None = None) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) of the gas torque in N m, without the mean."""
+        order = self.highest if order is None else order
         unit, kinds = self.area * self.radius * PASCAL, self._kinds
         found: dict[Fraction, complex] = {}
         for kind in kinds:
@@ -220,8 +330,9 @@ class CrankTorque:
             GasKind(own.tangential, tops, own.radius / self.radius) for own, tops in found.values()
         )
 
-    def inertia_terms(self, order: int = 6) -> tuple[tuple[Fraction, Real, Real], ...]:
+    def inertia_terms(self, order: int | None = None) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) of the inertia torque in N m, the rods' own included."""
+        order = self.highest if order is None else order
         unit, rods = self.mass * (self.radius * self.omega) ** 2, float(first_excess(self.layout))
         total: dict[Fraction, Complex] = {}
         parts = [(inertia_torque(self.layout, order), unit)]
@@ -242,11 +353,14 @@ def crank_torque(
     reciprocating_mass: object = None,
     ratio: object = None,
     ambient: object = AMBIENT,
+    order: int = HIGHEST,
+    delta: object = DELTA,
 ) -> CrankTorque:
     """Return the torque of a running engine: bore and stroke in mm, mass in kg, rpm, ambient in bar.
 
     Stroke, reciprocating mass (per cylinder) and rod ratio default to the layout's crank train; where
-    that gives them, they cannot be given anew for cylinders that are not alike.
+    that gives them, they cannot be given anew for cylinders that are not alike. `order` is the highest
+    order that is printed, `delta` the speed fluctuation that the flywheel is printed for.
 
     >>> from symbalance.engine.catalogue import load
     >>> from symbalance.torque.ideal import ideal_cycle
@@ -255,6 +369,7 @@ def crank_torque(
     >>> round(four.mean, 1), round(four.work, 1), round(four.fluctuation.of_torque, 2)
     (141.6, 1780.0, 2.78)
     """
+    order, fluctuation = checked_order(order), checked_delta(delta)
     if not has_common_torque(checked_layout(layout)):
         _check_own(layout, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
     layout = layout if ratio is None else layout.with_ratio(ratio)
@@ -270,7 +385,8 @@ def crank_torque(
         top = float(tops[cylinder.number]) * pi / 180 + own.piston.top
         excess = float(cylinder.excess) / MILLI**2
         cylinders.append(RunningCylinder(own, top, float(length) / (2 * MILLI), mass, excess))
-    return CrankTorque(layout, tuple(cylinders), pi * width**2 / 4, _omega(rpm))
+    area, omega = pi * width**2 / 4, _omega(rpm)
+    return CrankTorque(layout, tuple(cylinders), area, omega, trace, order, fluctuation)
 
 
 def _check_own(layout: Engine, **given: object) -> None:

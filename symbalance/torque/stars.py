@@ -12,7 +12,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import lcm
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import SequenceResult
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
@@ -21,7 +23,11 @@ from symbalance.exact.angles import Angle
 from symbalance.exact.phasor import Phasor, checked_modulus
 from symbalance.exact.spectrum import Component
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
+from symbalance.forces.resultants import listed_orders
 from symbalance.kinematics.slider_crank import checked_order
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 
 @dataclass(frozen=True)
@@ -38,6 +44,53 @@ class Star:
     def is_closed(self) -> bool:
         """Tell whether the vectors cancel: a proof either way."""
         return self.resultant.is_zero()
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class FiringStars(SequenceResult[Star]):
+    """The stars of all orders of an engine's gas torque, up to `highest`: a sequence of `Star`."""
+
+    layout: Engine
+    highest: int
+    items: tuple[Star, ...]
+
+    kind: ClassVar[str] = "firing-stars"
+
+    @property
+    def open(self) -> tuple[Star, ...]:
+        """The stars whose vectors do not cancel: the orders that the gas torque has."""
+        return tuple(star for star in self.items if not star.is_closed())
+
+    def summary(self) -> str:
+        """Return which orders are left, in one line."""
+        orders = [star.order for star in self.open]
+        left = f"open in order {listed_orders(orders)}" if orders else "all closed"
+        return f"Firing stars of {self.layout.name} to order {self.highest}: {left}"
+
+    def document(self) -> Document:
+        """Return the sums of the stars that are open, then every star's vectors."""
+        from symbalance.torque.gas_document import stars_document
+
+        return stars_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every star: its vectors' angles in turns and their sum, exact numbers as strings."""
+        from symbalance.torque.torque_data import stars_data
+
+        return stars_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each vector; keys: order, cylinder, degrees, and closed, of its star."""
+        return [
+            {
+                "order": float(star.order),
+                "cylinder": number,
+                "degrees": float(360 * turns),
+                "closed": star.is_closed(),
+            }
+            for star in self.items
+            for number, turns in star.vectors
+        ]
 
 
 def firing_pin_passings(layout: Engine) -> dict[int, Fraction]:
@@ -83,7 +136,7 @@ def _checked_delay(cylinder: Cylinder) -> Cylinder:
     return cylinder
 
 
-def firing_stars(layout: Engine, order: int = 6) -> tuple[Star, ...]:
+def firing_stars(layout: Engine, order: int = 6) -> FiringStars:
     """Return the stars of all orders of the gas torque to `order`: halves in a four-stroke.
 
     Vectors stand where the pins pass the cylinders' axes: like cylinders are moved from there alike.
@@ -92,7 +145,8 @@ def firing_stars(layout: Engine, order: int = 6) -> tuple[Star, ...]:
     >>> [str(s.order) for s in firing_stars(inline("1-5-3-6-2-4"), 9) if not s.is_closed()]
     ['3', '6', '9']
     """
-    return stars_of(firing_pin_passings(layout), layout.strokes, order)
+    stars = stars_of(firing_pin_passings(layout), layout.strokes, order)
+    return FiringStars(layout, order, stars)
 
 
 def stars_of(tops: Mapping[int, Fraction], strokes: int, order: int) -> tuple[Star, ...]:

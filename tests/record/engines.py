@@ -89,9 +89,16 @@ def engine_files(root: Path) -> dict[str, str]:
 
 
 def preset_names(listing: str) -> list[str]:
-    """Return the presets that `symbalance engines` lists: the first word of every line not indented.
+    """Return the presets that `symbalance engines` lists: the first word of every row of its table.
+
+    Earlier programs have no head above the rows, and do not indent them.
 
     >>> preset_names("v8-90   cross-plane\\n        [a source]\\nv12-60  vee\\n")
     ['v8-90', 'v12-60']
+    >>> preset_names("Presets\\n\\n  name   what\\n  ───────\\n  v8-90  cross-plane\\n         crank\\n")
+    ['v8-90']
     """
-    return [line.split()[0] for line in listing.splitlines() if line and not line[0].isspace()]
+    head, rule, rows = listing.partition("─\n")
+    indent = 2 if rule else 0
+    lines = (rows if rule else head).splitlines()
+    return [line.split()[0] for line in lines if line[indent:] and not line[indent].isspace()]

@@ -5,12 +5,10 @@ rotations    small rotations to the second order: a rotation vector, six Cardan 
 node         the linear equations of a general node, from its kinetic energy
 published    the paper's equation (1), and how each of its entries fares
 bearings     a bearing's stiffness and damping in turning coordinates
-page         all of it as LaTeX
-listing      the entries as text
+node_document   what is written of it
 """
 
 from symbalance.crankshaft.equations.bearings import TurnedBearing, turned_bearing
-from symbalance.crankshaft.equations.listing import equations_text
 from symbalance.crankshaft.equations.node import NodeEquations, node_equations
 from symbalance.crankshaft.equations.published import compared
 
@@ -18,7 +16,6 @@ __all__ = [
     "NodeEquations",
     "TurnedBearing",
     "compared",
-    "equations_text",
     "node_equations",
     "turned_bearing",
 ]

@@ -23,6 +23,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import permutations
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import sympy
 
@@ -51,13 +52,17 @@ from symbalance.crankshaft.equations.quantities import (
     transposed,
 )
 from symbalance.crankshaft.equations.rotations import rotation_rows
+from symbalance.document.result import Result
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 Matrix = sympy.ImmutableMatrix
 _SIZE = len(COORDINATES)
 
 
-@dataclass(frozen=True)
-class NodeEquations:
+@dataclass(frozen=True, repr=False)
+class NodeEquations(Result):
     """M q'' + omega G q' + (omega^2 dK + alpha H) q = F + omega^2 F_M - alpha c + g F_g.
 
     6 x 6 `mass`, `gyroscopic`, `centrifugal`, `euler` and 6 x 1 `centrifugal_force`, `euler_force` (c),
@@ -73,11 +78,41 @@ class NodeEquations:
     euler_force: sympy.ImmutableMatrix
     gravity_force: sympy.ImmutableMatrix
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return it as LaTeX, a fragment or a whole document."""
-        from symbalance.crankshaft.equations.page import equations_latex
+    kind: ClassVar[str] = "crank-node"
 
-        return equations_latex(self, standalone=standalone)
+    def summary(self) -> str:
+        """Return the coordinates and the symbols, in one line."""
+        symbols = ", ".join(sorted(str(symbol) for symbol in self.symbols))
+        return f"Equations of a crankshaft's node in {self.coordinates}: of {symbols}"
+
+    def document(self) -> Document:
+        """Return the equations, their matrices, the published ones beside them, and a bearing's."""
+        from symbalance.crankshaft.equations.node_document import node_document
+
+        return node_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every matrix as rows of strings that SymPy reads."""
+        rows = {name: matrix.tolist() for name, matrix in self.parts().items()}
+        texts = {
+            name: [[str(sympy.expand(cell)) for cell in row] for row in m] for name, m in rows.items()
+        }
+        return {"rotation": self.rotation, "coordinates": [str(q) for q in COORDINATES], **texts}
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each entry that is not zero: its matrix, row and column from 1, its text."""
+        return [
+            {"matrix": name, "row": i + 1, "column": j + 1, "entry": str(entry)}
+            for name, matrix in self.parts().items()
+            for i in range(matrix.rows)
+            for j in range(matrix.cols)
+            if (entry := sympy.expand(matrix[i, j])) != 0
+        ]
+
+    @property
+    def coordinates(self) -> str:
+        """What the turns are: "a rotation vector", "Cardan angles uvw"."""
+        return "a rotation vector" if self.rotation == "vector" else f"Cardan angles {self.rotation}"
 
     def with_values(self, **values: object) -> NodeEquations:
         """Return the equations with symbols replaced, by name.

@@ -25,15 +25,6 @@ TURN = sympy.symbols("theta_u theta_v theta_w", real=True)
 COORDINATES = (*SHIFT, *TURN)
 RATES = tuple(sympy.Symbol(f"{name}_dot", real=True) for name in COORDINATES)
 
-LATEX = {
-    **{s: rf"\theta_{x}" for s, x in zip(TURN, "uvw", strict=True)},
-    **{s: rf"e_{x}" for s, x in zip(OFFSET, "uvw", strict=True)},
-    **{s: rf"I_{{{str(s)[2:]}}}" for s in (*PRODUCTS, *MOMENTS)},
-    OMEGA: r"\omega",
-    THETA: r"\theta",
-}
-"""What `sympy.latex` needs as `symbol_names` to print them."""
-
 PARAMETERS = (M, *PLACE, *OFFSET, *MOMENTS, *PRODUCTS)
 RING: PolyRing = ring((*COORDINATES, *RATES, OMEGA, *PARAMETERS), sympy.QQ)[0]
 MOVING = len(COORDINATES) + len(RATES)

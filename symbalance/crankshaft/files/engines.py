@@ -13,9 +13,9 @@ from symbalance.crankshaft.files.operation import Operation
 from symbalance.crankshaft.files.supports import Supports
 from symbalance.engine.catalogue import preset_names
 from symbalance.engine.engine import Engine
-from symbalance.engine.engine_file import engine_from
-from symbalance.errors import SymbalanceError, encodable_name
-from symbalance.text.files import read_text
+from symbalance.engine.engine_file import default_name, engine_from
+from symbalance.errors import SymbalanceError
+from symbalance.text.files import file_name, read_text
 from symbalance.text.sections import Section, read_sections
 
 
@@ -42,9 +42,9 @@ class RunningEngine:
 def read_running_engine(path: str | Path) -> RunningEngine:
     """Return the engine of a file with [crankshaft], [bearings] and [running]; refusals name the line."""
     refuse_preset(path)
-    text, place = read_text(path), str(path)
+    text, place = read_text(path), file_name(path)
     file = read_sections(text, place, FILE_KEYS)
-    layout = engine_from(file, encodable_name(Path(path).stem))
+    layout = engine_from(file, default_name(path))
     folder = Path(path).parent
     for cylinder in layout.cylinders:
         if cylinder.reciprocating_mass is None:

@@ -1,15 +1,11 @@
-"""A run's numbers for other programs: curves as CSV, the summary as JSON."""
+"""A run's curves for other programs, as CSV."""
 
 from __future__ import annotations
-
-import json
-from math import isfinite
-from typing import Any
 
 import numpy as np
 
 from symbalance.crankshaft.files.operation import speed_text
-from symbalance.crankshaft.reports.summary import MEGA, Summary
+from symbalance.crankshaft.reports.summary import MEGA
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.setting import Setting
 
@@ -47,39 +43,3 @@ def loads_csv(outcome: Outcome, setting: Setting) -> str:
     lines = [",".join(["crank angle [degrees]", *names])]
     lines += [",".join(f"{x:.7g}" for x in row) for row in rows]
     return "\n".join(lines) + "\n"
-
-
-def summary_json(found: Summary) -> str:
-    """Return the figures of a run as JSON; numbers in MPa, Hz, rpm, N, hours, null where infinite.
-
-    A speed with a `reason` is not to be relied on: channels, places and measured curves leave it out.
-    """
-    document = {
-        "engine": found.setting.engine.layout.name,
-        "webs": found.setting.webs,
-        "modes": found.setting.modes,
-        "connection": found.setting.connection,
-        "natural_frequencies": [{"hertz": f, "mostly": kind} for f, kind in found.frequencies],
-        "speeds": [_finite(vars(s)) for s in found.speeds],
-        "channels": [_finite(vars(e)) for e in found.extremes],
-        "places": [
-            {
-                "name": p.name,
-                "rpm": p.rpm,
-                "amplitude": p.found.amplitude / MEGA,
-                "mean": p.found.mean / MEGA,
-                **_finite({"safety": p.found.safety, "damage": p.found.damage, "hours": p.hours}),
-            }
-            for p in found.places
-        ],
-        "measured": [
-            {"rpm": c.rpm, "channel": c.channel, "rms": c.rms, "peak": c.peak, "span": c.span}
-            for c in found.comparisons
-        ],
-        "notes": list(found.notes),
-    }
-    return json.dumps(document, ensure_ascii=False, indent=1) + "\n"
-
-
-def _finite(values: dict[str, Any]) -> dict[str, Any]:
-    return {k: None if isinstance(v, float) and not isfinite(v) else v for k, v in values.items()}

@@ -1,10 +1,11 @@
-"""The numbers every report of a running crankshaft prints."""
+"""A running crankshaft's figures: what every report of a run prints."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import groupby
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
@@ -14,9 +15,15 @@ from symbalance.crankshaft.running.measured import Comparison, compared
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.running.setting import Setting
 from symbalance.crankshaft.stress import Durability, durability
+from symbalance.document.result import Result
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 MEGA = 1e6
 SHOWN_ORDERS = 4
+MOST_NAMED = 4
+"""Speeds that a line names."""
 UNSTABLE = 1 + 1e-9
 """A Floquet multiplier above this grows."""
 COARSE = 0.05
@@ -65,9 +72,12 @@ class Speed:
     reason: str | None
 
 
-@dataclass(frozen=True)
-class Summary:
-    """All figures of a run; extremes, places and comparisons are those of the `reliable` speeds."""
+@dataclass(frozen=True, repr=False)
+class Summary(Result):
+    """All figures of a run; extremes, places and comparisons are those of the `reliable` speeds.
+
+    `pictures` are PNG by file name, none before `with_pictures`.
+    """
 
     setting: Setting
     outcomes: tuple[Outcome, ...]
@@ -78,6 +88,44 @@ class Summary:
     places: tuple[Place, ...]
     comparisons: tuple[Comparison, ...]
     notes: tuple[str, ...]
+    pictures: Mapping[str, bytes] = field(default_factory=dict)
+
+    kind: ClassVar[str] = "crankshaft"
+
+    def summary(self) -> str:
+        """Return the speeds and the least safety factor, in one line."""
+        speeds = ", ".join(speed_text(s.rpm) for s in self.speeds[:MOST_NAMED])
+        more = f", … ({len(self.speeds)} speeds)" if len(self.speeds) > MOST_NAMED else ""
+        if not self.reliable:
+            said = "no speed is to be relied on"
+        else:
+            worst = self.worst
+            said = f"least safety factor {worst.found.safety:.2f}, of {worst.name}"
+        return f"Crankshaft of {self.setting.engine.layout.name} at {speeds}{more} rpm: {said}"
+
+    def document(self) -> Document:
+        """Return speeds, durability, stresses, frequencies, notes, how it was computed, and pictures."""
+        from symbalance.crankshaft.reports.summary_document import summary_document
+
+        return summary_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the figures in MPa, Hz, rpm, N and hours; None where infinite or not known."""
+        from symbalance.crankshaft.reports.summary_data import summary_data
+
+        return summary_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each channel at each speed that is to be relied on."""
+        from symbalance.crankshaft.reports.summary_data import summary_records
+
+        return summary_records(self)
+
+    def with_pictures(self) -> Summary:
+        """Return the run with its pictures drawn; refused without matplotlib."""
+        from symbalance.crankshaft.reports.pictures import pictures
+
+        return replace(self, pictures=pictures(self))
 
     @property
     def reliable(self) -> tuple[Outcome, ...]:

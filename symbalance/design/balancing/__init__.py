@@ -7,6 +7,7 @@ from symbalance.design.balancing.ellipses import Ellipse, ellipse
 from symbalance.design.balancing.overbalancing import best_forward, best_overbalance, overbalanced
 from symbalance.design.balancing.planes import in_planes
 from symbalance.design.balancing.rotating import (
+    RotatingBalance,
     balanced_weights,
     rotating_unbalance,
     rotating_weights,
@@ -18,6 +19,7 @@ __all__ = [
     "Design",
     "Device",
     "Ellipse",
+    "RotatingBalance",
     "balanced_weights",
     "best_forward",
     "best_overbalance",

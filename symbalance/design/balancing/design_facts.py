@@ -1,22 +1,17 @@
-"""What the printed forms of a design have in common: its devices, its certificate, what it leaves."""
+"""What a design's document and its data share: weights, the certificate in order, the achievement."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 
-from symbalance.design.balancing import Design, Device
 from symbalance.design.balancing.certifying import Claim
+from symbalance.design.balancing.designing import Design
+from symbalance.design.balancing.devices import Device
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
+from symbalance.engine.balancers import Counterweight
 from symbalance.exact.amplitude import Amplitude
 from symbalance.text.reals import Real
-
-VERDICTS = {
-    "absent": "none before",
-    "removed": "proved 0",
-    "reduced": "changed",
-    "unchanged": "as it was",
-    "added": "added",
-}
 
 
 @dataclass(frozen=True)
@@ -24,7 +19,7 @@ class PlacedWeight:
     """One weight of a design: station, exact vector (a share), mass times radius in kg mm if known."""
 
     device: Device
-    station: str
+    station: Fraction
     vector: Amplitude
     unbalance: Real | None
 
@@ -32,10 +27,17 @@ class PlacedWeight:
 def weights(design: Design) -> list[PlacedWeight]:
     """Return every weight that stands at a station, device by device."""
     return [
-        PlacedWeight(device, str(station), vector, design.unbalance(device, vector))
+        PlacedWeight(device, station, vector, design.unbalance(device, vector))
         for device in design.devices
         for station, vector in device.weights
     ]
+
+
+def on_throws(design: Design) -> list[Counterweight]:
+    """Return the counterweights of a design that stand on throws: their rotating mass, or more."""
+    had = len(design.layout.balancers.counterweights)
+    added = design.balanced.balancers.counterweights[had:]
+    return [c for c in added if c.overbalance is not None]
 
 
 def name(device: Device) -> str:
@@ -55,46 +57,65 @@ def by_order(design: Design) -> list[tuple[int, str, list[Claim]]]:
     return [(abs(c.signed), c.kind, claims[i : i + 2]) for i, c in enumerate(claims) if i % 2 == 0]
 
 
-def left_ellipses(design: Design) -> list[tuple[str, Ellipse]]:
+def left_ellipses(design: Design) -> list[Ellipse]:
     """Return the ellipses of what a design leaves of the orders to remove."""
-    found = []
-    for n in design.remove:
-        for kind in ("force", "couple"):
-            left = ellipse(design.remains, n, kind)
-            if left.shape != "nothing":
-                found.append((kind, left))
-    return found
+    every = [ellipse(design.remains, n, of) for n in design.remove for of in ("force", "couple")]
+    return [left for left in every if left.shape != "nothing"]
 
 
-def summary(design: Design) -> str:
+def achieved(design: Design) -> str:
+    """Return what becomes of the orders to remove.
+
+    >>> from symbalance.design.balancing import design_balance
+    >>> from symbalance.engine.catalogue import load
+    >>> achieved(design_balance(load("v8-90"), [1, 2]))
+    'orders 1, 2 end exactly'
+    """
+    orders = _orders(design)
+    if design.is_complete:
+        if not design.devices:
+            return f"{orders}: nothing to remove"
+        return f"{orders} {'ends' if len(design.remove) == 1 else 'end'} exactly"
+    return f"{orders} {'reduced' if design.devices else 'left unchanged'}"
+
+
+def means(design: Design) -> str:
+    """Return what a design takes for that, and whether less would do; empty where nothing is to remove.
+
+    >>> from symbalance.design.balancing import design_balance
+    >>> from symbalance.engine.catalogue import load
+    >>> means(design_balance(load("v8-90"), [1, 2]))
+    'with counterweights on the crank; no shaft is needed'
+    """
+    if not design.devices and design.is_complete:
+        return ""
+    shafts = len(design.shafts)
+    parts = ["counterweights on the crank"] if any(d.on_crank for d in design.devices) else []
+    parts += [f"{shafts} balance shaft{'s' if shafts > 1 else ''}"] if shafts else []
+    built = f"with {' and '.join(parts) or 'nothing built in'}"
+    if design.is_complete:
+        return f"{built}; {'fewer shafts cannot do it' if shafts else 'no shaft is needed'}"
+    count = f"{design.least_shafts} shaft{'' if design.least_shafts == 1 else 's'}"
+    return f"{built}; it takes {count} to end all exactly"
+
+
+def sentence(design: Design) -> str:
     """Return in one sentence what the design achieves and what it takes.
 
     >>> from symbalance.design.balancing import design_balance
     >>> from symbalance.engine.catalogue import load
-    >>> summary(design_balance(load("v8-90"), [1, 2]))
+    >>> sentence(design_balance(load("v8-90"), [1, 2]))
     'Orders 1, 2 end exactly, with counterweights on the crank; no shaft is needed.'
     """
-    orders = ", ".join(map(str, design.remove))
-    noun = "Order" if len(design.remove) == 1 else "Orders"
-    if not design.devices and design.is_complete:
-        return f"{noun} {orders}: nothing to remove."
-    with_weights = any(d.on_crank for d in design.devices)
-    shafts = len(design.shafts)
-    parts = ["counterweights on the crank"] if with_weights else []
-    parts += [f"{shafts} balance shaft{'s' if shafts > 1 else ''}"] if shafts else []
-    means = " and ".join(parts) or "nothing built in"
-    verb = "ends" if len(design.remove) == 1 else "end"
+    taken = means(design)
     if design.is_complete:
-        fewer = "; fewer shafts cannot do it" if shafts else "; no shaft is needed"
-        return f"{noun} {orders} {verb} exactly, with {means}{fewer}."
-    count = f"{design.least_shafts} shaft{'' if design.least_shafts == 1 else 's'}"
-    return f"{noun} {orders}: reduced with {means}; it takes {count} to end all exactly."
+        said = f"{achieved(design)}, {taken}." if taken else f"{achieved(design)}."
+    else:
+        verb = "reduced" if design.devices else "left unchanged"
+        said = f"{_orders(design)}: {verb} {taken}."
+    return said[0].upper() + said[1:]
 
 
-def shape(left: Ellipse) -> str:
-    """Return what an order draws, and in which sense: "circle, against the crank"."""
-    if left.shape == "circle":
-        return f"circle, {'with' if left.backward.is_zero() else 'against'} the crank"
-    if left.shape == "ellipse" and not left.major.free_symbols:
-        return f"ellipse, {'with' if left.sense > 0 else 'against'} the crank"
-    return left.shape
+def _orders(design: Design) -> str:
+    """Return the orders to remove: "order 1", "orders 1, 2"."""
+    return f"order{'' if len(design.remove) == 1 else 's'} {', '.join(map(str, design.remove))}"

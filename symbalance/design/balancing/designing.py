@@ -17,11 +17,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.balancing.certifying import Claim, claims
 from symbalance.design.balancing.choosing import parts_of
 from symbalance.design.balancing.devices import Device, devices_for, for_rotating
 from symbalance.design.balancing.limits import Limits, checked_limits, checked_orders
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError, shown
@@ -29,12 +31,15 @@ from symbalance.exact.amplitude import Amplitude
 from symbalance.forces.resultants import Balance, balance
 from symbalance.text.reals import Real
 
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
+
 SHOWN = 12
 """Orders up to this one are listed in what remains."""
 
 
-@dataclass(frozen=True)
-class Design:
+@dataclass(frozen=True, repr=False)
+class Design(Result):
     """A proposal: `layout` as it was, `balanced` with the `devices` built in, and what follows.
 
     >>> from symbalance.engine.catalogue import load
@@ -53,23 +58,31 @@ class Design:
     before: Balance
     remains: Balance
 
-    def as_text(self) -> str:
-        """Return it as text for a terminal of 80 columns."""
-        from symbalance.design.balancing.design_text import design_text
+    kind: ClassVar[str] = "design"
 
-        return design_text(self)
+    def summary(self) -> str:
+        """Return what the design achieves and what it takes, in one line."""
+        from symbalance.design.balancing.design_facts import sentence
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return it as LaTeX, a fragment or a whole document."""
-        from symbalance.design.balancing.design_latex import design_latex
+        return f"Design for {self.layout.name}: {sentence(self)}"
 
-        return design_latex(self, standalone=standalone)
+    def document(self) -> Document:
+        """Return the weights proposed, their certificate and what remains, then how to read them."""
+        from symbalance.design.balancing.design_document import design_document
 
-    def as_json(self) -> str:
-        """Return it as JSON, every number exact, as a string."""
-        from symbalance.design.balancing.design_json import design_json
+        return design_document(self)
 
-        return design_json(self)
+    def data(self) -> dict[str, Any]:
+        """Return the devices, the certificate and what remains, exact numbers as strings."""
+        from symbalance.design.balancing.design_data import design_data
+
+        return design_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each weight that is built in."""
+        from symbalance.design.balancing.design_data import design_records
+
+        return design_records(self)
 
     @property
     def shafts(self) -> list[Device]:
@@ -149,5 +162,5 @@ def design_balance(
 def _checked(layout: object, ratio: object) -> Engine:
     if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     return layout if ratio is None else layout.with_ratio(ratio)

@@ -14,7 +14,7 @@ from symbalance.design.balancing.limits import Limits
 from symbalance.design.balancing.planes import Placed, in_planes
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight, directed
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import share_unit
+from symbalance.engine.rotors import has_unit_share, share_unit
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.arithmetic import station_of, total
@@ -43,11 +43,11 @@ def devices_for(before: Balance, orders: Sequence[int], limits: Limits) -> list[
     """Return what serves the orders to remove, slowest first, the crank before shafts."""
     parts = parts_of(before, orders)
     served = _served(before, parts, limits)
-    found = []
+    devices = []
     for n in sorted({abs(s) for s in served}):
         placed = _placed(before, parts, [s for s in (n, -n) if s in served], limits)
-        found += [_device(before, speed, weights, limits) for speed, weights in placed.items()]
-    return [device for device in found if device.parts]
+        devices += [_device(before, speed, weights, limits) for speed, weights in placed.items()]
+    return [device for device in devices if device.parts]
 
 
 def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int]:
@@ -94,11 +94,11 @@ def _placed(
     """Return, by speed, the weights that serve one order: stations and vectors in its unit."""
     layout, tilt = before.layout, limits.weighting.tilt
     targets = {s: targets_of(parts, s, -s in served, tilt) for s in served}
-    found = {s: _weights(layout, s, wanted, limits) for s, wanted in targets.items()}
+    weights = {s: _weights(layout, s, wanted, limits) for s, wanted in targets.items()}
     if limits.most is None or not tilt or len(served) < 2:
-        return found
-    if all(_had_all(layout, found[s], targets[s]) for s in served):
-        return found
+        return weights
+    if all(_had_all(layout, weights[s], targets[s]) for s in served):
+        return weights
     plane = layout.mean_station
     arms = sorted({z for wanted in targets.values() for z in _arms(layout, wanted, limits.stations)})
     bound = _bound(layout, served[0], limits.most)
@@ -147,10 +147,10 @@ def _weights(layout: Engine, speed: int, targets: Pair, limits: Limits) -> list[
 
 def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
     """Return the arms weights may have: the ends of the engine, and the one place that does alone."""
-    plane = layout.mean_station
     if stations is not None:
+        plane = layout.mean_station
         return [station - plane for station in stations]
-    places = [c.station - plane for c in layout.cylinders]
+    places = layout.arms()
     half = Fraction(1, 2)
     front, rear = max(places), min(places)
     alone = station_of(*targets)
@@ -161,7 +161,7 @@ def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) 
 
 def _share(layout: Engine, speed: int, vector: Amplitude) -> Amplitude:
     """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
-    if layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1:
+    if has_unit_share(layout, speed):
         return vector
     return DecimalPhasor(vector.evaluated() / share_unit(layout, speed))
 

@@ -11,9 +11,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import sympy
 
+from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.decimal_phasor import LEAST
@@ -23,23 +25,55 @@ from symbalance.forces.resultants import Balance, checked_balance
 from symbalance.text.numbers import checked_whole
 from symbalance.text.reals import Exact, Real, atan2, expj
 
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
-@dataclass(frozen=True)
-class Ellipse:
-    """What a planar vector of one order draws; unit F_n = A_n m r omega^2 (couples F_n a).
 
-    `forward` is c_n, which turns with the crank, and `backward` c_-n, both as directions at theta = 0.
+@dataclass(frozen=True, repr=False)
+class Ellipse(Result):
+    """What one order of a balance's "force" or "couple" (`of`) draws, in the balance's units.
+
+    `forward` is c_n, which turns with the crank, and `backward` c_-n, both as directions at theta = 0;
+    the unit is F_n = A_n m r omega^2 (couples F_n a), or m r omega^2 where cylinders are unlike.
 
     >>> from symbalance.engine.builders import inline
     >>> from symbalance.forces.resultants import balance
-    >>> line = ellipse(balance(inline("1"), 1))
+    >>> line = ellipse(balance(inline("1", name="single"), 1))
+    >>> line
+    Free force of order 1 of single: line
     >>> line.major, line.minor, line.direction, line.shape
     (1, 0, 0, 'line')
     """
 
+    balance: Balance
+    of: str
     order: int
     forward: Amplitude
     backward: Amplitude
+
+    kind: ClassVar[str] = "ellipse"
+
+    def summary(self) -> str:
+        """Return which order this is of, and what it draws, in one line."""
+        return f"Free {self.of} of order {self.order} of {self.balance.layout.name}: {self.drawn}"
+
+    def document(self) -> Document:
+        """Return the semi-axes and the two rotating parts, then how to read them."""
+        from symbalance.design.balancing.ellipse_document import ellipse_document
+
+        return ellipse_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the semi-axes and the rotating parts, exact numbers as strings that SymPy reads."""
+        from symbalance.design.balancing.ellipse_data import ellipse_data
+
+        return ellipse_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return one row: semi-axes and direction in decimals where there are no symbols in them."""
+        from symbalance.design.balancing.ellipse_data import ellipse_records
+
+        return ellipse_records([self])
 
     @cached_property
     def _sizes(self) -> tuple[sympy.Expr, sympy.Expr]:
@@ -95,6 +129,20 @@ class Ellipse:
             return "ellipse"
         return "ellipse" if self.sense else "line"
 
+    @property
+    def drawn(self) -> str:
+        """What it draws in words, and in which sense: "circle, against the crank"."""
+        if self.shape == "circle":
+            return f"circle, {'with' if self.backward.is_zero() else 'against'} the crank"
+        if self.shape == "ellipse" and not self.has_symbols:
+            return f"ellipse, {'with' if self.sense > 0 else 'against'} the crank"
+        return self.shape
+
+    @property
+    def has_symbols(self) -> bool:
+        """Whether its size depends on a symbolic angle."""
+        return bool(self.major.free_symbols)
+
     def reach(self, direction: Exact | Real) -> Real:
         """Return how far it reaches along a direction (radians from straight up): its amplitude there."""
         turned = expj(-direction)
@@ -117,4 +165,4 @@ def ellipse(result: Balance, order: int = 1, kind: str = "force") -> Ellipse:
     rule = f"of a balance to order {result.highest}"
     checked_whole(order, "order", 1, result.highest, f"{rule}; ask balance for more")
     terms = (result.force if kind == "force" else result.couple).terms
-    return Ellipse(order, terms.get(order, ZERO), terms.get(-order, ZERO))
+    return Ellipse(result, kind, order, terms.get(order, ZERO), terms.get(-order, ZERO))

@@ -48,7 +48,7 @@ def overbalanced(layout: Engine, share: object = Fraction(1, 2)) -> Engine:
     part = exact(share, "overbalance")
     if not isinstance(layout, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", remedy)
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     return layout.balanced_by(
         *(Counterweight(throw=c.number, overbalance=part) for c in layout.cylinders)
     )
@@ -73,12 +73,11 @@ def first_order(layout: Engine, kind: str = "force") -> FirstOrder:
     """
     if kind not in ("force", "couple"):
         raise SymbalanceError(f"kind = {shown(kind)}", "must be force or couple", "ask for one of them")
-    found = balance(layout, 1)
-    terms = (found.force if kind == "force" else found.couple).terms
-    plane = layout.mean_station
-    arms = [Fraction(1) if kind == "force" else c.station - plane for c in layout.cylinders]
-    rows = zip(layout.cylinders, arms, layout.sizes, strict=True)
-    pins = [directed(Phasor.of(1, {0: arm * size}), c.throw) for c, arm, size in rows]
+    result = balance(layout, 1)
+    terms = (result.force if kind == "force" else result.couple).terms
+    weights = [Fraction(1)] * len(layout.cylinders) if kind == "force" else layout.arms()
+    rows = zip(layout.cylinders, weights, layout.sizes, strict=True)
+    pins = [directed(Phasor.of(1, {0: weight * size}), c.throw) for c, weight, size in rows]
     return FirstOrder(terms.get(1, ZERO), total(pins), terms.get(-1, ZERO))
 
 
@@ -153,15 +152,15 @@ def _least_largest(parts: FirstOrder, vertical: Fraction, lateral: Fraction) -> 
     """
     curves = [_parabola(parts, sign, w * w) for w, sign in ((vertical, 1), (lateral, -1))]
     near = [[x.evaluated().real for x in curve] for curve in curves]
-    found = [i for i, w in enumerate((vertical, lateral)) if w]
-    places = [(near[i][1] / near[i][0], i) for i in found]
+    directions = [i for i, w in enumerate((vertical, lateral)) if w]
+    places = [(near[i][1] / near[i][0], i) for i in directions]
     gap = [one - other for one, other in zip(*near, strict=True)]
     places += [(k, sign) for k, sign in _crossings(gap, vertical == lateral)]
     worth = [max(a * k * k - 2 * b * k + c for a, b, c in near) for k, _ in places]
     best = min(range(len(places)), key=worth.__getitem__)
     exactly = [[Component(x).cos for x in curve] for curve in curves]
-    if best < len(found):
-        a, b, _ = exactly[found[best]]
+    if best < len(directions):
+        a, b, _ = exactly[directions[best]]
         return b / a
     a, b, c = (one - other for one, other in zip(*exactly, strict=True))
     return c / (2 * b) if vertical == lateral else (b + places[best][1] * sympy.sqrt(b * b - a * c)) / a

@@ -9,10 +9,13 @@ shares the weights out over more.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.balancing.planes import in_planes
+from symbalance.document.result import Result
 from symbalance.engine.balancers import Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
@@ -20,6 +23,92 @@ from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.arithmetic import total
 from symbalance.text.numbers import exact, listed
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
+
+
+@dataclass(frozen=True, repr=False)
+class RotatingBalance(Result):
+    """Counterweights in given planes against turning `weights`; a sequence of its `counterweights`.
+
+    `stations` are the planes, `spread` how the counterweights share them. Couples are about station 0,
+    in the weights' unit times pitches; where no force is left, they are the same about any station.
+
+    >>> balanced_weights([Weight(1, 0, unbalance=6), Weight(0, 90, unbalance=3)], [3, -3])
+    2 counterweights against 2 turning weights: no force and no couple left
+    >>> balanced_weights([Weight(1, 0, unbalance=6), Weight(0, 90, unbalance=3)], [0])
+    1 counterweight against 2 turning weights: no force and a couple left
+    """
+
+    weights: tuple[Weight, ...]
+    stations: tuple[Fraction, ...]
+    spread: str
+    counterweights: tuple[Counterweight, ...]
+
+    kind: ClassVar[str] = "rotating-balance"
+
+    def __iter__(self) -> Iterator[Counterweight]:
+        return iter(self.counterweights)
+
+    def __len__(self) -> int:
+        return len(self.counterweights)
+
+    def __getitem__(self, index: int) -> Counterweight:
+        return self.counterweights[index]
+
+    @property
+    def in_kg_mm(self) -> bool:
+        """Whether weights are in kg mm, else shares of the first cylinder's m r."""
+        return any(weight.in_kg_mm for weight in self.weights)
+
+    @property
+    def placed(self) -> list[tuple[Fraction, Amplitude]]:
+        """The counterweights' stations and vectors, straight up + i to the right at theta = 0."""
+        return [
+            (c.station, c.weight.vector)
+            for c in self.counterweights
+            if c.station is not None and c.weight is not None
+        ]
+
+    @property
+    def before(self) -> tuple[Amplitude, Amplitude]:
+        """The force and the couple of the weights alone."""
+        return rotating_unbalance(self.weights)
+
+    @property
+    def remains(self) -> tuple[Amplitude, Amplitude]:
+        """The force and the couple of weights and counterweights, added up anew."""
+        every = [*((w.station, w.vector) for w in self.weights), *self.placed]
+        return total(vector for _, vector in every), total(v.scaled(z) for z, v in every)
+
+    def summary(self) -> str:
+        """Return how many counterweights there are, and what is left, in one line."""
+        force, couple = self.remains
+        left = f"{'no' if force.is_zero() else 'a'} force and {'no' if couple.is_zero() else 'a'} couple"
+        count, others = len(self.counterweights), len(self.weights)
+        return (
+            f"{count} counterweight{'' if count == 1 else 's'} against "
+            f"{others} turning weight{'' if others == 1 else 's'}: {left} left"
+        )
+
+    def document(self) -> Document:
+        """Return the counterweights, what they leave, the weights they are against."""
+        from symbalance.design.balancing.rotating_document import rotating_document
+
+        return rotating_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return weights, counterweights and what is left, exact numbers as strings."""
+        from symbalance.design.balancing.rotating_data import rotating_data
+
+        return rotating_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each counterweight and each weight."""
+        from symbalance.design.balancing.rotating_data import rotating_records
+
+        return rotating_records(self)
 
 
 def throw_unbalance(parts: Iterable[tuple[object, object]]) -> Fraction:
@@ -74,7 +163,7 @@ def rotating_unbalance(weights: Iterable[Weight], plane: object = 0) -> tuple[Am
 
 def balanced_weights(
     weights: Iterable[Weight], stations: Sequence[object], *, spread: str = "ends"
-) -> list[Counterweight]:
+) -> RotatingBalance:
     """Return counterweights at given stations that balance turning weights in force and couple.
 
     With two stations or more the balance is exact; `spread` "ends" takes the fewest planes and the least
@@ -93,10 +182,11 @@ def balanced_weights(
         force, couple = -force, -force.scaled(places[0])
     else:
         force, couple = -force, -couple
-    if force.is_zero() and couple.is_zero():
-        return []
-    placed = in_planes(force, couple, places, spread=spread, length=Fraction(1))
-    return [_counterweight(vector, station, in_kg_mm) for station, vector in placed]
+    placed = []
+    if not (force.is_zero() and couple.is_zero()):
+        placed = in_planes(force, couple, places, spread=spread, length=Fraction(1))
+    counterweights = tuple(_counterweight(vector, station, in_kg_mm) for station, vector in placed)
+    return RotatingBalance(tuple(rows), tuple(places), spread, counterweights)
 
 
 def _counterweight(vector: Amplitude, station: Fraction, in_kg_mm: bool) -> Counterweight:

@@ -9,10 +9,10 @@
 from symbalance.design.variations.aims import MODES
 from symbalance.design.variations.arranging import Assignment, assign_parts
 from symbalance.design.variations.derivatives import PARAMETERS, sensitivities
-from symbalance.design.variations.extremes import WorstCase, worst_cases
+from symbalance.design.variations.extremes import WorstCase, WorstCases, worst_cases
 from symbalance.design.variations.formulas import SymbolicOrder, symbolic_order
 from symbalance.design.variations.measures import Shaking
-from symbalance.design.variations.sensitivity import STEPS, Sensitivity
+from symbalance.design.variations.sensitivity import STEPS, Sensitivities, Sensitivity
 from symbalance.design.variations.tolerances import UNITS, Tolerances
 from symbalance.design.variations.weighed import Part, PartSet, parse_parts, read_parts
 
@@ -24,11 +24,13 @@ __all__ = [
     "Assignment",
     "Part",
     "PartSet",
+    "Sensitivities",
     "Sensitivity",
     "Shaking",
     "SymbolicOrder",
     "Tolerances",
     "WorstCase",
+    "WorstCases",
     "assign_parts",
     "parse_parts",
     "read_parts",

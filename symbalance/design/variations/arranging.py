@@ -21,11 +21,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.design.variations.bounds import norm, total
+from symbalance.design.variations.bounds import Vector, norm, total
+from symbalance.design.variations.legend import as_decimal
 from symbalance.design.variations.measures import (
     Shaking,
-    Units,
+    checked_speed,
     generators,
     made_vector,
     shaking_of,
@@ -35,26 +38,33 @@ from symbalance.design.variations.placements import Placement
 from symbalance.design.variations.problems import Problem, expected
 from symbalance.design.variations.shares import checked_layout, shares
 from symbalance.design.variations.weighed import PartSet, checked_sets
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.text.numbers import checked_whole, listed
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 MOST_CYLINDERS = 48
 GRAIN = 1e-10
 
 
-@dataclass(frozen=True)
-class Assignment:
+@dataclass(frozen=True, repr=False)
+class Assignment(Result):
     """Which part goes to which cylinder; numbers are in N and N m, or in `units`.
 
     `places` maps a cylinder's number to its parts' names, by kind. `criterion` is the root mean square
     force left, couples at the lever `lever` counted in; `listed` the same with the parts in the order
     they are listed in, `random` its root mean square over all arrangements, `bound` what none passes
     below; `proved`: there is no better one. `left` tells the orders apart, `left_listed` the same of the
-    listed order.
+    listed order. `orders` are those that count, at `rpm` turns a minute; `whole` says that whole masses
+    count, not only what they differ by.
     """
 
-    layout: Engine
+    engine: Engine
+    orders: tuple[int, ...]
+    rpm: Fraction | None
     places: dict[int, dict[str, str]]
     criterion: float
     listed: float
@@ -65,7 +75,56 @@ class Assignment:
     left_listed: tuple[Shaking, ...]
     lever: float
     units: tuple[str, str]
-    beyond: bool
+    whole: bool
+
+    kind: ClassVar[str] = "assignment"
+
+    def summary(self) -> str:
+        """Return what is left, and of the listed order, in one line."""
+        proof = "no arrangement leaves less" if self.proved else f"at least {self.bound:.6g} is left"
+        return (
+            f"Assignment of parts to {self.engine.name}: {self.criterion:.6g} {self.units[0]} left, "
+            f"{self.listed:.6g} as listed; {proof}"
+        )
+
+    def document(self) -> Document:
+        """Return which part goes where, what that leaves, then how it is counted."""
+        from symbalance.design.variations.assignment_document import assignment_document
+
+        return assignment_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the places, the criterion with what it is compared to, and what each order leaves."""
+        return {
+            "engine": self.engine.name,
+            "orders": list(map(str, self.orders)),
+            "rpm": None if self.rpm is None else as_decimal(self.rpm),
+            "units": {"force": self.units[0], "couple": self.units[1]},
+            "places": {str(number): names for number, names in self.places.items()},
+            "criterion": self.criterion,
+            "as_listed": self.listed,
+            "at_random": self.random,
+            "bound": self.bound,
+            "proved": self.proved,
+            "lever": self.lever,
+            "counted": "whole masses" if self.whole else "differences from the mean",
+            "left": [_shaking(one) for one in self.left],
+            "left_as_listed": [_shaking(one) for one in self.left_listed],
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each cylinder: its number, and the name of its part of each kind."""
+        return [{"cylinder": number, **names} for number, names in self.places.items()]
+
+
+def _shaking(one: Shaking) -> dict[str, Any]:
+    return {
+        "order": str(one.order),
+        "force": one.force,
+        "couple": one.couple,
+        "rms_force": one.mean_force,
+        "rms_couple": one.mean_couple,
+    }
 
 
 def assign_parts(
@@ -95,33 +154,48 @@ def assign_parts(
         rule = f"must be at most {MOST_CYLINDERS}"
         raise SymbalanceError(f"{count} cylinders", rule, "assign the parts of one engine")
     sets = checked_sets(parts, count)
-    asked = _checked_orders(orders)
-    rows = shares(layout, max(asked))
-    units = units_of(layout, rpm, lever, rows[1])
-    there = [n for n in asked if n in rows]
+    counted = _checked_orders(orders)
+    rows = shares(layout, max(counted))
+    speed = None if rpm is None else checked_speed(rpm)
+    units = units_of(layout, speed, lever, rows[1])
+    there = [n for n in counted if n in rows]
     vectors = generators(layout, [rows[n] for n in there], units)
     made = made_vector(layout, there, units) if whole else None
     problem = Problem.of(sets, vectors, whole, made)
-    return _told(layout, sets, problem, problem.solved(), there, units, not whole)
+    places, best, first, placed = _compared(layout, sets, problem)
+    return Assignment(
+        layout,
+        tuple(counted),
+        speed,
+        places,
+        norm(best),
+        norm(first),
+        expected(problem.start, problem.tables),
+        min(placed.bound, norm(best)),
+        placed.proved,
+        shaking_of(best, there, units),
+        shaking_of(first, there, units),
+        units.lever,
+        units.names,
+        whole,
+    )
 
 
 def _checked_orders(orders: object) -> list[int]:
-    asked = listed(orders, "orders", "[1, 2]")
-    if not asked:
+    numbers = listed(orders, "orders", "[1, 2]")
+    if not numbers:
         raise SymbalanceError("orders = []", "is empty", "order 1 is usual")
-    return sorted({checked_whole(n, "order", 1, 1000, "1 and 2 are usual") for n in asked})
+    return sorted({checked_whole(n, "order", 1, 1000, "1 and 2 are usual") for n in numbers})
 
 
-def _told(
-    layout: Engine,
-    sets: Sequence[PartSet],
-    problem: Problem,
-    placed: Placement,
-    asked: Sequence[int],
-    units: Units,
-    beyond: bool,
-) -> Assignment:
-    """Return the arrangement found; the listed one where nothing is better."""
+def _compared(
+    layout: Engine, sets: Sequence[PartSet], problem: Problem
+) -> tuple[dict[int, dict[str, str]], Vector, Vector, Placement]:
+    """Return the best places, what they leave, what the listed order leaves, and the search's bound.
+
+    Where nothing is better than the listed order, that is the best.
+    """
+    placed = problem.solved()
     listed_orders = tuple(tuple(range(len(one.parts))) for one in sets)
     best, first = (total(problem.start, problem.tables, o) for o in (placed.orders, listed_orders))
     as_listed = norm(first) <= norm(best) * (1 + GRAIN)
@@ -131,17 +205,4 @@ def _told(
         c.number: {one.kind: one.parts[order[j]].name for one, order in chosen}
         for j, c in sorted(enumerate(layout.cylinders), key=lambda pair: pair[1].number)
     }
-    return Assignment(
-        layout,
-        places,
-        norm(best),
-        norm(first),
-        expected(problem.start, problem.tables),
-        min(placed.bound, norm(best)),
-        placed.proved,
-        shaking_of(best, asked, units),
-        shaking_of(first, asked, units),
-        units.lever,
-        units.names,
-        beyond,
-    )
+    return places, best, first, placed

@@ -17,7 +17,7 @@ from itertools import product
 from math import ceil, cos, floor, pi
 
 from symbalance.design.variations.sectors import Sector
-from symbalance.design.variations.shares import arms, checked_layout, mechanism_to
+from symbalance.design.variations.shares import checked_layout, mechanism_to
 from symbalance.design.variations.tolerances import Relative
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -125,24 +125,24 @@ class Box:
 
 
 def _hull(values: Iterator[float] | Sequence[float]) -> Interval:
-    found = list(values)
-    return min(found), max(found)
+    numbers = list(values)
+    return min(numbers), max(numbers)
 
 
 def boxes(layout: Engine, own: Relative, order: int, reference: object = None) -> dict[int, list[Box]]:
     """Return n -> every cylinder's box, for each order to `order` that some engine in tolerance has."""
     checked_layout(layout)
-    cylinders = zip(layout.cylinders, layout.sizes, arms(layout, reference), strict=True)
-    found = []
+    cylinders = zip(layout.cylinders, layout.sizes, layout.arms(layout.plane(reference)), strict=True)
+    parts = []
     kinds: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}
     for cylinder, size, arm in cylinders:
         key = (plain(mechanism_to(layout, cylinder, order)), _radius(layout, cylinder))
         if key not in kinds:
             kinds[key] = list(_corners(key[0], key[1], own, order))
-        found.append((cylinder, (size, arm), kinds[key], _own_mass(layout, cylinder, own)))
+        parts.append((cylinder, (size, arm), kinds[key], _own_mass(layout, cylinder, own)))
     present = sorted({n for corners in kinds.values() for f in corners for n, c in f.items() if c})
     return {
-        n: [_box(cylinder, weight, corners, mass, own, n) for cylinder, weight, corners, mass in found]
+        n: [_box(cylinder, weight, corners, mass, own, n) for cylinder, weight, corners, mass in parts]
         for n in present
         if n <= order
     }

@@ -23,11 +23,11 @@ reference plane of couples stays where it is.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from symbalance.design.variations.hung import MOVING, clusters, hung_changes
-from symbalance.design.variations.sensitivity import Sensitivity
+from symbalance.design.variations.sensitivity import Sensitivities, Sensitivity
 from symbalance.design.variations.shares import Share, mechanism_to, rotating_pair, shares
 from symbalance.design.variations.slopes import Slopes, slopes
 from symbalance.engine.cylinders import Cylinder
@@ -37,7 +37,7 @@ from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.kinematics.mechanisms import SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
-from symbalance.text.numbers import listed
+from symbalance.text.numbers import exact, listed
 from symbalance.text.reals import Complex, Real
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
@@ -47,7 +47,7 @@ LENGTHS = ("stroke", "rod", "offset")
 
 def sensitivities(
     layout: Engine, order: int = 4, *, parameters: object = None, reference: object = None
-) -> list[Sensitivity]:
+) -> Sensitivities:
     """Return all derivatives to an order, those of the worst steps (`STEPS`) first.
 
     `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
@@ -57,63 +57,61 @@ def sensitivities(
     rotating masses, those on link pins too, stay where they are: a size moves pistons and rods alone.
 
     >>> from symbalance.engine.builders import inline
-    >>> found = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
-    >>> [(s.order, s.cylinder, s.force.vertical.cos, float(s.couple.vertical.cos)) for s in found[:2]]
+    >>> changes = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
+    >>> [(s.order, s.cylinder, s.force.vertical.cos, float(s.couple.vertical.cos)) for s in changes[:2]]
     [(1, 1, 1, 1.5), (1, 4, 1, -1.5)]
     """
-    asked = _checked_parameters(parameters)
-    by_order = shares(layout, order, reference)
-    lengths = _slopes(layout, order) if set(asked) & set(LENGTHS) else {}
-    found = [*hung_changes(layout, by_order, order, asked)]
-    found += [
-        one
-        for n in range(1, order + 1)
-        for name in asked
-        for one in _of_order(layout, n, name, by_order.get(n), lengths, reference)
-    ]
-    return sorted(
-        found, key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder)
-    )
+    names = _checked_parameters(parameters)
+    plane = None if reference is None else exact(reference, "reference")
+    by_order = shares(layout, order, plane)
+    lengths = _slopes(layout, order) if set(names) & set(LENGTHS) else {}
+    pins = [link_pin_force(c.mechanism, order) for c in layout.cylinders] if "rotating" in names else []
+    changes = [*hung_changes(layout, by_order, order, names)]
+    for n in range(1, order + 1):
+        for name in names:
+            if name == "rotating":
+                changes += _rotating(layout, n, by_order[1], pins)
+            else:
+                changes += _of_order(layout, n, name, by_order, lengths)
+    changes.sort(key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder))
+    return Sensitivities(layout, order, names, plane, tuple(changes))
 
 
 def _checked_parameters(parameters: object) -> tuple[str, ...]:
     if parameters is None:
         return PARAMETERS[:-1]
-    asked = tuple(listed(parameters, "parameters", '["mass", "throw"]'))
-    unknown = [p for p in asked if p not in PARAMETERS]
-    if unknown or not asked:
+    names = tuple(listed(parameters, "parameters", '["mass", "throw"]'))
+    unknown = [name for name in names if name not in PARAMETERS]
+    if unknown or not names:
         what = f"parameters = {shown(unknown[0]) if unknown else '[]'}"
         raise SymbalanceError(what, "is no parameter", f"choose from {', '.join(PARAMETERS)}")
-    return asked
+    return names
 
 
 def _slopes(layout: Engine, order: int) -> dict[int, dict[int, Slopes]]:
     """Return, by cylinder, the slopes of those that hang on no other and bear no other."""
-    masters, found = clusters(layout), {}
+    masters, by_cylinder = clusters(layout), {}
     for cylinder in layout.cylinders:
         mechanism = mechanism_to(layout, cylinder, order)
         if isinstance(mechanism, SliderCrank) and cylinder.number not in masters:
-            found[cylinder.number] = slopes(mechanism, order)
-    return found
+            by_cylinder[cylinder.number] = slopes(mechanism, order)
+    return by_cylinder
 
 
 def _of_order(
     layout: Engine,
     n: int,
     name: str,
-    own: Sequence[Share] | None,
+    by_order: Mapping[int, Sequence[Share]],
     lengths: dict[int, dict[int, Slopes]],
-    reference: object,
 ) -> Iterator[Sensitivity]:
-    if name == "rotating":
-        yield from _rotating(layout, n, shares(layout, 1, reference)[1])
-        return
-    if own is None and name not in LENGTHS:
+    """Yield what one parameter, not "rotating", changes in one order, but for masters and link rods."""
+    if n not in by_order and name not in LENGTHS:
         return
     # An order that no cylinder has may still have slopes: an offset brings the odd ones.
-    rows, hung = own or [_absent(s, n) for s in shares(layout, 1, reference)[1]], clusters(layout)
+    rows, masters = by_order.get(n) or [_absent(s, n) for s in by_order[1]], clusters(layout)
     for cylinder, share in zip(layout.cylinders, rows, strict=True):
-        if name in MOVING and (cylinder.link or cylinder.number in hung):
+        if name in MOVING and (cylinder.link or cylinder.number in masters):
             continue
         one = _one(layout, cylinder, share, name, lengths)
         if one.factor:
@@ -125,13 +123,17 @@ def _absent(share: Share, n: int) -> Share:
     return Share(share.number, n, share.axis, n * share.lead, share.arm, share.size, Complex(0))
 
 
-def _rotating(layout: Engine, n: int, own: Sequence[Share]) -> Iterator[Sensitivity]:
-    """Yield what a rotating mass adds: on the crank pin to order 1 forward, on a link pin to all."""
-    for cylinder, share, radius in zip(layout.cylinders, own, layout.radii, strict=True):
-        pins = link_pin_force(cylinder.mechanism, n)
+def _rotating(
+    layout: Engine, n: int, first: Sequence[Share], pins: Sequence[Mapping[int, Complex]]
+) -> Iterator[Sensitivity]:
+    """Yield what a rotating mass adds: on the crank pin to order 1 forward, on a link pin to all.
+
+    `first` are the cylinders' shares of order 1, `pins` what their link pins add (`link_pin_force`).
+    """
+    for cylinder, share, radius, added in zip(layout.cylinders, first, layout.radii, pins, strict=True):
         factor = Real(radius)
-        if pins:
-            ahead, against = (DecimalPhasor(z) for z in rotating_pair(cylinder, pins, n))
+        if added:
+            ahead, against = (DecimalPhasor(z) for z in rotating_pair(cylinder, added, n))
             yield Sensitivity("rotating", share.number, n, (ahead, against), factor, share.arm)
         elif n == 1:
             pin = Phasor.root(cylinder.throw.turns)

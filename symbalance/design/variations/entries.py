@@ -35,6 +35,8 @@ def entries(layout: Engine, given: object, name: str) -> list[Polynomial] | None
     return [polynomial(value, f"{name}[{i}]") for i, value in enumerate(values)]
 
 
-def symbols_in(given: Sequence[Polynomial] | None) -> set[Any]:
-    """Return the symbols of some polynomials."""
-    return {symbol for one in given or () for monomial in one for symbol, _ in monomial}
+def symbols_in(given: Sequence[Polynomial] | None) -> list[Any]:
+    """Return the symbols of some polynomials, each once, in their order."""
+    return list(
+        dict.fromkeys(symbol for one in given or () for monomial in one for symbol, _ in monomial)
+    )

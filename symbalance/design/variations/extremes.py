@@ -23,9 +23,11 @@ and couple.
 from __future__ import annotations
 
 import cmath
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
 from math import cos, hypot, pi, remainder
+from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 from symbalance.design.variations.aims import (
     MODES,
@@ -39,16 +41,23 @@ from symbalance.design.variations.aims import (
 )
 from symbalance.design.variations.boxes import Box, boxes
 from symbalance.design.variations.derivatives import sensitivities
+from symbalance.design.variations.legend import as_decimal, plane_key
 from symbalance.design.variations.made import NOTHING, Made, made_parts
+from symbalance.design.variations.measures import Scale, checked_speed, scale_of
 from symbalance.design.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
 from symbalance.design.variations.sensitivity import Sensitivity
-from symbalance.design.variations.tolerances import Relative, Tolerances
+from symbalance.design.variations.shares import checked_layout
+from symbalance.design.variations.tolerances import UNITS, Relative, Tolerances
+from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.phasor import ZERO
 from symbalance.forces.resultants import Balance, balance
 from symbalance.kinematics.slider_crank import acceleration_value
-from symbalance.text.numbers import listed
+from symbalance.text.numbers import exact, listed
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 QUANTITIES = ("force", "couple")
 ROUNDING = 1e-9
@@ -57,9 +66,11 @@ IMPROVEMENTS = 6
 
 @dataclass(frozen=True)
 class WorstCase:
-    """The worst of one order of the force or the couple, in m r omega^2 of cylinder 1 (times a).
+    """The worst of one order of the force or the couple, in the units of its `WorstCases`.
 
-    `of` is "largest" (the largest modulus over a turn) or a component, whose amplitude it then is.
+    `quantity` is "force" or "couple", with "rotating" before it where the rotating masses' own errors
+    alone are meant. `of` is "largest" (the largest modulus over a turn) or a component, whose amplitude
+    it then is.
     `nominal` is that of the engine without errors, `attained` that of an engine within the tolerances,
     `bound` what no such engine passes, `statistical` the root of the sum of squares of the first-order
     effects (three times their rms, if tolerances are three standard deviations of independent errors).
@@ -77,6 +88,99 @@ class WorstCase:
     errors: dict[int, tuple[float, float, float, float]]
 
 
+@dataclass(frozen=True, repr=False)
+class WorstCases(Result, Sequence[WorstCase]):
+    """The worst that tolerances allow, of every order to `order` that they let exist: a sequence.
+
+    Forces are in m r omega^2 of cylinder 1 and couples in m r omega^2 a, or with `rpm` in N and N m (in
+    N a, a the pitch, where the engine gives none). `reference` is the station couples are taken about,
+    None for the mean of all stations.
+    """
+
+    engine: Engine
+    tolerances: Tolerances
+    order: int
+    reference: Fraction | None
+    rpm: Fraction | None
+    cases: tuple[WorstCase, ...]
+
+    kind: ClassVar[str] = "worst-cases"
+
+    @overload
+    def __getitem__(self, index: int) -> WorstCase: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[WorstCase, ...]: ...
+    def __getitem__(self, index: int | slice) -> WorstCase | tuple[WorstCase, ...]:
+        return self.cases[index]
+
+    def __len__(self) -> int:
+        return len(self.cases)
+
+    def __iter__(self) -> Iterator[WorstCase]:
+        return iter(self.cases)
+
+    @property
+    def scale(self) -> Scale:
+        """What m r omega^2 and m r omega^2 a of cylinder 1 are in the units of the cases."""
+        return scale_of(self.engine, self.rpm)
+
+    def unit(self, case: WorstCase) -> str:
+        """Return the unit of one of the cases: that of a force or that of a couple."""
+        return self.scale.units[case.quantity.endswith("couple")]
+
+    def summary(self) -> str:
+        """Return the largest force and couple that are proved, in one line."""
+        worst = [
+            max((w for w in self if w.quantity == quantity), key=lambda w: w.bound, default=None)
+            for quantity in QUANTITIES
+        ]
+        said = ", ".join(
+            f"{w.quantity} ≤ {w.bound:.6g} {self.unit(w)} (order {w.order})" for w in worst if w
+        )
+        return f"Worst cases of {self.engine.name} to order {self.order}: {said or 'none'}"
+
+    def document(self) -> Document:
+        """Return the worst of force and couple by order, then how it is meant."""
+        from symbalance.design.variations.worst_cases_document import worst_cases_document
+
+        return worst_cases_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the tolerances and every worst case, with the errors of the engine that reaches it."""
+        given = {name: getattr(self.tolerances, name) for name in UNITS}
+        force, couple = self.scale.units
+        return {
+            "engine": self.engine.name,
+            "ratio": None if self.engine.ratio is None else str(self.engine.ratio),
+            "highest": str(self.order),
+            "reference_plane": plane_key(self.reference),
+            "tolerances": {name: str(value) for name, value in given.items() if value},
+            "tolerance_units": {name: UNITS[name] for name, value in given.items() if value},
+            "units": {"force": force, "couple": couple},
+            "rpm": None if self.rpm is None else as_decimal(self.rpm),
+            "worst_cases": [
+                {
+                    "order": str(worst.order),
+                    **_numbers(worst),
+                    "errors": {
+                        str(number): {"weight": w, "station": s, "throw": t, "bank": b}
+                        for number, (w, s, t, b) in worst.errors.items()
+                    },
+                }
+                for worst in self
+            ],
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each worst case: what it is of, four floats, and their unit."""
+        return [{"order": w.order, **_numbers(w), "unit": self.unit(w)} for w in self]
+
+
+def _numbers(worst: WorstCase) -> dict[str, str | float]:
+    names = ("quantity", "of", "nominal", "attained", "bound", "statistical")
+    return {name: getattr(worst, name) for name in names}
+
+
 def worst_cases(
     layout: Engine,
     tolerances: Tolerances,
@@ -84,17 +188,23 @@ def worst_cases(
     *,
     of: object = ("largest",),
     reference: object = None,
-) -> list[WorstCase]:
+    rpm: object = None,
+) -> WorstCases:
     """Return the worst that tolerances allow, for every order to `order` that they let exist.
 
     Orders whose A_n is below what a double holds (some 10^-308) are left out.
-    `of` lists some of "largest", "vertical", "lateral", "forward" and "backward".
+    `of` lists some of "largest", "vertical", "lateral", "forward" and "backward"; `reference` is the
+    station couples are taken about (default: the stations' mean). With `rpm`, the engine's stroke and
+    reciprocating mass results are in N, and with its pitch in N m.
 
     >>> from symbalance.engine.builders import inline
     >>> found = worst_cases(inline("1-3-4-2", ratio=4), Tolerances(mass="1%"), 1)
     >>> [(w.quantity, w.nominal, round(w.attained, 9), round(w.bound, 6)) for w in found]
     [('force', 0.0, 0.04, 0.04), ('couple', 0.0, 0.04, 0.04)]
+    >>> found
+    Worst cases of engine to order 1: force ≤ 0.04 m r ω² (order 1), couple ≤ 0.04 m r ω² a (order 1)
     """
+    checked_layout(layout)
     modes = tuple(listed(of, "of", '["largest"]'))
     unknown = [mode for mode in modes if mode not in MODES]
     if unknown:
@@ -103,7 +213,30 @@ def worst_cases(
     if not isinstance(tolerances, Tolerances):
         rule, remedy = "must be Tolerances", 'write Tolerances(mass="1%")'
         raise SymbalanceError(f"tolerances = {shown(tolerances)}", rule, remedy)
-    own = tolerances.relative(layout)
+    plane = None if reference is None else exact(reference, "reference")
+    speed = None if rpm is None else checked_speed(rpm)
+    scale = scale_of(layout, speed)
+    cases = _worst_cases(layout, tolerances.relative(layout), order, modes, plane)
+    return WorstCases(
+        layout, tolerances, order, plane, speed, tuple(_scaled(case, scale) for case in cases)
+    )
+
+
+def _scaled(case: WorstCase, scale: Scale) -> WorstCase:
+    by = scale.couple if case.quantity.endswith("couple") else scale.force
+    return replace(
+        case,
+        nominal=case.nominal * by,
+        attained=case.attained * by,
+        bound=case.bound * by,
+        statistical=case.statistical * by,
+    )
+
+
+def _worst_cases(
+    layout: Engine, own: Relative, order: int, modes: Sequence[str], reference: Fraction | None
+) -> list[WorstCase]:
+    """Return worst cases in m r omega^2 of cylinder 1 (times a)."""
     names = own.parameters
     errors = sensitivities(layout, order, parameters=names, reference=reference) if names else []
     ideal = balance(layout, order, reference=reference)

@@ -15,17 +15,20 @@ in m_j, s_j, r_j, e_j and 1/l_j.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.variations.entries import entries, symbols_in
+from symbalance.design.variations.legend import plane_key
+from symbalance.document.result import Result
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import Phasor
+from symbalance.exact.spectrum import COMPONENTS
 from symbalance.exact.symbol_sums import (
     Polynomial,
     SymbolComponent,
@@ -41,7 +44,12 @@ from symbalance.kinematics.mechanisms import offset_series
 from symbalance.kinematics.slider_crank import Series, acceleration_series, checked_order
 from symbalance.text.numbers import checked_whole, exact
 
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
+
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
+LISTED = 8
+"""So many symbols are named in one line."""
 UNIT: Polynomial = {(): Fraction(1)}
 
 
@@ -76,29 +84,81 @@ class SymbolResultant:
         """The part that turns against the crank, by its vertical component."""
         return SymbolComponent(self.against)
 
+    def component(self, name: str) -> SymbolComponent:
+        """Return a component by name: vertical, lateral, forward or backward."""
+        return getattr(self, name)
 
-@dataclass(frozen=True, eq=False)
-class SymbolicOrder:
+
+@dataclass(frozen=True, eq=False, repr=False)
+class SymbolicOrder(Result):
     """One order with symbols left in.
 
-    With a `coefficient` A_n, force and couple are in units of A_n omega^2 times the units that masses and
-    radii are given in (1 where they are not given); without, they hold the kinematics, exact through the
-    total power `through` of r/l and e/l.
+    Force and couple are in units of omega^2 times those of masses and radii (m and r where none are
+    given), couples times that of stations (the pitch a where none are given). With a `coefficient` A_n
+    that is a factor beside them; without, they hold the kinematics, exact through the total power
+    `through` of r/l and e/l. `reference` is what couples are taken about, None for the mean of all
+    stations.
     """
 
+    engine: Engine
     order: int
     coefficient: Series | None
     through: int | None
     force: SymbolResultant
     couple: SymbolResultant
-    given: frozenset[Any] = frozenset()
+    reference: Any = None
+    sizes: tuple[str, ...] = ()
+    """Which of masses, stations, radii, rods and offsets were given."""
+    given: tuple[Any, ...] = ()
     """All symbols that were given, also those that no sum of this order has."""
+    values: tuple[tuple[Any, Fraction], ...] = ()
+    """Symbols with the numbers put in for them (`at`)."""
+    derivative_by: tuple[Any, ...] = ()
+    """The symbols it is the derivative by (`differentiated`)."""
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return it as LaTeX, a fragment or a whole document."""
-        from symbalance.design.variations.symbolic_latex import symbolic_latex
+    kind: ClassVar[str] = "symbolic-order"
 
-        return symbolic_latex(self, standalone=standalone)
+    def summary(self) -> str:
+        """Return what the formulas are of and which symbols are left in them, in one line."""
+        symbols = self.symbols()
+        left = [str(symbol) for symbol in self.given if symbol in symbols]
+        more = f" and {len(left) - LISTED} more" if len(left) > LISTED else ""
+        by = "".join(f", derivative by {symbol}" for symbol in self.derivative_by)
+        name = self.engine.name
+        said = f"{', '.join(left[:LISTED]) or 'none'}{more}"
+        return f"Order {self.order} of the free force and couple of {name}{by}; symbols left in: {said}"
+
+    def document(self) -> Document:
+        """Return the formulas of force and couple, then what their letters mean."""
+        from symbalance.design.variations.symbolic_order_document import symbolic_order_document
+
+        return symbolic_order_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every component as a formula that SymPy reads."""
+        series = self.coefficient
+        return {
+            "engine": self.engine.name,
+            "order": str(self.order),
+            "coefficient": None
+            if series is None
+            else {"series": str(series.in_lam()), "through": series.through},
+            "through": self.through,
+            "reference_plane": plane_key(self.reference),
+            "sizes": list(self.sizes),
+            "symbols": list(map(str, self.given)),
+            "values": {str(symbol): str(value) for symbol, value in self.values},
+            "derivative_by": list(map(str, self.derivative_by)),
+            **{name: _components(getattr(self, name)) for name in ("force", "couple")},
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each component of force and couple, formulas as text that SymPy reads."""
+        return [
+            {"order": self.order, "of": name, "component": component, **parts}
+            for name in ("force", "couple")
+            for component, parts in _components(getattr(self, name)).items()
+        ]
 
     def at(self, values: Mapping[Any, object]) -> SymbolicOrder:
         """Return the order with numbers put in for some of its symbols, by symbol or by name."""
@@ -111,7 +171,8 @@ class SymbolicOrder:
             remedy = f"they are {', '.join(sorted(named)) or 'none'}; angles stay symbols"
             raise SymbalanceError(f"symbol {shown(unknown[0])}", "was not given", remedy)
         numbers = {named[str(key)]: exact(value, str(key)) for key, value in values.items()}
-        return self._mapped(lambda part: part.at(numbers))
+        values = dict(self.values) | numbers
+        return replace(self._mapped(lambda part: part.at(numbers)), values=tuple(values.items()))
 
     def symbols(self) -> set[Any]:
         """Return the symbols that stand for masses, stations and lengths."""
@@ -120,13 +181,19 @@ class SymbolicOrder:
 
     def differentiated(self, symbol: Any) -> SymbolicOrder:
         """Return the derivative by one of the symbols that stand for masses, stations or lengths."""
-        return self._mapped(lambda part: part.differentiated(symbol))
+        derivative = self._mapped(lambda part: part.differentiated(symbol))
+        return replace(derivative, derivative_by=(*self.derivative_by, symbol))
 
     def _mapped(self, change: Any) -> SymbolicOrder:
         force, couple = (
             SymbolResultant(change(r.ahead), change(r.against)) for r in (self.force, self.couple)
         )
-        return SymbolicOrder(self.order, self.coefficient, self.through, force, couple, self.given)
+        return replace(self, force=force, couple=couple)
+
+
+def _components(resultant: SymbolResultant) -> dict[str, dict[str, str]]:
+    parts = ((name, resultant.component(name)) for name in COMPONENTS)
+    return {name: {"cos": str(part.cos), "sin": str(part.sin)} for name, part in parts}
 
 
 def symbolic_order(
@@ -160,14 +227,14 @@ def symbolic_order(
     n = checked_order(order)
     if not isinstance(layout, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be a Engine", "build one with inline(...)"
+            f"layout = {shown(layout)}", "must be an Engine", "build one with inline(...)"
         )
     mass, radius = (
         entries(layout, v, k) or [UNIT] * len(layout.cylinders)
         for v, k in ((masses, "masses"), (radii, "radii"))
     )
     weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
-    _check_hung(layout)
+    _check_link_pins(layout)
     own, kept = None, None
     if any(x is not None for x in (radii, rods, offsets)):
         kept = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
@@ -181,15 +248,24 @@ def symbolic_order(
     )
     alike = None if own else acceleration_series(n, force_power(n))
     sizes = {"masses": masses, "stations": stations, "radii": radii, "rods": rods, "offsets": offsets}
-    given = frozenset(x for key, v in sizes.items() for x in symbols_in(entries(layout, v, key)))
-    return SymbolicOrder(n, alike, kept, force, couple, given)
+    given = dict.fromkeys(x for key, v in sizes.items() for x in symbols_in(entries(layout, v, key)))
+    return SymbolicOrder(
+        layout,
+        n,
+        alike,
+        kept,
+        force,
+        couple,
+        reference,
+        tuple(key for key, value in sizes.items() if value is not None),
+        tuple(given),
+    )
 
 
-def _check_hung(layout: Engine) -> None:
+def _check_link_pins(layout: Engine) -> None:
     """Refuse link rods: the series of a rod on the pin are not theirs. A forked rod's are."""
-    hung = next((c.number for c in layout.cylinders if c.link and c.link.radius), None)
-    if hung is not None:
-        rule = f"hangs cylinder {hung} on a link rod, which has no such series"
+    if layout.link_pins:
+        rule = f"hangs cylinder {layout.link_pins[0]} on a link rod, which has no such series"
         remedy = "take balance, or sensitivities, with numbers"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
 
@@ -234,13 +310,13 @@ def _kinematics(
     if not (series.cos.terms or series.sin.terms):
         rule = f"keeps no term of order {n}"
         raise SymbalanceError(f"through = {through}", rule, f"{max(n - 1, 1)} is the least")
-    found = []
+    kinematics = []
     for r, l_, e in zip(radius, rod, offset, strict=True):
         inverse = powered(l_, -1, "rods")
         rho, delta = multiplied(r, inverse), multiplied(e, inverse)
         parts = (_at(part.terms, rho, delta) for part in series)
-        found.append(tuple(parts))
-    return found
+        kinematics.append(tuple(parts))
+    return kinematics
 
 
 def _at(terms: Mapping[tuple[int, int], Fraction], rho: Polynomial, delta: Polynomial) -> Polynomial:

@@ -15,8 +15,7 @@ from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import share_unit
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Spectrum
-from symbalance.forces.planar_vectors import turning_spectrum
-from symbalance.text.numbers import exact
+from symbalance.forces.planar_vectors import turning_vectors
 
 
 @dataclass(frozen=True)
@@ -52,11 +51,9 @@ def made_parts(layout: Engine, order: int, reference: object = None) -> dict[int
     >>> made_parts(single, 4)[1]["force"].ahead
     (-0.5+0j)
     """
-    plane = layout.mean_station if reference is None else exact(reference, "reference")
-    levels = {"force": None, "couple": plane}
-    found = {kind: turning_spectrum(layout, order, level) for kind, level in levels.items()}
-    orders = sorted({n for spectrum in found.values() for n in spectrum.orders()})
-    return {n: {kind: _part(layout, s, n) for kind, s in found.items()} for n in orders}
+    force, couple = turning_vectors(layout, order, layout.plane(reference))
+    orders = sorted({*force.orders(), *couple.orders()})
+    return {n: {"force": _part(layout, force, n), "couple": _part(layout, couple, n)} for n in orders}
 
 
 def _part(layout: Engine, spectrum: Spectrum, n: int) -> Made:

@@ -5,7 +5,9 @@ from __future__ import annotations
 from cmath import rect
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from math import pi, sqrt
+from typing import NamedTuple
 
 from symbalance.design.variations.bounds import Vector
 from symbalance.design.variations.made import NOTHING, made_parts
@@ -17,6 +19,37 @@ from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import exact
 
 FASTEST = 100_000
+"""Turns a minute."""
+
+
+class Scale(NamedTuple):
+    """What forces and couples in m r omega^2 (a) are multiplied by, and the units they then have."""
+
+    force: float
+    couple: float
+    units: tuple[str, str]
+
+
+def checked_speed(rpm: object) -> Fraction:
+    """Return a speed in turns a minute, or refuse."""
+    speed = exact(rpm, "rpm")
+    if not 0 < speed <= FASTEST:
+        raise SymbalanceError(f"rpm = {shown(rpm)}", f"must lie in (0, {FASTEST}]", "turns a minute")
+    return speed
+
+
+def scale_of(engine: Engine, speed: Fraction | None) -> Scale:
+    """Return what m r omega^2 and m r omega^2 a of cylinder 1 are at a speed, in N and N m."""
+    if speed is None:
+        return Scale(1.0, 1.0, ("m r ω²", "m r ω² a"))
+    mass, radius, pitch = engine.first.reciprocating_mass, engine.first.radius, engine.pitch
+    if not mass or radius is None:
+        key = "stroke" if radius is None else "reciprocating_mass"
+        raise SymbalanceError("rpm", f"needs the engine's {key}", f"give {key} in [crank_train]")
+    force = float(mass * radius) / 1000 * (float(speed) * pi / 30) ** 2
+    if pitch is None:
+        return Scale(force, force, ("N", "N a (the engine gives no pitch)"))
+    return Scale(force, force * float(pitch) / 1000, ("N", "N m"))
 
 
 @dataclass(frozen=True)
@@ -40,18 +73,15 @@ class Units:
     names: tuple[str, str]
 
 
-def units_of(layout: Engine, rpm: object, lever: object, own: Sequence[Share]) -> Units:
+def units_of(layout: Engine, speed: Fraction | None, lever: object, own: Sequence[Share]) -> Units:
     """Return the units that the sizes given allow, and the lever that couples count at."""
     radius, pitch = layout.first.radius, layout.pitch
     force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
-    if rpm is not None:
-        speed = exact(rpm, "rpm")
-        if not 0 < speed <= FASTEST:
-            raise SymbalanceError(f"rpm = {shown(rpm)}", f"must lie in (0, {FASTEST}]", "turns a minute")
+    if speed is not None:
         if radius is None:
             raise SymbalanceError("rpm", "needs the engine's stroke", "give stroke in [crank_train]")
         force, names = float(radius) / 1000 * (float(speed) * pi / 30) ** 2, ("N", "N a")
-    if pitch is not None and rpm is not None:
+    if pitch is not None and speed is not None:
         arm, names = float(pitch) / 1000, (names[0], "N m")
     spread = sqrt(sum(float(s.arm) ** 2 for s in own) / len(own)) or 1.0
     if lever is not None:

@@ -1,16 +1,25 @@
-"""One derivative of one order: exact geometry, one number of kinematics, the worth of a step."""
+"""Derivatives of orders by sizes: exact geometry, one number of kinematics, the worth of a step."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import pi
+from typing import TYPE_CHECKING, Any, ClassVar, overload
 
+from symbalance.design.variations.legend import plane_key
+from symbalance.document.result import Result
+from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
-from symbalance.exact.spectrum import Spectrum
+from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.resultants import Resultant
+from symbalance.text.numbers import decimal_text
 from symbalance.text.reals import Real
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 STEPS = {
     "mass": (Fraction(1, 100), "1 % of m"),
@@ -23,6 +32,19 @@ STEPS = {
     "offset": (Fraction(1, 100), "1 % of r"),
 }
 """The step that tables compare parameters by; None is a degree."""
+UNITS = {
+    "mass": "m of cylinder {first}",
+    "rotating": "m of cylinder {first}",
+    "throw": "radian",
+    "bank": "radian",
+    "station": "pitch",
+    "stroke": "r of cylinder {first}, of the crank radius",
+    "rod": "r of cylinder {first}",
+    "offset": "r of cylinder {first}",
+}
+"""What derivatives are per."""
+DIGITS = 20
+"""Of the kinematics, in JSON."""
 
 
 @dataclass(frozen=True)
@@ -96,3 +118,102 @@ class Sensitivity:
         step = STEPS[self.parameter][0]
         by = pi / 180 if step is None else float(step)
         return self.largest[0] * by, self.largest[1] * by
+
+
+@dataclass(frozen=True, repr=False)
+class Sensitivities(Result, Sequence[Sensitivity]):
+    """The derivatives of all orders to `order` by sizes of single cylinders, worst steps first.
+
+    A sequence of them. Forces are in m r omega^2 of cylinder 1, couples in m r omega^2 a about
+    `reference`, None for the mean of all stations. `parameters` are the sizes they are by.
+    """
+
+    engine: Engine
+    order: int
+    parameters: tuple[str, ...]
+    reference: Fraction | None
+    changes: tuple[Sensitivity, ...]
+
+    kind: ClassVar[str] = "sensitivities"
+
+    @overload
+    def __getitem__(self, index: int) -> Sensitivity: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[Sensitivity, ...]: ...
+    def __getitem__(self, index: int | slice) -> Sensitivity | tuple[Sensitivity, ...]:
+        return self.changes[index]
+
+    def __len__(self) -> int:
+        return len(self.changes)
+
+    def __iter__(self) -> Iterator[Sensitivity]:
+        return iter(self.changes)
+
+    def summary(self) -> str:
+        """Return how many there are and the worst step, in one line."""
+        head = f"Sensitivities of {self.engine.name} to order {self.order}: {len(self)} derivatives"
+        if not self:
+            return head
+        worst = self[0]
+        step = f"{STEPS[worst.parameter][1]}, {worst.parameter} of cylinder {worst.cylinder}"
+        return f"{head}, the worst step {step}, in order {worst.order}"
+
+    def document(self) -> Document:
+        """Return what one step in each size adds, worst first, then how it is meant."""
+        from symbalance.design.variations.sensitivities_document import sensitivities_document
+
+        return sensitivities_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every derivative: its geometry exact, its factor to 20 digits, and per what."""
+        return {
+            "engine": self.engine.name,
+            "ratio": None if self.engine.ratio is None else str(self.engine.ratio),
+            "highest": str(self.order),
+            "reference_plane": plane_key(self.reference),
+            "parameters": list(self.parameters),
+            "units": {"force": "m r omega^2", "couple": "m r omega^2 a"},
+            "sensitivities": [self._one(change) for change in self],
+        }
+
+    def _one(self, change: Sensitivity) -> dict[str, Any]:
+        force, couple = change.largest
+        return {
+            "order": str(change.order),
+            "parameter": change.parameter,
+            "per": self.unit(change),
+            "cylinder": change.cylinder,
+            "factor": decimal_text(change.factor, DIGITS),
+            "force": _components(change.force),
+            "couple": _components(change.couple),
+            "largest": {"force": force, "couple": couple},
+        }
+
+    def unit(self, change: Sensitivity) -> str:
+        """Return what one of the derivatives is per."""
+        return UNITS[change.parameter].format(first=self.engine.first.number)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each derivative: the largest moduli for one unit and for the step of tables.
+
+        Forces are in m r omega^2, couples in m r omega^2 a.
+        """
+        return [
+            {
+                "order": change.order,
+                "parameter": change.parameter,
+                "cylinder": change.cylinder,
+                "per": self.unit(change),
+                "force": change.largest[0],
+                "couple": change.largest[1],
+                "step": STEPS[change.parameter][1],
+                "force_of_step": change.step()[0],
+                "couple_of_step": change.step()[1],
+            }
+            for change in self
+        ]
+
+
+def _components(resultant: Resultant) -> dict[str, dict[str, str]]:
+    parts = ((name, resultant.component(name)) for name in COMPONENTS)
+    return {name: {"cos": str(part.cos), "sin": str(part.sin)} for name, part in parts}

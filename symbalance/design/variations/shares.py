@@ -20,7 +20,6 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.numbers import exact
 from symbalance.text.reals import Complex, expjpi
 
 
@@ -41,7 +40,8 @@ class Share:
 def checked_layout(layout: object) -> Engine:
     """Return a layout whose angles and rod ratios are numbers, or refuse."""
     if not isinstance(layout, Engine):
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be a Engine", 'load one: load("v12-60")')
+        remedy = 'load one: load("v12-60")'
+        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
     if layout.has_symbols:
         rule, remedy = "has symbols for angles", "give numbers, or use symbolic_order"
         raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
@@ -62,11 +62,6 @@ def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Complex], n: int) -> tu
     return pair[0], pair[1]
 
 
-def arms(layout: Engine, reference: object = None) -> list[Fraction]:
-    """Return the stations from the reference plane, in pitches."""
-    return layout.arms(None if reference is None else exact(reference, "reference"))
-
-
 def shares(layout: Engine, order: int, reference: object = None) -> dict[int, list[Share]]:
     """Return n -> every cylinder's share, for all orders to `order` that some cylinder has.
 
@@ -77,7 +72,8 @@ def shares(layout: Engine, order: int, reference: object = None) -> dict[int, li
     checked_order(order)
     checked_layout(layout)
     own = [piston_force(mechanism_to(layout, c, order), order) for c in layout.cylinders]
-    rows = list(zip(layout.cylinders, arms(layout, reference), layout.sizes, own, strict=True))
+    arms = layout.arms(layout.plane(reference))
+    rows = list(zip(layout.cylinders, arms, layout.sizes, own, strict=True))
     return {
         n: [
             Share(c.number, n, c.bank.turns, n * c.delay.turns, arm, size, f.get(n, Complex(0)))

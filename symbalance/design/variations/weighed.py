@@ -10,7 +10,7 @@ from pathlib import Path
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.csv_rows import Row, rows_of
-from symbalance.text.files import read_text
+from symbalance.text.files import file_name, read_text
 from symbalance.text.numbers import exact, listed
 
 COLUMNS = ("name", "piston", "rod_reciprocating", "rod_rotating")
@@ -76,7 +76,7 @@ def read_parts(path: str | Path, *, paired: bool = False) -> tuple[PartSet, ...]
     together, else they are placed each for itself. Columns are parted by commas, semicolons or tabs;
     empty lines and lines that begin with # are passed over.
     """
-    return parse_parts(read_text(path, what="a CSV file of parts"), str(path), paired=paired)
+    return parse_parts(read_text(path, what="a CSV file of parts"), file_name(path), paired=paired)
 
 
 def parse_parts(text: str, place: str, *, paired: bool = False) -> tuple[PartSet, ...]:

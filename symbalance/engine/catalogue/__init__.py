@@ -7,11 +7,16 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import SequenceResult
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine, read_engine_file
 from symbalance.errors import SymbalanceError, shown
-from symbalance.text.files import toml_table
+from symbalance.text.files import STANDARD_INPUT, toml_table
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 _FOLDER = Path(__file__).parent
 
@@ -25,6 +30,34 @@ class Preset:
     source: str
 
 
+@dataclass(frozen=True, repr=False, eq=False)
+class Presets(SequenceResult[Preset]):
+    """All preset engines."""
+
+    items: tuple[Preset, ...]
+    kind: ClassVar[str] = "presets"
+
+    def summary(self) -> str:
+        """Return how many there are, in one line."""
+        return f"Preset engines: {len(self)}"
+
+    def document(self) -> Document:
+        """Return a table of names, descriptions and sources."""
+        from symbalance.document.nodes import Code, Column, Document, Table
+
+        columns = (Column("name"), Column("what it is, and where its figures come from"))
+        rows = tuple((Code(p.name), f"{p.description} [{p.source}]") for p in self)
+        return Document("Preset engines", (Table("", columns, rows),))
+
+    def data(self) -> dict[str, Any]:
+        """Return every preset's name, description and source."""
+        return {"presets": self.records()}
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each preset."""
+        return [{"name": p.name, "description": p.description, "source": p.source} for p in self]
+
+
 def _natural(name: str) -> list[int | str]:
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
 
@@ -35,13 +68,14 @@ def preset_names() -> tuple[str, ...]:
     return tuple(sorted((path.stem for path in _FOLDER.glob("*.toml")), key=_natural))
 
 
-def presets() -> list[Preset]:
-    """Return every preset with its description and source."""
-    found = []
-    for name in preset_names():
-        table = toml_table(preset_text(name), name)
-        found.append(Preset(name, table["description"], table["source"]))
-    return found
+def presets() -> Presets:
+    """Return every preset with its description and source.
+
+    >>> presets()[0].name
+    'audi-v10'
+    """
+    tables = ((name, toml_table(preset_text(name), name)) for name in preset_names())
+    return Presets(tuple(Preset(name, table["description"], table["source"]) for name, table in tables))
 
 
 def preset_text(name: str) -> str:
@@ -58,12 +92,20 @@ def _unknown(name: str) -> SymbalanceError:
 
 
 def load(engine: str | Path) -> Engine:
-    """Return the layout of an engine file (a name ending in .toml or with a path separator) or preset.
+    """Return the engine of a file (a name ending in .toml or with a path separator), or a preset.
+
+    `-` reads an engine file from standard input.
 
     >>> load("v12-60").firing_order()
     [1, 2, 9, 10, 5, 6, 11, 12, 3, 4, 7, 8]
     """
     name = str(engine)
-    if isinstance(engine, Path) or name.endswith(".toml") or "/" in name or "\\" in name:
+    if (
+        isinstance(engine, Path)
+        or name == STANDARD_INPUT
+        or name.endswith(".toml")
+        or "/" in name
+        or "\\" in name
+    ):
         return read_engine_file(engine)
     return parse_engine(preset_text(name), f"{name}.toml")

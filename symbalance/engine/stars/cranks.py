@@ -20,8 +20,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property
 from math import factorial, floor
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import SequenceResult
 from symbalance.engine.builders import inline
 from symbalance.engine.cylinders import MOST_CYLINDERS
 from symbalance.engine.engine import Engine, checked_strokes
@@ -34,6 +35,8 @@ from symbalance.text.reals import cospi, ldexp
 
 if TYPE_CHECKING:
     import sympy
+
+    from symbalance.document.nodes import Document
 
 MOST_STARS = 50_000
 """More stars are not enumerated: nine cylinders on nine rays are 40320, ten in pairs 22680."""
@@ -95,7 +98,60 @@ class StarClass:
         return Component(Phasor.of(self.directions, terms))
 
 
-def crank_stars(count: int, strokes: int = 4) -> list[StarClass]:
+@dataclass(frozen=True, repr=False, eq=False)
+class CrankStars(SequenceResult[StarClass]):
+    """All cranks of an evenly firing in-line engine of so many `cylinders`, smoothest first."""
+
+    cylinders: int
+    strokes: int
+    items: tuple[StarClass, ...]
+    kind: ClassVar[str] = "crank-stars"
+
+    def summary(self) -> str:
+        """Return how many cranks there are, in one line."""
+        return f"Cranks of an evenly firing in-line {self.cylinders}, {self.strokes}-stroke: {len(self)}"
+
+    def document(self) -> Document:
+        """Return a table of the cranks, with couples and firing orders."""
+        from symbalance.engine.stars.stars_document import crank_stars_document
+
+        return crank_stars_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every crank; angles in degrees, couples exact in F_n a."""
+        return {
+            "cylinders": self.cylinders,
+            "strokes": self.strokes,
+            "cranks": [_data(star) for star in self],
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each crank."""
+        return [
+            {
+                "throws_degrees": " ".join(map(str, star.throws)),
+                "first_couple": float(star.first_couple),
+                "second_couple": float(star.second_couple),
+                "stars": star.stars,
+                "firing_orders": " ".join(firing.as_text() for firing in star.firings),
+            }
+            for star in self
+        ]
+
+
+def _data(star: StarClass) -> dict[str, Any]:
+    return {
+        "throws": [str(throw) for throw in star.throws],
+        "rays": list(star.rays),
+        "directions": star.directions,
+        "stars": star.stars,
+        "first_couple": str(star.first_couple),
+        "second_couple": str(star.second_couple),
+        "firing_orders": [list(firing.order) for firing in star.firings],
+    }
+
+
+def crank_stars(count: int, strokes: int = 4) -> CrankStars:
     """Return all cranks of an evenly firing in-line engine, up to turning and mirroring, smoothest first.
 
     Sorted by first-order couple, then second (both exact). Odd counts and two-strokes have one cylinder
@@ -118,7 +174,7 @@ def crank_stars(count: int, strokes: int = 4) -> list[StarClass]:
         orbit = _orbit(star, rays)
         if star == min(orbit):
             classes.append(StarClass(star, rays, len(orbit), strokes))
-    return sorted(classes, key=_smoothness)
+    return CrankStars(count, strokes, tuple(sorted(classes, key=_smoothness)))
 
 
 def _check_size(count: int, each: int) -> None:

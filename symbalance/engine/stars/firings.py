@@ -18,12 +18,17 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import permutations, product
 from math import gcd, prod
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import SequenceResult
 from symbalance.engine.engine import Engine
 from symbalance.engine.tops import firing_dead_centres, has_moved, top_angles
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import Angle
 from symbalance.text.numbers import exact
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 MOST_ORDERS = 2**16
 """More firing orders are not listed: 17 cylinders, if they need not fire evenly."""
@@ -78,9 +83,58 @@ class Firing:
         return push - max(self.intervals)
 
 
+@dataclass(frozen=True, repr=False, eq=False)
+class FiringOrders(SequenceResult[Firing]):
+    """The firing orders that the crank of `engine` allows, and how they were asked for."""
+
+    engine: Engine
+    items: tuple[Firing, ...]
+    even_only: bool
+    simultaneous: bool
+    within: Fraction
+    kind: ClassVar[str] = "firing-orders"
+
+    def summary(self) -> str:
+        """Return how many orders there are, in one line."""
+        which = "Even firing orders" if self.even_only else "Firing orders"
+        return f"{which} of {self.engine.name}: {len(self)}"
+
+    def document(self) -> Document:
+        """Return a table of the orders and their intervals."""
+        from symbalance.engine.stars.stars_document import firing_orders_document
+
+        return firing_orders_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every order with its intervals, in degrees."""
+        return {
+            "engine": self.engine.name,
+            "strokes": self.engine.strokes,
+            "even_only": self.even_only,
+            "simultaneous": self.simultaneous,
+            "within": str(self.within),
+            "firing_orders": [
+                {"order": list(one.order), "intervals": [str(gap) for gap in one.intervals]}
+                for one in self
+            ],
+        }
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each order."""
+        return [
+            {
+                "firing_order": one.as_text(),
+                "intervals_degrees": " ".join(map(str, one.intervals)),
+                "even": one.is_even,
+                "least_overlap_degrees": float(one.overlap()),
+            }
+            for one in self
+        ]
+
+
 def firing_orders(
     layout: Engine, *, even_only: bool = True, simultaneous: bool = False, within: object = 0
-) -> list[Firing]:
+) -> FiringOrders:
     """Return all firing orders a crank allows, its lowest-numbered cylinder first; `fires` is ignored.
 
     `even_only`: equal intervals; otherwise every order, 2^(N-1) in a four-stroke whose cylinders all
@@ -93,25 +147,31 @@ def firing_orders(
     >>> from symbalance.engine.builders import inline, vee
     >>> [f.as_text() for f in firing_orders(inline(throws=[0, 180, 180, 0]))]
     ['1-2-4-3', '1-3-4-2']
-    >>> firing_orders(vee(90, pins=[0, 120, 240]))  # a 90-degree V6 on shared pins: never even
-    []
+    >>> len(firing_orders(vee(90, pins=[0, 120, 240])))  # a 90-degree V6 on shared pins: never even
+    0
     >>> from symbalance.engine.catalogue import load
     >>> [f.as_text() for f in firing_orders(load("vw-vr6"), within="1/2")]
     ['1-2-3-6-5-4', '1-2-4-6-5-3', '1-5-3-6-2-4', '1-5-4-6-2-3']
     """
-    cycle = 180 * _checked(layout).strokes
-    groups = _groups(layout, _checked_within(within))
-    count = len(layout.cylinders)
+    _checked(layout)
+    near = _checked_within(within)
+    items = tuple(_found(layout, even_only, simultaneous, near))
+    return FiringOrders(layout, items, even_only, simultaneous, near)
+
+
+def _found(layout: Engine, even_only: bool, simultaneous: bool, within: Fraction) -> list[Firing]:
+    cycle, count = 180 * layout.strokes, len(layout.cylinders)
+    groups = _groups(layout, within)
     if not even_only:
         choices = [_choices(group, start, cycle, simultaneous) for start, group in groups.items()]
         return _listed(choices, cycle)
-    found: set[Firing] = set()
+    firings: set[Firing] = set()
     for together in range(1, count + 1 if simultaneous else 2):
         if count % together == 0:
             moments = {Fraction(cycle * together * k, count) for k in range(count // together)}
             choices = [_evenly(group, start, cycle, moments, together) for start, group in groups.items()]
-            found |= set(_listed(choices, cycle))
-    return sorted(found)
+            firings |= set(_listed(choices, cycle))
+    return sorted(firings)
 
 
 def evenest(layout: Engine) -> list[Firing]:
@@ -173,7 +233,7 @@ def is_even(layout: Engine) -> bool:
 
 def _checked(layout: object) -> Engine:
     if not isinstance(layout, Engine):
-        rule = "must be a Engine"
+        rule = "must be an Engine"
         raise SymbalanceError(f"layout = {shown(layout)}", rule, "build one, as inline(throws=[0, 180])")
     return layout
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import isqrt
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,7 @@ LARGEST_PRIME = 1000
 """Square factors of larger primes are not looked for: numbers of many digits cannot be factored."""
 
 
+@lru_cache(maxsize=1024)
 def tidy_root(form: sympy.Expr) -> sympy.Expr:
     """Return the root of a positive number with the square factors of its content before it.
 

@@ -1,7 +1,6 @@
-"""The derivation of one slider-crank's harmonics, step by step, as data, text and LaTeX."""
+"""The derivation of one slider-crank's harmonics, step by step."""
 
-from symbalance.kinematics.derivation.document import derivation_latex, derivation_text
 from symbalance.kinematics.derivation.result import Derivation, derive
-from symbalance.kinematics.derivation.setting import Prose, Step
+from symbalance.kinematics.derivation.setting import Step
 
-__all__ = ["Derivation", "Prose", "Step", "derivation_latex", "derivation_text", "derive"]
+__all__ = ["Derivation", "Step", "derive"]

@@ -8,11 +8,12 @@ the exact quantity by at most
 
 from __future__ import annotations
 
-from decimal import ROUND_CEILING, Context, Decimal
+import decimal
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Number, Over, Scientific, equal
-from symbalance.kinematics.derivation.setting import LAM, RHO, L, Prose, R, Setting, prose
+from symbalance.document.formula import Decimal, Formula, Quotient, Words, equal, number
+from symbalance.document.nodes import Paragraph, inlines
+from symbalance.kinematics.derivation.setting import LAM, RHO, L, R, Setting, prose
 from symbalance.kinematics.slider_crank import (
     Harmonics,
     acceleration_value,
@@ -26,13 +27,13 @@ from symbalance.text.reals import Real, nstr
 RATIO = Fraction(4)
 """The rod ratio l/r at which bounds are given as numbers."""
 _AT_RATIO = {
-    "l/r": (equal(LAM, Number(4)),),
-    "r/l": (equal(RHO, Over(Number(1), Number(4))),),
-    "l/s": (equal(LAM, Number(2)), " (", equal(L / R, Number(4)), ")"),
+    "l/r": (equal(LAM, number(4)),),
+    "r/l": (equal(RHO, Quotient(number(1), number(4))),),
+    "l/s": (equal(LAM, number(2)), " (", equal(L / R, number(4)), ")"),
 }
 
 
-def numbers(setting: Setting, found: Harmonics) -> tuple[Prose, ...]:
+def numbers(setting: Setting, found: Harmonics) -> tuple[Paragraph, ...]:
     """Return what is left out at l/r = 4, in figures."""
     bound = _with_unit(setting, left_out(setting.order, RATIO, setting.quantity))
     at = _AT_RATIO[setting.convention]
@@ -47,7 +48,7 @@ def numbers(setting: Setting, found: Harmonics) -> tuple[Prose, ...]:
         return (first,)
     return (
         prose(
-            *first.pieces,
+            *inlines(first.words),
             " With the coefficients as they are printed the error is at most ",
             printed,
             ".",
@@ -56,21 +57,22 @@ def numbers(setting: Setting, found: Harmonics) -> tuple[Prose, ...]:
 
 
 def _with_unit(setting: Setting, value: Real) -> Formula:
-    number = rounded_up(value)
-    return number * Name("rad") if setting.rod_angle else number * setting.unit()
+    return rounded_up(value) * (Words("rad") if setting.rod_angle else setting.unit())
 
 
-def rounded_up(value: Real) -> Scientific:
+def rounded_up(value: Real) -> Decimal:
     """Return a bound to three digits, rounded up so that it stays one.
 
-    >>> rounded_up(Real("1.52541e-6"))
-    Scientific(mantissa='1.53', exponent=-6)
+    >>> rounded_up(Real("1.52541e-6")).text, rounded_up(Real("0.0123456")).text
+    ('1.53e-6', '0.0124')
     """
-    number = Context(prec=3, rounding=ROUND_CEILING).create_decimal(Decimal(nstr(value, 15)))
-    exponent = number.adjusted()
+    context = decimal.Context(prec=3, rounding=decimal.ROUND_CEILING)
+    bound = context.create_decimal(decimal.Decimal(nstr(value, 15)))
+    exponent = bound.adjusted()
     if exponent >= -2:
-        return Scientific(str(number), 0)
-    return Scientific(str(number.scaleb(-exponent).quantize(Decimal("0.01"))), exponent)
+        return Decimal(str(bound))
+    mantissa = bound.scaleb(-exponent).quantize(decimal.Decimal("0.01"))
+    return Decimal(f"{mantissa}e{exponent}")
 
 
 def printed_error(order: int, found: Harmonics, ratio: Fraction = RATIO) -> Real:

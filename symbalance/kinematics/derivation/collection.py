@@ -5,22 +5,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbalance.document.formula import (
-    DOTS,
-    Binomial,
+    Derivative,
+    Dots,
     Equation,
     Formula,
-    Indexed,
     Name,
-    Number,
+    Subscript,
     Sum,
+    binomial,
     equal,
+    number,
+    signed,
 )
+from symbalance.document.nodes import Paragraph
 from symbalance.kinematics.derivation.setting import (
     LONGEST_IN_FULL,
     OMEGA,
     PHI,
+    THETA,
     M,
-    Prose,
     Setting,
     Step,
     X,
@@ -31,7 +34,7 @@ from symbalance.kinematics.derivation.setting import (
 from symbalance.kinematics.series_printing import monomials
 from symbalance.kinematics.slider_crank import Harmonics, Series, harmonics
 
-V, A, F = map(Name, "vaF")
+V, A, F, T = map(Name, "vaFt")
 LETTER = {"displacement": "B", "velocity": "V", "acceleration": "A", "force": "A", "rod-angle": "R"}
 """What a quantity's coefficients are called."""
 _TITLES = {
@@ -42,7 +45,7 @@ _TITLES = {
 _OPENING = {"displacement": 4, "velocity": 3, "acceleration": 3, "force": 3, "rod-angle": 3}
 """How many terms a long sum shows before its dots."""
 
-Parts = tuple[Prose | Equation, ...]
+Parts = tuple[Paragraph | Equation, ...]
 
 
 def collection_steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:
@@ -57,9 +60,9 @@ def collection_steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:
 
 def _derivatives(setting: Setting, found: Harmonics) -> Parts:
     """Return v = omega dx/d theta, a = omega dv/d theta and F = m a, as far as asked for."""
-    words = prose("The crank turns at the constant speed ", equal(OMEGA, _rate("dtheta", "dt")), ":")
-    to_v = (_rate("dx", "dt"), OMEGA * _rate("dx", "dtheta"))
-    to_a = (_rate("dv", "dt"), OMEGA * _rate("dv", "dtheta"))
+    words = prose("The crank turns at the constant speed ", equal(OMEGA, Derivative(THETA, T)), ":")
+    to_v = (Derivative(X, T), OMEGA * Derivative(X, THETA))
+    to_a = (Derivative(V, T), OMEGA * Derivative(V, THETA))
     if setting.quantity == "velocity":
         return words, *_result(setting, found, V, to_v)
     velocity = _stage("velocity", setting, V, to_v, 0)
@@ -71,10 +74,6 @@ def _derivatives(setting: Setting, found: Harmonics) -> Parts:
     )  # fmt: skip
     acceleration = _stage("acceleration", setting, A, to_a, 0)
     return words, *velocity, *acceleration, mass, *_result(setting, found, F, (M * A,))
-
-
-def _rate(over: str, under: str) -> Formula:
-    return Name(over) / Name(under)
 
 
 def _beyond(setting: Setting) -> Parts:
@@ -117,24 +116,22 @@ def _result(setting: Setting, found: Harmonics, left: Formula, via: tuple[Formul
 
 
 def _equation(setting: Setting, found: Harmonics, left: Formula, via: tuple[Formula, ...]) -> Equation:
-    terms = list(monomials(found.constant, setting.convention))
-    signed: list[tuple[int, Formula]] = [(sign, term) for sign, term in terms]
-    signed += [_term(setting, harmonic(found.function, n), series) for n, series in found.terms.items()]
-    return Equation(left, (*(("=", each) for each in via), ("≈", _in_units(setting, signed))))
+    terms = [signed(sign, term) for sign, term in monomials(found.constant, setting.convention)]
+    terms += [_term(setting, harmonic(found.function, n), series) for n, series in found.terms.items()]
+    return Equation(left, (*(("=", each) for each in via), ("≈", _in_units(setting, terms))))
 
 
-def _term(setting: Setting, angle: Formula, series: Series) -> tuple[int, Formula]:
+def _term(setting: Setting, angle: Formula, series: Series) -> Formula:
     """Return coefficient times harmonic, with the sign that all terms of the coefficient share."""
     rows = list(monomials(series, setting.convention))
     sign, first = rows[0]
     if len(rows) > 1:
-        return sign, Sum(tuple((1, term) for _, term in rows)) * angle
-    return sign, angle if first.coefficient == 1 and first.exponent == 0 else first * angle
+        return signed(sign, Sum(tuple(term for _, term in rows)) * angle)
+    return signed(sign, angle if first == number(1) else first * angle)
 
 
-def _in_units(setting: Setting, terms: list[tuple[int, Formula]]) -> Formula:
-    (sign, first), *rest = terms
-    inside = first if sign > 0 and not rest else Sum(tuple(terms))
+def _in_units(setting: Setting, terms: list[Formula]) -> Formula:
+    inside = terms[0] if len(terms) == 1 else Sum(tuple(terms))
     return inside if setting.rod_angle else setting.unit() * inside
 
 
@@ -145,48 +142,41 @@ def _long_equation(setting: Setting, left: Formula, via: tuple[Formula, ...]) ->
     """Return quantity = unit (first terms + ... + last term) with lettered coefficients."""
     letter, sign = LETTER[setting.quantity], -1 if setting.quantity == "displacement" else 1
     function = "sin" if setting.quantity in ("velocity", "rod-angle") else "cos"
-    rows: list[tuple[int, Formula]] = [
-        (
-            sign,
-            _letter(letter, n) * harmonic(function, n)
-            if n > 1 or setting.rod_angle
-            else harmonic(function, n),
-        )
-        for n in setting.orders()
-    ]
+    rows: list[Formula] = []
+    for n in setting.orders():
+        wave: Formula = harmonic(function, n)
+        rows.append(signed(sign, _letter(letter, n) * wave if n > 1 or setting.rod_angle else wave))
     if setting.quantity == "displacement":
-        rows.insert(0, (1, _letter("B", 0)))
+        rows.insert(0, _letter("B", 0))
     opening = _OPENING[setting.quantity]
     if len(rows) > opening + 2:
-        rows = [*rows[:opening], (sign, DOTS), rows[-1]]
+        rows = [*rows[:opening], signed(sign, Dots()), rows[-1]]
     return Equation(left, (*(("=", each) for each in via), ("≈", _in_units(setting, rows))))
 
 
-def _letter(letter: str, n: int) -> Indexed:
-    return Indexed(letter, Number(n))
+def _letter(letter: str, n: int) -> Subscript:
+    return Subscript(Name(letter), number(n))
 
 
 def _coefficients(setting: Setting, found: Harmonics) -> list[Equation]:
     """Return one line per coefficient."""
     rows: list[Equation] = []
     if setting.quantity == "displacement":
-        rows.append(
-            _coefficient(
-                setting, _letter("B", 0), list(monomials(found.constant, setting.convention))[:2]
-            )
-        )
+        constant = list(monomials(found.constant, setting.convention))[:2]
+        rows.append(_coefficient(_letter("B", 0), constant))
     turned = -1 if setting.quantity == "displacement" else 1
     for n, series in found.terms.items():
         if n > 1 or setting.rod_angle:
             long = n > LONGEST_IN_FULL
             terms = _closed(setting, n, series) if long else monomials(series, setting.convention)
-            signed = [(turned * sign, term) for sign, term in terms]
-            rows.append(_coefficient(setting, _letter(LETTER[setting.quantity], n), signed))
+            pairs = [(turned * sign, term) for sign, term in terms]
+            rows.append(_coefficient(_letter(LETTER[setting.quantity], n), pairs))
     return rows
 
 
-def _coefficient(setting: Setting, left: Formula, terms: Sequence[tuple[int, Formula]]) -> Equation:
-    return equal(left, Sum((*terms, (terms[-1][0], DOTS))))
+def _coefficient(left: Formula, terms: Sequence[tuple[int, Formula]]) -> Equation:
+    """Return the terms with their signs, and dots after them that have the sign of the last."""
+    return equal(left, Sum(tuple(signed(*term) for term in [*terms, (terms[-1][0], Dots())])))
 
 
 def _closed(setting: Setting, n: int, series: Series) -> list[tuple[int, Formula]]:
@@ -198,17 +188,13 @@ def _closed(setting: Setting, n: int, series: Series) -> list[tuple[int, Formula
 def _closed_piston_term(setting: Setting, n: int, power: int) -> Formula:
     """Return 8 k^2 C(2j, j) C(2j, j-k) rho^(2j-1)/((2j - 1) 16^j), n = 2k, integrated."""
     k, j = n // 2, (power + 1) // 2
-    number = {"displacement": 2, "velocity": 4 * k}.get(setting.quantity, 8 * k * k)
-    over = [Number(number), _binomial(2 * j, j), *([_binomial(2 * j, j - k)] if j > k else [])]
-    return closed(setting, over, [Number(2 * j - 1), Number(16) ** j], power)
+    weight = {"displacement": 2, "velocity": 4 * k}.get(setting.quantity, 8 * k * k)
+    over = [number(weight), binomial(2 * j, j), *([binomial(2 * j, j - k)] if j > k else [])]
+    return closed(setting, over, [number(2 * j - 1), number(16) ** j], power)
 
 
 def _closed_angle_term(setting: Setting, n: int, power: int) -> Formula:
     """Return C(2j, j) C(2j+1, j-i) rho^(2j+1)/((2j + 1) 16^j), n = 2i+1."""
     i, j = n // 2, power // 2
-    over = [_binomial(2 * j, j), *([_binomial(power, j - i)] if j > i else [])]
-    return closed(setting, over, [Number(power), Number(16) ** j], power)
-
-
-def _binomial(upper: int, lower: int) -> Formula:
-    return Binomial(Number(upper), Number(lower))
+    over = [binomial(2 * j, j), *([binomial(power, j - i)] if j > i else [])]
+    return closed(setting, over, [number(power), number(16) ** j], power)

@@ -6,24 +6,27 @@ from fractions import Fraction
 from math import comb
 
 from symbalance.document.formula import (
-    DOTS,
-    Applied,
-    Binomial,
+    Call,
+    Dots,
     Equation,
     Formula,
-    Monomial,
     Name,
-    Number,
-    Over,
+    Negative,
     Power,
-    Root,
+    Quotient,
     Sum,
-    Total,
     alternating,
+    binomial,
     cos,
     equal,
+    monomial,
+    number,
+    signed,
     sin,
+    sqrt,
+    total,
 )
+from symbalance.document.nodes import Paragraph
 from symbalance.kinematics.derivation.setting import (
     INDEX_I,
     PHI,
@@ -31,7 +34,6 @@ from symbalance.kinematics.derivation.setting import (
     J,
     K,
     L,
-    Prose,
     R,
     S,
     Setting,
@@ -52,7 +54,7 @@ def geometry(setting: Setting) -> Step:
     letters = setting.letters
     about = [
         "The crank pin turns at ", *_crank(setting), " about the crankshaft; ", THETA,
-        " is the crank angle, ", equal(THETA, Number(0)), " at top dead centre. The rod, of length ", L,
+        " is the crank angle, ", equal(THETA, number(0)), " at top dead centre. The rod, of length ", L,
         " between centres, joins the pin to a piston whose axis passes through the crankshaft, and makes"
         " the angle ", PHI, " with that axis",
     ]  # fmt: skip
@@ -61,33 +63,33 @@ def geometry(setting: Setting) -> Step:
     slope = equal(sin(PHI), letters.sine)
     if setting.rod_angle:
         side = " (positive towards the side of the pin after top dead centre)."
-        return Step("Geometry", (Prose((*about, side)), pin, ratio, slope))
+        return Step("Geometry", (Paragraph((*about, side)), pin, ratio, slope))
     measured = prose(
         "The piston's displacement ", X, " is measured from top dead centre towards the crank;"
         " velocity and acceleration are positive in the same direction."
     )  # fmt: skip
     radius = letters.radius
-    whole = radius + L - Sum(((1, radius * cos(THETA)), (1, L * cos(PHI))))
+    whole = radius + L - (radius * cos(THETA) + L * cos(PHI))
     position = equal(X, whole, radius * (1 - cos(THETA)) + L * (1 - cos(PHI)))
-    return Step("Geometry", (Prose((*about, ".")), measured, pin, position, ratio, slope))
+    return Step("Geometry", (Paragraph((*about, ".")), measured, pin, position, ratio, slope))
 
 
 def _crank(setting: Setting) -> tuple[str | Formula | Equation, ...]:
     if setting.convention == "l/s":
-        return ("the radius ", S / Number(2), ", half the stroke ", S, ",")
+        return ("the radius ", S / number(2), ", half the stroke ", S, ",")
     return ("the radius ", R)
 
 
 def root(setting: Setting) -> Step:
     """Return step 2: cos phi as a root, positive since the rod is longer than the crank."""
     letters = setting.letters
-    value = Root(1 - _square(setting))
+    value = sqrt(1 - _square(setting))
     piston = letters.radius * (1 - cos(THETA)) + letters.rod * (1 - value)
     words = prose(
         "The rod is longer than the crank, so ", PHI, " stays within a right angle and ", cos(PHI),
         " is the positive root:",
     )  # fmt: skip
-    return Step("The root", (words, equal(cos(PHI), Root(1 - sin(PHI, 2)), value), equal(X, piston)))
+    return Step("The root", (words, equal(cos(PHI), sqrt(1 - sin(PHI, 2)), value), equal(X, piston)))
 
 
 def _square(setting: Setting) -> Formula:
@@ -98,24 +100,27 @@ def _square(setting: Setting) -> Formula:
 def root_series(setting: Setting) -> Step:
     """Return step 3: sqrt(1 - X) = 1 - sum of C(2m, m)/(2m - 1) (X/4)^m, and what is kept of it."""
     shown = ROOT_TERMS if setting.long else max(ROOT_TERMS, setting.last // 2)
-    terms = [(-1, _power_of_x(_root_term(m), m)) for m in range(1, shown + 1)]
-    general = Binomial(2 * J, J) / (2 * J - 1) * Power(BIG_X / Number(4), J)
+    terms = [Negative(_power_of_x(_root_term(m), m)) for m in range(1, shown + 1)]
+    general = binomial(2 * J, J) / (2 * J - 1) * Power(BIG_X / number(4), J)
     series = Equation(
-        Root(1 - BIG_X),
-        (("=", Sum(((1, Number(1)), *terms, (-1, DOTS)))), ("=", 1 - Total(J, Number(1), None, general))),
+        sqrt(1 - BIG_X),
+        (
+            ("=", Sum((number(1), *terms, Negative(Dots())))),
+            ("=", 1 - total(J, number(1), None, general)),
+        ),
     )
     words = prose(
         "The binomial series, which converges as ", equal(BIG_X, _square(setting)), " stays below 1:"
     )
-    rod = setting.letters.rod * (1 - Root(1 - BIG_X))
+    rod = setting.letters.rod * (1 - sqrt(1 - BIG_X))
     if setting.last == 0:
         kept = prose("Order 1 keeps none of its powers: the root is replaced by 1, so that ",
-                     Equation(rod, (("≈", Number(0)),)), ".")  # fmt: skip
+                     Equation(rod, (("≈", number(0)),)), ".")  # fmt: skip
         return Step("The root as a series", (words, series, kept))
     rows = [setting.rho_power(p - 1, _root_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()]
     m = setting.last // 2
     end = closed(
-        setting, [_central(m), sin(THETA, 2 * m)], [Number(2 * m - 1), Number(4) ** m], 2 * m - 1
+        setting, [_central(m), sin(THETA, 2 * m)], [number(2 * m - 1), number(4) ** m], 2 * m - 1
     )
     kept = Equation(rod, (("≈", setting.letters.radius * _elided(setting, rows, end)),))
     return Step("The root as a series", (words, series, _kept_to(setting), kept))
@@ -126,40 +131,39 @@ def _root_term(m: int) -> Fraction:
     return Fraction(comb(2 * m, m), (2 * m - 1) * 4**m)
 
 
-def _power_of_x(coefficient: Fraction, exponent: int) -> Monomial:
-    return Monomial(coefficient, "X", exponent)
+def _power_of_x(coefficient: Fraction, exponent: int) -> Formula:
+    return monomial(coefficient, BIG_X, exponent)
 
 
-def _kept_to(setting: Setting) -> Prose:
+def _kept_to(setting: Setting) -> Paragraph:
     also = ""
     if setting.long:
         also = " (the derivation being long, only the first and the last are written out)"
     return prose("Kept to ", sin(THETA, setting.last), also, ":")
 
 
-def _elided(setting: Setting, rows: list[Monomial], end: Formula) -> Sum:
+def _elided(setting: Setting, rows: list[Formula], end: Formula) -> Sum:
     """Return the rows as a sum: of a long derivation the first three, dots and the last as `end`."""
-    terms: list[Formula] = [*rows[:3], DOTS, end] if setting.long and len(rows) > 4 else [*rows]
-    return Sum(tuple((1, term) for term in terms))
+    return Sum((*rows[:3], Dots(), end) if setting.long and len(rows) > 4 else tuple(rows))
 
 
-def _central(j: int) -> Binomial:
-    return Binomial(Number(2 * j), Number(j))
+def _central(j: int) -> Formula:
+    return binomial(2 * j, j)
 
 
 def inverse_sine(setting: Setting) -> Step:
     """Return step 2 of the rod's angle."""
     words = prose("The rod is longer than the crank, so ", PHI, " stays within a right angle:")
-    return Step("The inverse sine", (words, equal(PHI, Applied("asin", setting.letters.sine))))
+    return Step("The inverse sine", (words, equal(PHI, Call("asin", setting.letters.sine))))
 
 
 def inverse_sine_series(setting: Setting) -> Step:
     """Return step 3 of the rod's angle: asin X = sum of C(2j, j) X^(2j+1)/(4^j (2j + 1))."""
     shown = ROOT_TERMS if setting.long else max(ROOT_TERMS, setting.last // 2 + 1)
-    terms = [(1, _power_of_x(_inverse_sine_term(j), 2 * j + 1)) for j in range(shown)]
-    general = Over(Binomial(2 * J, J), Power(Number(4), J) * (2 * J + 1)) * Power(BIG_X, 2 * J + 1)
-    left = Applied("asin", BIG_X)
-    series = equal(left, Sum((*terms, (1, DOTS))), Total(J, Number(0), None, general))
+    terms = [_power_of_x(_inverse_sine_term(j), 2 * j + 1) for j in range(shown)]
+    general = Quotient(binomial(2 * J, J), Power(number(4), J) * (2 * J + 1)) * Power(BIG_X, 2 * J + 1)
+    left = Call("asin", BIG_X)
+    series = equal(left, Sum((*terms, Dots())), total(J, number(0), None, general))
     words = prose(
         "The series, which converges as ", equal(BIG_X, setting.letters.sine), " stays below 1:"
     )
@@ -167,7 +171,7 @@ def inverse_sine_series(setting: Setting) -> Step:
         setting.rho_power(p, _inverse_sine_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()
     ]
     p, j = setting.last, setting.last // 2
-    end = closed(setting, [_central(j), sin(THETA, p)], [Number(p), Number(4) ** j], p)
+    end = closed(setting, [_central(j), sin(THETA, p)], [number(p), number(4) ** j], p)
     kept = Equation(PHI, (("≈", _elided(setting, rows, end)),))
     return Step("The inverse sine as a series", (words, series, _kept_to(setting), kept))
 
@@ -183,17 +187,18 @@ def even_powers(setting: Setting) -> Step:
             "Multiple angles", (prose("At order 1 no power of ", sin(THETA), " is left to resolve."),)
         )
     lines = [_even_power(power // 2) for power in _shown(setting)]
-    body = alternating(K) * Binomial(2 * J, J - K) * cos(2 * K * THETA)
+    body = alternating(K) * binomial(2 * J, J - K) * cos(2 * K * THETA)
     general = equal(
         sin(THETA, 2 * J),
-        1 / Power(Number(4), J) * (Binomial(2 * J, J) + 2 * Total(K, Number(1), J, body)),
+        1 / Power(number(4), J) * (binomial(2 * J, J) + 2 * total(K, number(1), J, body)),
     )
     return _multiple_angles(setting, lines, general)
 
 
 def _even_power(m: int) -> Equation:
-    terms: list[tuple[int, Formula]] = [(1, Number(comb(2 * m, m) // 2))]
-    terms += [((-1) ** k, _times(comb(2 * m, m - k), harmonic("cos", 2 * k))) for k in range(1, m + 1)]
+    terms: list[Formula] = [number(comb(2 * m, m) // 2)]
+    for k in range(1, m + 1):
+        terms.append(signed((-1) ** k, _times(comb(2 * m, m - k), harmonic("cos", 2 * k))))
     return equal(sin(THETA, 2 * m), _shared(Sum(tuple(terms)), 2 ** (2 * m - 1)))
 
 
@@ -203,8 +208,8 @@ def odd_powers(setting: Setting) -> Step:
     sin^(2j+1) theta = sum of (-1)^i C(2j+1, j-i) sin (2i+1) theta / 4^j.
     """
     lines = [_odd_power(power // 2) for power in _shown(setting) if power > 1]
-    body = alternating(INDEX_I) * Binomial(2 * J + 1, J - INDEX_I) * sin((2 * INDEX_I + 1) * THETA)
-    general = equal(sin(THETA, 2 * J + 1), 1 / Power(Number(4), J) * Total(INDEX_I, Number(0), J, body))
+    body = alternating(INDEX_I) * binomial(2 * J + 1, J - INDEX_I) * sin((2 * INDEX_I + 1) * THETA)
+    general = equal(sin(THETA, 2 * J + 1), 1 / Power(number(4), J) * total(INDEX_I, number(0), J, body))
     if not lines:
         return Step(
             "Multiple angles", (prose("The first power of ", sin(THETA), " is a harmonic already."),)
@@ -214,7 +219,8 @@ def odd_powers(setting: Setting) -> Step:
 
 def _odd_power(j: int) -> Equation:
     terms = [
-        ((-1) ** i, _times(comb(2 * j + 1, j - i), harmonic("sin", 2 * i + 1))) for i in range(j + 1)
+        signed((-1) ** i, _times(comb(2 * j + 1, j - i), harmonic("sin", 2 * i + 1)))
+        for i in range(j + 1)
     ]
     return equal(sin(THETA, 2 * j + 1), _shared(Sum(tuple(terms)), 4**j))
 
@@ -225,7 +231,7 @@ def _times(number: int, value: Formula) -> Formula:
 
 def _shared(terms: Sum, under: int) -> Formula:
     """Return terms over a common denominator: as a fraction, or where that grows long times one."""
-    return terms / Number(under) if len(terms.terms) < 5 else 1 / Number(under) * terms
+    return terms / number(under) if len(terms.terms) < 5 else 1 / number(under) * terms
 
 
 def _shown(setting: Setting) -> list[int]:

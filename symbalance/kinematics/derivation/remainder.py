@@ -5,26 +5,28 @@ from __future__ import annotations
 from fractions import Fraction
 
 from symbalance.document.formula import (
-    Absolute,
-    Applied,
-    Binomial,
+    PI,
+    Call,
     Equation,
     Formula,
-    Indexed,
-    Monomial,
     Name,
-    Number,
-    Over,
-    Root,
-    Series2F1,
-    Times,
-    Total,
+    Product,
+    Quotient,
+    Subscript,
+    absolute,
     alternating,
+    binomial,
     cos,
     equal,
+    hypergeometric,
+    monomial,
+    number,
     sin,
+    sqrt,
+    total,
 )
-from symbalance.document.notation import CONVENTIONS
+from symbalance.document.nodes import Paragraph
+from symbalance.kinematics.conventions import CONVENTIONS
 from symbalance.kinematics.derivation.bounds import numbers
 from symbalance.kinematics.derivation.collection import LETTER
 from symbalance.kinematics.derivation.setting import (
@@ -36,7 +38,6 @@ from symbalance.kinematics.derivation.setting import (
     THETA,
     J,
     K,
-    Prose,
     Q,
     Setting,
     Step,
@@ -46,11 +47,11 @@ from symbalance.kinematics.derivation.setting import (
 )
 from symbalance.kinematics.slider_crank import Harmonics
 
-REST, MEAN = Indexed("B", Number(0)), Indexed("c", Number(0))
-PI, V, A, F = Name("pi"), Name("v"), Name("a"), Name("F")
+REST, MEAN = Subscript(Name("B"), number(0)), Subscript(Name("c"), number(0))
+V, A, F = Name("v"), Name("a"), Name("F")
 _LEFT = {"displacement": X, "velocity": V, "acceleration": A, "force": F}
 
-Parts = tuple[Prose | Equation, ...]
+Parts = tuple[Paragraph | Equation, ...]
 
 
 def left_out_step(setting: Setting, found: Harmonics) -> Step:
@@ -59,11 +60,11 @@ def left_out_step(setting: Setting, found: Harmonics) -> Step:
     return Step("What is left out", (_missing(setting), *middle, *numbers(setting, found)))
 
 
-def _missing(setting: Setting) -> Prose:
+def _missing(setting: Setting) -> Paragraph:
     kept = setting.last if setting.rod_angle else setting.last - 1
     letters, (letter, direction, _) = setting.letters, CONVENTIONS[setting.convention]
-    powers = (" beyond ", Monomial(Fraction(1), letter, direction * kept)) if kept > 0 else ()
-    variable = Monomial(Fraction(1), letter, direction)
+    powers = (" beyond ", monomial(Fraction(1), Name(letter), direction * kept)) if kept > 0 else ()
+    variable = monomial(Fraction(1), Name(letter), direction)
     missing = (
         (
             "Two things are missing above: in each coefficient the powers of ",
@@ -84,18 +85,18 @@ def _missing(setting: Setting) -> Prose:
 def _piston(setting: Setting) -> Parts:
     """Return the exact harmonics of a piston quantity: in powers of rho, and by 2F1 of q^2."""
     letter, quantity = LETTER[setting.quantity], setting.quantity
-    coefficient = Indexed(letter, 2 * K)
-    weight = {"displacement": Number(2), "velocity": 4 * K}.get(quantity, 8 * K**2)
-    lead = {"displacement": Number(1), "velocity": 2 * K}.get(quantity, 4 * K**2)
-    term = Over(
-        Times((*_factors(weight), Binomial(2 * J, J), Binomial(2 * J, J - K))),
-        (2 * J - 1) * Number(16) ** J,
+    coefficient = Subscript(Name(letter), 2 * K)
+    weight = {"displacement": number(2), "velocity": 4 * K}.get(quantity, 8 * K**2)
+    lead = {"displacement": number(1), "velocity": 2 * K}.get(quantity, 4 * K**2)
+    term = Quotient(
+        Product((*_factors(weight), binomial(2 * J, J), binomial(2 * J, J - K))),
+        (2 * J - 1) * number(16) ** J,
     )
-    powers = alternating(K + 1) * Total(J, K, None, term * RHO ** (2 * J - 1))
-    hyper = Series2F1(-HALF, K - HALF, K + 1, Q**2)
-    exact = Over(lead, RHO) * (1 + KAPPA) * Binomial(HALF, K) * Q**K * hyper
+    powers = alternating(K + 1) * total(J, K, None, term * RHO ** (2 * J - 1))
+    hyper = hypergeometric(-HALF, K - HALF, K + 1, Q**2)
+    exact = Quotient(lead, RHO) * (1 + KAPPA) * binomial(HALF, K) * Q**K * hyper
     roots = (
-        equal(KAPPA, Root(1 - RHO**2)),
+        equal(KAPPA, sqrt(1 - RHO**2)),
         equal(Q, (RHO / (1 + KAPPA)) ** 2, (1 - KAPPA) / (1 + KAPPA)),
     )
     return (
@@ -108,15 +109,15 @@ def _piston(setting: Setting) -> Parts:
 
 
 def _factors(value: Formula) -> tuple[Formula, ...]:
-    return value.factors if isinstance(value, Times) else (value,)
+    return value.factors if isinstance(value, Product) else (value,)
 
 
-def _exact_piston(setting: Setting, coefficient: Indexed) -> Equation:
+def _exact_piston(setting: Setting, coefficient: Subscript) -> Equation:
     if setting.quantity == "displacement":
-        inside = REST - cos(THETA) - Total(K, Number(1), None, coefficient * cos(2 * K * THETA))
+        inside = REST - cos(THETA) - total(K, number(1), None, coefficient * cos(2 * K * THETA))
     else:
         function = "sin" if setting.quantity == "velocity" else "cos"
-        rest = Total(K, Number(1), None, coefficient * Applied(function, 2 * K * THETA))
+        rest = total(K, number(1), None, coefficient * Call(function, 2 * K * THETA))
         inside = harmonic(function, 1) + rest
     return equal(_LEFT[setting.quantity], setting.unit() * inside)
 
@@ -129,15 +130,15 @@ def _rest_position(setting: Setting) -> Parts:
     """Return B_0 = 1 + (1 - c_0)/rho with c_0, the mean of the root."""
     if setting.quantity != "displacement":
         return ()
-    mean = HALF * (1 + KAPPA) * Series2F1(-HALF, -HALF, Number(1), Q**2)
+    mean = HALF * (1 + KAPPA) * hypergeometric(-HALF, -HALF, number(1), Q**2)
     return equal(REST, 1 + (1 - MEAN) / RHO), equal(MEAN, mean)
 
 
-def _bound_piston(setting: Setting, coefficient: Indexed) -> Parts:
+def _bound_piston(setting: Setting, coefficient: Subscript) -> Parts:
     """Return the bound in words and formulas: all harmonics add at a quarter turn."""
-    tail = Total(K, Number(setting.order // 2 + 1), None, Absolute(coefficient))
-    total = Total(K, Number(1), None, Absolute(coefficient))
-    error = Over(Absolute(_error(_LEFT[setting.quantity])), setting.unit())
+    tail = total(K, number(setting.order // 2 + 1), None, absolute(coefficient))
+    every = total(K, number(1), None, absolute(coefficient))
+    error = Quotient(absolute(_error(_LEFT[setting.quantity])), setting.unit())
     if setting.quantity == "velocity":
         words = prose(
             "All terms of one coefficient have the same sign, so the harmonics left out amount to at"
@@ -145,48 +146,48 @@ def _bound_piston(setting: Setting, coefficient: Indexed) -> Parts:
         )  # fmt: skip
         return words, Equation(error, (("≤", tail),))
     there = _adding_up(coefficient, K, cos(2 * K * THETA))
-    whole = (MEAN - KAPPA) / RHO if setting.quantity == "displacement" else RHO / Root(1 - RHO**2)
+    whole = (MEAN - KAPPA) / RHO if setting.quantity == "displacement" else RHO / sqrt(1 - RHO**2)
     rest = (("=", whole - _kept(K, 1, setting.order // 2, coefficient)),) if setting.order > 1 else ()
-    return there, equal(total, whole), Equation(error, (("≤", tail), *rest))
+    return there, equal(every, whole), Equation(error, (("≤", tail), *rest))
 
 
-def _adding_up(coefficient: Indexed, index: Name, function: Applied) -> Prose:
+def _adding_up(coefficient: Subscript, index: Name, function: Formula) -> Paragraph:
     return prose(
         "All terms of one coefficient have the same sign, and the signs of ", coefficient,
-        " alternate with ", index, ", as those of ", function, " do at ", equal(THETA, PI / Number(2)),
+        " alternate with ", index, ", as those of ", function, " do at ", equal(THETA, PI / number(2)),
         ": there all harmonics add up, and the error of leaving some out is greatest:",
     )  # fmt: skip
 
 
-def _kept(index: Name, first: int, last: int, coefficient: Indexed) -> Formula:
+def _kept(index: Name, first: int, last: int, coefficient: Subscript) -> Formula:
     """Return the sum of the sizes of the coefficients that are kept."""
     if first == last:
-        return Absolute(Indexed(coefficient.letter, Number(2 if index == K else 1)))
-    return Total(index, Number(first), Number(last), Absolute(coefficient))
+        return absolute(Subscript(coefficient.base, number(2 if index == K else 1)))
+    return total(index, number(first), number(last), absolute(coefficient))
 
 
 def _angle(setting: Setting) -> Parts:
     """Return the exact harmonics of the rod's angle, in powers of rho and by 2F1 of rho^2."""
     odd, half = 2 * INDEX_I + 1, INDEX_I + HALF
-    coefficient = Indexed("R", odd)
-    term = Over(Binomial(2 * J, J) * Binomial(2 * J + 1, J - INDEX_I), (2 * J + 1) * Number(16) ** J)
-    powers = alternating(INDEX_I) * Total(J, INDEX_I, None, term * RHO ** (2 * J + 1))
-    lead = Over(Binomial(2 * INDEX_I, INDEX_I), (2 * INDEX_I + 1) * Number(16) ** INDEX_I)
+    coefficient = Subscript(Name("R"), odd)
+    term = Quotient(binomial(2 * J, J) * binomial(2 * J + 1, J - INDEX_I), (2 * J + 1) * number(16) ** J)
+    powers = alternating(INDEX_I) * total(J, INDEX_I, None, term * RHO ** (2 * J + 1))
+    lead = Quotient(binomial(2 * INDEX_I, INDEX_I), (2 * INDEX_I + 1) * number(16) ** INDEX_I)
     exact = (
         alternating(INDEX_I)
         * lead
         * RHO ** (2 * INDEX_I + 1)
-        * Series2F1(half, half, 2 * INDEX_I + 2, RHO**2)
+        * hypergeometric(half, half, 2 * INDEX_I + 2, RHO**2)
     )
-    total = Total(INDEX_I, Number(0), None, Absolute(coefficient))
+    every = total(INDEX_I, number(0), None, absolute(coefficient))
     first = (setting.order + 1) // 2
-    tail = Total(INDEX_I, Number(first), None, Absolute(coefficient))
+    tail = total(INDEX_I, number(first), None, absolute(coefficient))
     kept = _kept(INDEX_I, 0, first - 1, coefficient)
     there = _adding_up(coefficient, INDEX_I, sin(odd * THETA))
     return (
-        equal(PHI, Total(INDEX_I, Number(0), None, coefficient * sin(odd * THETA))),
+        equal(PHI, total(INDEX_I, number(0), None, coefficient * sin(odd * THETA))),
         Equation(coefficient, (("=", powers), ("=", exact))),
         there,
-        equal(total, Applied("asin", RHO)),
-        Equation(Absolute(_error(PHI)), (("≤", tail), ("=", Applied("asin", RHO) - kept))),
+        equal(every, Call("asin", RHO)),
+        Equation(absolute(_error(PHI)), (("≤", tail), ("=", Call("asin", RHO) - kept))),
     )

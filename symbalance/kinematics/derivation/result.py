@@ -4,15 +4,17 @@
 
 Every coefficient comes from the integers of `symbalance.kinematics.slider_crank`. To order N the powers
 of sin theta are kept to the N-th, and with them the powers of 1/lambda to the (N-1)-th (rod angle: the
-N-th). The steps are data; `symbalance.kinematics.derivation.document` prints them as text or LaTeX.
+N-th). The steps are data; `symbalance.kinematics.derivation.document` makes a document of them.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.document.notation import convention_named
+from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
+from symbalance.kinematics.conventions import convention_named
 from symbalance.kinematics.derivation import expansion
 from symbalance.kinematics.derivation.collection import collection_steps
 from symbalance.kinematics.derivation.remainder import left_out_step
@@ -30,9 +32,12 @@ from symbalance.kinematics.slider_crank import (
 from symbalance.kinematics.slider_crank import harmonics as all_harmonics
 from symbalance.text.numbers import checked_whole
 
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
-@dataclass(frozen=True)
-class Derivation:
+
+@dataclass(frozen=True, repr=False)
+class Derivation(Result):
     """A quantity's harmonics to `order`, with the steps that lead there.
 
     `power` is the highest power of 1/lambda kept; `harmonics` the result, in powers of 1/lambda with
@@ -46,11 +51,27 @@ class Derivation:
     harmonics: Harmonics
     steps: tuple[Step, ...]
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return it as LaTeX, a fragment or a whole document."""
-        from symbalance.kinematics.derivation.document import derivation_latex
+    kind: ClassVar[str] = "derivation"
 
-        return derivation_latex(self, standalone=standalone)
+    def summary(self) -> str:
+        """Return what is derived, in one line."""
+        return f"Derivation of the {self.quantity} of one slider-crank to order {self.order}"
+
+    def document(self) -> Document:
+        """Return the steps, each with its words and equations."""
+        from symbalance.kinematics.derivation.document import derivation_document
+
+        return derivation_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the harmonics as exact series, and the steps as text."""
+        from symbalance.kinematics.derivation.document import derivation_data
+
+        return derivation_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each power of 1/lambda of each order."""
+        return self.harmonics.records()
 
 
 def derive(

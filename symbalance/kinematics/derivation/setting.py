@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.document.formula import (
-    Applied,
+    Call,
     Equation,
     Formula,
-    Monomial,
     Name,
-    Number,
-    Over,
-    Times,
+    Product,
+    Quotient,
     equal,
+    monomial,
+    number,
     sin,
 )
-from symbalance.document.notation import CONVENTIONS
+from symbalance.document.nodes import Inline, Paragraph
+from symbalance.kinematics.conventions import CONVENTIONS
 
 LONGEST_IN_FULL = 40
 """Beyond this order, or this power of sin theta, a derivation is shortened."""
@@ -28,14 +29,7 @@ SHORTENED = 2
 THETA, PHI, LAM, RHO, OMEGA = map(Name, ("theta", "phi", "lam", "rho", "omega"))
 R, L, S, M, X = map(Name, "rlsmx")
 KAPPA, Q, INDEX_I, J, K, N = map(Name, ("kappa", "q", "i", "j", "k", "n"))
-HALF = Number(Fraction(1, 2))
-
-
-@dataclass(frozen=True)
-class Prose:
-    """A paragraph: words, formulas and equations."""
-
-    pieces: tuple[str | Formula | Equation, ...]
+HALF = number(Fraction(1, 2))
 
 
 @dataclass(frozen=True)
@@ -43,12 +37,12 @@ class Step:
     """One step of a derivation: a title, then paragraphs and displayed equations."""
 
     title: str
-    parts: tuple[Prose | Equation, ...]
+    parts: tuple[Paragraph | Equation, ...]
 
 
-def prose(*pieces: str | Formula | Equation) -> Prose:
+def prose(*pieces: Inline) -> Paragraph:
     """Return a paragraph."""
-    return Prose(pieces)
+    return Paragraph(pieces)
 
 
 @dataclass(frozen=True)
@@ -72,7 +66,7 @@ LETTERS = {
     "l/s": Letters(
         equal(LAM, L / S),
         "rod length over stroke",
-        S / Number(2),
+        S / number(2),
         LAM * S,
         1 / (2 * LAM),
         sin(THETA) / (2 * LAM),
@@ -129,14 +123,14 @@ class Setting:
 
     def rho_power(
         self, exponent: int, factor: Fraction = Fraction(1), of: Formula | None = None
-    ) -> Monomial:
+    ) -> Formula:
         """Return factor rho^exponent in the letters of the convention, times `of`.
 
-        >>> Setting("force", 6, 5, "l/s").rho_power(3)
-        Monomial(coefficient=Fraction(1, 8), letter='lam', exponent=-3, of=None)
+        >>> Setting("force", 6, 5, "l/s").rho_power(3) == 1 / (8 * LAM**3)
+        True
         """
         letter, direction, scale = CONVENTIONS[self.convention]
-        return Monomial(factor / scale**exponent, letter, direction * exponent, of)
+        return monomial(factor / scale**exponent, Name(letter), direction * exponent, of)
 
     def unit(self) -> Formula:
         """Return the unit of the quantity's coefficients: r, r omega, r omega^2 or m r omega^2."""
@@ -154,19 +148,19 @@ def unit(quantity: str, radius: Formula) -> Formula:
     return M * value if quantity == "force" else value
 
 
-def harmonic(function: str, n: int) -> Applied:
+def harmonic(function: str, n: int) -> Call:
     """Return cos n theta or sin n theta.
 
-    >>> harmonic("cos", 1) == Applied("cos", THETA)
+    >>> harmonic("cos", 1) == Call("cos", THETA)
     True
     """
-    return Applied(function, THETA if n == 1 else n * THETA)
+    return Call(function, THETA if n == 1 else n * THETA)
 
 
-def closed(setting: Setting, over: list[Formula], under: list[Formula], power: int) -> Over:
+def closed(setting: Setting, over: Sequence[Formula], under: Sequence[Formula], power: int) -> Quotient:
     """Return over/under times rho^power in the letters of the convention, numbers as they are."""
     letter, direction, scale = CONVENTIONS[setting.convention]
     base = Name(letter) if scale == 1 else scale * Name(letter)
     if direction > 0:
-        return Over(Times((*over, base**power)), Times(tuple(under)))
-    return Over(Times(tuple(over)) if len(over) > 1 else over[0], Times((*under, base**power)))
+        return Quotient(Product((*over, base**power)), Product(tuple(under)))
+    return Quotient(Product(tuple(over)) if len(over) > 1 else over[0], Product((*under, base**power)))

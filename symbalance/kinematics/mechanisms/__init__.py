@@ -23,7 +23,7 @@ symmetries make zero is left out, or is an exact 0:
 """
 
 from symbalance.kinematics.mechanisms.fourier import force_harmonics, harmonics_of, rod_angle_harmonics
-from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank
+from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank, has_link_pin
 from symbalance.kinematics.mechanisms.motion import Motion, height, height_motion, rod_angle, rod_motion
 from symbalance.kinematics.mechanisms.offset_powers import (
     OffsetPowers,
@@ -51,6 +51,7 @@ __all__ = [
     "force_harmonics",
     "force_tail",
     "harmonics_of",
+    "has_link_pin",
     "height",
     "height_motion",
     "offset_left_out",

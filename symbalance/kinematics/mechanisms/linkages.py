@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import cos, log1p, pi, sin, sqrt
+from typing import TypeGuard
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import Angle
@@ -135,13 +136,21 @@ Mechanism = SliderCrank | LinkRod
 """What joins a piston to the crank."""
 
 
+def has_link_pin(mechanism: Mechanism | None) -> TypeGuard[LinkRod]:
+    """Tell whether the rod hangs on a pin beside the crank pin, which moves with the master rod.
+
+    A forked rod does not: its link pin is on the crank pin's axis.
+    """
+    return isinstance(mechanism, LinkRod) and mechanism.link_radius != 0
+
+
 def plain(mechanism: Mechanism) -> Mechanism:
     """Return the slider-crank that a fork-and-blade rod is, and anything else as it stands.
 
     >>> plain(LinkRod(SliderCrank(4), 0, 0, 3, "1/6"))
     SliderCrank(ratio=Fraction(3, 1), offset=Fraction(0, 1))
     """
-    if isinstance(mechanism, LinkRod) and mechanism.link_radius == 0:
+    if isinstance(mechanism, LinkRod) and not has_link_pin(mechanism):
         return SliderCrank(mechanism.length, mechanism.offset)
     return mechanism
 

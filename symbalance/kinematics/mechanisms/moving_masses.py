@@ -15,7 +15,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from symbalance.kinematics.mechanisms.fourier import force_harmonics, series_of
-from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank, plain
+from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank, has_link_pin, plain
 from symbalance.kinematics.mechanisms.tails import force_tail
 from symbalance.kinematics.slider_crank import acceleration_values
 from symbalance.text.reals import DIGITS, Complex, Real, expjpi
@@ -33,11 +33,6 @@ def piston_force(mechanism: Mechanism, order: int) -> dict[int, Complex]:
         values = acceleration_values(order, mechanism.ratio, DIGITS)
         return {n: Complex(a) for n, a in values.items() if n <= order}
     return {n: Complex(a, -b) for n, (a, b) in force_harmonics(mechanism, order, DIGITS).items()}
-
-
-def has_link_pin(mechanism: Mechanism | None) -> bool:
-    """Tell whether the rod hangs on a pin beside the crank pin, which moves with the master rod."""
-    return isinstance(mechanism, LinkRod) and mechanism.link_radius != 0
 
 
 def link_pin_path(mechanism: LinkRod, order: int, digits: int = DIGITS) -> dict[int, Complex]:
@@ -71,7 +66,7 @@ def link_pin_force(mechanism: Mechanism | None, order: int) -> dict[int, Complex
 
     In m r omega^2, to 40 digits; empty where the rod runs on the crank pin.
     """
-    if not isinstance(mechanism, LinkRod) or not has_link_pin(mechanism):
+    if not has_link_pin(mechanism):
         return {}
     return {n: w * (n * n) for n, w in link_pin_path(mechanism, order).items() if n}
 
@@ -81,6 +76,6 @@ def link_pin_tail(mechanism: Mechanism | None, order: int) -> Real:
 
     Above order 1 n^2 w_n is L/lam times the master piston's, whose bound is `force_tail`.
     """
-    if not isinstance(mechanism, LinkRod) or not has_link_pin(mechanism):
+    if not has_link_pin(mechanism):
         return Real(0)
     return force_tail(mechanism.master, order) * mechanism.link_radius / mechanism.master.ratio

@@ -7,9 +7,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import comb
+from typing import TYPE_CHECKING, Any, ClassVar
 
+from symbalance.document.result import Result
 from symbalance.kinematics.slider_crank.limits import checked_order, checked_power, checked_quantity
 from symbalance.kinematics.slider_crank.series import Series
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
 
 
 def acceleration_integers(order: int) -> list[list[int]]:
@@ -66,8 +71,8 @@ def rod_angle_series(order: int, through: int) -> Series:
     return Series(terms, through)
 
 
-@dataclass(frozen=True, slots=True)
-class Harmonics:
+@dataclass(frozen=True, repr=False)
+class Harmonics(Result):
     """A quantity as constant + sum of coefficient times cos (or sin) of n theta.
 
     `terms` maps n to the coefficient's `Series`; `function` is "cos" or "sin".
@@ -77,6 +82,29 @@ class Harmonics:
     function: str
     constant: Series
     terms: dict[int, Series]
+    kind: ClassVar[str] = "harmonics"
+
+    def summary(self) -> str:
+        """Return what the harmonics are of, in one line."""
+        return f"Harmonics of the {self.quantity} of one slider-crank to order {max(self.terms)}"
+
+    def document(self) -> Document:
+        """Return a table of the coefficients as series in 1/lambda."""
+        from symbalance.kinematics.harmonics_document import harmonics_document
+
+        return harmonics_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return every coefficient as a series that SymPy reads."""
+        from symbalance.kinematics.harmonics_document import harmonics_data
+
+        return harmonics_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each power of 1/lambda of each order."""
+        from symbalance.kinematics.harmonics_document import harmonics_records
+
+        return harmonics_records(self)
 
 
 def harmonics(quantity: str, order: int, through: int | None = None) -> Harmonics:

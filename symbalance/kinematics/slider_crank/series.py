@@ -11,6 +11,8 @@ from symbalance.document.symbols import symbol
 if TYPE_CHECKING:
     import sympy
 
+    from symbalance.document.formula import Formula
+
 
 @dataclass(frozen=True, slots=True)
 class Series:
@@ -49,11 +51,11 @@ class Series:
         """
         return self._expression(symbol("lam"), -1)
 
-    def as_latex(self, *, standalone: bool = False) -> str:
-        """Return the series as a formula for math mode, dots where it goes on; no document of its own."""
-        from symbalance.kinematics.series_printing import series_latex
+    def as_formula(self) -> Formula:
+        """Return the series as a formula, dots where it goes on."""
+        from symbalance.kinematics.series_printing import series_formula
 
-        return series_latex(self, ellipsis=True)
+        return series_formula(self, ellipsis=True)
 
     def _expression(self, of: sympy.Symbol, sign: int) -> sympy.Expr:
         import sympy

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from symbalance.document import syntax
+from symbalance.document import formula
 from symbalance.notes.algebra import functions, named
 from symbalance.notes.algebra.derivatives import differentiated
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
@@ -27,8 +27,8 @@ class Meaning:
     that change with it and how fast; `positive` and `integer` restrict letters.
     """
 
-    values: Mapping[str, syntax.Node] = field(default_factory=dict)
-    rates: Mapping[str, Mapping[str, syntax.Node]] = field(default_factory=dict)
+    values: Mapping[str, formula.Formula] = field(default_factory=dict)
+    rates: Mapping[str, Mapping[str, formula.Formula]] = field(default_factory=dict)
     positive: frozenset[str] = frozenset()
     integer: frozenset[str] = frozenset()
     ranges: Mapping[str, tuple[int, int]] = field(default_factory=dict)
@@ -42,8 +42,8 @@ class Meaning:
 class Evaluator:
     """Turns trees into forms of one domain.
 
-    >>> half = syntax.Quotient(syntax.Name("s"), syntax.Number(Fraction(2)))
-    >>> evaluator = Evaluator(Domain(), Meaning({"s": syntax.Name("d")}))
+    >>> half = formula.Quotient(formula.Name("s"), formula.Number(Fraction(2)))
+    >>> evaluator = Evaluator(Domain(), Meaning({"s": formula.Name("d")}))
     >>> evaluator.form(half).numerator
     {((1, 1),): Fraction(1, 2)}
     """
@@ -54,7 +54,7 @@ class Evaluator:
         self._open: list[str] = []
         self._depth = 0
 
-    def form(self, node: syntax.Node) -> Form:
+    def form(self, node: formula.Formula) -> Form:
         """Return the form of a formula; raises NoFormError without one, TooLargeError past the limits."""
         self._depth += 1
         try:
@@ -78,7 +78,7 @@ class Evaluator:
                 self._open.pop()
         return self._known[name]
 
-    def replacing(self, name: str, value: syntax.Node) -> Evaluator:
+    def replacing(self, name: str, value: formula.Formula) -> Evaluator:
         """Return an evaluator to which one more letter stands for a value: the index of a sum."""
         values = dict(self.meaning.values) | {name: value}
         inner = Evaluator(self.domain, replace(self.meaning, values=values))
@@ -96,15 +96,15 @@ class Evaluator:
         return own
 
 
-def _number(evaluator: Evaluator, node: syntax.Number) -> Form:
+def _number(evaluator: Evaluator, node: formula.Number) -> Form:
     return Form.number(evaluator.domain, node.value)
 
 
-def _name(evaluator: Evaluator, node: syntax.Name) -> Form:
+def _name(evaluator: Evaluator, node: formula.Name) -> Form:
     return evaluator.letter(node.name)
 
 
-def _constant(evaluator: Evaluator, node: syntax.Constant) -> Form:
+def _constant(evaluator: Evaluator, node: formula.Constant) -> Form:
     if node.name == "i":
         return unit(evaluator.domain)
     if node.name == "infinity":
@@ -112,32 +112,32 @@ def _constant(evaluator: Evaluator, node: syntax.Constant) -> Form:
     return Form.letter(evaluator.domain, node.name)
 
 
-def _sum(evaluator: Evaluator, node: syntax.Sum) -> Form:
+def _sum(evaluator: Evaluator, node: formula.Sum) -> Form:
     total = Form.number(evaluator.domain, 0)
-    written = [term for term in node.terms if not isinstance(term, syntax.Dots)]
+    written = [term for term in node.terms if not isinstance(term, formula.Dots)]
     for term in written or node.terms:  # of dots alone: not the number 0
         total = total.plus(evaluator.form(term))
     return total
 
 
-def _product(evaluator: Evaluator, node: syntax.Product) -> Form:
+def _product(evaluator: Evaluator, node: formula.Product) -> Form:
     total = Form.number(evaluator.domain, 1)
     for factor in node.factors:
         total = total.times(evaluator.form(factor))
     return total
 
 
-def _quotient(evaluator: Evaluator, node: syntax.Quotient) -> Form:
+def _quotient(evaluator: Evaluator, node: formula.Quotient) -> Form:
     return evaluator.form(node.numerator).over(evaluator.form(node.denominator))
 
 
-def _negative(evaluator: Evaluator, node: syntax.Negative) -> Form:
+def _negative(evaluator: Evaluator, node: formula.Negative) -> Form:
     return evaluator.form(node.operand).scaled(-1)
 
 
-def _power(evaluator: Evaluator, node: syntax.Power) -> Form:
+def _power(evaluator: Evaluator, node: formula.Power) -> Form:
     exponent = evaluator.form(node.exponent)
-    if isinstance(node.base, syntax.Constant) and node.base.name == "e":
+    if isinstance(node.base, formula.Constant) and node.base.name == "e":
         return functions.exponential(exponent)
     base, value = evaluator.form(node.base), exponent.rational()
     if value is not None:
@@ -167,16 +167,16 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
     return Form.of(base.domain, {raised: Fraction(factor)})
 
 
-def _call(evaluator: Evaluator, node: syntax.Call) -> Form:
+def _call(evaluator: Evaluator, node: formula.Call) -> Form:
     argument = evaluator.form(node.argument)
     return named.apply(node.function, argument)
 
 
-def _derivative(evaluator: Evaluator, node: syntax.Derivative) -> Form:
+def _derivative(evaluator: Evaluator, node: formula.Derivative) -> Form:
     inner, variable = node.expression, node.variable.name
     meaning = evaluator.meaning
     known = {*meaning.values, *meaning.rates.get(variable, ()), variable}
-    if isinstance(inner, syntax.Name) and inner.name not in known:
+    if isinstance(inner, formula.Name) and inner.name not in known:
         if inner.name in meaning.positive and meaning.rates:  # a size, such as ω: constant
             return Form.number(evaluator.domain, 0)
         return Form.letter(evaluator.domain, derivative_name(node))
@@ -188,7 +188,7 @@ def _derivative(evaluator: Evaluator, node: syntax.Derivative) -> Form:
     return form
 
 
-def _by_chain_rule(evaluator: Evaluator, form: Form, node: syntax.Derivative) -> Form:
+def _by_chain_rule(evaluator: Evaluator, form: Form, node: formula.Derivative) -> Form:
     """Return df/dx = (df/dt)/(dx/dt) where x itself is a motion."""
     time = next(iter(evaluator.meaning.rates))
     rates = evaluator.rates(time)
@@ -198,18 +198,18 @@ def _by_chain_rule(evaluator: Evaluator, form: Form, node: syntax.Derivative) ->
     return form
 
 
-def derivative_name(node: syntax.Derivative) -> str:
+def derivative_name(node: formula.Derivative) -> str:
     """Return the letter that stands for the derivative of an unknown letter.
 
-    >>> derivative_name(syntax.Derivative(syntax.Name("S"), syntax.Name("t"), 2))
+    >>> derivative_name(formula.Derivative(formula.Name("S"), formula.Name("t"), 2))
     'd2S/dt2'
     """
     order = "" if node.order == 1 else str(node.order)
-    inner = node.expression.name if isinstance(node.expression, syntax.Name) else "(...)"
+    inner = node.expression.name if isinstance(node.expression, formula.Name) else "(...)"
     return f"d{order}{inner}/d{node.variable.name}{order}"
 
 
-def _summation(evaluator: Evaluator, node: syntax.Summation) -> Form:
+def _summation(evaluator: Evaluator, node: formula.Summation) -> Form:
     if node.index is None or node.lower is None or node.upper is None:
         return functions.opaque("sum", evaluator.form(node.body))
     lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))
@@ -222,26 +222,26 @@ def _summation(evaluator: Evaluator, node: syntax.Summation) -> Form:
         raise TooLargeError("sums of very many terms")
     total = Form.number(evaluator.domain, 0)
     for value in range(int(lower), int(upper) + 1):
-        inner = evaluator.replacing(node.index.name, syntax.Number(Fraction(value)))
+        inner = evaluator.replacing(node.index.name, formula.Number(Fraction(value)))
         total = total.plus(inner.form(node.body))
     return total
 
 
-def _dots(evaluator: Evaluator, node: syntax.Dots) -> Form:
+def _dots(evaluator: Evaluator, node: formula.Dots) -> Form:
     raise NoFormError("dots alone")
 
 
-_RULES: dict[type, Callable[[Evaluator, syntax.Node], Form]] = {
-    syntax.Number: _number,
-    syntax.Name: _name,
-    syntax.Constant: _constant,
-    syntax.Sum: _sum,
-    syntax.Product: _product,
-    syntax.Quotient: _quotient,
-    syntax.Negative: _negative,
-    syntax.Power: _power,
-    syntax.Call: _call,
-    syntax.Derivative: _derivative,
-    syntax.Summation: _summation,
-    syntax.Dots: _dots,
+_RULES: dict[type, Callable[[Evaluator, formula.Formula], Form]] = {
+    formula.Number: _number,
+    formula.Name: _name,
+    formula.Constant: _constant,
+    formula.Sum: _sum,
+    formula.Product: _product,
+    formula.Quotient: _quotient,
+    formula.Negative: _negative,
+    formula.Power: _power,
+    formula.Call: _call,
+    formula.Derivative: _derivative,
+    formula.Summation: _summation,
+    formula.Dots: _dots,
 }  # type: ignore[assignment]

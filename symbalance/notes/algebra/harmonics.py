@@ -10,7 +10,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.document import syntax
+from symbalance.document import formula
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import QUARTER, TURN, Domain, Monomial, Polynomial
 from symbalance.notes.algebra.numbers import number_node, rational_node
@@ -66,76 +66,76 @@ def _turned(domain: Domain, polynomial: Polynomial) -> Polynomial:
     return poly.times(domain, polynomial, {((TURN, QUARTER),): Fraction(1)})
 
 
-def place_node(domain: Domain, place: Place) -> syntax.Node | None:
+def place_node(domain: Domain, place: Place) -> formula.Formula | None:
     """Return the product of letters and the function of the angle; None for the constant place."""
     factors = letter_nodes(domain, place.letters)
     if place.function != "1":
-        factors.append(syntax.Call(place.function, angle_node(domain, place.angle)))
+        factors.append(formula.Call(place.function, angle_node(domain, place.angle)))
     return _product(factors)
 
 
-def angle_node(domain: Domain, angle: Monomial) -> syntax.Node:
+def angle_node(domain: Domain, angle: Monomial) -> formula.Formula:
     """Return the argument an angle stands for: 2θ for the square of e^(iθ)."""
-    terms: list[syntax.Node] = []
+    terms: list[formula.Formula] = []
     for number, exponent in angle:
         inner = letter_nodes(domain, domain.generators[number].content)
         term = _product(
             [*([] if abs(exponent) == 1 else [rational_node(Fraction(abs(exponent)))]), *inner]
         )
         term = term or rational_node(Fraction(1))  # an angle of 1 rad
-        terms.append(syntax.Negative(term) if exponent < 0 else term)
-    return terms[0] if len(terms) == 1 else syntax.Sum(tuple(terms))
+        terms.append(formula.Negative(term) if exponent < 0 else term)
+    return terms[0] if len(terms) == 1 else formula.Sum(tuple(terms))
 
 
-def letter_nodes(domain: Domain, letters: Monomial) -> list[syntax.Node]:
+def letter_nodes(domain: Domain, letters: Monomial) -> list[formula.Formula]:
     """Return the factors of a product of letters, roots and functions, negative powers as a quotient."""
     above = [_power(domain, g, e) for g, e in letters if e > 0]
     below = [_power(domain, g, -e) for g, e in letters if e < 0]
     if not below:
         return above
-    return [syntax.Quotient(_product(above) or rational_node(Fraction(1)), _product(below))]  # type: ignore[arg-type]
+    return [formula.Quotient(_product(above) or rational_node(Fraction(1)), _product(below))]  # type: ignore[arg-type]
 
 
-def _power(domain: Domain, number: int, exponent: int | Fraction) -> syntax.Node:
+def _power(domain: Domain, number: int, exponent: int | Fraction) -> formula.Formula:
     generator = domain.generators[number]
-    base: syntax.Node
+    base: formula.Formula
     if generator.kind == "symbol":
         known = generator.content in ("pi", "e")
-        base = syntax.Constant(generator.content) if known else syntax.Name(generator.content)
+        base = formula.Constant(generator.content) if known else formula.Name(generator.content)
     elif generator.kind == "radical":
-        base = syntax.Call("sqrt", polynomial_node(domain, generator.content))
+        base = formula.Call("sqrt", polynomial_node(domain, generator.content))
     elif generator.kind == "prime":
         base = rational_node(Fraction(generator.content))
     elif generator.kind == "exponential":
         inner = [rational_node(Fraction(exponent)), *letter_nodes(domain, generator.content)]
-        return syntax.Call("exp", _product([syntax.Constant("i"), *inner]))  # type: ignore[arg-type]
+        return formula.Call("exp", _product([formula.Constant("i"), *inner]))  # type: ignore[arg-type]
     elif generator.kind == "growth":
         inner = _product([rational_node(Fraction(exponent)), *letter_nodes(domain, generator.content)])
-        return syntax.Call("exp", inner)  # type: ignore[arg-type]
+        return formula.Call("exp", inner)  # type: ignore[arg-type]
     else:
         function, argument = generator.content
         inside = polynomial_node(domain, argument.numerator)
         if not argument.is_polynomial:
-            inside = syntax.Quotient(inside, polynomial_node(domain, argument.denominator))
+            inside = formula.Quotient(inside, polynomial_node(domain, argument.denominator))
         base = _function_node(function, inside)
-    return base if exponent == 1 else syntax.Power(base, rational_node(Fraction(exponent)))
+    return base if exponent == 1 else formula.Power(base, rational_node(Fraction(exponent)))
 
 
-def _function_node(function: str, inside: syntax.Node) -> syntax.Node:
+def _function_node(function: str, inside: formula.Formula) -> formula.Formula:
     if function == "sum":
-        return syntax.Summation(inside)
+        return formula.Summation(inside)
     if function == "over":
-        return syntax.Quotient(rational_node(Fraction(1)), inside)
-    return syntax.Call(function, inside)
+        return formula.Quotient(rational_node(Fraction(1)), inside)
+    return formula.Call(function, inside)
 
 
-def polynomial_node(domain: Domain, polynomial: Polynomial) -> syntax.Node:
+def polynomial_node(domain: Domain, polynomial: Polynomial) -> formula.Formula:
     """Return a polynomial as a sum over its places, lowest harmonics first."""
     found = components(domain, polynomial)
     terms = [term_node(domain, place, found[place]) for place in ordered(found)]
     if not terms:
         return rational_node(Fraction(0))
-    return terms[0] if len(terms) == 1 else syntax.Sum(tuple(terms))
+    return terms[0] if len(terms) == 1 else formula.Sum(tuple(terms))
 
 
 def ordered(found: Components) -> list[Place]:
@@ -146,51 +146,51 @@ def ordered(found: Components) -> list[Place]:
     )
 
 
-def term_node(domain: Domain, place: Place, number: Polynomial) -> syntax.Node:
+def term_node(domain: Domain, place: Place, number: Polynomial) -> formula.Formula:
     """Return number times place, the sign outside and whole denominators below."""
     coefficient, rest = number_node(domain, number), place_node(domain, place)
     if rest is None:
         return coefficient
-    if isinstance(coefficient, syntax.Negative):
-        return syntax.Negative(joined(coefficient.operand, rest))
+    if isinstance(coefficient, formula.Negative):
+        return formula.Negative(joined(coefficient.operand, rest))
     return joined(coefficient, rest)
 
 
-def joined(coefficient: syntax.Node, rest: syntax.Node) -> syntax.Node:
+def joined(coefficient: formula.Formula, rest: formula.Formula) -> formula.Formula:
     """Return coefficient times rest as it would be written by hand.
 
-    >>> joined(syntax.Number(Fraction(1)), syntax.Name("s")).name
+    >>> joined(formula.Number(Fraction(1)), formula.Name("s")).name
     's'
     """
-    if coefficient == syntax.Number(Fraction(1)):
+    if coefficient == formula.Number(Fraction(1)):
         return rest
     top, bottom = _halves(coefficient)
-    factors = rest.factors if isinstance(rest, syntax.Product) else (rest,)
+    factors = rest.factors if isinstance(rest, formula.Product) else (rest,)
     first = factors[0]
-    if isinstance(first, syntax.Quotient):
+    if isinstance(first, formula.Quotient):
         above, below = _halves(first)
-        head = syntax.Quotient(_times(top, above), _times(bottom, below))
+        head = formula.Quotient(_times(top, above), _times(bottom, below))
         return _product([head, *factors[1:]])  # type: ignore[return-value]
     return _product([coefficient, *factors])  # type: ignore[return-value]
 
 
-def _halves(node: syntax.Node) -> tuple[syntax.Node, syntax.Node]:
-    if isinstance(node, syntax.Quotient):
+def _halves(node: formula.Formula) -> tuple[formula.Formula, formula.Formula]:
+    if isinstance(node, formula.Quotient):
         return node.numerator, node.denominator
     return node, rational_node(Fraction(1))
 
 
-def _times(left: syntax.Node, right: syntax.Node) -> syntax.Node:
+def _times(left: formula.Formula, right: formula.Formula) -> formula.Formula:
     one = rational_node(Fraction(1))
     parts = [
         p
         for node in (left, right)
-        for p in (node.factors if isinstance(node, syntax.Product) else (node,))
+        for p in (node.factors if isinstance(node, formula.Product) else (node,))
     ]
     return _product([p for p in parts if p != one]) or one
 
 
-def _product(factors: list[syntax.Node]) -> syntax.Node | None:
+def _product(factors: list[formula.Formula]) -> formula.Formula | None:
     if not factors:
         return None
-    return factors[0] if len(factors) == 1 else syntax.Product(tuple(factors))
+    return factors[0] if len(factors) == 1 else formula.Product(tuple(factors))

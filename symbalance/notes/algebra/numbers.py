@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document import syntax
+from symbalance.document import formula
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import ONE, QUARTER, TURN, Domain, Polynomial
 from symbalance.notes.algebra.roots import root_of_rational
@@ -15,15 +15,15 @@ _ROOTS = (1, 2, 3, 5, 6, 7, 10, 11, 13, 14, 15)
 _LARGEST_DENOMINATOR = 10**7
 
 
-def number_node(domain: Domain, number: Polynomial) -> syntax.Node:
+def number_node(domain: Domain, number: Polynomial) -> formula.Formula:
     """Return a number made of turns and roots as a formula: q√d where it is one, else a sum."""
     if poly.is_rational(number):
         return rational_node(number.get(ONE, Fraction(0)))
     imaginary = _imaginary(domain, number)
     if is_zero(domain, imaginary) is False:
-        unit, rest = syntax.Constant("i"), poly.minus(number, _times_i(domain, imaginary))
-        along = syntax.Product((number_node(domain, imaginary), unit))
-        return along if is_zero(domain, rest) else syntax.Sum((number_node(domain, rest), along))
+        unit, rest = formula.Constant("i"), poly.minus(number, _times_i(domain, imaginary))
+        along = formula.Product((number_node(domain, imaginary), unit))
+        return along if is_zero(domain, rest) else formula.Sum((number_node(domain, rest), along))
     simple = as_root(domain, number)
     if simple is not None:
         return _root_node(*simple)
@@ -65,46 +65,48 @@ def _nearby(value: object) -> Fraction | None:
     return guess if abs(guess - exact) < Fraction(1, 10**25) else None
 
 
-def _root_node(factor: Fraction, square: int) -> syntax.Node:
+def _root_node(factor: Fraction, square: int) -> formula.Formula:
     if square == 1:
         return rational_node(factor)
     if factor < 0:
-        return syntax.Negative(_root_node(-factor, square))
-    root: syntax.Node = syntax.Call("sqrt", syntax.Number(Fraction(square)))
+        return formula.Negative(_root_node(-factor, square))
+    root: formula.Formula = formula.Call("sqrt", formula.Number(Fraction(square)))
     if factor.numerator != 1:
-        root = syntax.Product((syntax.Number(Fraction(factor.numerator)), root))
+        root = formula.Product((formula.Number(Fraction(factor.numerator)), root))
     if factor.denominator == 1:
         return root
-    return syntax.Quotient(root, syntax.Number(Fraction(factor.denominator)))
+    return formula.Quotient(root, formula.Number(Fraction(factor.denominator)))
 
 
-def rational_node(value: Fraction) -> syntax.Node:
+def rational_node(value: Fraction) -> formula.Formula:
     """Return a rational as a formula, its sign outside."""
     if value < 0:
-        return syntax.Negative(rational_node(-value))
-    above = syntax.Number(Fraction(value.numerator))
+        return formula.Negative(rational_node(-value))
+    above = formula.Number(Fraction(value.numerator))
     if value.denominator == 1:
         return above
-    return syntax.Quotient(above, syntax.Number(Fraction(value.denominator)))
+    return formula.Quotient(above, formula.Number(Fraction(value.denominator)))
 
 
-def _sum_node(domain: Domain, number: Polynomial) -> syntax.Node:
+def _sum_node(domain: Domain, number: Polynomial) -> formula.Formula:
     """Return the real number as a sum of cosines of its turns times roots of primes."""
-    terms: list[syntax.Node] = []
+    terms: list[formula.Formula] = []
     for monomial, coefficient in number.items():
         turn = next((e for g, e in monomial if g == 0), Fraction(0))
-        factors: list[syntax.Node] = [] if abs(coefficient) == 1 else [rational_node(abs(coefficient))]
+        factors: list[formula.Formula] = (
+            [] if abs(coefficient) == 1 else [rational_node(abs(coefficient))]
+        )
         for g, e in monomial:
             if g:
-                prime = syntax.Number(Fraction(domain.generators[g].content))
-                root = syntax.Call("sqrt", prime)
+                prime = formula.Number(Fraction(domain.generators[g].content))
+                root = formula.Call("sqrt", prime)
                 factors.append(
-                    root if e == Fraction(1, 2) else syntax.Power(prime, rational_node(Fraction(e)))
+                    root if e == Fraction(1, 2) else formula.Power(prime, rational_node(Fraction(e)))
                 )
         if turn:
-            angle = syntax.Product((rational_node(Fraction(turn) * 2), syntax.Constant("pi")))
-            factors.append(syntax.Call("cos", angle))
-        factors = factors or [syntax.Number(Fraction(1))]
-        term = factors[0] if len(factors) == 1 else syntax.Product(tuple(factors))
-        terms.append(syntax.Negative(term) if coefficient < 0 else term)
-    return terms[0] if len(terms) == 1 else syntax.Sum(tuple(terms))
+            angle = formula.Product((rational_node(Fraction(turn) * 2), formula.Constant("pi")))
+            factors.append(formula.Call("cos", angle))
+        factors = factors or [formula.Number(Fraction(1))]
+        term = factors[0] if len(factors) == 1 else formula.Product(tuple(factors))
+        terms.append(formula.Negative(term) if coefficient < 0 else term)
+    return terms[0] if len(terms) == 1 else formula.Sum(tuple(terms))

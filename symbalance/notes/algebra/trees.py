@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Node
+from symbalance.document import formula
+from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator, Meaning
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
@@ -16,13 +16,13 @@ DEEPEST = 40
 MOST_TERMS = 2000
 
 
-def letters_behind(node: Node, values: Mapping[str, Node]) -> list[str]:
+def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
     """Return the letters a formula comes down to once all that have values are replaced."""
     found: dict[str, None] = {}
     seen: set[str] = set()
     waiting = [node]
     while waiting:
-        for name in sorted(syntax.names(waiting.pop())):
+        for name in sorted(formula.names(waiting.pop())):
             if name in values and name not in seen:
                 waiting.append(values[name])
             elif name not in values:
@@ -32,7 +32,7 @@ def letters_behind(node: Node, values: Mapping[str, Node]) -> list[str]:
 
 
 def sample_trees(
-    nodes: list[Node], meaning: Meaning, wanted: int = 3, tries: int = 24
+    nodes: list[Formula], meaning: Meaning, wanted: int = 3, tries: int = 24
 ) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all formulas are real, with their values to `DIGITS` digits."""
     names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
@@ -68,7 +68,7 @@ class TreeValues:
         self._depth = 0
         self.terms = 0
 
-    def value(self, node: Node) -> Any:
+    def value(self, node: Formula) -> Any:
         """Return a formula's value; what has none raises NoFormError or ZeroDivisionError."""
         return self.mp.mpc(_RULES[type(node)](self, node))
 
@@ -86,32 +86,32 @@ class TreeValues:
                 self._known[name] = self.mp.mpf(exact.numerator) / exact.denominator
         return self._known[name]
 
-    def derivative(self, node: Node) -> Any:
+    def derivative(self, node: Formula) -> Any:
         """Return the value of a derivative, by way of its form."""
         evaluator = Evaluator(self.meaning.domain(), self.meaning)
         return Valuation(evaluator.domain, self.point).of(evaluator.form(node))
 
 
-def _number(at: TreeValues, node: syntax.Number) -> Any:
+def _number(at: TreeValues, node: formula.Number) -> Any:
     return at.mp.mpf(node.value.numerator) / node.value.denominator
 
 
-def _constant(at: TreeValues, node: syntax.Constant) -> Any:
+def _constant(at: TreeValues, node: formula.Constant) -> Any:
     if node.name == "infinity":
         raise NoFormError("infinity")
     return 1j if node.name == "i" else +getattr(at.mp, node.name)
 
 
-def _sum(at: TreeValues, node: syntax.Sum) -> Any:
-    written = [t for t in node.terms if not isinstance(t, syntax.Dots)]
+def _sum(at: TreeValues, node: formula.Sum) -> Any:
+    written = [t for t in node.terms if not isinstance(t, formula.Dots)]
     return at.mp.fsum(at.value(t) for t in written or node.terms)  # of dots alone: not the number 0
 
 
-def _product(at: TreeValues, node: syntax.Product) -> Any:
+def _product(at: TreeValues, node: formula.Product) -> Any:
     return at.mp.fprod(at.value(f) for f in node.factors)
 
 
-def _power(at: TreeValues, node: syntax.Power) -> Any:
+def _power(at: TreeValues, node: formula.Power) -> Any:
     exponent = at.value(node.exponent)
     if abs(exponent) > 10_000:
         raise NoFormError("a power beyond all bounds")
@@ -119,7 +119,7 @@ def _power(at: TreeValues, node: syntax.Power) -> Any:
     return at.value(node.base) ** (int(exponent.real) if whole else exponent)
 
 
-def _call(at: TreeValues, node: syntax.Call) -> Any:
+def _call(at: TreeValues, node: formula.Call) -> Any:
     argument, mp = at.value(node.argument), at.mp
     if abs(argument) > 10**9:
         raise NoFormError("a function of a huge number")
@@ -128,7 +128,7 @@ def _call(at: TreeValues, node: syntax.Call) -> Any:
     return getattr(mp, {"ln": "log"}.get(node.function, node.function))(argument)
 
 
-def _summation(at: TreeValues, node: syntax.Summation) -> Any:
+def _summation(at: TreeValues, node: formula.Summation) -> Any:
     if node.index is None or node.lower is None or node.upper is None:
         raise NoFormError("a sum without bounds")
     lower, upper = (int(at.value(bound).real) for bound in (node.lower, node.upper))
@@ -144,21 +144,21 @@ def _summation(at: TreeValues, node: syntax.Summation) -> Any:
     return total
 
 
-def _dots(at: TreeValues, node: syntax.Dots) -> Any:
+def _dots(at: TreeValues, node: formula.Dots) -> Any:
     raise NoFormError("dots")
 
 
 _RULES: dict[type, Callable[[TreeValues, Any], Any]] = {
-    syntax.Number: _number,
-    syntax.Name: lambda at, node: at.letter(node.name),
-    syntax.Constant: _constant,
-    syntax.Sum: _sum,
-    syntax.Product: _product,
-    syntax.Quotient: lambda at, node: at.value(node.numerator) / at.value(node.denominator),
-    syntax.Negative: lambda at, node: -at.value(node.operand),
-    syntax.Power: _power,
-    syntax.Call: _call,
-    syntax.Derivative: lambda at, node: at.derivative(node),
-    syntax.Summation: _summation,
-    syntax.Dots: _dots,
+    formula.Number: _number,
+    formula.Name: lambda at, node: at.letter(node.name),
+    formula.Constant: _constant,
+    formula.Sum: _sum,
+    formula.Product: _product,
+    formula.Quotient: lambda at, node: at.value(node.numerator) / at.value(node.denominator),
+    formula.Negative: lambda at, node: -at.value(node.operand),
+    formula.Power: _power,
+    formula.Call: _call,
+    formula.Derivative: lambda at, node: at.derivative(node),
+    formula.Summation: _summation,
+    formula.Dots: _dots,
 }

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.syntax import Node, Product, Span, names
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Formula, Product, Span, names
+from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import components
@@ -17,7 +17,7 @@ from symbalance.notes.checking.deciding.relations import judged
 from symbalance.notes.checking.deciding.rounding import decimals
 from symbalance.notes.checking.deciding.steps import PROVED, REFUTED, UNDECIDED, Answer
 from symbalance.notes.checking.describing import lines_of, word_for
-from symbalance.notes.checking.differences import differences, exact_text
+from symbalance.notes.checking.differences import differences, exact_value
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.quantities import quantity
 from symbalance.notes.checking.repair.mending import mended, repaired
@@ -71,7 +71,7 @@ def side(
         tag=chain.tag,
         inline=chain.inline,
         span=claimed.span,
-        claimed=render(claimed.node),
+        claimed=formula_text(claimed.node, plain=True),
         node=claimed.node,
     )
     if answer.status == REFUTED and knowledge.crank is not None and bind.quantity != "harmonic":
@@ -113,7 +113,7 @@ def _mended(
     knowledge: Knowledge,
     sources: Sources,
 ) -> Verdict:
-    def proves(node: Node) -> bool:
+    def proves(node: Formula) -> bool:
         return repaired(answered(Side((node,), claimed.span), bind, knowledge, sources), answer)
 
     return mended(base, document, claimed, answer, knowledge, proves)
@@ -122,6 +122,7 @@ def _mended(
 def with_answer(base: Verdict, answer: Answer, bind: Bind, reason: str = "") -> Verdict:
     """Return a verdict filled from the answer of a claim."""
     bad = not answer.proved
+    exact, exact_node = exact_value(answer) if bad else ("", None)
     return replace(
         base,
         verdict=word_for(answer),
@@ -129,7 +130,8 @@ def with_answer(base: Verdict, answer: Answer, bind: Bind, reason: str = "") -> 
         reason=reason or answer.reason,
         order=answer.order if answer.proved else "",
         assumption=", ".join(answer.assumptions) if answer.proved else "",
-        exact=exact_text(answer) if bad else "",
+        exact=exact,
+        exact_node=exact_node,
         witness=answer.witness if bad else {},
         differences=differences(answer) if bad else (),
     )
@@ -146,7 +148,7 @@ def answered(claimed: Side, bind: Bind, knowledge: Knowledge, sources: Sources) 
     return judged(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, bind.through)
 
 
-def expected(claimed: Node, bind: Bind, knowledge: Knowledge, sources: Sources) -> Node:
+def expected(claimed: Formula, bind: Bind, knowledge: Knowledge, sources: Sources) -> Formula:
     """Return what a bound side ought to be, in the document's letters."""
     assert knowledge.crank is not None
     exact = quantity(bind, knowledge.crank, sources, bool(decimals(claimed)) and not names(claimed))
@@ -202,7 +204,9 @@ def piece(
         return replace(base, reason=f"{problem.what}; {problem.remedy}", bind=bind.title)
     claimed = Side(readings, span)
     answer = answered(claimed, bind, knowledge, sources)
-    base = replace(base, claimed=render(claimed.node), node=claimed.node, verdict=word_for(answer))
+    base = replace(
+        base, claimed=formula_text(claimed.node, plain=True), node=claimed.node, verdict=word_for(answer)
+    )
     if answer.status == REFUTED and bind.quantity != "harmonic":
         base = _mended(base, document, claimed, answer, bind, knowledge, sources)
     return with_answer(base, answer, bind)

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from symbalance.document.syntax import Name
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Name
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.checking.documents import declarations_of, text_of
 from symbalance.notes.checking.meanings import KNOWN
 from symbalance.notes.reading import read_document
@@ -25,7 +25,7 @@ def sidecar_draft(document: str | Path, symbols: Mapping[str, Any] | str | Path 
     found = undeclared(document, symbols)
     lines = ["[symbols]"]
     for name, line in sorted(found.items(), key=lambda pair: pair[1]):
-        lines.append(f'"{render(Name(name))}" = ""{"":12}# line {line}')
+        lines.append(f'"{formula_text(Name(name), plain=True)}" = ""{"":12}# line {line}')
     known = "\n".join(f"#   {meaning}" for meaning in KNOWN)
     return (
         "\n".join(lines)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from symbalance.document.syntax import Name, Node, names
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Formula, Name, names
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator, Meaning
 from symbalance.notes.algebra.numbers import rational_node
@@ -41,7 +41,7 @@ class Definitions:
             if set(scopes) <= here and owner(name, definition.line) == owner(name, line)
         }
 
-    def learn(self, name: str, node: Node, line: int) -> None:
+    def learn(self, name: str, node: Formula, line: int) -> None:
         """Keep a letter's value from here on."""
         scopes = self.declarations.scope_at(line)
         self.known[name] = (Definition(node, line, not names(node)), scopes)
@@ -74,7 +74,9 @@ class Definitions:
         self.learn(name, without_dots(value)[0], line)
         return Answer(DEFINITION)
 
-    def _again(self, name: str, value: Node, sign: str, line: int, knowledge: Knowledge) -> Answer | None:
+    def _again(
+        self, name: str, value: Formula, sign: str, line: int, knowledge: Knowledge
+    ) -> Answer | None:
         """Return the answer for another value of a defined letter: a new case, a condition, or None."""
         earlier = knowledge.definitions[name]
         if not _new_case(earlier, value, sign, knowledge):
@@ -85,7 +87,7 @@ class Definitions:
         self.learn(name, without_dots(value)[0], line)
         return Answer(DEFINITION, f"a new case: line {earlier.line} had another value")
 
-    def _size(self, name: str, value: Node, line: int, knowledge: Knowledge) -> Answer | None:
+    def _size(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> Answer | None:
         """Return the answer for a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
         if knowledge.crank is None or knowledge.crank.small is None or name in knowledge.moving:
             return None
@@ -105,9 +107,9 @@ class Definitions:
             return None
         number = 1 / coefficient if monomial[0][1] > 0 else coefficient
         self.learn(small, rational_node(number), line)
-        return Answer(DEFINITION, f"a case: {render(Name(small))} = {number}")
+        return Answer(DEFINITION, f"a case: {formula_text(Name(small), plain=True)} = {number}")
 
-    def _letter(self, chain: Chain, k: int) -> tuple[str, Node] | None:
+    def _letter(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
         """Return the letter a relation may define, and its value."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         if k == 0 and isinstance(left, Name) and left.name not in names(right):
@@ -117,7 +119,7 @@ class Definitions:
         return None
 
 
-def _solved(node: Node, value: Node) -> tuple[str, Node] | None:
+def _solved(node: Formula, value: Formula) -> tuple[str, Formula] | None:
     """Return the one letter a size is written in, and its value if the size has a number: s = 2r = 87."""
     found = counts(node)
     if names(value) or list(found.values()) != [1]:
@@ -127,12 +129,12 @@ def _solved(node: Node, value: Node) -> tuple[str, Node] | None:
     return None if solved is None else (letter, solved)
 
 
-def _letters_behind(nodes: list[Node], knowledge: Knowledge) -> list[str]:
+def _letters_behind(nodes: list[Formula], knowledge: Knowledge) -> list[str]:
     values = {name: d.node for name, d in knowledge.definitions.items()}
     return [name for node in nodes for name in letters_behind(node, values)]
 
 
-def _comes_to_a_number(node: Node, knowledge: Knowledge) -> bool:
+def _comes_to_a_number(node: Formula, knowledge: Knowledge) -> bool:
     """Tell whether a formula has a number by all that is known: another one then contradicts it."""
     level = list(knowledge.levels(node))[-1]
     try:
@@ -141,7 +143,7 @@ def _comes_to_a_number(node: Node, knowledge: Knowledge) -> bool:
         return False
 
 
-def _letters_of(value: Node, knowledge: Knowledge) -> list[str]:
+def _letters_of(value: Formula, knowledge: Knowledge) -> list[str]:
     """Return the letters a formula comes down to by the meanings alone."""
     try:
         return letters(Evaluator(Domain(), knowledge.meaning).form(value))
@@ -149,7 +151,7 @@ def _letters_of(value: Node, knowledge: Knowledge) -> list[str]:
         return []
 
 
-def _new_case(earlier: Definition, value: Node, sign: str, knowledge: Knowledge) -> bool:
+def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowledge) -> bool:
     """Tell whether another value of a letter starts a new case, and is not a slip.
 
     It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree.

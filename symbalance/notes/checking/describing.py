@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from traceback import format_exception
 
-from symbalance.document.syntax import Span
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Span
+from symbalance.document.text_writer import formula_text
 from symbalance.errors import fault_of
 from symbalance.notes.checking.deciding.steps import Answer
-from symbalance.notes.checking.differences import differences, exact_text
+from symbalance.notes.checking.differences import differences, exact_value
 from symbalance.notes.checking.verdicts import (
     CONDITIONAL,
     DEFINITION,
@@ -29,6 +29,7 @@ def described(document: Document, chain: Chain, k: int, answer: Answer) -> Verdi
     line = chain.relations[k].line
     word = word_for(answer)
     bad = word in (REFUTED, UNDECIDED)
+    exact, exact_node = exact_value(answer) if bad else ("", None)
     return Verdict(
         line=line,
         link=1,
@@ -37,8 +38,9 @@ def described(document: Document, chain: Chain, k: int, answer: Answer) -> Verdi
         reason=answer.reason,
         order=answer.order if word != REFUTED else "",
         assumption=", ".join(answer.assumptions) if word == CONDITIONAL else "",
-        claimed=render(side.node),
-        exact=exact_text(answer) if bad else "",
+        claimed=formula_text(side.node, plain=True),
+        exact=exact,
+        exact_node=exact_node,
         witness=answer.witness if bad else {},
         differences=differences(answer) if word == REFUTED else (),
         lines=lines_of(document, side, line),

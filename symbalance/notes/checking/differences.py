@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from symbalance.document.syntax import Number, walk
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Decimal, Formula, Number, Quotient, Words, walk
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
-from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components, ordered, place_node, polynomial_node
 from symbalance.notes.algebra.numbers import number_node
 from symbalance.notes.algebra.values import Valuation
@@ -18,25 +17,23 @@ MOST = 12
 LONGEST = 600
 
 
-def exact_text(answer: Answer) -> str:
-    """Return the left side of an answer as a sum of harmonics, if it is short enough to be read."""
-    return form_text(answer.left)
+def exact_value(answer: Answer) -> tuple[str, Formula | None]:
+    """Return the left side of an answer as a sum of harmonics, as text and as a formula.
 
-
-def form_text(form: Form | None) -> str:
-    """Return a form as text; empty if it is a quotient or too long to be read."""
+    ("", None) if it has no normal form or is too long to be read.
+    """
+    form = answer.left
     if form is None or len(form.numerator) > 60:
-        return ""
+        return "", None
     try:
         above = polynomial_node(form.domain, form.numerator)
-        if form.is_polynomial:
-            printed = render(above)
-        else:
+        printed, node = formula_text(above, plain=True), above
+        if not form.is_polynomial:
             below = polynomial_node(form.domain, form.denominator)
-            printed = f"({render(above)})/({render(below)})"
+            printed, node = f"({printed})/({formula_text(below, plain=True)})", Quotient(above, below)
     except (NoFormError, TooLargeError):
-        return ""
-    return printed if len(printed) <= LONGEST else ""
+        return "", None
+    return (printed, node) if len(printed) <= LONGEST else ("", None)
 
 
 def differences(answer: Answer) -> tuple[Difference, ...]:
@@ -55,21 +52,36 @@ def differences(answer: Answer) -> tuple[Difference, ...]:
         one, other = exact.get(place, {}), claimed.get(place, {})
         if is_zero(domain, poly.minus(one, other)) is not True:
             node = place_node(domain, place)
-            term = "constant" if node is None else render(node)
-            found.append(Difference(term, number_text(domain, other), number_text(domain, one)))
+            term = "constant" if node is None else formula_text(node, plain=True)
+            (claimed_text, claimed_node), (exact_text, exact_node) = (
+                shown_number(domain, number) for number in (other, one)
+            )
+            found.append(Difference(term, claimed_text, exact_text, node, claimed_node, exact_node))
     return tuple(found[:MOST])
 
 
-def number_text(domain: Domain, number: Polynomial) -> str:
-    """Return a number as text: exact where it is short, else with 12 digits."""
+def shown_number(domain: Domain, number: Polynomial) -> tuple[str, Formula]:
+    """Return a number as text and as a formula: exact where it is short, else with 12 digits."""
     node = number_node(domain, number)
     long = any(
         isinstance(part, Number) and max(part.value.numerator, part.value.denominator) > 10**9
         for part in walk(node)
     )
-    if long or not poly.is_rational(number):
-        printed = render(node)
-        if long or len(printed) > 40:
-            return digits(Valuation(domain, {}).polynomial(number))
-        return printed
-    return render(node)
+    printed = formula_text(node, plain=True)
+    if long or (len(printed) > 40 and not poly.is_rational(number)):
+        printed = digits(Valuation(domain, {}).polynomial(number))
+        return printed, rounded_number(printed)
+    return printed, node
+
+
+def rounded_number(printed: str) -> Formula:
+    """Return a number printed in decimals as a formula; a complex one stays as it is printed.
+
+    >>> rounded_number("0.25").text, type(rounded_number("(1.0 + 2.0j)")).__name__
+    ('0.25', 'Words')
+    """
+    try:
+        float(printed)
+    except ValueError:
+        return Words(printed)
+    return Decimal(printed)

@@ -13,7 +13,7 @@ from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.sidecar import Declarations, declared, parse_sidecar, read_sidecar
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
-from symbalance.text.files import read_text
+from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
 SUFFIXES = (".tex", ".md", ".txt", ".text")
 
@@ -26,7 +26,8 @@ def check(
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
-    `document` is a file (a Path, or a text that ends in .tex, .md or .txt) or the derivation itself.
+    `document` is a file (a Path, or a text that ends in .tex, .md or .txt, or `-` for standard input) or
+    the derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. `engines` knows the engines that lines are bound to; without it such a line is refused.
@@ -76,10 +77,15 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
         raise SymbalanceError(
             f"document = {shown(document)}", "must be a path or a text", 'write check("notes.md")'
         )
-    if isinstance(document, str) and ("\n" in document or not document.endswith(SUFFIXES)):
+    if isinstance(document, str) and ("\n" in document or not is_file_name(document)):
         return document, "text", Path()
     path = Path(document)
-    return read_text(path, what="a .tex, .md or .txt file"), str(document), path.parent
+    return read_text(path, what="a .tex, .md or .txt file"), file_name(path), path.parent
+
+
+def is_file_name(document: str) -> bool:
+    """Tell whether a text is the name of a file of notes, or `-` for standard input."""
+    return document == STANDARD_INPUT or document.endswith(SUFFIXES)
 
 
 def _declarations(
@@ -97,8 +103,8 @@ def _declarations(
 
 
 def sidecars_beside(path: Path) -> list[Path]:
-    """Return the sidecars that lie beside a document; the first is its own."""
-    if not path.name:
+    """Return the sidecars that lie beside a document; the first is its own. A pipe has none."""
+    if not path.name or str(path) == STANDARD_INPUT:
         return []
     names = (f"{path.stem}.symbols.toml", f"{path.name}.symbols.toml")
     return [beside for name in names if (beside := path.with_name(name)).exists()]

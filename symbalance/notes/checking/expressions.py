@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.syntax import Call, Constant, Name, Node, Number, Power, Product, Sum
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Call, Constant, Formula, Name, Number, Power, Product, Sum
+from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, shown
 from symbalance.notes.algebra.evaluation import Meaning
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -65,12 +66,12 @@ def check_equal(
     first, second = Side((node_of(left),), (0, 0)), Side((node_of(right),), (0, 0))
     sign = "≈" if approximately else "="
     answer = judged(first, second, sign, knowledge, through)
-    text = f"{render(first.node)} {sign} {render(second.node)}"
+    text = f"{formula_text(first.node, plain=True)} {sign} {formula_text(second.node, plain=True)}"
     document = Document("expression", text, (), ())
-    second = Side(second.readings, (len(text) - len(render(second.node)), len(text)))
+    second = Side(second.readings, (len(text) - len(formula_text(second.node, plain=True)), len(text)))
     chain = Chain((first, second), (Relation(sign, 1),), (1,))
     verdict = described(document, chain, 0, answer)
-    return mended(
+    verdict = mended(
         verdict,
         document,
         second,
@@ -78,6 +79,9 @@ def check_equal(
         knowledge,
         lambda node: judged(first, Side((node,), (0, 0)), sign, knowledge, through).proved,
     )
+    # Nothing was read, so a correction has no line and column.
+    fix = verdict.fix and replace(verdict.fix, faults=())
+    return replace(verdict, source=text, fix=fix)
 
 
 def _knowledge(symbols: Mapping[str, Any], assuming: Iterable[str]) -> Knowledge:
@@ -88,7 +92,7 @@ def _knowledge(symbols: Mapping[str, Any], assuming: Iterable[str]) -> Knowledge
     return Knowledge(Meaning(positive=positive, integer=integer), None, {}, given, letters)
 
 
-def node_of(expression: Any) -> Node:
+def node_of(expression: Any) -> Formula:
     """Return a SymPy expression as a formula's tree."""
     for applies, made in _RULES:
         if applies(expression):
@@ -103,12 +107,12 @@ def node_of(expression: Any) -> Node:
     )
 
 
-def _parts(expression: Any) -> tuple[Node, ...]:
+def _parts(expression: Any) -> tuple[Formula, ...]:
     return tuple(node_of(part) for part in expression.args)
 
 
 _CONSTANTS = {"Pi": "pi", "Exp1": "e", "ImaginaryUnit": "i"}
-_RULES: tuple[tuple[Callable[[Any], bool], Callable[[Any], Node]], ...] = (
+_RULES: tuple[tuple[Callable[[Any], bool], Callable[[Any], Formula]], ...] = (
     (lambda x: x.is_Rational, lambda x: Number(Fraction(int(x.p), int(x.q)))),
     (lambda x: x.is_Float, lambda x: Number(Fraction(str(x)), Fraction(1, 10**15))),
     (lambda x: x.is_Symbol, lambda x: Name(str(x))),

@@ -12,8 +12,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Call, Constant, Name, Node, Number, Power, Product, Quotient, Sum
+from symbalance.document import formula
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+)
 from symbalance.notes.checking.meanings import by_meaning
 
 
@@ -22,60 +32,60 @@ def two() -> Number:
     return Number(Fraction(2))
 
 
-def square(node: Node) -> Power:
+def square(node: Formula) -> Power:
     """Return node²."""
     return Power(node, two())
 
 
-def one_minus(node: Node) -> Sum:
+def one_minus(node: Formula) -> Sum:
     """Return 1 - node."""
-    return Sum((Number(Fraction(1)), syntax.Negative(node)))
+    return Sum((Number(Fraction(1)), formula.Negative(node)))
 
 
 @dataclass(frozen=True)
 class Geometry:
     """The letters of a slider-crank, each as a formula in the document's own letters."""
 
-    theta: Node
-    radius: Node
-    length: Node
-    omega: Node
-    mass: Node
+    theta: Formula
+    radius: Formula
+    length: Formula
+    omega: Formula
+    mass: Formula
     time: str
-    pitch: Node | None
+    pitch: Formula | None
     small: tuple[str, int] | None
     """The letter the document expands in: ("lambda", -1) where it is large, ("rho", 1) where small."""
 
     @property
-    def ratio(self) -> Node:
+    def ratio(self) -> Formula:
         """r/l."""
         return Quotient(self.radius, self.length)
 
     @property
-    def root(self) -> Node:
+    def root(self) -> Formula:
         """√(1 - (r/l)² sin² θ)."""
         return Call("sqrt", one_minus(Product((square(self.ratio), square(Call("sin", self.theta))))))
 
     @property
-    def displacement(self) -> Node:
+    def displacement(self) -> Formula:
         """x from top dead centre, towards the crank."""
         crank = Product((self.radius, one_minus(Call("cos", self.theta))))
         return Sum((crank, Product((self.length, one_minus(self.root)))))
 
     @property
-    def position(self) -> Node:
+    def position(self) -> Formula:
         """The height of the piston pin above the crank's centre."""
         return Sum((Product((self.radius, Call("cos", self.theta))), Product((self.length, self.root))))
 
     @property
-    def velocity(self) -> Node:
+    def velocity(self) -> Formula:
         """dx/dt = r ω (sin θ + (r/l) sin θ cos θ/√), √ being `root`."""
         sine, cosine = Call("sin", self.theta), Call("cos", self.theta)
         second = Quotient(Product((self.ratio, sine, cosine)), self.root)
         return Product((self.radius, self.omega, Sum((sine, second))))
 
     @property
-    def acceleration(self) -> Node:
+    def acceleration(self) -> Formula:
         """d²x/dt² = r ω² (cos θ + (r/l) cos 2θ/√ + (r/l)³ sin² θ cos² θ/√³), √ being `root`."""
         sine, cosine = Call("sin", self.theta), Call("cos", self.theta)
         three, root = Number(Fraction(3)), self.root
@@ -85,7 +95,7 @@ class Geometry:
         return Product((self.radius, square(self.omega), bracket))
 
     @property
-    def force(self) -> Node:
+    def force(self) -> Formula:
         """m d²x/dt²: the inertia force, away from the crank."""
         return Product((self.mass, self.acceleration))
 
@@ -94,7 +104,7 @@ def geometry(symbols: Mapping[str, str], convention: str = "") -> Geometry:
     """Return the slider-crank in the letters of a document; `convention` says what its λ or ρ means."""
     letters = by_meaning(symbols)
 
-    def first(*meanings: str) -> Node | None:
+    def first(*meanings: str) -> Formula | None:
         return next((Name(letters[m][0]) for m in meanings if m in letters), None)
 
     radius = first("crank radius")
@@ -119,8 +129,8 @@ def geometry(symbols: Mapping[str, str], convention: str = "") -> Geometry:
 
 
 def _length(
-    letters: dict[str, list[str]], radius: Node, convention: str
-) -> tuple[Node, tuple[str, int] | None]:
+    letters: dict[str, list[str]], radius: Formula, convention: str
+) -> tuple[Formula, tuple[str, int] | None]:
     """Return l in the document's letters, and the letter that is small or large."""
     stated = {"l/r": "rod ratio l/r", "l/s": "rod ratio l/s", "r/l": "crank ratio r/l"}
     if convention and not any(m in letters for m in stated.values()):
@@ -136,7 +146,7 @@ def _length(
     return Name(name), (name, -1)
 
 
-def _length_from(meaning: str, name: str, radius: Node) -> tuple[Node, tuple[str, int]]:
+def _length_from(meaning: str, name: str, radius: Formula) -> tuple[Formula, tuple[str, int]]:
     if meaning == "crank ratio r/l":
         return Quotient(radius, Name(name)), (name, 1)
     if meaning == "rod ratio l/s":

@@ -6,6 +6,7 @@
     (.md)
 
 It must be the first thing in the document. What is read as equations is the rest, at its own lines.
+A text without a file, typed in or piped, may have any of the three.
 """
 
 from __future__ import annotations
@@ -14,6 +15,11 @@ import re
 
 _MARKDOWN = re.compile(r"\s*<!--[ \t]*(\[(?:symbols|\[scope\]|\[bind\])\].*?)-->", re.DOTALL)
 _LINES = {mark: re.compile(rf"\s*(?:{mark}[^\n]*(?:\n|$))+") for mark in ("%", "#")}
+_BY_SUFFIX = {
+    ".md": (_MARKDOWN,),
+    ".tex": (_LINES["%"],),
+    "": (_MARKDOWN, _LINES["%"], _LINES["#"]),
+}
 _OPENING = re.compile(r"\s*\[\s*symbols\s*\]|\s*\[\[\s*(?:scope|bind)\s*\]\]")
 
 
@@ -23,14 +29,14 @@ def without_header(text: str, suffix: str) -> tuple[str, str]:
     >>> without_header('% [symbols]\\n% r = "crank radius"\\n$r=1$', ".tex")[1]
     '[symbols]\\nr = "crank radius"\\n'
     """
-    found = (
-        _MARKDOWN.match(text) if suffix == ".md" else _LINES["%" if suffix == ".tex" else "#"].match(text)
-    )
-    if found is None:
-        return text, ""
-    inside = found[1] if suffix == ".md" else re.sub(r"(?m)^[ \t]*[%#][ \t]?", "", found[0])
-    if not _OPENING.match(inside):
-        return text, ""
-    blank = re.sub(r"[^\n]", " ", found[0])
-    before = text[: found.start(1)].count("\n") if suffix == ".md" else 0
-    return blank + text[found.end() :], "\n" * before + inside
+    for pattern in _BY_SUFFIX.get(suffix, (_LINES["#"],)):
+        found = pattern.match(text)
+        if found is None:
+            continue
+        in_lines = pattern is not _MARKDOWN
+        inside = re.sub(r"(?m)^[ \t]*[%#][ \t]?", "", found[0]) if in_lines else found[1]
+        if _OPENING.match(inside):
+            blank = re.sub(r"[^\n]", " ", found[0])
+            before = 0 if in_lines else text[: found.start(1)].count("\n")
+            return blank + text[found.end() :], "\n" * before + inside
+    return text, ""

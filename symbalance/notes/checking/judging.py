@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
 
-from symbalance.document.syntax import Name, Node, Span
+from symbalance.document.formula import Formula, Name, Span
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import claims, premises
 from symbalance.notes.checking.deciding.cases import numbers_put_in, states_a_case, with_ratio_put_in
@@ -206,10 +206,10 @@ class Judge:
         right, sign = chain.sides[k + 1], chain.relations[k].sign
         as_written = "≈" if left is not chain.sides[k] else sign
 
-        def proves_right(node: Node) -> bool:
+        def proves_right(node: Formula) -> bool:
             return repaired(judged(left, Side((node,), right.span), as_written, knowledge), answer)
 
-        def proves_left(node: Node) -> bool:
+        def proves_left(node: Formula) -> bool:
             return repaired(judged(Side((node,), left.span), right, as_written, knowledge), answer)
 
         lone = isinstance(left.node, Name)

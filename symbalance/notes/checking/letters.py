@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from symbalance.document import syntax
-from symbalance.document.syntax import (
+from symbalance.document import formula
+from symbalance.document.formula import (
     Call,
     Constant,
     Derivative,
+    Formula,
     Name,
-    Node,
     Number,
     Power,
     Product,
@@ -52,7 +52,7 @@ def meaning_of(
     """
     crank, letters = geometry(symbols, convention), by_meaning(symbols)
     engines = NoEngines() if engines is None else engines
-    stands_for: dict[str, Node] = {
+    stands_for: dict[str, Formula] = {
         "crank radius": crank.radius,
         "stroke": Product((two(), crank.radius)),
         "rod length": crank.length,
@@ -65,13 +65,13 @@ def meaning_of(
         "time": Quotient(crank.theta, crank.omega),
         FROM_TOP: crank.displacement,
         FROM_PIN: crank.position,
-        FROM_MIDDLE: Sum((crank.position, syntax.Negative(crank.length))),
+        FROM_MIDDLE: Sum((crank.position, formula.Negative(crank.length))),
         "piston velocity": crank.velocity,
         "piston acceleration": crank.acceleration,
         "inertia force": crank.force,
     }
-    base = {n for part in (crank.radius, crank.length, crank.omega) for n in syntax.names(part)}
-    values: dict[str, Node] = {
+    base = {n for part in (crank.radius, crank.length, crank.omega) for n in formula.names(part)}
+    values: dict[str, Formula] = {
         n: _harmonic(m, crank, engines) for m in letters if HARMONIC.match(m) for n in letters[m]
     }
     for meaning, node in stands_for.items():
@@ -83,7 +83,7 @@ def meaning_of(
             primed = name + "'" * order
             if primed not in symbols and isinstance(crank.theta, Name):
                 values[primed] = Derivative(Name(name), crank.theta, order)
-    rates: dict[str, Mapping[str, Node]] = {}
+    rates: dict[str, Mapping[str, Formula]] = {}
     if isinstance(crank.theta, Name):
         rates[crank.time] = {crank.theta.name: crank.omega}
     positive = {n for m in POSITIVE for n in letters.get(m, [])} | {"r", "l", "omega", "m"} & _loose(
@@ -95,7 +95,7 @@ def meaning_of(
     return Meaning(values, rates, frozenset(positive), integer, ranges), crank
 
 
-def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Node:
+def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Formula:
     """Return A_n of the acceleration as a series in r/l, far beyond what anybody writes."""
     order = int(meaning[2:])
     return series_node(engines.coefficient_terms(order, far_power(order)), crank.ratio)
@@ -106,7 +106,7 @@ def far_power(order: int) -> int:
     return max(SAME_POWER, order + 7)
 
 
-def series_node(coefficients: Mapping[int, Fraction], ratio: Node) -> Node:
+def series_node(coefficients: Mapping[int, Fraction], ratio: Formula) -> Formula:
     """Return a sum of coefficients times powers of r/l; of none it is 0."""
     if not coefficients:
         return Number(Fraction(0))
@@ -114,7 +114,7 @@ def series_node(coefficients: Mapping[int, Fraction], ratio: Node) -> Node:
     return terms[0] if len(terms) == 1 else Sum(tuple(terms))
 
 
-def _term(coefficient: Fraction, power: int, ratio: Node) -> Node:
+def _term(coefficient: Fraction, power: int, ratio: Formula) -> Formula:
     if power == 0:
         return rational_node(coefficient)
     return Product((rational_node(coefficient), Power(ratio, Number(Fraction(power)))))
@@ -122,4 +122,4 @@ def _term(coefficient: Fraction, power: int, ratio: Node) -> Node:
 
 def _loose(crank: Geometry) -> set[str]:
     nodes = (crank.radius, crank.length, crank.omega, crank.mass)
-    return {name for node in nodes for name in syntax.names(node)}
+    return {name for node in nodes for name in formula.names(node)}

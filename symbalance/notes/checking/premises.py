@@ -13,13 +13,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document import syntax
-from symbalance.document.syntax import (
+from symbalance.document import formula
+from symbalance.document.formula import (
     Call,
     Derivative,
+    Formula,
     Name,
     Negative,
-    Node,
     Number,
     Power,
     Product,
@@ -46,12 +46,12 @@ class Stated:
     """A letter and the formula a premise gives it."""
 
     name: str
-    node: Node
+    node: Formula
 
 
-def counts(node: Node) -> Counter[str]:
+def counts(node: Formula) -> Counter[str]:
     """Return how often each letter stands in a formula."""
-    return Counter(part.name for part in syntax.walk(node) if isinstance(part, Name))
+    return Counter(part.name for part in formula.walk(node) if isinstance(part, Name))
 
 
 def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated | None:
@@ -59,10 +59,10 @@ def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
         return None
-    if chain.relations[k].sign != "=" or any(isinstance(p, syntax.Dots) for p in _parts(left, right)):
+    if chain.relations[k].sign != "=" or any(isinstance(p, formula.Dots) for p in _parts(left, right)):
         return None
     first, second = counts(left), counts(right)
-    earlier = seen | {n for side in chain.sides[:k] for n in syntax.names(side.node)}
+    earlier = seen | {n for side in chain.sides[:k] for n in formula.names(side.node)}
     if right == Number(Fraction(0)):
         pairs = [(_apart_from_others(left), left, right)] if k == 0 else []
     elif set(first) - set(second) and set(second) - set(first):
@@ -83,15 +83,15 @@ def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated
     return Stated(derivative, right) if derivative else None
 
 
-def _parts(*nodes: Node) -> Iterator[Node]:
+def _parts(*nodes: Formula) -> Iterator[Formula]:
     for node in nodes:
-        yield from syntax.walk(node)
+        yield from formula.walk(node)
 
 
-def _apart_from_others(node: Node) -> set[str]:
+def _apart_from_others(node: Formula) -> set[str]:
     """Return the letters of F_1 + F_2 = 0: each in a term of its own beside terms with other letters."""
     terms = node.terms if isinstance(node, Sum) else (node,)
-    found = [syntax.names(term) for term in terms]
+    found = [formula.names(term) for term in terms]
     if len(found) < 2:
         return set()
     return {
@@ -102,35 +102,35 @@ def _apart_from_others(node: Node) -> set[str]:
     }
 
 
-def _inside_derivative(node: Node, name: str) -> bool:
-    return any(isinstance(p, Derivative) and name in syntax.names(p) for p in syntax.walk(node))
+def _inside_derivative(node: Formula, name: str) -> bool:
+    return any(isinstance(p, Derivative) and name in formula.names(p) for p in formula.walk(node))
 
 
-def _lone_derivative(left: Node, right: Node, knowledge: Knowledge) -> str:
+def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str:
     """Return a name for the derivative of an unknown letter, which a relation states."""
     if not (isinstance(left, Derivative) and isinstance(left.expression, Name)):
         return ""
     name = left.expression.name
-    known = knowledge.has_meaning(name) or name in syntax.names(right)
+    known = knowledge.has_meaning(name) or name in formula.names(right)
     return "" if known else derivative_name(left)
 
 
-def solved(left: Node, right: Node) -> tuple[str, Node] | None:
+def solved(left: Formula, right: Formula) -> tuple[str, Formula] | None:
     """Return (letter, formula) from an equality, the left side's letters first."""
     for node, other in ((left, right), (right, left)):
         for name, count in counts(node).items():
-            if count == 1 and name not in syntax.names(other):
+            if count == 1 and name not in formula.names(other):
                 found = undone(node, other, name)
                 if found is not None:
                     return name, found
     return None
 
 
-def undone(node: Node, other: Node, name: str) -> Node | None:
+def undone(node: Formula, other: Formula, name: str) -> Formula | None:
     """Return what `name` equals if node = other, where it stands once in node; None if not reachable."""
     if isinstance(node, Name):
         return other
-    parts = [p for p in syntax.children(node) if name in syntax.names(p)]
+    parts = [p for p in formula.children(node) if name in formula.names(p)]
     if len(parts) != 1:
         return None
     inner = parts[0]
@@ -138,41 +138,41 @@ def undone(node: Node, other: Node, name: str) -> Node | None:
     return None if outside is None else undone(inner, outside, name)
 
 
-def _outside(node: Node, inner: Node, other: Node) -> Node | None:
+def _outside(node: Formula, inner: Formula, other: Formula) -> Formula | None:
     """Return what the part `inner` of `node` equals if node = other."""
     rule = _UNDONE.get(type(node))
     return None if rule is None else rule(node, inner, other)
 
 
-def _sum_undone(node: Sum, inner: Node, other: Node) -> Node | None:
-    if any(isinstance(t, syntax.Dots) for t in node.terms):
+def _sum_undone(node: Sum, inner: Formula, other: Formula) -> Formula | None:
+    if any(isinstance(t, formula.Dots) for t in node.terms):
         return None
     return Sum((other, *(Negative(t) for t in node.terms if t is not inner)))
 
 
-def _product_undone(node: Product, inner: Node, other: Node) -> Node | None:
+def _product_undone(node: Product, inner: Formula, other: Formula) -> Formula | None:
     rest = tuple(f for f in node.factors if f is not inner)
     return Quotient(other, rest[0] if len(rest) == 1 else Product(rest))
 
 
-def _quotient_undone(node: Quotient, inner: Node, other: Node) -> Node | None:
+def _quotient_undone(node: Quotient, inner: Formula, other: Formula) -> Formula | None:
     return (
         Product((other, node.denominator)) if inner is node.numerator else Quotient(node.numerator, other)
     )
 
 
-def _call_undone(node: Call, inner: Node, other: Node) -> Node | None:
+def _call_undone(node: Call, inner: Formula, other: Formula) -> Formula | None:
     if node.function == "sqrt":
         return Power(other, Number(Fraction(2)))
     return Call(_INVERSE[node.function], other) if node.function in _INVERSE else None
 
 
-def _power_undone(node: Power, inner: Node, other: Node) -> Node | None:
+def _power_undone(node: Power, inner: Formula, other: Formula) -> Formula | None:
     square = inner is node.base and node.exponent == Number(Fraction(2))
     return Call("sqrt", other) if square else None
 
 
-_UNDONE: dict[type[Node], Callable[[Any, Node, Node], Node | None]] = {
+_UNDONE: dict[type[Formula], Callable[[Any, Formula, Formula], Formula | None]] = {
     Negative: lambda node, inner, other: Negative(other),
     Sum: _sum_undone,
     Product: _product_undone,

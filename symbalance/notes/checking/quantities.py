@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
-from symbalance.document.syntax import (
+from symbalance.document.formula import (
     Call,
     Constant,
+    Formula,
     Negative,
-    Node,
     Number,
     Power,
     Product,
@@ -31,7 +31,7 @@ from symbalance.notes.checking.sidecar import Bind
 
 UNITS = ("", "F", "F_n")
 
-ONE_CYLINDER: dict[str, Callable[[Geometry], Node]] = {
+ONE_CYLINDER: dict[str, Callable[[Geometry], Formula]] = {
     "displacement": lambda crank: crank.displacement,
     "position": lambda crank: crank.position,
     "velocity": lambda crank: crank.velocity,
@@ -48,7 +48,7 @@ OF_AN_ENGINE = (
 QUANTITIES = (*ONE_CYLINDER, *OF_AN_ENGINE[1:], "coefficient", "harmonic", "value")
 
 
-def quantity(bind: Bind, crank: Geometry, sources: Sources, in_numbers: bool) -> Node:
+def quantity(bind: Bind, crank: Geometry, sources: Sources, in_numbers: bool) -> Formula:
     """Return what a bound line claims to be; `in_numbers` puts in the engine's own rod ratio."""
     if bind.quantity not in QUANTITIES:
         raise _refusal(bind, "quantity", bind.quantity, "known are " + ", ".join(QUANTITIES))
@@ -68,7 +68,7 @@ def quantity(bind: Bind, crank: Geometry, sources: Sources, in_numbers: bool) ->
         return coefficient
     if engine is None:
         raise _refusal(bind, "engine", "", 'add engine = "v12-60"')
-    parts: list[Node] = [geometry(bind, engine, crank.theta)]
+    parts: list[Formula] = [geometry(bind, engine, crank.theta)]
     if bind.unit != "F_n":
         parts.append(coefficient)
     if bind.unit == "":
@@ -90,7 +90,7 @@ def _engine(bind: Bind, sources: Sources) -> KnownEngine:
 
 def _coefficient(
     bind: Bind, crank: Geometry, engine: KnownEngine | None, in_numbers: bool, engines: Engines
-) -> Node:
+) -> Formula:
     """Return A_n as a series in the document's letter, or its value for the engine's rod ratio."""
     order = bind.order or 1
     if not engines.coefficient_terms(order, order):
@@ -103,7 +103,7 @@ def _coefficient(
     return series_node(engines.coefficient_terms(order, power), crank.ratio)
 
 
-def geometry(bind: Bind, engine: KnownEngine, theta: Node) -> Node:
+def geometry(bind: Bind, engine: KnownEngine, theta: Formula) -> Formula:
     """Return the sum over the bound cylinders of weight cos n(θ + delay)."""
     kind, component, function = (*bind.quantity.split("."), "", "")[:3]
     chosen = [c for c in engine.cylinders if _is_meant(bind, c, engine)]
@@ -115,7 +115,7 @@ def geometry(bind: Bind, engine: KnownEngine, theta: Node) -> Node:
     wave = Product((order, theta))
     if function:  # the coefficient of cos nθ or sin nθ alone
         wave = Number(Fraction(0)) if function == "cos" else Quotient(Constant("pi"), Number(Fraction(2)))
-    terms: list[Node] = []
+    terms: list[Formula] = []
     for cylinder in chosen:
         weight = cylinder.station - plane if kind == "couple" else Fraction(1)
         terms.append(_of_cylinder(cylinder, bind.order or 1, weight, component, wave))
@@ -132,16 +132,16 @@ def _is_meant(bind: Bind, cylinder: KnownCylinder, engine: KnownEngine) -> bool:
 
 
 def _of_cylinder(
-    cylinder: KnownCylinder, order: int, weight: Fraction, component: str, wave: Node
-) -> Node:
+    cylinder: KnownCylinder, order: int, weight: Fraction, component: str, wave: Formula
+) -> Formula:
     shifted = Call("cos", Sum((wave, _turned(cylinder.delay.turns * order))))
-    parts: list[Node] = [rational_node(weight), shifted]
+    parts: list[Formula] = [rational_node(weight), shifted]
     if component:
         function = "cos" if component == "vertical" else "sin"
         parts.append(Call(function, _turned(cylinder.bank.turns)))
     return Product(tuple(parts))
 
 
-def _turned(turns: Fraction) -> Node:
+def _turned(turns: Fraction) -> Formula:
     angle = Product((rational_node(abs(turns) * 2), Constant("pi")))
     return Negative(angle) if turns < 0 else angle

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from symbalance.notes.reading import ReadingError, canonical_name
-from symbalance.text.files import read_text
+from symbalance.text.files import file_name, read_text
 from symbalance.text.key_tables import Key, TableKeys
 from symbalance.text.kinds import Choice, ListOf, Text, Whole
 from symbalance.text.sections import Section, Source, read_sections
@@ -146,7 +146,7 @@ class Declarations:
 
 def read_sidecar(path: str | Path) -> Declarations:
     """Return the declarations of a sidecar file."""
-    return parse_sidecar(read_text(path, what="a symbols file"), str(path))
+    return parse_sidecar(read_text(path, what="a symbols file"), file_name(path))
 
 
 def parse_sidecar(text: str, place: str) -> Declarations:

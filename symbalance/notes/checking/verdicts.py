@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.document.syntax import Node, Span
+from symbalance.document.formula import Formula, Span
+from symbalance.document.result import Result
 from symbalance.notes.reading.equations import Document
+
+if TYPE_CHECKING:
+    from symbalance.document import nodes
 
 HOLDS = "holds"
 HOLDS_TO_ORDER = "holds_to_order"
@@ -24,37 +29,50 @@ FAILING = (*BAD, UNREADABLE)
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """One coefficient in which a line differs: of which term, what is claimed and what is exact."""
+    """One coefficient in which a line differs: of which term, what is claimed and what is exact.
+
+    The nodes are the same as formulas; None for the constant term, and for a number that has no form.
+    """
 
     term: str
     claimed: str
     exact: str
+    term_node: Formula | None = field(default=None, repr=False)
+    claimed_node: Formula | None = field(default=None, repr=False)
+    exact_node: Formula | None = field(default=None, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """A piece of a line that is wrong, and what should stand there."""
+    """A piece of a line that is wrong, and what should stand there; `node` is that as a formula."""
 
     line: int
     column: int
     source: str
     should: str
     kind: str = ""
+    node: Formula | None = field(default=None, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """The smallest change found that makes a line true; `node` is the whole corrected side, proved."""
+    """The smallest change that makes a line true; `node` is the whole corrected side, proved.
+
+    `of_left` tells that it is the left side of the relation that is corrected.
+    """
 
     kind: str
     text: str
-    node: Node
+    node: Formula
     faults: tuple[Fault, ...] = ()
+    of_left: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Verdict:
+@dataclass(frozen=True, slots=True, repr=False)
+class Verdict(Result):
     """What is said of one relation, or of a piece of a line bound to a quantity."""
+
+    kind: ClassVar[str] = "verdict"
 
     line: int
     link: int
@@ -76,7 +94,9 @@ class Verdict:
     notes: tuple[str, ...] = ()
     tag: str = ""
     span: Span = (0, 0)
-    node: Node | None = None
+    node: Formula | None = None
+    exact_node: Formula | None = None
+    """`exact` as a formula."""
     fault: str = ""
     """A fault of symbalance that kept the relation from being judged or mended."""
     traceback: str = ""
@@ -86,13 +106,63 @@ class Verdict:
         """Tell whether the verdict makes the check fail."""
         return self.verdict in BAD
 
+    def summary(self) -> str:
+        """Return the line, its verdict and the correction, in one line."""
+        from symbalance.notes.checking.report_document import verdict_summary
 
-@dataclass(frozen=True, slots=True)
-class Checked:
-    """A document with all its verdicts, in the order of their lines."""
+        return verdict_summary(self)
 
-    document: Document
+    def document(self) -> nodes.Document:
+        """Return what stands, the verdict on it with its reasons, and what should stand."""
+        from symbalance.notes.checking.report_document import verdict_document
+
+        return verdict_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the verdict with its witness, differences and correction as texts."""
+        from symbalance.notes.checking.report_data import verdict_data
+
+        return verdict_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return the verdict as one row."""
+        from symbalance.notes.checking.report_data import verdict_records
+
+        return verdict_records((self,))
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Checked(Result):
+    """A derivation with all its verdicts, in the order of their lines."""
+
+    derivation: Document
     verdicts: tuple[Verdict, ...]
+
+    kind: ClassVar[str] = "check"
+
+    def summary(self) -> str:
+        """Return how many relations were seen and how many verdicts there are of each kind."""
+        from symbalance.notes.checking.report_document import report_summary
+
+        return report_summary(self)
+
+    def document(self) -> nodes.Document:
+        """Return the counts, then every relation with its verdict, its reasons and its correction."""
+        from symbalance.notes.checking.report_document import report_document
+
+        return report_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the counts, and an entry for each relation and each line that continues one."""
+        from symbalance.notes.checking.report_data import report_data
+
+        return report_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each verdict."""
+        from symbalance.notes.checking.report_data import verdict_records
+
+        return verdict_records(self.verdicts)
 
     @property
     def failed(self) -> bool:

@@ -1,7 +1,5 @@
 """The reader: a person's derivation, as written, to equations whose formulas are trees."""
 
-from symbalance.document.syntax_latex import render_latex
-from symbalance.document.syntax_text import render
 from symbalance.notes.reading.document import read_document, read_equation, read_expression
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.naming import canonical_name
@@ -13,6 +11,4 @@ __all__ = [
     "read_document",
     "read_equation",
     "read_expression",
-    "render",
-    "render_latex",
 ]

@@ -5,19 +5,19 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document.letters import ACCENTS, TIME_DOTS
-from symbalance.document.syntax import (
+from symbalance.document.formula import (
     Call,
     Constant,
     Derivative,
+    Formula,
     Name,
-    Node,
     Number,
     Power,
     Product,
     Quotient,
     Span,
 )
+from symbalance.document.letters import ACCENTS, TIME_DOTS
 from symbalance.notes.reading.calls import Calls
 from symbalance.notes.reading.derivatives import Derivatives
 from symbalance.notes.reading.failures import ReadingError
@@ -42,7 +42,7 @@ class Atoms(Calls, Derivatives, Summations):
             return not self.open_bars
         return token.kind in _STARTS or token.kind == "open"
 
-    def factor(self) -> Node:
+    def factor(self) -> Formula:
         """Read an atom with what is attached to it: powers, degrees."""
         first = self.place
         node = self.atom()
@@ -67,7 +67,7 @@ class Atoms(Calls, Derivatives, Summations):
                 break
         return node
 
-    def atom(self) -> Node:
+    def atom(self) -> Formula:
         """Read one number, letter, bracket or command."""
         token = self.now
         if token is None:
@@ -84,12 +84,12 @@ class Atoms(Calls, Derivatives, Summations):
             return self._command(token)
         return self._bracket()
 
-    def _vulgar(self, token: Token) -> Node:
+    def _vulgar(self, token: Token) -> Formula:
         span = (token.start, token.end)
         top, bottom = (Number(Fraction(n), span=span) for n in VULGAR[token.value])
         return Quotient(top, bottom, span=span)
 
-    def _bracket(self) -> Node:
+    def _bracket(self) -> Formula:
         if self.at("open"):
             return self.group()
         if self.at("bar"):
@@ -104,7 +104,7 @@ class Atoms(Calls, Derivatives, Summations):
             return Call("abs", inside, span=(opener.start, last.end))
         raise self.unexpected()
 
-    def _name(self, token: Token) -> Node:
+    def _name(self, token: Token) -> Formula:
         if (derivative := self.derivative_in_line()) is not None:
             return derivative
         following = self.ahead(1)
@@ -113,7 +113,7 @@ class Atoms(Calls, Derivatives, Summations):
         self.take()
         return self.letter(token.value, (token.start, token.end))
 
-    def _exponential(self) -> Node:
+    def _exponential(self) -> Formula:
         first = self.place
         self.place += 2
         self.exponentials += 1
@@ -121,7 +121,7 @@ class Atoms(Calls, Derivatives, Summations):
         self.exponentials -= 1
         return Call("exp", power, span=self.since(first))
 
-    def _command(self, token: Token) -> Node:
+    def _command(self, token: Token) -> Formula:
         readers = {
             "frac": self._fraction,
             "sqrt": self._root,
@@ -133,22 +133,22 @@ class Atoms(Calls, Derivatives, Summations):
         readers |= dict.fromkeys(TIME_DOTS, self._dotted) | dict.fromkeys(ACCENTS, self._accented)
         return readers.get(token.value, self._operator)()
 
-    def _operator(self) -> Node:
+    def _operator(self) -> Formula:
         if (derivative := self.derivative_in_line()) is not None:
             return derivative
         raise self.unexpected()
 
-    def _infinity(self) -> Node:
+    def _infinity(self) -> Formula:
         token = self.take()
         return Constant("infinity", span=(token.start, token.end))
 
-    def _boxed(self) -> Node:
+    def _boxed(self) -> Formula:
         self.take()
         if not self.at("open"):
             raise self.unexpected()
         return self.group()
 
-    def _fraction(self) -> Node:
+    def _fraction(self) -> Formula:
         if (derivative := self.derivative_fraction()) is not None:
             return derivative
         first = self.place
@@ -157,7 +157,7 @@ class Atoms(Calls, Derivatives, Summations):
         bottom = self.argument()
         return Quotient(top, bottom, span=self.since(first))
 
-    def _root(self) -> Node:
+    def _root(self) -> Formula:
         first = self.place
         self.take()
         if self.at("open", "[") and self.tokens[first].value == "sqrt" and self._has_index():
@@ -175,7 +175,7 @@ class Atoms(Calls, Derivatives, Summations):
         after = self.ahead(steps + 1)
         return after is not None and (after.kind in _STARTS or after.kind in ("open", "cmd"))
 
-    def _indexed_root(self, index: Node, inside: Node, span: Span) -> Node:
+    def _indexed_root(self, index: Formula, inside: Formula, span: Span) -> Formula:
         span = (span[0], inside.span[1])
         if index == Number(Fraction(2)):
             return Call("sqrt", inside, span=span)
@@ -183,14 +183,14 @@ class Atoms(Calls, Derivatives, Summations):
             inside, Quotient(Number(Fraction(1), span=index.span), index, span=index.span), span=span
         )
 
-    def _dotted(self) -> Node:
+    def _dotted(self) -> Formula:
         first = self.place
         order = TIME_DOTS[self.take().value]
         name = self._bare_name()
         span = self.since(first)
         return Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
 
-    def _accented(self) -> Node:
+    def _accented(self) -> Formula:
         first = self.place
         accent = ACCENTS[self.take().value]
         bare = self._bare_name()
@@ -215,7 +215,7 @@ class Atoms(Calls, Derivatives, Summations):
         return f"{inner.value}_{scripts}" if scripts else inner.value
 
 
-def _degrees(node: Node, span: Span) -> Node:
+def _degrees(node: Formula, span: Span) -> Formula:
     """30° is 30 π/180."""
     place = (span[1] - 1, span[1])
     half_turn = Number(Fraction(180), span=place)

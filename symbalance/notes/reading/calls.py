@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.letters import TIME_DOTS, is_greek
-from symbalance.document.syntax import (
+from symbalance.document.formula import (
     Call,
     Constant,
+    Formula,
     Negative,
-    Node,
     Number,
     Power,
     Quotient,
     names,
     walk,
 )
+from symbalance.document.letters import TIME_DOTS, is_greek
 from symbalance.notes.reading.cursor import multiplied
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.scripts import Scripts
@@ -34,7 +34,7 @@ class Calls(Scripts):
 
     open_bars = 0
 
-    def call(self) -> Node:
+    def call(self) -> Formula:
         """Read sin x, sin^2 x, sin^{-1} x, sqrt(x), exp(x)."""
         first = self.place
         function = self.take()
@@ -50,7 +50,7 @@ class Calls(Scripts):
         node = Call(name, argument, span=self.since(first))
         return node if power is None else Power(node, power, span=node.span)
 
-    def _function_power(self, function: str) -> Node | None:
+    def _function_power(self, function: str) -> Formula | None:
         if not self.at("sup"):
             return None
         if function in ("sqrt", "exp", "abs"):
@@ -73,7 +73,7 @@ class Calls(Scripts):
             raise ReadingError(self.offset, what, "write it with asin, acos or atan")
         return _INVERSE[function]
 
-    def call_argument(self, function: str) -> Node:
+    def call_argument(self, function: str) -> Formula:
         """Read the argument: the bracket that follows at once, else the product that follows."""
         with self.deeper():
             if self.at("open") or (self.at("bar") and not self.open_bars):
@@ -86,14 +86,14 @@ class Calls(Scripts):
                 return Negative(inside, span=self.since(first)) if sign.value == "-" else inside
             return self._open_argument()
 
-    def _bracket(self) -> Node:
+    def _bracket(self) -> Formula:
         raise NotImplementedError
 
     def starts_factor(self) -> bool:
         """Tell whether a factor begins at the place."""
         raise NotImplementedError
 
-    def _open_argument(self) -> Node:
+    def _open_argument(self) -> Formula:
         if self.at("function"):
             return self.call()
         if not self.starts_factor():
@@ -111,7 +111,7 @@ class Calls(Scripts):
     def _tight_slash(self) -> bool:
         return self.now is not None and self.now.is_op("/") and self.tight() and self.tight(1)
 
-    def _goes_on(self, factors: list[Node]) -> bool:
+    def _goes_on(self, factors: list[Formula]) -> bool:
         """Tell whether the factor at the place belongs to the argument too."""
         token = self.now
         if token is None or not self.starts_factor() or self._ends_argument(token):
@@ -135,7 +135,7 @@ class Calls(Scripts):
         latin = _is_latin(token) and (degrees or not (self.latex or self.tight()))
         return token.spaced or latin or token.is_cmd(*TIME_DOTS)
 
-    def _may_leave_angle(self, token: Token, factors: list[Node]) -> bool:
+    def _may_leave_angle(self, token: Token, factors: list[Formula]) -> bool:
         """Tell whether a Latin letter follows a Greek angle, \\cos\\theta r: usually it is outside."""
         greek = any(is_greek(name) for factor in factors for name in names(factor))
         return greek and _is_latin(token) and not _is_time(token)
@@ -146,7 +146,7 @@ class Calls(Scripts):
         return token.kind in ("function", "number") or token.is_cmd("sum") or power_of_e
 
 
-def _is_whole_angle(factor: Node) -> bool:
+def _is_whole_angle(factor: Formula) -> bool:
     """Tell whether a factor is an angle already: it holds a Greek letter, or is a part of π."""
     letters = names(factor)
     pi = any(isinstance(part, Constant) and part.name == "pi" for part in walk(factor))
@@ -163,5 +163,5 @@ def _is_time(token: Token) -> bool:
     return token.kind == "name" and token.value.split("_")[0] == "t"
 
 
-def _is_minus_one(power: Node) -> bool:
+def _is_minus_one(power: Formula) -> bool:
     return power in (Negative(Number(Fraction(1))), Number(Fraction(-1)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 
-from symbalance.document.syntax import Constant, Name, Node, Product, Span
+from symbalance.document.formula import Constant, Formula, Name, Product, Span
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.tokens import CLOSER, Token
 
@@ -121,7 +121,7 @@ class Cursor:
         last = max(self.place - 1, 0)
         return (self.tokens[place].start, self.tokens[last].end) if self.tokens else (self.end, self.end)
 
-    def letter(self, name: str, span: Span) -> Node:
+    def letter(self, name: str, span: Span) -> Formula:
         """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
         if name in self.names or name in self.bound:
             return Name(name, span=span)
@@ -131,23 +131,23 @@ class Cursor:
             return Constant("i", span=span)
         raise UndeclaredError(span[0], name)
 
-    def expression(self) -> Node:
+    def expression(self) -> Formula:
         """Read a sum."""
         raise NotImplementedError
 
-    def product(self) -> Node:
+    def product(self) -> Formula:
         """Read a term of a sum."""
         raise NotImplementedError
 
-    def run_of_factors(self) -> Node:
+    def run_of_factors(self) -> Formula:
         """Read factors side by side, with slashes."""
         raise NotImplementedError
 
-    def atom(self) -> Node:
+    def atom(self) -> Formula:
         """Read one factor without its powers."""
         raise NotImplementedError
 
-    def factor(self) -> Node:
+    def factor(self) -> Formula:
         """Read one factor with its powers."""
         raise NotImplementedError
 
@@ -157,7 +157,7 @@ def shown(token: Token) -> str:
     return f"\\{token.value}" if token.kind == "cmd" else token.value
 
 
-def multiplied(factors: Sequence[Node]) -> Node:
+def multiplied(factors: Sequence[Formula]) -> Formula:
     """Return the product of factors, the factor itself if there is one."""
     if len(factors) == 1:
         return factors[0]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.syntax import Derivative, Name, Node
+from symbalance.document.formula import Derivative, Formula, Name
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.scripts import Scripts
 from symbalance.notes.reading.tokens import Token
@@ -19,7 +19,7 @@ def _is_d(token: Token | None) -> bool:
 class Derivatives(Scripts):
     """Reads derivatives; where d is itself a declared letter, the quotient is the second reading."""
 
-    def derivative_fraction(self) -> Node | None:
+    def derivative_fraction(self) -> Formula | None:
         """Read \\frac{d^n f}{d x^n} if the fraction at the place is one."""
         top, bottom = self._fraction_parts()
         if not (_is_d(top) and _is_d(bottom)) or ("d" in self.names and self.choose() == 1):
@@ -50,7 +50,7 @@ class Derivatives(Scripts):
         named = braced and variable is not None and variable.kind in ("name", "cmd")
         return self.ahead(2), self.ahead(steps + 1) if named else None
 
-    def derivative_in_line(self) -> Node | None:
+    def derivative_in_line(self) -> Formula | None:
         """Read dx/dt, d^2x/dt^2 or d/dt if it begins at the place, without spaces."""
         if not _is_d(self.now) or not self._line_pattern() or ("d" in self.names and self.choose() == 1):
             return None
@@ -81,7 +81,7 @@ class Derivatives(Scripts):
         following = self.ahead(steps + 1)
         return 4 if following is not None and following.kind == "open" else 2
 
-    def _above(self, stop: str) -> tuple[int, Node | None]:
+    def _above(self, stop: str) -> tuple[int, Formula | None]:
         """Read d^n f; f may be missing."""
         self.take()
         order = self._order()
@@ -129,7 +129,7 @@ class Derivatives(Scripts):
             raise ReadingError(place, "a derivative by something that is no letter", "name the variable")
         return variable
 
-    def _whole(self, first: int, order: int, body: Node | None, variable: Name) -> Node:
+    def _whole(self, first: int, order: int, body: Formula | None, variable: Name) -> Formula:
         if body is None:
             with self.deeper():
                 bracket = self.at("open", "(", "[", "{", "\\{")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from pathlib import PurePath
 
-from symbalance.document.syntax import Node
+from symbalance.document.formula import Formula
 from symbalance.notes.reading.assembly import Assembler
 from symbalance.notes.reading.drafts import Draft, without_aside
 from symbalance.notes.reading.equations import Chain, Document, Relation, Side, Unreadable
@@ -43,7 +43,7 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
     return Document(name, text, tuple(chains), tuple(refused))
 
 
-def read_expression(text: str, names: Collection[str], offset: int = 0) -> tuple[Node, ...]:
+def read_expression(text: str, names: Collection[str], offset: int = 0) -> tuple[Formula, ...]:
     """Return every reading of one expression, the usual one first; spans count from `offset`.
 
     >>> len(read_expression("1/2λ", {"lambda"})), len(read_expression("1/λ", {"lambda"}))
@@ -84,7 +84,7 @@ def _chain(draft: Draft, source: str, names: Collection[str], offset: int) -> Ch
 
 def _read(
     tokens: list[Token], known: frozenset[str], offset: int, latex: bool
-) -> tuple[tuple[Node, ...], tuple[str, ...]]:
+) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
     try:
         return read_tokens(tokens, known, tokens[-1].end, latex)
     except ReadingError as failure:

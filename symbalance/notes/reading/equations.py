@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from symbalance.document.syntax import Node, Span
+from symbalance.document.formula import Formula, Span
 
 RELATIONS = ("=", "≈", "<", ">", "≤", "≥", "≡", "≠")
 
@@ -16,11 +16,11 @@ class Side:
     `readings` has more than one entry only where usage differs: `1/2λ`, `cos θ/2`.
     """
 
-    readings: tuple[Node, ...]
+    readings: tuple[Formula, ...]
     span: Span
 
     @property
-    def node(self) -> Node:
+    def node(self) -> Formula:
         """The usual reading."""
         return self.readings[0]
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from symbalance.document.letters import GREEK_SIGN, TIME_DOTS, is_greek
-from symbalance.document.syntax_text import letter
+from symbalance.document.letters import TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.tokens import Token
 
@@ -73,9 +72,6 @@ def refusal(head: Sequence[Token], inside: Sequence[Token]) -> ReadingError:
 
 def shown(tokens: Sequence[Token]) -> str:
     """Return tokens as text: names by their signs, commands by name."""
-    pieces = (
-        f"\\{token.value} " if token.kind == "cmd" else GREEK_SIGN.get(token.value) or letter(token.value)
-        if token.kind == "name" else token.value
-        for token in tokens
-    )  # fmt: skip
+    signs = {"cmd": lambda word: f"\\{word} ", "name": plain_letter}
+    pieces = (signs.get(token.kind, str)(token.value) for token in tokens)
     return "".join(pieces).replace(" {", "{")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Collection, Sequence
 
-from symbalance.document.syntax import Node, children
+from symbalance.document.formula import Formula, children
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.terms import Terms
 from symbalance.notes.reading.tokens import Token
@@ -17,7 +17,7 @@ DEEPEST_TREE = 100
 
 def read_tokens(
     tokens: Sequence[Token], names: Collection[str], end: int, latex: bool = False
-) -> tuple[tuple[Node, ...], tuple[str, ...]]:
+) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
     """Return the readings of one expression and the remarks on the usual one."""
     first, readings, refusal = _read(tokens, names, (), latex, end)
     waiting, trials, notes = deque(_other_scripts(first, ())), 0, first.notes
@@ -36,7 +36,7 @@ def read_tokens(
 
 def _read(
     tokens: Sequence[Token], names: Collection[str], script: Sequence[int], latex: bool, end: int
-) -> tuple[Terms, list[Node], ReadingError | None]:
+) -> tuple[Terms, list[Formula], ReadingError | None]:
     """Return the tree that a script of choices leads to, in a list that is empty on a refusal."""
     cursor = Terms(tokens, names, script, latex, end)
     try:
@@ -60,7 +60,7 @@ def _other_scripts(cursor: Terms, script: Sequence[int]) -> list[tuple[int, ...]
     return scripts
 
 
-def _is_too_deep(node: Node) -> bool:
+def _is_too_deep(node: Formula) -> bool:
     level = [node]
     for _ in range(DEEPEST_TREE):
         level = [part for parent in level for part in children(parent)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from symbalance.document.syntax import Call, Negative, Node, Number, Power, Quotient
+from symbalance.document.formula import Call, Formula, Negative, Number, Power, Quotient
 from symbalance.notes.reading.cursor import Cursor
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.tokens import CLOSER, Token
@@ -13,7 +13,7 @@ from symbalance.notes.reading.tokens import CLOSER, Token
 class Scripts(Cursor):
     """Reads what stands in brackets or above a letter."""
 
-    def group(self) -> Node:
+    def group(self) -> Formula:
         """Read ( … ), [ … ], { … } or | … |, the last as an absolute value."""
         opener = self.take()
         closer = CLOSER[opener.value]
@@ -25,7 +25,7 @@ class Scripts(Cursor):
         span = (opener.start, last.end)
         return Call("abs", inside, span=span) if opener.value == "|" else replace(inside, span=span)
 
-    def contents(self) -> Node:
+    def contents(self) -> Formula:
         """Read a sum, or `a \\over b`."""
         first = self.place
         top = self.expression()
@@ -38,7 +38,7 @@ class Scripts(Cursor):
         """Return a number's node."""
         return Number(token.number, token.place, span=(token.start, token.end))
 
-    def exponent(self) -> Node:
+    def exponent(self) -> Formula:
         """Read what follows ^: a group, a number or a letter, with a sign."""
         with self.deeper():
             if self.now and self.now.is_op("+-"):
@@ -52,7 +52,7 @@ class Scripts(Cursor):
                 return Power(power, higher, span=(power.span[0], higher.span[1]))
             return power
 
-    def argument(self, whole_number: bool = False) -> Node:
+    def argument(self, whole_number: bool = False) -> Formula:
         """Read the argument of a command: a group, or the one sign that follows.
 
         `\\frac12` is a half: unless `whole_number`, only one digit is taken.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.syntax import Name, Node, Summation
+from symbalance.document.formula import Formula, Name, Summation
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.scripts import Scripts
 
@@ -10,7 +10,7 @@ from symbalance.notes.reading.scripts import Scripts
 class Summations(Scripts):
     """Reads a sum sign; what it sums goes as far as the next + or -."""
 
-    def summation(self) -> Node:
+    def summation(self) -> Formula:
         """Read \\sum_{k=0}^{N-1} body."""
         first = self.place
         self.take()
@@ -26,7 +26,7 @@ class Summations(Scripts):
         self.bound.pop()
         return Summation(body, index, lower, upper, span=self.since(first))
 
-    def _below_sign(self) -> tuple[Name, Node | None]:
+    def _below_sign(self) -> tuple[Name, Formula | None]:
         self.take()
         braced = self.at("open", "{")
         opener = self.take() if braced else None
@@ -42,6 +42,6 @@ class Summations(Scripts):
             self.expect_close(opener)
         return index, lower
 
-    def _above_sign(self) -> Node:
+    def _above_sign(self) -> Formula:
         self.take()
         return self.exponent()

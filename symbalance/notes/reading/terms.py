@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.syntax import Dots, Negative, Node, Number, Product, Quotient, Sum
+from symbalance.document.formula import Dots, Formula, Negative, Number, Product, Quotient, Sum
 from symbalance.notes.reading.atoms import Atoms
 from symbalance.notes.reading.cursor import multiplied
 from symbalance.notes.reading.failures import ReadingError
@@ -14,7 +14,7 @@ MOST_SLASHES = 20
 class Terms(Atoms):
     """Reads a whole formula."""
 
-    def expression(self) -> Node:
+    def expression(self) -> Formula:
         """Read a sum; three dots are a term, with or without a sign before them."""
         first = self.place
         terms = [self._first_term()]
@@ -29,18 +29,18 @@ class Terms(Atoms):
                 break
         return terms[0] if len(terms) == 1 else Sum(tuple(terms), span=self.since(first))
 
-    def _first_term(self) -> Node:
+    def _first_term(self) -> Formula:
         if self.at("dots"):
             return self._dots()
         if self.now is not None and self.now.is_op("+-"):
             return self._signed_term()
         return self.product()
 
-    def _dots(self) -> Node:
+    def _dots(self) -> Formula:
         token = self.take()
         return Dots(span=(token.start, token.end))
 
-    def _signed_term(self) -> Node:
+    def _signed_term(self) -> Formula:
         first = self.place
         minus = self._signs()
         term = self._dots() if self.at("dots") else self._order_term() or self.product()
@@ -79,9 +79,9 @@ class Terms(Atoms):
             raise ReadingError(taken[-1].start, f"nothing stands after {taken[-1].value}", "complete it")
         return sum(t.value == "-" for t in taken)
 
-    def product(self) -> Node:
+    def product(self) -> Formula:
         """Read runs of factors joined by · or ×."""
-        factors: list[Node] = []
+        factors: list[Formula] = []
         self._join(factors, self.run_of_factors())
         while (token := self.now) is not None and token.is_op("*"):
             self.take()
@@ -90,7 +90,7 @@ class Terms(Atoms):
             self._join(factors, self._signed_run(token))
         return multiplied(factors)
 
-    def _join(self, factors: list[Node], run: Node) -> None:
+    def _join(self, factors: list[Formula], run: Formula) -> None:
         bracketed = self.tokens[self.place - 1].kind == "close" and run.span[1] == self._last_end()
         whole = isinstance(run, Product) and not (bracketed and self._opens(run))
         if whole and isinstance(run, Product) and not self._is_degrees(run):
@@ -108,7 +108,7 @@ class Terms(Atoms):
         last = run.factors[-1]
         return isinstance(last, Quotient) and last.numerator.span == last.denominator.span
 
-    def _signed_run(self, operator: Token) -> Node:
+    def _signed_run(self, operator: Token) -> Formula:
         if self.now is None:
             raise ReadingError(
                 operator.start, "nothing stands after the multiplication sign", "complete it"
@@ -119,11 +119,11 @@ class Terms(Atoms):
         run = self.run_of_factors()
         return Negative(run, span=self.since(first)) if sign.value == "-" else run
 
-    def run_of_factors(self) -> Node:
+    def run_of_factors(self) -> Formula:
         """Read factors side by side; a slash divides all of the run before it by one factor."""
         if not self.starts_factor():
             raise self.unexpected()
-        factors: list[Node] = [self.factor()]
+        factors: list[Formula] = [self.factor()]
         slashes = 0
         while self.now is not None:
             if self.now.is_op("/"):
@@ -140,7 +140,7 @@ class Terms(Atoms):
                 break
         return multiplied(factors)
 
-    def _refuse_two_numbers(self, last: Node) -> None:
+    def _refuse_two_numbers(self, last: Formula) -> None:
         if (
             self.at("number")
             and isinstance(last, Number)
@@ -148,7 +148,7 @@ class Terms(Atoms):
         ):
             raise ReadingError(self.offset, "two numbers side by side", "write · between them")
 
-    def _denominator(self) -> Node:
+    def _denominator(self) -> Formula:
         """Read what follows a slash: one factor, or digits with the letters that touch them (1/2λ)."""
         slash, first = self.take(), self.place
         if self.now is None:

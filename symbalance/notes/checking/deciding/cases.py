@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.syntax import Call, Name, Negative, Node, Number, Product, names
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Call, Formula, Name, Negative, Number, Product, names
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
@@ -53,7 +53,7 @@ def states_a_case(chain: Chain) -> bool:
     return isinstance(left, Name) or (isinstance(left, Call) and isinstance(left.argument, Name))
 
 
-def with_ratio_put_in(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
+def with_ratio_put_in(left: Formula, right: Formula, knowledge: Knowledge) -> Answer | None:
     """Return the answer for a ≈ r ω²(cos θ + ¼ cos 2θ) after λ = 4: cut off at an order, then put in.
 
     None unless the ratio has a number, does not stand on the right, and some order agrees.
@@ -71,20 +71,22 @@ def with_ratio_put_in(left: Node, right: Node, knowledge: Knowledge) -> Answer |
             node = substituted(polynomial_node(evaluator.domain, cut_off.numerator), small[0], known.node)
             if equal(node, right, knowledge).proved:
                 name = Small(*small, order).text
-                return Answer(PROVED, f"with {render(Name(small[0]))} of line {known.line}", name)
+                return Answer(
+                    PROVED, f"with {formula_text(Name(small[0]), plain=True)} of line {known.line}", name
+                )
     except (NoFormError, TooLargeError):
         return None
     return None
 
 
-def _is_product(left: Node, right: Node, knowledge: Knowledge) -> bool:
+def _is_product(left: Formula, right: Formula, knowledge: Knowledge) -> bool:
     """Tell whether sin θ (1 + 2ρ cos θ) = 0 is stated: a product of functions of an angle is to be 0."""
     if right != Number(Fraction(0)) or not isinstance(left, Product):
         return False
     return sum(bool(names(factor) & knowledge.angles) for factor in left.factors) > 1
 
 
-def is_simple(node: Node) -> bool:
+def is_simple(node: Formula) -> bool:
     """Tell whether a side is a function of an angle, or a multiple of a letter, as in a condition."""
     if isinstance(node, Negative):
         return is_simple(node.operand)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from fractions import Fraction
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Derivative, Name, Node, Number, Product, Quotient, Summation
+from symbalance.document import formula
+from symbalance.document.formula import Derivative, Formula, Name, Number, Product, Quotient, Summation
 from symbalance.notes.algebra.domain import NoFormError
 
 
-def substituted(node: Node, name: str, value: Node) -> Node:
+def substituted(node: Formula, name: str, value: Formula) -> Formula:
     """Return a formula with a letter replaced; a sum's own index is another letter of the same name.
 
     Raises NoFormError for a derivative by the letter: d/dx of a value at one x is no formula.
@@ -24,40 +24,41 @@ def substituted(node: Node, name: str, value: Node) -> Node:
         return replace(
             node, **{key: part and substituted(part, name, value) for key, part in bounds.items()}
         )
-    parts = syntax.children(node)
+    parts = formula.children(node)
     changed = tuple(substituted(part, name, value) for part in parts)
     return (
         node
         if all(a is b for a, b in zip(parts, changed, strict=True))
-        else syntax.with_children(node, changed)
+        else formula.with_children(node, changed)
     )
 
 
-def replaced(node: Node, old: Node, new: Node) -> Node:
+def replaced(node: Formula, old: Formula, new: Formula) -> Formula:
     """Return a formula with one of its parts (that very object) replaced."""
     if node is old:
         return new
-    parts = syntax.children(node)
+    parts = formula.children(node)
     changed = tuple(replaced(part, old, new) for part in parts)
     return (
         node
         if all(a is b for a, b in zip(parts, changed, strict=True))
-        else syntax.with_children(node, changed)
+        else formula.with_children(node, changed)
     )
 
 
-def upright(node: Node) -> Node:
+def upright(node: Formula) -> Formula:
     """Return a formula without fractions below a fraction: a/(b/c) is a c/b.
 
-    >>> from symbalance.document.syntax_text import render
-    >>> from symbalance.document.syntax import Number
+    >>> from symbalance.document.text_writer import formula_text
+    >>> from symbalance.document.formula import Number
     >>> one = Number(Fraction(1))
-    >>> render(upright(Quotient(one, Product((Number(Fraction(4)), Quotient(one, Name("l")))))))
+    >>> quarter = Quotient(one, Product((Number(Fraction(4)), Quotient(one, Name("l")))))
+    >>> formula_text(upright(quarter), plain=True)
     'l/4'
     """
-    parts = tuple(upright(part) for part in syntax.children(node))
-    if parts != syntax.children(node):
-        node = syntax.with_children(node, parts)
+    parts = tuple(upright(part) for part in formula.children(node))
+    if parts != formula.children(node):
+        node = formula.with_children(node, parts)
     if not isinstance(node, Quotient):
         return node
     factors = node.denominator.factors if isinstance(node.denominator, Product) else (node.denominator,)
@@ -69,6 +70,6 @@ def upright(node: Node) -> Node:
     return above if under == Number(Fraction(1)) else Quotient(above, under)
 
 
-def _product(factors: list[Node]) -> Node:
+def _product(factors: list[Formula]) -> Formula:
     kept = [f for f in factors if f != Number(Fraction(1))] or [Number(Fraction(1))]
     return kept[0] if len(kept) == 1 else Product(tuple(kept))

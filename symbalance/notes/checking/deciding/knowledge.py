@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from symbalance.document.syntax import Node, names
+from symbalance.document.formula import Formula, names
 from symbalance.notes.algebra.evaluation import Evaluator, Meaning
 from symbalance.notes.checking.geometry import Geometry
 
@@ -14,7 +14,7 @@ from symbalance.notes.checking.geometry import Geometry
 class Definition:
     """A letter's value by the document, and the line that says so."""
 
-    node: Node
+    node: Formula
     line: int
     numeric: bool = False
 
@@ -25,14 +25,14 @@ class Given:
 
     text: str
     name: str
-    node: Node
+    node: Formula
 
 
 @dataclass(frozen=True, slots=True)
 class Level:
     """One choice of what to use: the letters' values, and the assumptions that this rests on."""
 
-    values: Mapping[str, Node]
+    values: Mapping[str, Formula]
     assumptions: tuple[str, ...] = ()
 
 
@@ -51,7 +51,7 @@ class Knowledge:
     universal: frozenset[str] = frozenset()
     """Letters that stay free although a line gives them a number: crank angle, rod angle, time."""
 
-    def levels(self, *nodes: Node) -> Iterator[Level]:
+    def levels(self, *nodes: Formula) -> Iterator[Level]:
         """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""
         yield Level({})
         number = any(not names(node) for node in nodes)

@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.document.notation import raised
-from symbalance.document.syntax import Name, Node
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Formula, Name
+from symbalance.document.letters import raised
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator
@@ -53,11 +53,18 @@ class Small:
             return "leading term"
         if self.kept > HIGHEST_SHOWN:
             return "all powers written"
-        return render(Name(self.letter)) + raised(str(self.sign * self.kept).replace("-", "−"))
+        return formula_text(Name(self.letter), plain=True) + raised(
+            str(self.sign * self.kept).replace("-", "−")
+        )
 
 
 def agree(
-    left: Node, right: Node, knowledge: Knowledge, *, through: int | None = None, loose: bool = False
+    left: Formula,
+    right: Formula,
+    knowledge: Knowledge,
+    *,
+    through: int | None = None,
+    loose: bool = False,
 ) -> Answer:
     """Decide whether two sides agree through the order the right one keeps.
 
@@ -79,7 +86,7 @@ def agree(
 
 
 def _at_level(
-    left: Node, right: Node, knowledge: Knowledge, level: Level, through: int | None, loose: bool
+    left: Formula, right: Formula, knowledge: Knowledge, level: Level, through: int | None, loose: bool
 ) -> Answer:
     evaluator = knowledge.evaluator(level)
     try:
@@ -103,7 +110,7 @@ def _at_level(
 
 
 def _as_numbers(
-    left: Node, right: Node, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
+    left: Formula, right: Formula, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
 ) -> Answer:
     """Compare two numbers: to the digits printed where there are any, else saying how closely."""
     first, second = forms

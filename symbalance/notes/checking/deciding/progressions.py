@@ -14,8 +14,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Dots, Name, Negative, Node, Sum, Summation, names
+from symbalance.document import formula
+from symbalance.document.formula import Dots, Formula, Name, Negative, Sum, Summation, names
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.numbers import rational_node
 from symbalance.notes.checking.deciding.changing import replaced, substituted
@@ -27,17 +27,17 @@ from symbalance.notes.checking.deciding.steps import PROVED, UNDECIDED, Answer, 
 class Progression:
     """A sum over a letter: its last term as a function of `letter`, and where it starts."""
 
-    part: Node
+    part: Formula
     letter: str
-    first_value: Node
-    first: Node
-    second: Node | None
-    last: Node
+    first_value: Formula
+    first: Formula
+    second: Formula | None
+    last: Formula
 
 
-def progressions(node: Node) -> Iterator[Progression]:
+def progressions(node: Formula) -> Iterator[Progression]:
     """Yield the ways a formula's one sum with open bounds may be read as a progression in a letter."""
-    for part in syntax.walk(node):
+    for part in formula.walk(node):
         if isinstance(part, Summation) and part.index and part.lower and part.upper:
             yield from _of_summation(part)
         if isinstance(part, Sum) and any(isinstance(t, Dots) for t in part.terms[:-1]):
@@ -68,7 +68,7 @@ def _of_dots(part: Sum) -> Iterator[Progression]:
         )
 
 
-def by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
+def by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Answer | None:
     """Decide left = right where one side holds one sum with open bounds; None if there is none."""
     try:
         return _by_induction(left, right, knowledge)
@@ -76,7 +76,7 @@ def by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None
         return Answer(UNDECIDED, str(problem))
 
 
-def _by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | None:
+def _by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Answer | None:
     left, right = _spelled_out(left, knowledge), _spelled_out(right, knowledge)
     found = list(progressions(left))
     if not found:
@@ -89,7 +89,7 @@ def _by_induction(left: Node, right: Node, knowledge: Knowledge) -> Answer | Non
     return Answer(UNDECIDED, "the sum was not brought to that form by induction")
 
 
-def _spelled_out(node: Node, knowledge: Knowledge) -> Node:
+def _spelled_out(node: Formula, knowledge: Knowledge) -> Formula:
     """Return a formula with the letters that stand for sums replaced by those."""
     for name in names(node):
         known = knowledge.definitions.get(name)
@@ -103,7 +103,7 @@ def _without(knowledge: Knowledge, letter: str) -> Knowledge:
     return replace(knowledge, definitions=kept)
 
 
-def _proved(p: Progression, left: Node, right: Node, knowledge: Knowledge) -> bool:
+def _proved(p: Progression, left: Formula, right: Formula, knowledge: Knowledge) -> bool:
     before = Sum((Name(p.letter), Negative(rational_node(Fraction(1)))))
     around = lambda term: replaced(left, p.part, term)  # noqa: E731
     if p.letter in names(around(rational_node(Fraction(0)))):

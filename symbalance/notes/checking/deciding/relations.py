@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import product
 from typing import Any
 
-from symbalance.document.syntax import Name, Node, names
+from symbalance.document.formula import Formula, Name, names
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.checking.deciding.knowledge import Knowledge
@@ -41,7 +41,7 @@ def judged(
 
 
 def decided(
-    left: Node, right: Node, sign: str, knowledge: Knowledge, through: int | None = None
+    left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Answer:
     """Decide left = right or left ≈ right."""
     by_steps = by_induction(left, right, knowledge)
@@ -56,7 +56,7 @@ def decided(
     return answer
 
 
-def _is_cut_off(node: Node, answer: Answer, knowledge: Knowledge) -> bool:
+def _is_cut_off(node: Formula, answer: Answer, knowledge: Knowledge) -> bool:
     """Tell whether = stands between an exact form and its series, cut off: then ≈ is meant.
 
     The exact form is one that is no polynomial in the ratio, or a letter of known meaning.
@@ -92,7 +92,7 @@ def _is_real(value: Any) -> bool:
     return abs(value.imag) <= abs(value) * values.context().mpf(10) ** -20
 
 
-def _compared(left: Node, right: Node, sign: str, knowledge: Knowledge) -> Answer | None:
+def _compared(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> Answer | None:
     for level in knowledge.levels(left, right):
         evaluator = knowledge.evaluator(level)
         try:

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Negative, Node, Number
+from symbalance.document import formula
+from symbalance.document.formula import Formula, Negative, Number
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import Components, components
@@ -23,15 +23,15 @@ LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
 
 
-def decimals(node: Node) -> list[Number]:
+def decimals(node: Formula) -> list[Number]:
     """Return the numbers of a formula that are printed with a decimal point."""
     return [
-        part for part in syntax.walk(node) if isinstance(part, Number) and part.last_place is not None
+        part for part in formula.walk(node) if isinstance(part, Number) and part.last_place is not None
     ]
 
 
 def agrees_as_printed(
-    left: Node, right: Node, form_of: Callable[[Node], Form], *, generous: bool = False
+    left: Formula, right: Formula, form_of: Callable[[Formula], Form], *, generous: bool = False
 ) -> bool:
     """Tell whether two sides agree to the last digits printed; `form_of` gives a side's form.
 
@@ -63,14 +63,14 @@ def _as_printed(number: Number, generous: bool) -> Number | None:
     return Number(number.value, Fraction(10**zeros))
 
 
-def _lone(node: Node, generous: bool) -> Number | None:
+def _lone(node: Formula, generous: bool) -> Number | None:
     """Return the decimal a side consists of, up to its sign and a factor without decimals."""
     if isinstance(node, Negative):
         return _lone(node.operand, generous)
     if isinstance(node, Number):
         return node if node.last_place is not None else _as_printed(node, generous)
     found = decimals(node)
-    if not isinstance(node, syntax.Product) or len(found) != 1 or syntax.names(node):
+    if not isinstance(node, formula.Product) or len(found) != 1 or formula.names(node):
         return None
     return found[0] if found[0] in node.factors else None
 
@@ -79,7 +79,7 @@ def _number(form: Form) -> Any:
     return Valuation(form.domain, {}).of(form)
 
 
-def _unit(node: Node, lone: Number, value: Any, form_of: Callable[[Node], Form]) -> Any:
+def _unit(node: Formula, lone: Number, value: Any, form_of: Callable[[Formula], Form]) -> Any:
     """Return what one unit of a lone decimal's last place comes to in the side that it is."""
     assert lone.last_place is not None
     if lone.value:
@@ -107,7 +107,7 @@ def significant(number: Number) -> int:
 
 
 def _coefficients_agree(
-    left: Node, right: Node, first: Form, second: Form, form_of: Callable[[Node], Form]
+    left: Formula, right: Formula, first: Form, second: Form, form_of: Callable[[Formula], Form]
 ) -> bool:
     if not (first.is_polynomial and second.is_polynomial):
         return False

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Node
-from symbalance.document.syntax_text import render
+from symbalance.document import formula
+from symbalance.document.formula import Formula
+from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator, Meaning
@@ -44,7 +44,7 @@ class Answer:
         return self.status == PROVED
 
 
-def equal(left: Node, right: Node, knowledge: Knowledge) -> Answer:
+def equal(left: Formula, right: Formula, knowledge: Knowledge) -> Answer:
     """Decide left = right exactly, with as little knowledge as it takes."""
     last = Answer(UNDECIDED, "nothing to compare")
     levels = list(knowledge.levels(left, right))
@@ -57,7 +57,7 @@ def equal(left: Node, right: Node, knowledge: Knowledge) -> Answer:
     return last
 
 
-def _apart(left: Node, right: Node, knowledge: Knowledge, level: Level) -> bool:
+def _apart(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> bool:
     """Tell at one point, quickly, that two sides differ by more than any rounding: no proof is tried."""
     meaning = replace(knowledge.meaning, values=level.values)
     if any(not number.value for number in (*decimals(left), *decimals(right))):
@@ -71,7 +71,7 @@ def _apart(left: Node, right: Node, knowledge: Knowledge, level: Level) -> bool:
     )
 
 
-def _at_level(left: Node, right: Node, knowledge: Knowledge, level: Level) -> Answer:
+def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> Answer:
     evaluator = knowledge.evaluator(level)
     try:
         first, second = evaluator.form(left), evaluator.form(right)
@@ -85,7 +85,7 @@ def _at_level(left: Node, right: Node, knowledge: Knowledge, level: Level) -> An
         return _by_trees(left, right, evaluator.meaning, level, f"too large for a normal form: {problem}")
 
 
-def _by_trees(left: Node, right: Node, meaning: Meaning, level: Level, reason: str) -> Answer:
+def _by_trees(left: Formula, right: Formula, meaning: Meaning, level: Level, reason: str) -> Answer:
     """Return what points in numbers say of two formulas that have no forms: refuted or undecided."""
     points = sample_trees([left, right], meaning)
     for point, pair in points:
@@ -97,7 +97,7 @@ def _by_trees(left: Node, right: Node, meaning: Meaning, level: Level, reason: s
 
 
 def _by_numbers(
-    left: Node, right: Node, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
+    left: Formula, right: Formula, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
 ) -> Answer:
     """Return what points in numbers say of two forms that are not identical."""
     first, second = forms
@@ -145,7 +145,7 @@ def digits(value: Any, count: int = 12) -> str:
     return mp.nstr(value, count)
 
 
-def _same_square(left: Node, right: Node, first: Form, second: Form) -> tuple[str, ...] | None:
+def _same_square(left: Formula, right: Formula, first: Form, second: Form) -> tuple[str, ...] | None:
     """Return the assumptions under which two sides of equal squares are equal, as at the points tried.
 
     None if their squares are not proved equal. Two numbers need none, nor do two roots.
@@ -159,36 +159,36 @@ def _same_square(left: Node, right: Node, first: Form, second: Form) -> tuple[st
     bare = [node for node in (left, right) if not _is_root(node)]
     if numbers or not bare:
         return ()
-    return (f"{render(bare[0])} ≥ 0",)
+    return (f"{formula_text(bare[0], plain=True)} ≥ 0",)
 
 
-def _is_root(node: Node) -> bool:
+def _is_root(node: Formula) -> bool:
     """Tell whether a formula is a square root or an absolute value, perhaps times a positive number."""
-    if isinstance(node, syntax.Product | syntax.Quotient):
-        parts = syntax.children(node)
+    if isinstance(node, formula.Product | formula.Quotient):
+        parts = formula.children(node)
         roots = [part for part in parts if _is_root(part)]
-        return bool(roots) and all(p in roots or isinstance(p, syntax.Number) for p in parts)
-    return isinstance(node, syntax.Call) and node.function in ("sqrt", "abs")
+        return bool(roots) and all(p in roots or isinstance(p, formula.Number) for p in parts)
+    return isinstance(node, formula.Call) and node.function in ("sqrt", "abs")
 
 
-def _up_to_sign(left: Node, right: Node, first: Form, second: Form) -> str:
+def _up_to_sign(left: Formula, right: Formula, first: Form, second: Form) -> str:
     """Return the assumption under which a root equals the other side, or nothing."""
     for node, other in ((right, left), (left, right)):
         if _is_root(node) and first.times(first).equals(second.times(second)):
-            return f"{render(other)} ≥ 0"
+            return f"{formula_text(other, plain=True)} ≥ 0"
     return ""
 
 
-def without_dots(node: Node) -> tuple[Node, bool]:
+def without_dots(node: Formula) -> tuple[Formula, bool]:
     """Return a formula without the dots at the end of its sums, and whether there were any."""
-    if isinstance(node, syntax.Sum):
-        kept = tuple(t for t in node.terms if not isinstance(t, syntax.Dots))
+    if isinstance(node, formula.Sum):
+        kept = tuple(t for t in node.terms if not isinstance(t, formula.Dots))
         if not kept and node.terms:  # dots alone are no number: a sum of no terms would be 0
             return node.terms[0], True
         parts = [without_dots(t) for t in kept]
         found = len(kept) < len(node.terms) or any(cut for _, cut in parts)
         return replace(node, terms=tuple(p for p, _ in parts)), found
-    pairs = [without_dots(part) for part in syntax.children(node)]
+    pairs = [without_dots(part) for part in formula.children(node)]
     if not any(cut for _, cut in pairs):
         return node, False
-    return syntax.with_children(node, tuple(p for p, _ in pairs)), True
+    return formula.with_children(node, tuple(p for p, _ in pairs)), True

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from symbalance.document.syntax import Call, Constant, Name, Negative, Node, Number, Product, Sum
+from symbalance.document.formula import Call, Constant, Formula, Name, Negative, Number, Product, Sum
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator
 from symbalance.notes.algebra.numbers import rational_node
 from symbalance.notes.checking.repair.change import Edit
 
 
-def phases(part: Node) -> Iterator[Edit]:
+def phases(part: Formula) -> Iterator[Edit]:
     """A phase inside cos(nθ - φ) that was not multiplied by n, or was."""
     if not (
         isinstance(part, Call) and isinstance(part.argument, Sum) and part.function in ("sin", "cos")
@@ -40,19 +40,19 @@ def phases(part: Node) -> Iterator[Edit]:
                 )
 
 
-def _multiple(term: Node) -> Fraction | None:
+def _multiple(term: Formula) -> Fraction | None:
     factors = term.factors if isinstance(term, Product) else (term,)
     found = [f.value for f in factors if isinstance(f, Number)]
     return found[0] if found else None
 
 
-def _times(factor: Fraction, term: Node) -> Node:
+def _times(factor: Fraction, term: Formula) -> Formula:
     """Return factor times a phase, as one fraction of π where it is one.
 
-    >>> from symbalance.document.syntax_text import render
-    >>> from symbalance.document.syntax import Quotient
+    >>> from symbalance.document.text_writer import formula_text
+    >>> from symbalance.document.formula import Quotient
     >>> third = Quotient(rational_node(Fraction(1)), rational_node(Fraction(3)))
-    >>> render(_times(Fraction(6), Product((third, Constant("pi")))))
+    >>> formula_text(_times(Fraction(6), Product((third, Constant("pi")))), plain=True)
     '2 π'
     """
     evaluator = Evaluator(Domain())
@@ -68,7 +68,7 @@ def _times(factor: Fraction, term: Node) -> Node:
     return Product((rational_node(factor), term))
 
 
-def multiples(part: Node, role: str) -> Iterator[Edit]:
+def multiples(part: Formula, role: str) -> Iterator[Edit]:
     """The order inside cos nθ: another whole number."""
     kind = "phase" if role == "phase" else "order"
     if role in ("argument", "angle term", "phase"):

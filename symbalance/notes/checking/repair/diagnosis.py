@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Name, Node, Number, Product, Quotient
+from symbalance.document import formula
+from symbalance.document.formula import Formula, Name, Number, Product, Quotient
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.numbers import rational_node
@@ -35,8 +35,8 @@ class Repair:
     """A changed formula that is proved right: kind, the parts replaced and what replaces them."""
 
     kind: str
-    node: Node
-    changes: tuple[tuple[Node, Node], ...]
+    node: Formula
+    changes: tuple[tuple[Formula, Formula], ...]
     cost: float
 
 
@@ -75,12 +75,12 @@ def _passing(case: Case, sieve: Sieve, targets: list[Values]) -> list[Edit]:
     way = ways(case.node)
     found: list[Edit] = list(_integers(case, sieve, targets, way))
     variables = (
-        [case.knowledge.crank.time, *syntax.names(case.knowledge.crank.theta)]
+        [case.knowledge.crank.time, *formula.names(case.knowledge.crank.theta)]
         if case.knowledge.crank
         else []
     )
     for edit in edits(case.node, letters_of(case), variables):
-        if isinstance(edit.new, syntax.Derivative):
+        if isinstance(edit.new, formula.Derivative):
             found.append(edit)
             continue
         if fits(edit.applied(way), sieve, targets):
@@ -89,7 +89,7 @@ def _passing(case: Case, sieve: Sieve, targets: list[Values]) -> list[Edit]:
     return sorted(found, key=lambda e: e.cost)[:MOST_PROOFS]
 
 
-def _integers(case: Case, sieve: Sieve, targets: list[Values], way: dict[int, Node]) -> Iterator[Edit]:
+def _integers(case: Case, sieve: Sieve, targets: list[Values], way: dict[int, Formula]) -> Iterator[Edit]:
     """Yield the whole numbers and fractions that, put for a printed number, give the right values.
 
     The side is taken as a + b y, or a + b/y, in that number y; two trial values give a and b.
@@ -147,7 +147,7 @@ def _solutions(
 def _conventions(case: Case, sieve: Sieve, targets: list[Values]) -> Iterator[Edit]:
     """Yield the side with λ doubled or halved throughout: l/r put for l/s, or the reverse."""
     small = case.knowledge.crank.small if case.knowledge.crank else None
-    if small is None or small[0] not in syntax.names(case.node):
+    if small is None or small[0] not in formula.names(case.node):
         return
     letter = Name(small[0])
     for title, new in (

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
-from symbalance.document import syntax
-from symbalance.document.syntax import (
+from symbalance.document import formula
+from symbalance.document.formula import (
     Call,
     Constant,
     Derivative,
+    Formula,
     Name,
     Negative,
-    Node,
     Number,
     Power,
     Product,
@@ -37,7 +37,7 @@ _SWAPS = {
 MOST_LETTERS = 24
 
 
-def edits(node: Node, letters: Iterable[str], variables: Iterable[str]) -> Iterator[Edit]:
+def edits(node: Formula, letters: Iterable[str], variables: Iterable[str]) -> Iterator[Edit]:
     """Yield the single changes of a formula; `letters` may be put in, `variables` differentiated by."""
     known = list(letters)[:MOST_LETTERS]
     yield from _all_functions(node)
@@ -68,7 +68,7 @@ def edits(node: Node, letters: Iterable[str], variables: Iterable[str]) -> Itera
                     )
 
 
-def _signs(part: Node, role: str) -> Iterator[Edit]:
+def _signs(part: Formula, role: str) -> Iterator[Edit]:
     if isinstance(part, Negative):
         yield Edit("sign", 1, part, part.operand)
     elif role in ("side", "term", "angle term", "phase", "exponent") and not isinstance(part, Sum):
@@ -77,26 +77,26 @@ def _signs(part: Node, role: str) -> Iterator[Edit]:
         yield Edit("sign", 1.1, part, Negative(part))
 
 
-def _functions(part: Node) -> Iterator[Edit]:
+def _functions(part: Formula) -> Iterator[Edit]:
     if isinstance(part, Call):
         for function in _SWAPS.get(part.function, ()):
             yield Edit(f"{function} for {part.function}", 1, part, Call(function, part.argument))
 
 
-def _all_functions(node: Node) -> Iterator[Edit]:
+def _all_functions(node: Formula) -> Iterator[Edit]:
     swapped = _swapped(node)
     if swapped != node:
         yield Edit("sine and cosine exchanged", 1.05, node, swapped)
 
 
-def _swapped(node: Node) -> Node:
-    parts_ = tuple(_swapped(part) for part in syntax.children(node))
+def _swapped(node: Formula) -> Formula:
+    parts_ = tuple(_swapped(part) for part in formula.children(node))
     if isinstance(node, Call) and node.function in ("sin", "cos"):
         return Call("cos" if node.function == "sin" else "sin", parts_[0])
-    return syntax.with_children(node, parts_) if parts_ else node
+    return formula.with_children(node, parts_) if parts_ else node
 
 
-def _exponents(part: Node, role: str) -> Iterator[Edit]:
+def _exponents(part: Formula, role: str) -> Iterator[Edit]:
     if role == "exponent" and isinstance(part, Number) and part.value.denominator == 1:
         for value in range(1, 9):
             if value != part.value:
@@ -115,7 +115,7 @@ def _exponents(part: Node, role: str) -> Iterator[Edit]:
         yield Edit("root", 1.4, part, part.argument)
 
 
-def _letters(part: Node, letters: list[str]) -> Iterator[Edit]:
+def _letters(part: Formula, letters: list[str]) -> Iterator[Edit]:
     if isinstance(part, Name):
         for name in letters:
             if name != part.name:
@@ -133,7 +133,7 @@ def _letters(part: Node, letters: list[str]) -> Iterator[Edit]:
             )
 
 
-def _missing(part: Node, role: str, letters: list[str]) -> Iterator[Edit]:
+def _missing(part: Formula, role: str, letters: list[str]) -> Iterator[Edit]:
     if role in ("side", "term"):
         for name in letters:
             yield Edit(f"{name} missing", 1.5, part, _product(part, Name(name)))
@@ -152,7 +152,7 @@ def _missing(part: Node, role: str, letters: list[str]) -> Iterator[Edit]:
                 yield Edit("term too many", 1.8, part, rest[0] if len(rest) == 1 else Sum(rest))
 
 
-def _product(part: Node, factor: Node) -> Node:
+def _product(part: Formula, factor: Formula) -> Formula:
     if isinstance(part, Negative):
         return Negative(_product(part.operand, factor))
     if isinstance(part, Quotient):

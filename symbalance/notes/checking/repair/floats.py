@@ -6,8 +6,8 @@ import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Node
+from symbalance.document import formula
+from symbalance.document.formula import Formula
 
 Values = tuple[complex, ...]
 CLOSE = 1e-9
@@ -48,11 +48,11 @@ class Sieve:
     def __init__(self, letters: Mapping[str, Sequence[complex]], points: int) -> None:
         self.letters, self.points = letters, points
         self._known: dict[int, Values] = {}
-        self._kept: list[Node] = []
+        self._kept: list[Formula] = []
 
-    def keep(self, node: Node) -> Values:
+    def keep(self, node: Formula) -> Values:
         """Return a formula's values, and keep those of all its parts."""
-        for part in syntax.children(node):
+        for part in formula.children(node):
             try:
                 self.keep(part)
             except NoValueError:
@@ -61,12 +61,12 @@ class Sieve:
         self.tell(node, found)
         return found
 
-    def tell(self, node: Node, values: Values) -> None:
+    def tell(self, node: Formula, values: Values) -> None:
         """Keep the values of a part that were found elsewhere."""
         self._known[id(node)] = values
         self._kept.append(node)
 
-    def values(self, node: Node) -> Values:
+    def values(self, node: Formula) -> Values:
         """Return a formula's values at the points."""
         known = self._known.get(id(node))
         if known is not None:
@@ -76,23 +76,23 @@ class Sieve:
         except (ZeroDivisionError, OverflowError, ValueError, KeyError) as problem:
             raise NoValueError from problem
 
-    def _found(self, node: Node) -> Values:
-        if isinstance(node, syntax.Number):
+    def _found(self, node: Formula) -> Values:
+        if isinstance(node, formula.Number):
             return (complex(float(node.value)),) * self.points
-        if isinstance(node, syntax.Name):
+        if isinstance(node, formula.Name):
             return tuple(self.letters[node.name])
-        if isinstance(node, syntax.Constant):
+        if isinstance(node, formula.Constant):
             return (_CONSTANTS[node.name],) * self.points
         rule = _rule(node)
-        rows = [self.values(p) for p in syntax.children(node) if not isinstance(p, syntax.Dots)]
+        rows = [self.values(p) for p in formula.children(node) if not isinstance(p, formula.Dots)]
         if not rows:  # dots alone
             raise NoValueError
         return tuple(rule(column) for column in zip(*rows, strict=True))
 
 
-def _rule(node: Node) -> Callable[[Sequence[complex]], complex]:
+def _rule(node: Formula) -> Callable[[Sequence[complex]], complex]:
     """Return what a part does with the values of its parts."""
-    if isinstance(node, syntax.Call):
+    if isinstance(node, formula.Call):
         function = _FUNCTIONS[node.function]
         return lambda column: function(column[0])
     if type(node) not in _RULES:
@@ -100,12 +100,12 @@ def _rule(node: Node) -> Callable[[Sequence[complex]], complex]:
     return _RULES[type(node)]
 
 
-_RULES: dict[type[Node], Callable[[Sequence[complex]], complex]] = {
-    syntax.Negative: lambda column: -column[0],
-    syntax.Quotient: lambda column: column[0] / column[1],
-    syntax.Power: lambda column: column[0] ** column[1],
-    syntax.Sum: sum,
-    syntax.Product: math.prod,
+_RULES: dict[type[Formula], Callable[[Sequence[complex]], complex]] = {
+    formula.Negative: lambda column: -column[0],
+    formula.Quotient: lambda column: column[0] / column[1],
+    formula.Power: lambda column: column[0] ** column[1],
+    formula.Sum: sum,
+    formula.Product: math.prod,
 }
 
 

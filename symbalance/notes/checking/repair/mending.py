@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from traceback import format_exception
 
-from symbalance.document.syntax import Node
-from symbalance.document.syntax_text import render
+from symbalance.document.formula import Formula
+from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, fault_of
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.steps import Answer
@@ -27,8 +27,8 @@ def mended(
     side: Side,
     answer: Answer,
     knowledge: Knowledge,
-    proves: Callable[[Node], bool],
-    other: tuple[Side, Callable[[Node], bool]] | None = None,
+    proves: Callable[[Formula], bool],
+    other: tuple[Side, Callable[[Formula], bool]] | None = None,
 ) -> Verdict:
     """Return a refuted verdict with the change that makes its line true, if one is found.
 
@@ -53,8 +53,8 @@ def _with_fix(
     side: Side,
     answer: Answer,
     knowledge: Knowledge,
-    proves: Callable[[Node], bool],
-    other: tuple[Side, Callable[[Node], bool]] | None,
+    proves: Callable[[Formula], bool],
+    other: tuple[Side, Callable[[Formula], bool]] | None,
 ) -> Verdict:
     found = diagnosed(Case(side.node, answer, knowledge, proves))
     where, title = side, ""
@@ -88,10 +88,18 @@ def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> F
         _fault(old, new, document, side, kind(old, new) if several else repair.kind)
         for old, new in repair.changes
     )
-    return Fix(repair.kind, title + render(repair.node), repair.node, faults)
+    text = title + formula_text(repair.node, plain=True)
+    return Fix(repair.kind, text, repair.node, faults, of_left=bool(title))
 
 
-def _fault(old: Node, new: Node, document: Document, side: Side, kind_of: str) -> Fault:
+def _fault(old: Formula, new: Formula, document: Document, side: Side, kind_of: str) -> Fault:
     span = old.span if old.span != (0, 0) else (side.span[1], side.span[1])
     source = document.source(span).strip()
-    return Fault(document.line_of(span[0]), document.column_of(span[0]), source, render(new), kind_of)
+    return Fault(
+        document.line_of(span[0]),
+        document.column_of(span[0]),
+        source,
+        formula_text(new, plain=True),
+        kind_of,
+        new,
+    )

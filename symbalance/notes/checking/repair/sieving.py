@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Node
+from symbalance.document import formula
+from symbalance.document.formula import Formula
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.forms import Form
@@ -20,10 +20,10 @@ from symbalance.notes.checking.repair.floats import NoValueError, Sieve, Values,
 class Case:
     """A refuted side: the formula, the answer that refuted it, and how a changed one is proved."""
 
-    node: Node
+    node: Formula
     answer: Answer
     knowledge: Knowledge
-    proves: Callable[[Node], bool]
+    proves: Callable[[Formula], bool]
 
 
 def sieve_of(case: Case) -> tuple[list[Values], Sieve] | None:
@@ -39,8 +39,8 @@ def sieve_of(case: Case) -> tuple[list[Values], Sieve] | None:
     letters = {name: [complex(f[k]) for _, f in points] for k, name in enumerate(letters_of(case), count)}
     sieve = Sieve(letters, len(points))
     evaluator = knowledge.evaluator(answer.level)
-    for part in syntax.walk(case.node):
-        if isinstance(part, syntax.Derivative):
+    for part in formula.walk(case.node):
+        if isinstance(part, formula.Derivative):
             try:
                 form = evaluator.form(part)
                 sieve.tell(part, tuple(complex(values.value(form, p)) for p, _ in points))
@@ -55,7 +55,7 @@ def sieve_of(case: Case) -> tuple[list[Values], Sieve] | None:
 
 def letters_of(case: Case) -> list[str]:
     """Return the letters that stand in the side or may be put into it."""
-    known = dict.fromkeys(sorted(syntax.names(case.node)))
+    known = dict.fromkeys(sorted(formula.names(case.node)))
     extra = [n for n in sorted(case.knowledge.letters) if n not in known][:30]
     return [
         *known,
@@ -84,7 +84,7 @@ def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
     return values.sample([*forms[:count], *usable])
 
 
-def fits(node: Node, sieve: Sieve, targets: list[Values]) -> bool:
+def fits(node: Formula, sieve: Sieve, targets: list[Values]) -> bool:
     """Tell whether a changed side has one of the rows of values it may have."""
     try:
         found = sieve.values(node)

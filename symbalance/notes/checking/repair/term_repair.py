@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from symbalance.document import syntax
-from symbalance.document.syntax import Negative, Node, Number, Product, Quotient, Sum
+from symbalance.document import formula
+from symbalance.document.formula import Formula, Negative, Number, Product, Quotient, Sum
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator
@@ -16,7 +16,7 @@ from symbalance.notes.checking.deciding.changing import replaced
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.steps import Answer
 
-Changes = tuple[tuple[Node, Node], ...]
+Changes = tuple[tuple[Formula, Formula], ...]
 MOST_TERMS = 80
 
 
@@ -24,14 +24,14 @@ MOST_TERMS = 80
 class Leaf:
     """A term of a side, with what multiplies it, what it contributes, and what is still missing."""
 
-    node: Node
+    node: Formula
     multiplier: Form
     places: Components
     missing: Polynomial = field(default_factory=dict)
     own: Form | None = None
 
 
-def repaired(node: Node, answer: Answer, knowledge: Knowledge) -> tuple[Node, Changes] | None:
+def repaired(node: Formula, answer: Answer, knowledge: Knowledge) -> tuple[Formula, Changes] | None:
     """Return the side with its wrong terms corrected, and the pairs (old, new), or None."""
     left, right, level = answer.left, answer.right, answer.level
     if left is None or right is None or level is None:
@@ -49,10 +49,10 @@ def repaired(node: Node, answer: Answer, knowledge: Knowledge) -> tuple[Node, Ch
     return _rebuilt(node, leaves, extra, left)
 
 
-def _leaves(node: Node, multiplier: Form, evaluator: Evaluator) -> list[Leaf]:
+def _leaves(node: Formula, multiplier: Form, evaluator: Evaluator) -> list[Leaf]:
     """Return the terms of a side: sums are entered, also inside a product, a quotient or a sign."""
     if isinstance(node, Sum):
-        terms = [t for t in node.terms if not isinstance(t, syntax.Dots)]
+        terms = [t for t in node.terms if not isinstance(t, formula.Dots)]
         return [leaf for t in terms for leaf in _leaves(t, multiplier, evaluator)]
     inner, outside = _one_sum(node)
     if inner is not None and outside is not None:
@@ -64,7 +64,7 @@ def _leaves(node: Node, multiplier: Form, evaluator: Evaluator) -> list[Leaf]:
     return [Leaf(node, multiplier, components(form.domain, form.numerator), own=own)]
 
 
-def _one_sum(node: Node) -> tuple[Node | None, Node | None]:
+def _one_sum(node: Formula) -> tuple[Formula | None, Formula | None]:
     """Return (the sum within a term, what multiplies it) if the term holds one sum as a factor."""
     one = Number(Fraction(1))
     if isinstance(node, Negative) and _holds_sum(node.operand):
@@ -79,7 +79,7 @@ def _one_sum(node: Node) -> tuple[Node | None, Node | None]:
     return None, None
 
 
-def _holds_sum(node: Node) -> bool:
+def _holds_sum(node: Formula) -> bool:
     return isinstance(node, Sum) or _one_sum(node)[0] is not None
 
 
@@ -137,9 +137,9 @@ def _as_polynomial(form: Form, place: Place, number: Polynomial) -> Polynomial:
 
 
 def _rebuilt(
-    node: Node, leaves: list[Leaf], extra: Polynomial, left: Form
-) -> tuple[Node, Changes] | None:
-    changes: list[tuple[Node, Node]] = []
+    node: Formula, leaves: list[Leaf], extra: Polynomial, left: Form
+) -> tuple[Formula, Changes] | None:
+    changes: list[tuple[Formula, Formula]] = []
     for leaf in leaves:
         if leaf.missing:
             old = Form.of(left.domain, _all_places(leaf, left))
@@ -173,14 +173,14 @@ def _ratio(old: Polynomial, new: Polynomial) -> Fraction | None:
 def kinds(changes: Changes) -> str:
     """Return in words what kinds of slip a set of changed terms is.
 
-    >>> from symbalance.document.syntax import Name
+    >>> from symbalance.document.formula import Name
     >>> kinds(((Name("s"), Negative(Name("s"))), (Number(Fraction(0)), Name("r"))))
     'sign; term missing'
     """
     return "; ".join(dict.fromkeys(kind(old, new) for old, new in changes))
 
 
-def kind(old: Node, new: Node) -> str:
+def kind(old: Formula, new: Formula) -> str:
     """Return what kind of slip one changed term is."""
     zero = Number(Fraction(0))
     if zero in (old, new):
@@ -192,20 +192,20 @@ def kind(old: Node, new: Node) -> str:
         ratio = None
     if ratio is not None:
         return "sign" if ratio == -1 else f"factor {ratio}"
-    waves = [{c.function for c in syntax.walk(n) if isinstance(c, syntax.Call)} for n in (old, new)]
+    waves = [{c.function for c in formula.walk(n) if isinstance(c, formula.Call)} for n in (old, new)]
     if waves in ([{"sin"}, {"cos"}], [{"cos"}, {"sin"}]):
         return "sin for cos" if "sin" in waves[1] else "cos for sin"
     return "term"
 
 
-def _without_zeros(node: Node) -> Node:
+def _without_zeros(node: Formula) -> Formula:
     """Return a formula whose sums have no terms 0."""
-    parts = tuple(_without_zeros(part) for part in syntax.children(node))
+    parts = tuple(_without_zeros(part) for part in formula.children(node))
     if isinstance(node, Sum):
         kept = tuple(p for p in parts if p != Number(Fraction(0)))
         return kept[0] if len(kept) == 1 else Sum(kept or parts[:1], span=node.span)
-    same = all(a is b for a, b in zip(parts, syntax.children(node), strict=True))
-    return node if same else syntax.with_children(node, parts)
+    same = all(a is b for a, b in zip(parts, formula.children(node), strict=True))
+    return node if same else formula.with_children(node, parts)
 
 
 def _in_proportion(leaf: Leaf, old: Form, left: Form) -> Form | None:

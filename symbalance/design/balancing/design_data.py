@@ -1,0 +1,132 @@
+"""A design as plain values for JSON and data frames: exact numbers as strings that SymPy reads."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from symbalance.design.balancing.certifying import Claim
+from symbalance.design.balancing.design_facts import left_ellipses, name, on_throws, sentence, weights
+from symbalance.design.balancing.designing import Design
+from symbalance.design.balancing.devices import Device
+from symbalance.design.balancing.ellipse_data import axes
+from symbalance.design.balancing.limits import Limits
+from symbalance.design.balancing.rotating_data import polar, vector
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.spectrum import Component
+from symbalance.forces.balance_data import VALUE_DIGITS, balance_data, component_values
+from symbalance.text.numbers import decimal_text
+
+
+def design_data(design: Design) -> dict[str, Any]:
+    """Return what `to_json` writes of a design, as plain Python values.
+
+    A vector's `cos` and `sin` are its parts straight up and to the right at theta = 0; `share` is in
+    units of A_n m r/n^2 (m r/n^2 where cylinders are unlike), `unbalance` in kg mm or null.
+    """
+    return {
+        "engine": design.layout.name,
+        "remove": [str(n) for n in design.remove],
+        "limits": _limits(design.limits),
+        "complete": design.is_complete,
+        "summary": sentence(design),
+        "least_shafts": design.least_shafts,
+        "devices": [_device(design, device) for device in design.devices],
+        "certificate": [_claim(claim) for claim in design.claims],
+        "left": [
+            {"order": str(left.order), "kind": left.of, **axes(left)} for left in left_ellipses(design)
+        ],
+        "remains": balance_data(design.remains),
+    }
+
+
+def _limits(limits: Limits) -> dict[str, Any]:
+    """Return what a design was allowed, and how it weighs what is left."""
+    weighting = limits.weighting
+    return {
+        "shafts": limits.shafts,
+        "counter_rotation": limits.counter_rotation,
+        "counterweights": limits.counterweights,
+        "stations": None if limits.stations is None else [str(s) for s in limits.stations],
+        "spread": limits.spread,
+        "vertical": str(weighting.vertical),
+        "lateral": str(weighting.lateral),
+        "length": str(weighting.length),
+        "most": None if limits.most is None else str(limits.most),
+        "per_throw": limits.per_throw,
+    }
+
+
+def _device(design: Design, device: Device) -> dict[str, Any]:
+    return {
+        "speed": device.speed,
+        "kind": "counterweights" if device.on_crank else "shaft",
+        "per_throw": not device.weights,
+        "force": vector(device.force),
+        "couple": vector(device.couple),
+        "weights": [
+            {
+                "station": str(station),
+                "share": vector(share),
+                "unbalance": _unbalance(design, device, share),
+            }
+            for station, share in device.weights
+        ],
+    }
+
+
+def _unbalance(design: Design, device: Device, share: Amplitude) -> str | None:
+    size = design.unbalance(device, share)
+    return None if size is None else decimal_text(size, VALUE_DIGITS)
+
+
+def _claim(claim: Claim) -> dict[str, Any]:
+    return {
+        "order": f"{claim.signed:+d}",
+        "kind": claim.kind,
+        "verdict": claim.verdict,
+        "left": dict(component_values(claim.component)),
+    }
+
+
+def design_records(design: Design) -> list[dict[str, Any]]:
+    """Return a row for each weight that is built in.
+
+    Keys: speed (times the crank's), on (crank or shaft), station (pitches), share and direction_deg
+    (floats, None with symbols in them), exact_up and exact_right (the share's parts), unbalance_kg_mm
+    (None where sizes do not say). A counterweight on a throw has throw and overbalance instead: it
+    balances the throw's rotating mass and that part of its reciprocating mass.
+    """
+    none = dict.fromkeys(_KEYS)
+    rows = []
+    for weight in weights(design):
+        part = Component(weight.vector)
+        share, degrees = polar(weight.vector)
+        exact = {"exact_up": str(part.cos), "exact_right": str(part.sin)}
+        size = None if weight.unbalance is None else float(weight.unbalance)
+        place = {
+            "speed": weight.device.speed,
+            "on": name(weight.device),
+            "station": float(weight.station),
+        }
+        rows.append(
+            {**none, **place, "share": share, "direction_deg": degrees, **exact, "unbalance_kg_mm": size}
+        )
+    for counterweight in on_throws(design):
+        overbalance = float(counterweight.overbalance or 0)
+        on = {"speed": 1, "on": "crank", "throw": counterweight.throw, "overbalance": overbalance}
+        rows.append({**none, **on})
+    return rows
+
+
+_KEYS = (
+    "speed",
+    "on",
+    "throw",
+    "station",
+    "share",
+    "direction_deg",
+    "exact_up",
+    "exact_right",
+    "unbalance_kg_mm",
+    "overbalance",
+)

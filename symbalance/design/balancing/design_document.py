@@ -1,0 +1,156 @@
+"""What is written of a design: the weights proposed, their certificate, and what they leave."""
+
+from __future__ import annotations
+
+from symbalance.design.balancing.design_facts import (
+    PlacedWeight,
+    achieved,
+    by_order,
+    left_ellipses,
+    means,
+    name,
+    on_throws,
+    weights,
+)
+from symbalance.design.balancing.designing import Design
+from symbalance.design.balancing.ellipse_document import READING, ellipse_table
+from symbalance.design.balancing.weight_cells import size_cell, station_cell
+from symbalance.document.formula import Decimal, Formula, Name, Subscript, equal, number
+from symbalance.document.nodes import (
+    Block,
+    Cell,
+    Column,
+    Details,
+    Document,
+    Heading,
+    Paragraph,
+    Table,
+    blocks,
+)
+from symbalance.document.nodes import Words as Said
+from symbalance.engine.balancer_facts import direction, rounded, signed
+from symbalance.engine.engine_document import engine_words
+from symbalance.forces.balance_document import conventions, resultant_blocks
+from symbalance.forces.resultants import balance
+
+VERDICTS = {
+    "absent": "none before",
+    "removed": "proved 0",
+    "reduced": "changed",
+    "unchanged": "as it was",
+    "added": "added",
+}
+_A_N = Subscript(Name("A"), Name("n"))
+_U, _S, _N, _M, _R = Name("U"), Name("s"), Name("n"), Name("m"), Name("r")
+_PROPOSED = (
+    Column("speed"),
+    Column("on the"),
+    Column("station"),
+    Column(("share ", _S), "share"),
+    Column(("at ", Name("theta"), " = 0")),
+    Column((_U, ", kg mm"), "U"),
+)
+_CERTIFICATE = (Column("order"), Column("of"), Column("with the crank"), Column("against it"))
+
+
+def design_document(design: Design) -> Document:
+    """Return a design as a document: what is proposed, the certificate, what remains, how to read it."""
+    left = left_ellipses(design)
+    return Document(
+        f"{design.layout.name}: {achieved(design)}",
+        blocks(
+            _proposed(design),
+            _certificate(design),
+            ellipse_table("Left of the orders to remove", left) if left else None,
+            Heading(f"What remains, to order {design.remains.highest}"),
+            resultant_blocks(design.remains),
+            Details(
+                f"Before: {design.layout.name} as it is, to order {design.remove[-1]}",
+                resultant_blocks(balance(design.layout, design.remove[-1])),
+            ),
+            conventions(design.before, _reading(design)),
+        ),
+        lead=_lead(design),
+    )
+
+
+def _lead(design: Design) -> str:
+    parts = (means(design), engine_words(design.layout))
+    return " ".join(f"{part[0].upper()}{part[1:]}." for part in parts if part)
+
+
+def _size(design: Design) -> Formula:
+    """Return the mass times radius of a share s."""
+    return (_S * _A_N * _M * _R if design.layout.has_common_harmonics else _S * _M * _R) / _N**2
+
+
+def _proposed(design: Design) -> tuple[Block, ...]:
+    rows = tuple(map(_row, weights(design)))
+    title: Said = (
+        "Proposed weights: mass times radius ",
+        equal(_U, _size(design)),
+    )
+    table = Table(title, _PROPOSED, rows, keys=3) if rows else None
+    built = on_throws(design)
+    if not built:
+        return blocks(table)
+    share = max(c.overbalance or 0 for c in built)
+    also = f" and {share} of its reciprocating mass" if share else ""
+    begin = "And on every throw" if rows else "On every throw"
+    return blocks(table, Paragraph(f"{begin} a counterweight for its rotating mass{also}."))
+
+
+def _row(weight: PlacedWeight) -> tuple[Cell, ...]:
+    return (
+        Decimal(f"{weight.device.speed:+d}"),
+        name(weight.device),
+        station_cell(weight.station),
+        size_cell(weight.vector),
+        direction(weight.vector),
+        "" if weight.unbalance is None else Decimal(rounded(weight.unbalance)),
+    )
+
+
+def _certificate(design: Design) -> Table:
+    rows = tuple(
+        (number(n), kind, *(VERDICTS[claim.verdict] for claim in pair))
+        for n, kind, pair in by_order(design)
+    )
+    return Table("Certificate: the engine with this built in, balanced anew", _CERTIFICATE, rows, keys=2)
+
+
+def _reading(design: Design) -> list[tuple[Said, Said]]:
+    """Return what the tables of a design mean, and the limits it keeps to."""
+    entries: list[tuple[Said, Said]] = []
+    if asked := _limits(design):
+        entries.append(("limits", "; ".join(asked)))
+    if weights(design):
+        if design.layout.has_common_harmonics:
+            first = equal(Subscript(Name("A"), number(1)), 1)
+            entries.append((_A_N, ("coefficient of one cylinder at speed ", _N, "; ", first)))
+        entries += [
+            (("speed ", _N), "times that of the crank; below 0 against it"),
+            ("station", "place along the crank, in cylinder pitches, + to the front"),
+            (("at ", Name("theta"), " = 0"), "where a weight points, from straight up, + to the right"),
+        ]
+    entries.append(("proved 0", "exactly; where sizes are decimals, to their rounding"))
+    return [*entries, *(READING if left_ellipses(design) else ())]
+
+
+def _limits(design: Design) -> list[str]:
+    """Return the limits a design was given, and how it weighs what is left."""
+    limits, weighting = design.limits, design.limits.weighting
+    said = {
+        f"at most {limits.shafts} shaft{'' if limits.shafts == 1 else 's'}": limits.shafts is not None,
+        "no shaft against the crank": not limits.counter_rotation,
+        "no counterweights on the crank": not limits.counterweights,
+        f"weights at stations {', '.join(map(signed, limits.stations or ()))}": limits.stations,
+        "a weight at every station": limits.spread == "even",
+        "half the reciprocating mass on each throw": limits.per_throw,
+        f"at most {limits.most} kg mm a weight": limits.most is not None,
+        f"squares of the vertical weigh {weighting.vertical}, of the lateral {weighting.lateral}": (
+            weighting.vertical != weighting.lateral
+        ),
+        f"couples count over {weighting.length} pitches": weighting.length != 1,
+    }
+    return [words for words, holds in said.items() if holds]

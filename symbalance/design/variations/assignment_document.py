@@ -1,0 +1,76 @@
+"""What is written of weighed parts: which goes where, what that leaves, and how it is counted."""
+
+from __future__ import annotations
+
+from symbalance.design.variations.arranging import Assignment
+from symbalance.design.variations.legend import Entry, as_decimal, letters, units
+from symbalance.document.decimals import rounded
+from symbalance.document.formula import Words, number
+from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table
+from symbalance.document.nodes import Words as Said
+
+
+def assignment_document(result: Assignment) -> Document:
+    """Return an assignment as a document: the places, the criterion, what is left of each order."""
+    speed = "" if result.rpm is None else f", at {as_decimal(result.rpm)} rpm"
+    kinds = list(next(iter(result.places.values())))
+    places = tuple(
+        (number(cylinder), *(names[kind] for kind in kinds)) for cylinder, names in result.places.items()
+    )
+    where = Table("Which part goes to which cylinder", tuple(map(Column, ("cylinder", *kinds))), places)
+    title = f"{result.engine.name}: weighed parts to cylinders{speed}"
+    return Document(title, (where, _criterion(result), _left(result), _legend(result)))
+
+
+def _criterion(result: Assignment) -> Block:
+    force, _ = _units(result)
+    rows: list[tuple[Cell, ...]] = [
+        ("these places", rounded(result.criterion)),
+        ("as listed", rounded(result.listed)),
+        ("at random", rounded(result.random)),
+    ]
+    if not result.proved:
+        rows.append(("any arrangement, at least", rounded(result.bound)))
+    return Table(("What they leave, root mean square in ", force), _CRITERION, tuple(rows))
+
+
+_CRITERION = (Column("arrangement"), Column("criterion"))
+
+
+def _left(result: Assignment) -> Block:
+    force, couple = _units(result)
+    pairs = zip(result.left, result.left_listed, strict=True)
+    rows = tuple(
+        (number(best.order), *map(rounded, (best.force, best.couple, first.force, first.couple)))
+        for best, first in pairs
+    )
+    title = ("What they leave, largest over a turn, force in ", force, ", couple in ", couple)
+    return Table(title, _LEFT, rows, empty="none: these orders leave nothing")
+
+
+_LEFT = tuple(map(Column, ("order", "force", "couple", "force as listed", "couple as listed")))
+
+
+def _units(result: Assignment) -> tuple[Words, Words]:
+    return units(result.engine, result.rpm is not None, Words("kg"))  # type: ignore[return-value]
+
+
+def _legend(result: Assignment) -> Block:
+    criterion: Said = (
+        "root mean square over a turn of the force, and of the couple as a force at a lever of ",
+        rounded(result.lever),
+        " pitches",
+    )
+    counted = "their whole masses" if result.whole else "what they differ from the mean of their set by"
+    proof = "no arrangement leaves less: all were compared"
+    best = proof if result.proved else "the best known: not all arrangements were compared"
+    entries: tuple[Entry, ...] = (
+        ("these places", best),
+        ("as listed", "each part in the cylinder of its place in the list"),
+        ("at random", "root mean square over all arrangements"),
+        ("criterion", criterion),
+        ("orders counted", ", ".join(map(str, result.orders))),
+        ("parts count with", counted),
+        letters(result.engine),
+    )
+    return Facts(entries, "How to read it")

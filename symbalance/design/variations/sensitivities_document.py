@@ -1,0 +1,65 @@
+"""What is written of sensitivities: the worst steps first, cylinders that are alike in one row."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbalance.design.variations.legend import TURNING, Entry, letters, plane, units
+from symbalance.design.variations.sensitivity import STEPS, Sensitivities
+from symbalance.document.decimals import rounded
+from symbalance.document.formula import Formula, Name, number
+from symbalance.document.nodes import Cell, Column, Document, Facts, Table
+from symbalance.document.nodes import Words as Said
+
+_COLUMNS = tuple(map(Column, ("order", "size", "step", "cylinders", "force", "couple")))
+
+
+def sensitivities_document(result: Sensitivities) -> Document:
+    """Return sensitivities as a document: what one step adds, order by order, worst first."""
+    force, couple = units(result.engine, at_speed=False)
+    title = f"{result.engine.name}: sensitivities to order {result.order}"
+    table = Table(
+        ("What one step adds, force in ", force, ", couple in ", couple), _COLUMNS, _rows(result)
+    )
+    entries: list[Entry] = [
+        ("a step", "changes one size of one cylinder"),
+        ("force, couple", "the largest modulus over a turn of what is added"),
+        ("orders", "those that cancel in the engine as drawn are among them"),
+        ("couples", f"about {plane(result.reference)}"),
+        letters(result.engine),
+    ]
+    if result.engine.balancers or any(c.rotating_mass for c in result.engine.cylinders):
+        entries.append(TURNING)
+    return Document(title, (table, Facts(tuple(entries), "How to read it")))
+
+
+def _rows(result: Sensitivities) -> tuple[tuple[Cell, ...], ...]:
+    groups: dict[tuple[str, int, Formula | str, Formula | str], list[int]] = {}
+    for change in result:
+        force, couple = map(rounded, change.step())
+        groups.setdefault((change.parameter, change.order, force, couple), []).append(change.cylinder)
+    return tuple(
+        (number(order), parameter, _step(parameter), numbered(cylinders), force, couple)
+        for (parameter, order, force, couple), cylinders in groups.items()
+    )
+
+
+def _step(parameter: str) -> Said:
+    """Return a step in words, the letter it is a part of as a letter."""
+    before, _, last = STEPS[parameter][1].rpartition(" ")
+    return (f"{before} ", Name(last)) if len(last) == 1 else STEPS[parameter][1]
+
+
+def numbered(numbers: Sequence[int]) -> str:
+    """Return numbers as runs.
+
+    >>> numbered([4, 1, 2, 3, 7])
+    '1–4, 7'
+    """
+    runs: list[list[int]] = []
+    for each in sorted(numbers):
+        if runs and each == runs[-1][-1] + 1:
+            runs[-1].append(each)
+        else:
+            runs.append([each])
+    return ", ".join(f"{r[0]}–{r[-1]}" if len(r) > 2 else ", ".join(map(str, r)) for r in runs)

@@ -1,0 +1,93 @@
+"""What the writers of documents share: a method for each kind of block and of inline."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+
+from symbalance.document import nodes
+from symbalance.document.formula import INFINITY, Decimal, Equation, Formula, Number
+from symbalance.document.nodes import UNKNOWN, Inline, inlines
+
+
+class DocumentWriter(ABC):
+    """Writes blocks; a method is named after the kind of block that it writes."""
+
+    def block(self, block: nodes.Block) -> str:
+        """Return a block in print."""
+        return getattr(self, type(block).__name__.lower())(block)
+
+    def words(self, words: nodes.Words) -> str:
+        """Return words in print."""
+        return "".join(map(self.inline, inlines(words)))
+
+    def inline(self, inline: Inline) -> str:
+        """Return an inline in print."""
+        if isinstance(inline, str):
+            return self.string(inline)
+        if isinstance(inline, nodes.Code):
+            return self.code(inline.text)
+        return self.strong(inline.text) if isinstance(inline, nodes.Strong) else self.math(inline)
+
+    @abstractmethod
+    def string(self, text: str) -> str:
+        """Return plain words in print."""
+
+    @abstractmethod
+    def code(self, text: str) -> str:
+        """Return text taken literally."""
+
+    @abstractmethod
+    def strong(self, text: str) -> str:
+        """Return words that must not be missed."""
+
+    @abstractmethod
+    def math(self, value: Formula | Equation) -> str:
+        """Return a formula within a sentence."""
+
+    @abstractmethod
+    def heading(self, block: nodes.Heading) -> str:
+        """Return a title."""
+
+    @abstractmethod
+    def paragraph(self, block: nodes.Paragraph) -> str:
+        """Return a paragraph."""
+
+    @abstractmethod
+    def facts(self, block: nodes.Facts) -> str:
+        """Return names and what is said of them."""
+
+    @abstractmethod
+    def table(self, block: nodes.Table) -> str:
+        """Return a table."""
+
+    @abstractmethod
+    def formulas(self, block: nodes.Formulas) -> str:
+        """Return displayed equations."""
+
+    @abstractmethod
+    def figure(self, block: nodes.Figure) -> str:
+        """Return a picture."""
+
+    @abstractmethod
+    def source(self, block: nodes.Source) -> str:
+        """Return lines somebody wrote, with their verdicts."""
+
+    @abstractmethod
+    def details(self, block: nodes.Details) -> str:
+        """Return what may be skipped."""
+
+
+def is_number(words: nodes.Words) -> bool:
+    """Tell whether a cell is a lone number, infinite, unknown or empty: points stand in line.
+
+    >>> from symbalance.document.formula import number
+    >>> is_number(number(3)), is_number("3 of 4"), is_number(""), is_number(UNKNOWN)
+    (True, False, True, True)
+    """
+    match inlines(words):
+        case ():
+            return True
+        case (only,):
+            return isinstance(only, Decimal | Number) or only in (UNKNOWN, INFINITY)
+        case _:
+            return False

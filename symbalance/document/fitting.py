@@ -1,0 +1,161 @@
+"""Tables fitted to the room of a medium: exact cells where they fit, decimals where they do not.
+
+Nothing is lost: an exact form that gives way to its decimal is listed below the table, once, with every
+place it belongs to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from symbalance.document.formula import Formula
+from symbalance.document.nodes import Cell, Code, Column, Exact, Inline, Strong, Table, Words, inlines
+from symbalance.document.text_writer import formula_text
+
+SHORT = 14
+"""An exact form of up to so many characters keeps its cell, whatever becomes of its column."""
+LONGEST_PIECE = 60
+"""Characters of an exact form that no sign parts; one with more has numbers that nobody reads."""
+SHORTEST = 3
+"""No form shorter than this is worth a line below the table."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """An exact form that has no room in its cell: where it belongs, what it is called, its value."""
+
+    place: str
+    name: str
+    value: Formula
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A table's columns and rows as they are to be written, and the exact forms that stand below it."""
+
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[Words, ...], ...]
+    left_out: tuple[LeftOut, ...]
+    remark: str = ""
+    """What is said of exact forms that no medium has room for."""
+
+
+def fitted(table: Table, width: Callable[[Words], float], room: float, gap: float) -> Fitted:
+    """Return a table with the exact cells that fit into `room`; `gap` lies between two columns.
+
+    The widest column gives way first, its short cells last.
+    """
+    kept = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in table.rows)]
+    columns = tuple(table.columns[i] for i in kept)
+    cells = [tuple(_readable(row[i]) for i in kept) for row in table.rows]
+    unread = sum(
+        cell is not row[i]
+        for row, own in zip(table.rows, cells, strict=True)
+        for i, cell in zip(kept, own, strict=True)
+    )
+    longest: dict[int, int] = {}  # by column: how long an exact form may be
+
+    def shown() -> list[tuple[Words, ...]]:
+        return [tuple(_chosen(c, longest.get(i)) for i, c in enumerate(row)) for row in cells]
+
+    def widths(rows: list[tuple[Words, ...]]) -> list[float]:
+        return [
+            max(width(column.head), *(width(row[i]) for row in rows)) if rows else width(column.head)
+            for i, column in enumerate(columns)
+        ]
+
+    rows = shown()
+    for limit in (SHORT, SHORTEST):
+        open_columns = {i for i in range(len(columns)) if _can_give_way(cells, i, limit)}
+        while open_columns and sum(sizes := widths(rows)) + gap * (len(columns) - 1) > room:
+            widest = max(open_columns, key=lambda i: sizes[i])
+            open_columns.discard(widest)
+            longest[widest] = limit
+            rows = shown()
+    keys = sum(i < table.keys for i in kept)
+    return Fitted(columns, tuple(rows), _left_out(keys, columns, cells, longest), _remark(unread))
+
+
+def _readable(cell: Cell) -> Cell:
+    """Return a cell; of an exact form with a number longer than a line its decimal alone."""
+    if not isinstance(cell, Exact) or cell.near is None:
+        return cell
+    pieces = formula_text(cell.value).split(" ")
+    return cell if max(map(len, pieces)) <= LONGEST_PIECE else cell.near
+
+
+def _remark(unread: int) -> str:
+    if not unread:
+        return ""
+    forms = "exact form has numbers" if unread == 1 else "exact forms have numbers"
+    return f"{unread} {forms} longer than a line: the JSON of this result has them"
+
+
+def _full(cell: Cell) -> Words:
+    """Return a cell with its exact form, and its decimal where both are wanted."""
+    if not isinstance(cell, Exact):
+        return cell
+    if cell.beside and cell.near is not None and cell.near != cell.value:
+        return (cell.value, " ≈ ", cell.near)
+    return cell.value
+
+
+def _gives_way(cell: Cell, limit: int | None) -> bool:
+    return limit is not None and isinstance(cell, Exact) and len(formula_text(cell.value)) > limit
+
+
+def _chosen(cell: Cell, limit: int | None) -> Words:
+    if isinstance(cell, Exact) and _gives_way(cell, limit):
+        return "below" if cell.near is None else cell.near
+    return _full(cell)
+
+
+def _can_give_way(cells: list[tuple[Cell, ...]], column: int, limit: int) -> bool:
+    return any(_gives_way(row[column], limit) for row in cells)
+
+
+def _left_out(
+    keys: int, columns: tuple[Column, ...], cells: list[tuple[Cell, ...]], longest: dict[int, int]
+) -> tuple[LeftOut, ...]:
+    """Return the exact forms that gave way, each once, with all the rows it belongs to.
+
+    The first `keys` columns say which row it is.
+    """
+    rows_of: dict[tuple[Formula, str, int], list[str]] = {}
+    for row in cells:
+        names = [plain_words(_full(cell)) for cell in row[:keys]]
+        for i, cell in enumerate(row):
+            if isinstance(cell, Exact) and _gives_way(cell, longest.get(i)):
+                place = (cell.value, " ".join(name for name in names[1:] if name), i)
+                rows_of.setdefault(place, []).append(names[0])
+    head = name_of(columns[0]) if columns else ""
+    return tuple(
+        LeftOut(
+            " ".join(filter(None, (f"{head}{'s' if len(rows) > 1 else ''} {', '.join(rows)}", rest))),
+            name_of(columns[i]),
+            value,
+        )
+        for (value, rest, i), rows in rows_of.items()
+    )
+
+
+def name_of(column: Column) -> str:
+    """Return what a column is called in a sentence."""
+    return column.name or plain_words(column.head)
+
+
+def plain_words(words: Words) -> str:
+    """Return words as one line of text.
+
+    >>> from symbalance.document.formula import Name
+    >>> plain_words(("unit ", Name("r")))
+    'unit r'
+    """
+    return "".join(map(_plain, inlines(words)))
+
+
+def _plain(inline: Inline) -> str:
+    if isinstance(inline, Code | Strong):
+        return inline.text
+    return inline if isinstance(inline, str) else formula_text(inline)

@@ -1,0 +1,214 @@
+"""Documents as HTML: headings, tables and lists that say what they are, formulas as MathML.
+
+A fragment is one `<article>` to put into a page; a page of its own states its language and character
+set, and holds its few lines of style, so that it needs nothing beside it.
+"""
+
+from __future__ import annotations
+
+import re
+from base64 import b64encode
+from collections.abc import Sequence
+from html import escape
+from itertools import count
+from textwrap import shorten
+
+from symbalance.document import nodes
+from symbalance.document.document_writer import DocumentWriter, is_number
+from symbalance.document.fitting import Fitted, fitted, plain_words
+from symbalance.document.formula import Decimal, Equation, Formula, Number
+from symbalance.document.mathml_writer import formula_mathml
+from symbalance.document.nodes import inlines
+
+ROOM = 130.0
+"""How many characters wide a table may be before exact forms give way to decimals."""
+
+LONGEST_TITLE = 70
+"""Of a page in a browser's tab and in the results of a search."""
+
+_STYLE = """
+.symbalance{max-width:60rem;font:1rem/1.45 system-ui,sans-serif}
+.symbalance table{border-collapse:collapse;margin:0 0 1rem}
+.symbalance caption{text-align:left;font-weight:bold;padding:.3rem 0}
+.symbalance th,.symbalance td{padding:.15rem .8rem .15rem 0;text-align:left;vertical-align:baseline}
+.symbalance thead th{border-bottom:1px solid}
+.symbalance tbody th{font-weight:normal}
+.symbalance h1{font-size:1.5rem}
+.symbalance h2{font-size:1.25rem}
+.symbalance h3{font-size:1.1rem}
+.symbalance .number{font-variant-numeric:tabular-nums;white-space:nowrap}
+.symbalance .pad{visibility:hidden}
+.symbalance .wide{overflow-x:auto}
+.symbalance dt{float:left;clear:left;margin-right:.6rem;font-weight:bold}
+.symbalance dd{margin-left:1.5rem}
+.symbalance .bad{font-weight:bold}
+.symbalance img,.symbalance svg{max-width:100%;height:auto}
+"""
+_PAGE = """<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body>
+<main>
+{body}</main>
+</body>
+</html>
+"""
+
+
+def document_html(document: nodes.Document, *, standalone: bool = False) -> str:
+    """Return a document as HTML: an article to put into a page, or with `standalone` a whole page."""
+    body = _Writer().document(document, top=1 if standalone else 2)
+    if not standalone:
+        return f"<style>{_STYLE}</style>\n{body}"
+    title = shorten(plain_words(document.title), LONGEST_TITLE, placeholder="…")
+    return _PAGE.format(title=escape(title), style=_STYLE, body=body)
+
+
+class _Writer(DocumentWriter):
+    def __init__(self) -> None:
+        self.top = 1
+        self.names = count(1)
+
+    def document(self, document: nodes.Document, top: int) -> str:
+        self.top = top
+        parts = ['<article class="symbalance">', self.title(document.title, top)]
+        if inlines(document.lead):
+            parts.append(f"<p>{self.words(document.lead)}</p>")
+        parts += [self.block(block) for block in document.blocks]
+        return "\n".join([*parts, "</article>"]) + "\n"
+
+    def title(self, words: nodes.Words, level: int) -> str:
+        return f"<h{level}>{self.words(words)}</h{level}>"
+
+    # Words --------------------------------------------------------------------------------------
+
+    def string(self, text: str) -> str:
+        return escape(text, quote=False)
+
+    def code(self, text: str) -> str:
+        return f"<code>{escape(text, quote=False)}</code>"
+
+    def strong(self, text: str) -> str:
+        return f"<strong>{escape(text, quote=False)}</strong>"
+
+    def math(self, value: Formula | Equation) -> str:
+        whole = isinstance(value, Number) and value.value.denominator == 1
+        return plain_words(value) if whole or isinstance(value, Decimal) else formula_mathml(value)
+
+    # Blocks -------------------------------------------------------------------------------------
+
+    def heading(self, block: nodes.Heading) -> str:
+        return self.title(block.words, self.top + block.level - 1)
+
+    def paragraph(self, block: nodes.Paragraph) -> str:
+        return f"<p>{self.words(block.words)}</p>"
+
+    def formulas(self, block: nodes.Formulas) -> str:
+        return "\n".join(f"<p>{formula_mathml(each, display=True)}</p>" for each in block.equations)
+
+    def details(self, block: nodes.Details) -> str:
+        inner = "\n".join(map(self.block, block.blocks))
+        return f"<details>\n<summary>{escape(block.summary)}</summary>\n{inner}\n</details>"
+
+    def facts(self, block: nodes.Facts) -> str:
+        head = f"<p>{self.words(block.title)}</p>\n" if inlines(block.title) else ""
+        if all(value == "" for _, value in block.entries):
+            items = [f"<li>{self.words(name)}</li>" for name, _ in block.entries]
+            return f"{head}<ul>\n{chr(10).join(items)}\n</ul>"
+        items = [f"<dt>{self.words(n)}</dt>\n<dd>{self.words(v)}</dd>" for n, v in block.entries]
+        return f"{head}<dl>\n{chr(10).join(items)}\n</dl>"
+
+    def figure(self, block: nodes.Figure) -> str:
+        if isinstance(block.picture, bytes):
+            data = b64encode(block.picture).decode("ascii")
+            shown = f'<img src="data:image/png;base64,{data}" alt="{escape(block.shows)}">'
+        else:
+            shown = block.picture
+        caption = (
+            f"<figcaption>{self.words(block.caption)}</figcaption>" if inlines(block.caption) else ""
+        )
+        return f"<figure>\n{shown}\n{caption}</figure>"
+
+    def source(self, block: nodes.Source) -> str:
+        name = "Lines with their verdicts"
+        heads = "".join(f'<th scope="col">{head}</th>' for head in ("line", "as it stands", "verdict"))
+        rows = [self.source_line(line) for line in block.lines]
+        return self.scrolling(name, f"<tr>{heads}</tr>", rows, f"<caption>{name}</caption>")
+
+    def source_line(self, line: nodes.SourceLine) -> str:
+        verdict = escape(line.verdict)
+        verdict = f'<strong class="bad">{verdict}</strong>' if line.bad else verdict
+        notes = [f"<li>{self.words(note)}</li>" for note in line.notes]
+        notes += [f"<li>{escape(name)}: {self.inline(value)}</li>" for name, value in line.formulas]
+        below = f"<ul>{''.join(notes)}</ul>" if notes else ""
+        place = f'<th scope="row">{escape(line.place)}</th>'
+        return f"<tr>{place}<td>{self.code(line.text)}</td><td>{verdict}{below}</td></tr>"
+
+    # Tables -------------------------------------------------------------------------------------
+
+    def table(self, block: nodes.Table) -> str:
+        if not block.rows:
+            title = f"{self.words(block.title)}: " if inlines(block.title) else ""
+            return f"<p>{title}{escape(block.empty)}</p>"
+        fit = fitted(block, lambda words: len(plain_words(words)), ROOM, 2)
+        columns = [_padding([row[i] for row in fit.rows]) for i in range(len(fit.columns))]
+        heads = "".join(
+            f'<th scope="col"{_number_class(pad)}>{self.words(column.head)}</th>'
+            for column, pad in zip(fit.columns, columns, strict=True)
+        )
+        pads = [[None if c is None else c[k] for c in columns] for k in range(len(fit.rows))]
+        rows = [self.row(row, pad, block.keys) for row, pad in zip(fit.rows, pads, strict=True)]
+        caption = f"<caption>{self.words(block.title)}</caption>" if inlines(block.title) else ""
+        shown = self.scrolling(plain_words(block.title) or "table", f"<tr>{heads}</tr>", rows, caption)
+        remark = f"\n<p>{fit.remark}</p>" if fit.remark else ""
+        return shown + self.left_out(fit) + remark
+
+    def row(self, row: Sequence[nodes.Words], pads: Sequence[str | None], keys: int) -> str:
+        cells = []
+        for i, (words, pad) in enumerate(zip(row, pads, strict=True)):
+            hidden = f'<span class="pad" aria-hidden="true">{pad}</span>' if pad else ""
+            tag = 'th scope="row"' if i < keys and inlines(words) else "td"
+            cells.append(
+                f"<{tag}{_number_class(pad)}>{hidden}{self.words(words)}</{tag.split(maxsplit=1)[0]}>"
+            )
+        return f"<tr>{''.join(cells)}</tr>"
+
+    def scrolling(self, name: str, head: str, rows: Sequence[str], caption: str) -> str:
+        """Return a table in a region that scrolls where the window is narrow, by keyboard too."""
+        body = "\n".join(rows)
+        label = f"{escape(name)} ({next(self.names)})"
+        return (
+            f'<section class="wide" tabindex="0" aria-label="{label}">\n<table>\n{caption}'
+            f"<thead>\n{head}\n</thead>\n<tbody>\n{body}\n</tbody>\n</table>\n</section>"
+        )
+
+    def left_out(self, fit: Fitted) -> str:
+        """Return the exact forms that have no room in the table."""
+        items = [
+            f"<li>{escape(each.place)} {escape(each.name)} = {formula_mathml(each.value)}</li>"
+            for each in fit.left_out
+        ]
+        return f"\n<p>exactly:</p>\n<ul>\n{chr(10).join(items)}\n</ul>" if items else ""
+
+
+def _padding(cells: Sequence[nodes.Words]) -> list[str] | None:
+    """Return what is missing before each number of a column so that points stand in line, or None."""
+    if not all(map(is_number, cells)):
+        return None
+    wholes = [_WHOLE.match(plain_words(cell)) for cell in cells]
+    heads = [whole[0] if whole else "" for whole in wholes]
+    longest = max(heads, key=len, default="")
+    return [longest[: len(longest) - len(head)] for head in heads]
+
+
+_WHOLE = re.compile("−?[0-9]+")
+"""What stands before a number's point."""
+
+
+def _number_class(pad: object) -> str:
+    return "" if pad is None else ' class="number"'

@@ -1,0 +1,299 @@
+r"""Documents as LaTeX: a fragment for an article, or a document that compiles alone.
+
+A fragment needs amsmath and booktabs (graphicx where it has a picture), which its first line says. It is
+measured for a line of 345 pt at 10 pt, the default article's, so nothing runs off a page there, nor in
+the document of its own. pdflatex and lualatex both compile it; Chinese, Japanese and Korean need
+lualatex with luatexja: pdflatex writes their codes, and says on the page and in its log that it does.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from symbalance.document import nodes
+from symbalance.document.displayed import displayed
+from symbalance.document.document_writer import DocumentWriter, is_number
+from symbalance.document.fitting import Fitted, LeftOut, fitted, plain_words
+from symbalance.document.formula import Equation, Formula, Words
+from symbalance.document.latex_characters import east_asian, escaped
+from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
+from symbalance.document.line_breaking import broken_sum
+from symbalance.document.nodes import UNKNOWN, inlines
+from symbalance.document.spreading import spread
+
+ROOM = 66.0
+"""How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
+ROWS = 30
+"""Of a table on one page."""
+_GAP = 2.4
+"""Between two columns: 2 tabcolsep, 12 pt."""
+_INDENT = 2.0
+"""Of a line that continues a bracket: \\quad."""
+_QUAD = r"\quad "
+_BREAKS = re.compile(r"(?<=.)(?=\\)|(?<=[=+,}/_])(?=.)", re.DOTALL)
+_SIZES = ((1.0, ""), (0.9, r"\small"), (0.8, r"\footnotesize"), (0.7, r"\scriptsize"), (0.55, r"\tiny"))
+_WORDS_ROOM = 24.0
+"""A column of words wider than this may be set as a paragraph."""
+
+_CLASS = r"""\documentclass[11pt]{article}
+\usepackage[a4paper,margin=25mm]{geometry}
+\usepackage{amsmath}
+\usepackage{booktabs}
+"""
+_EIGHT_BITS = r"""\usepackage{iftex}
+\iftutex\else
+  \usepackage[T1]{fontenc}
+  \usepackage[utf8]{inputenc}
+  \usepackage{lmodern}
+\fi
+"""
+_SETTINGS = r"""\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt}
+\setlength{\emergencystretch}{3em}
+\setlength{\jot}{6pt}
+\allowdisplaybreaks
+\begin{document}
+"""
+_EAST_ASIAN = r"""\iftutex
+  \usepackage{luatexja}
+\else
+CODES  \AtBeginDocument{\noindent\textbf{Characters are written by their codes (U+...):
+    compile with lualatex, which has their signs.}\par\medskip}
+  \AtEndDocument{\PackageWarningNoLine{symbalance}{East Asian characters are written by
+    their codes; compile with lualatex}}
+\fi
+"""
+
+
+def document_latex(document: nodes.Document, *, standalone: bool = False) -> str:
+    """Return a document as LaTeX: a fragment, or with `standalone` one that compiles alone."""
+    body = _Writer().document(document)
+    needs = ["amsmath", "booktabs", *(["graphicx"] if r"\includegraphics" in body else [])]
+    signs = east_asian(body)
+    if not standalone:
+        also = "; compile with lualatex and luatexja" if signs else ""
+        return f"% Needs \\usepackage{{{','.join(needs)}}}{also}\n{body}"
+    parts = [_CLASS, *(f"\\usepackage{{{package}}}\n" for package in needs[2:]), _EIGHT_BITS]
+    if signs:
+        code = r"  \DeclareUnicodeCharacter{%s}{\texttt{U+%s}\allowbreak}" + "\n"
+        codes = "".join(code % (f"{ord(sign):04X}", f"{ord(sign):04X}") for sign in signs)
+        parts.append(_EAST_ASIAN.replace("CODES", codes))
+    return "".join([*parts, _SETTINGS, body, "\\end{document}\n"])
+
+
+class _Writer(DocumentWriter):
+    def document(self, document: nodes.Document) -> str:
+        title = self.words(document.title)
+        parts = [rf"\section*{{\raggedright {title}}}"]
+        if inlines(document.lead):
+            parts.append(self.words(document.lead) + r"\par")
+        parts += [self.block(block) for block in document.blocks]
+        return "\n".join(parts) + "\n"
+
+    # Words --------------------------------------------------------------------------------------
+
+    def string(self, text: str) -> str:
+        return escaped(text)
+
+    def code(self, text: str) -> str:
+        """Return text taken literally, which may be broken before a command and after signs that join."""
+        printed = r"\allowbreak{}".join(map(escaped, _BREAKS.split(text)))
+        return rf"\texttt{{{printed}}}"
+
+    def strong(self, text: str) -> str:
+        return rf"\textbf{{{escaped(text)}}}"
+
+    def math(self, value: Formula | Equation) -> str:
+        return f"${formula_latex(value, inline=True)}$"
+
+    # Blocks -------------------------------------------------------------------------------------
+
+    def heading(self, block: nodes.Heading) -> str:
+        command = "subsection" if block.level == 2 else "subsubsection"
+        return rf"\{command}*{{{self.words(block.words)}}}"
+
+    def paragraph(self, block: nodes.Paragraph) -> str:
+        return self.words(block.words) + r"\par"
+
+    def formulas(self, block: nodes.Formulas) -> str:
+        return _aligned(block.equations)
+
+    def source(self, block: nodes.Source) -> str:
+        return "\n".join(map(self.source_line, block.lines))
+
+    def details(self, block: nodes.Details) -> str:
+        head = rf"\subsubsection*{{{escaped(block.summary)}}}"
+        return "\n".join([head, *map(self.block, block.blocks)])
+
+    def facts(self, block: nodes.Facts) -> str:
+        """Return facts as paragraphs with their name before them, hung below it."""
+        lines = [rf"\textbf{{{self.words(block.title)}}}\par\nobreak"] if inlines(block.title) else []
+        for name, value in block.entries:
+            said = f": {self.words(value)}" if inlines(value) else ""
+            lines.append(rf"{{\hangindent=1.5em\hangafter=1 {self.words(name)}{said}\par}}")
+        return "\n".join(lines)
+
+    def figure(self, block: nodes.Figure) -> str:
+        if not isinstance(block.picture, bytes):
+            return rf"{escaped(block.shows)} (\texttt{{{escaped(block.name)}}})\par"
+        caption = rf"\\{self.words(block.caption)}" if inlines(block.caption) else ""
+        picture = rf"\includegraphics[width=\linewidth]{{{block.name}}}"
+        return "\n".join([r"\begin{center}", picture + caption, r"\end{center}"])
+
+    def source_line(self, line: nodes.SourceLine) -> str:
+        verdict = escaped(line.verdict)
+        verdict = rf"\fbox{{\textsc{{{verdict.lower()}}}}}" if line.bad else rf"\textit{{{verdict}}}"
+        head = rf"\textbf{{{escaped(line.place)}}}\quad {verdict}\quad {{\small {self.code(line.text)}}}"
+        parts = [rf"{{\raggedright\hangindent=2em\hangafter=1 {head}\par}}"]
+        below = r"\small\raggedright\leftskip=2em "
+        parts += [rf"{{{below}{self.words(note)}\par}}" for note in line.notes]
+        if line.formulas:
+            equations = [Equation(Words(f"{name}:"), (("", value),)) for name, value in line.formulas]
+            rows = r" \\".join(_rows(equations, ROOM - 6.0, r"\quad "))
+            parts.append(rf"{{\leftskip=2em$\begin{{aligned}}{rows}\end{{aligned}}$\par}}")
+        return _kept_together("\\parskip=2pt\n" + "\n".join(parts), "smallskip")
+
+    # Tables -------------------------------------------------------------------------------------
+
+    def table(self, block: nodes.Table) -> str:
+        title = f"{self.words(block.title)}" if inlines(block.title) else ""
+        if not block.rows:
+            return rf"{title}: {escaped(block.empty)}.\par" if title else rf"{escaped(block.empty)}.\par"
+        fit = fitted(block, _width, ROOM / 0.8, _GAP)
+        parts = []
+        for first in range(0, len(fit.rows), ROWS):
+            head = title if first == 0 else f"{title} (continued)" if title else ""
+            parts.append(self.tabular(head, fit, fit.rows[first : first + ROWS]))
+        remark = [rf"{fit.remark}.\par"] if fit.remark else []
+        return "\n".join([*parts, *_left_out(fit.left_out), *remark])
+
+    def tabular(self, title: str, fit: Fitted, rows: Sequence[tuple[nodes.Words, ...]]) -> str:
+        """Return a part of a table that fits a page, in the largest size that fits a line."""
+        columns = [
+            _Column([fit.columns[i].head, *(row[i] for row in fit.rows)]) for i in range(len(fit.columns))
+        ]
+        whole = sum(column.width for column in columns) + _GAP * (len(columns) - 1)
+        paragraph = _paragraph(columns, whole)
+        if paragraph is not None:
+            whole = ROOM / 0.8
+            rest = sum(c.width for i, c in enumerate(columns) if i != paragraph)
+            columns[paragraph].as_paragraph(whole - rest - _GAP * (len(columns) - 1))
+        size = next((name for scale, name in _SIZES if whole * scale <= ROOM), _SIZES[-1][1])
+        shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
+        lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
+        lines += [rf"{{{size}", rf"\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
+        heads = [c.head(self.words(c.cells[0]), last=c is columns[-1]) for c in columns]
+        lines.append(" & ".join(heads) + r" \\")
+        lines.append(r"\midrule")
+        body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
+        if any(r"\frac" in line or "aligned" in line for line in body):
+            lines.insert(-4, r"\renewcommand{\arraystretch}{1.5}")
+        lines += [rf"{line} \\" for line in body]
+        lines += [r"\bottomrule", r"\end{tabular}}"]
+        return _kept_together("\n".join(line for line in lines if line))
+
+
+class _Column:
+    """A column of a table: how wide it is, its letter in the table's shape, and its cells."""
+
+    def __init__(self, cells: Sequence[nodes.Words]) -> None:
+        self.cells = cells
+        body = [inlines(cell) for cell in cells[1:]]
+        self.is_number = all(map(is_number, cells[1:]))
+        printed = [plain_words(cell) for cell in cells[1:]]
+        self.splits = self.is_number and any("." in p for p in printed)
+        self.width = max(map(_width, cells))
+        self.shape = "r@{}l" if self.splits else "r" if self.is_number else "l"
+        self.is_words = all(isinstance(part, str | nodes.Code | nodes.Strong) for c in body for part in c)
+
+    def as_paragraph(self, width: float) -> None:
+        self.shape = rf"p{{{width * 0.5:.1f}em}}"
+
+    def head(self, printed: str, *, last: bool) -> str:
+        """Return a column's head, over both halves of a column that is parted at its points."""
+        gap = "" if last else r"\hspace{12pt}"
+        return rf"\multicolumn{{2}}{{@{{}}l@{{{gap}}}}}{{{printed}}}" if self.splits else printed
+
+    def cell(self, writer: _Writer, words: nodes.Words) -> str:
+        """Return a cell; a decimal is parted at its point, so that points stand in line."""
+        parts = inlines(words)
+        if self.splits:
+            if not parts or parts[0] == UNKNOWN:
+                return f"{escaped(UNKNOWN) if parts else ''} & "
+            printed = formula_latex(parts[0])  # type: ignore[arg-type]
+            whole, point, fraction = printed.partition(".")
+            return rf"${whole}$ & ${point}{fraction}$" if point else rf"${printed}$ & "
+        if len(parts) == 1 and isinstance(parts[0], Formula):
+            return f"${_in_cell(parts[0])}$"
+        return "".join(
+            f"${formula_latex(part)}$" if isinstance(part, Formula) else writer.inline(part)
+            for part in parts
+        )
+
+
+def _in_cell(value: Formula) -> str:
+    """Return a formula for a cell, over several lines where it is wider than a line."""
+    if latex_width(formula_latex(value)) <= ROOM * 0.75:
+        return formula_latex(value)
+    equation = Equation(Words(""), (("", value),))
+    lines = [line.printed for line in displayed([equation], LatexWriter(), ROOM * 0.7, _INDENT)]
+    return r"\begin{aligned}[t]&" + r" \\ &".join(lines) + r"\end{aligned}"
+
+
+def _paragraph(columns: Sequence[_Column], whole: float) -> int | None:
+    """Return the column of words to be set as a paragraph in a table too wide for a line, or None."""
+    wordy = [i for i, c in enumerate(columns) if c.is_words and c.width > _WORDS_ROOM]
+    if whole * 0.8 <= ROOM or not wordy:
+        return None
+    return max(wordy, key=lambda i: columns[i].width)
+
+
+def _left_out(forms: Sequence[LeftOut]) -> list[str]:
+    """Return the exact forms that have no room in a table, below it."""
+    if not forms:
+        return []
+    lines = " \\\\\n".join(map(_left_out_line, forms))
+    return [r"exactly:\par\nobreak", f"\\begin{{align*}}\n{lines}\n\\end{{align*}}"]
+
+
+def _left_out_line(form: LeftOut) -> str:
+    """Return a form after its name; one too wide for a line without the root or bar over it."""
+    power, value = 1, form.value
+    label = rf"\text{{{escaped(f'{form.place} {form.name}')}}}"
+    room = ROOM - 2 * _INDENT
+    first = room - _width(f"{form.place} {form.name} = ")
+    if latex_width(formula_latex(value)) > first:
+        power, value = spread(value)
+    head = rf"&{label}{'^2' if power == 2 else ''} = "
+    lines = [line.printed for line in broken_sum(value, LatexWriter(), room, first, _INDENT)]
+    return head + r" \\ &\qquad ".join(line.rstrip() for line in lines)
+
+
+def _aligned(equations: Sequence[Equation]) -> str:
+    return "\\begin{align*}\n" + " \\\\\n".join(_rows(equations, ROOM)) + "\n\\end{align*}"
+
+
+def _rows(equations: Sequence[Equation], room: float, gap: str = "") -> list[str]:
+    """Return the lines of equations, parted before the first relation, or where `gap` stands for none."""
+    lines = displayed(equations, LatexWriter(), room, _INDENT)
+    return [f"{name} &{gap}{_QUAD * depth}{line}".strip() for name, depth, line in lines]
+
+
+def _width(words: nodes.Words) -> float:
+    """Return how wide words are set, in digits."""
+    total = 0.0
+    for part in inlines(words):
+        if isinstance(part, Formula | Equation):
+            total += latex_width(formula_latex(part))
+        elif isinstance(part, str):
+            total += 0.95 * len(part)
+        else:
+            total += 1.15 * len(part.text)
+    return total
+
+
+def _kept_together(body: str, skip: str = "medskip") -> str:
+    """Return lines that stay on one page."""
+    begin = rf"\par\{skip}\noindent\begin{{minipage}}{{\linewidth}}"
+    return f"{begin}\n{body}\n\\end{{minipage}}\\par\\{skip}"

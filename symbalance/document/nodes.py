@@ -1,0 +1,191 @@
+"""A document as data: what a result says, before it is text, LaTeX, HTML or Markdown.
+
+A result's room builds a `Document` of the nodes below; each medium is written once, by `text_document`,
+`latex_document`, `html_document` and `markdown_document`.
+
+=============  ==================================================================================
+node           what it is
+=============  ==================================================================================
+Heading        a title within the document, level 2 or 3
+Paragraph      words and formulas
+Facts          names and what is said of them: a speed, a unit, what a letter means
+Table          rows under named columns, with a title; numbers stand with their points in line
+Formulas       equations, displayed, their relation signs in line
+Figure         a picture, with words for those who do not see it
+Source         lines somebody wrote, each with its verdict and notes
+Details        what a reader may skip
+=============  ==================================================================================
+
+Words are an `Inline` or several: a string, a formula, an equation, `Code` (taken literally) or `Strong`.
+
+Nodes are compared by identity: classes that compare by content take twice as long to make, and they are
+made at every start.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from symbalance.document.formula import Equation, Formula
+
+
+@dataclass(frozen=True, eq=False)
+class Code:
+    """Something taken literally: a file's name, a key, a line somebody wrote."""
+
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
+class Strong:
+    """Words that must not be missed."""
+
+    text: str
+
+
+Inline = str | Formula | Equation | Code | Strong
+Words = Inline | tuple[Inline, ...]
+"""One inline, or several that follow one another; strings carry the spaces between them."""
+
+
+@dataclass(frozen=True, eq=False)
+class Exact:
+    """A cell with an exact value and its decimal, each medium showing what its room allows.
+
+    Where `value` fits it is shown, followed by ≈ `near` if `beside`; where it does not, `near` stands in
+    the cell (or "below" if there is none) and the exact value below the table.
+    """
+
+    value: Formula
+    near: Formula | None = None
+    beside: bool = False
+
+
+Cell = Words | Exact
+UNKNOWN = "–"
+"""The cell of a number that is not known: it stands among the numbers of its column."""
+
+
+@dataclass(frozen=True, eq=False)
+class Column:
+    """A column's head; `name` is what the column is called in a sentence, where that differs."""
+
+    head: Words
+    name: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Heading:
+    """A title within a document; it never parts from what follows it."""
+
+    words: Words
+    level: int = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Paragraph:
+    """Words and formulas."""
+
+    words: Words
+
+
+@dataclass(frozen=True, eq=False)
+class Facts:
+    """Names and what is said of each."""
+
+    entries: tuple[tuple[Words, Words], ...]
+    title: Words = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """Rows of cells under columns; the first `keys` columns say what a row is about.
+
+    A table without rows is written as its title and the words `empty`. A column whose cells are all
+    empty is left out.
+    """
+
+    title: Words
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    keys: int = 1
+    empty: str = "none"
+
+
+@dataclass(frozen=True, eq=False)
+class Formulas:
+    """Equations displayed one below the other; long ones are broken between terms."""
+
+    equations: tuple[Equation, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """A picture: its file's name, its bytes (PNG) or text (SVG), and what it shows in words."""
+
+    name: str
+    picture: bytes | str
+    caption: Words
+    shows: str
+
+
+@dataclass(frozen=True, eq=False)
+class SourceLine:
+    """A line somebody wrote: its place, its text, a verdict in a word or two, and what is said of it.
+
+    `bad` marks a verdict a reader must act on; `notes` and `formulas` stand below the line.
+    """
+
+    place: str
+    text: str
+    verdict: str
+    bad: bool = False
+    notes: tuple[Words, ...] = ()
+    formulas: tuple[tuple[str, Formula], ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """Lines somebody wrote, with what is said of each."""
+
+    lines: tuple[SourceLine, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Details:
+    """What a reader may skip; folded where a medium can fold."""
+
+    summary: str
+    blocks: tuple[Block, ...]
+
+
+Block = Heading | Paragraph | Facts | Table | Formulas | Figure | Source | Details
+
+
+@dataclass(frozen=True, eq=False)
+class Document:
+    """A title and blocks; `lead` are the words under the title, before the first block."""
+
+    title: Words
+    blocks: tuple[Block, ...]
+    lead: Words = ""
+
+
+def inlines(words: Words) -> tuple[Inline, ...]:
+    """Return words as a tuple, empty strings left out.
+
+    >>> inlines("a"), inlines(("", Code("b")))
+    (('a',), (Code(text='b'),))
+    """
+    several = words if isinstance(words, tuple) else (words,)
+    return tuple(each for each in several if each != "")
+
+
+def blocks(*parts: Block | tuple[Block, ...] | None) -> tuple[Block, ...]:
+    """Return blocks in a row, from single ones, groups of them, and None for one that is not there."""
+    flat: list[Any] = []
+    for part in parts:
+        if part is not None:
+            flat += part if isinstance(part, tuple) else [part]
+    return tuple(flat)

@@ -1,0 +1,183 @@
+"""What every result can do: be shown as text, LaTeX, HTML, Markdown and JSON, and in a notebook.
+
+A result's class derives from `Result` and gives four things: `kind`, `summary()`, `document()` and
+`data()`; `records()` where a table of plain numbers makes sense of it. Beside the module stands
+KIND.schema.json, which describes every key of `data()`. Everything else follows.
+
+>>> from symbalance.engine.catalogue import load
+>>> from symbalance.forces.resultants import balance
+>>> balance(load("inline-4"), 4)
+Balance of inline-4 to order 4: free force of order 2, 4; no free couple
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
+
+from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
+
+Item = TypeVar("Item")
+
+
+class Result:
+    """The base of every result; it has no state of its own."""
+
+    __slots__ = ()
+
+    kind: ClassVar[str] = ""
+    """The result's name in JSON: "balance"."""
+    schema_version: ClassVar[int] = 1
+    """Counts up when a key of the JSON changes its meaning or goes; new keys do not count."""
+
+    def summary(self) -> str:
+        """Return the result in one line that a person reads."""
+        raise NotImplementedError
+
+    def document(self) -> Document:
+        """Return what is written of the result, in any medium."""
+        raise NotImplementedError
+
+    def data(self) -> dict[str, Any]:
+        """Return the result as numbers, strings, lists and dicts; exact numbers are strings."""
+        raise NotImplementedError
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return the result as rows of plain values, for `pandas.DataFrame` or `polars.DataFrame`."""
+        raise NotImplementedError
+
+    @classmethod
+    def json_schema(cls) -> dict[str, Any]:
+        """Return the JSON Schema (draft 2020-12) of what `to_json` writes of such results.
+
+        It says of every key its type, its unit and what it means. It stands beside the module of the
+        class, as KIND.schema.json; refused for a class that has none.
+        """
+        from importlib.resources import files
+
+        package = sys.modules[cls.__module__].__package__
+        file = files(package) / f"{cls.kind}.schema.json" if package else None
+        if file is None or not file.is_file():
+            remedy = "the results that symbalance computes have one"
+            raise SymbalanceError(cls.__name__, "has no JSON Schema", remedy)
+        return json.loads(file.read_text(encoding="utf-8"))
+
+    def __repr__(self) -> str:
+        return self.summary()
+
+    def _repr_html_(self) -> str:
+        return to_html(self)
+
+    def _repr_latex_(self) -> str:
+        return to_latex(self)
+
+    def _repr_markdown_(self) -> str:
+        return to_markdown(self)
+
+
+class SequenceResult(Result, Sequence[Item]):
+    """A result that is a row of things, its `items`: it counts, indexes and compares like them."""
+
+    items: tuple[Item, ...]
+
+    def __len__(self) -> int:
+        return len(self.items)
+
+    @overload
+    def __getitem__(self, place: int) -> Item: ...
+    @overload
+    def __getitem__(self, place: slice) -> tuple[Item, ...]: ...
+    def __getitem__(self, place: int | slice) -> Item | tuple[Item, ...]:
+        return self.items[place]
+
+    def __eq__(self, other: object) -> bool:
+        """Tell whether the things are those of another row, such as a list."""
+        return isinstance(other, Sequence) and list(self) == list(other)
+
+    def __hash__(self) -> int:
+        return hash(self.items)
+
+
+def to_text(result: Result, *, width: int = 80) -> str:
+    """Return a result as text for a terminal of `width` columns, 40 or more."""
+    from symbalance.document.text_document import document_text
+
+    if not isinstance(width, int) or width < 40:
+        raise SymbalanceError(
+            f"width = {width}", "must be a whole number, 40 or more", "80 is the default"
+        )
+    return document_text(_checked(result).document(), width)
+
+
+def to_latex(result: Any, *, standalone: bool = False) -> str:
+    r"""Return a result as LaTeX: a fragment, or with `standalone` a document that compiles alone.
+
+    A fragment needs amsmath and booktabs. Components, series and SymPy expressions give a formula for
+    math mode.
+
+    >>> from symbalance.kinematics.slider_crank import acceleration_series
+    >>> print(to_latex(acceleration_series(6, 7)))
+    \frac{9}{128 \lambda^{5}} + \frac{45}{512 \lambda^{7}} + \cdots
+    """
+    if isinstance(result, Result):
+        from symbalance.document.latex_document import document_latex
+
+        return document_latex(result.document(), standalone=standalone)
+    from symbalance.document.latex_writer import formula_latex
+
+    return formula_latex(_formula(result))
+
+
+def to_html(result: Any, *, standalone: bool = False) -> str:
+    """Return a result as HTML: an article, or with `standalone` a whole page; formulas as MathML."""
+    if isinstance(result, Result):
+        from symbalance.document.html_document import document_html
+
+        return document_html(result.document(), standalone=standalone)
+    from symbalance.document.mathml_writer import formula_mathml
+
+    return formula_mathml(_formula(result))
+
+
+def to_markdown(result: Result) -> str:
+    """Return a result as Markdown, formulas between dollar signs."""
+    from symbalance.document.markdown_document import document_markdown
+
+    return document_markdown(_checked(result).document())
+
+
+def to_json(result: Result) -> str:
+    """Return a result as a JSON document for other programs: exact numbers as strings.
+
+    Its first key, `schema`, names the kind of result and the version of its keys, which
+    `result.json_schema()` describes one by one.
+    """
+    checked = _checked(result)
+    schema = {"result": checked.kind, "version": checked.schema_version}
+    return json.dumps({"schema": schema, **checked.data()}, indent=1, ensure_ascii=False)
+
+
+def _checked(result: Any) -> Result:
+    """Return a result, or refuse what is none."""
+    if isinstance(result, Result):
+        return result
+    what = (result if isinstance(result, type) else type(result)).__name__
+    raise SymbalanceError(what, "is no result that can be printed", "give a balance or another result")
+
+
+def _formula(value: Any) -> Any:
+    """Return a value's formula: its own, or that of a SymPy expression."""
+    if hasattr(value, "as_formula") and not isinstance(value, type):
+        return value.as_formula()
+    import sympy
+
+    if isinstance(value, sympy.Expr):
+        from symbalance.document.expressions import formula_of
+
+        return formula_of(value)
+    return _checked(value)

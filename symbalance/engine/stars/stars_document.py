@@ -1,0 +1,85 @@
+"""What is written of crank stars, firing orders and even bank angles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from symbalance.document.expressions import formula_of
+from symbalance.document.formula import Decimal, Formula, number
+from symbalance.document.nodes import Column, Document, Exact, Facts, Table, Words
+from symbalance.document.text_writer import formula_text
+from symbalance.engine.stars.cranks import CrankStars
+from symbalance.engine.stars.firings import FiringOrders
+
+MOST_NAMED = 2
+"""Firing orders of one crank that are named in its row; of more, the first and how many there are."""
+
+
+def crank_stars_document(found: CrankStars) -> Document:
+    """Return a table of cranks, the smoothest first, with their couples and firing orders."""
+    strokes = {2: "two-stroke", 4: "four-stroke"}[found.strokes]
+    title = f"Cranks of an evenly firing {strokes} in-line {found.cylinders}: {len(found)}"
+    columns = (
+        Column("crank"),
+        Column("throws, degrees"),
+        Column("couple, order 1", "couple of order 1"),
+        Column("order 2", "couple of order 2"),
+        Column("stars"),
+        Column("firing orders"),
+    )
+    rows = tuple(
+        (
+            number(place),
+            ", ".join(_degrees(throw) for throw in star.throws),
+            _couple(star.first_couple),
+            _couple(star.second_couple),
+            number(star.stars),
+            _listed([firing.as_text() for firing in star.firings]),
+        )
+        for place, star in enumerate(found, 1)
+    )
+    legend: tuple[tuple[Words, Words], ...] = (
+        ("throws", "front to rear, cylinder 1 at 0"),
+        ("couple", "exact amplitude, units F₁ a and F₂ a; sorted by the first, then the second"),
+        ("stars", "arrangements that are the same but for turning, mirroring and seeing from the rear"),
+    )
+    return Document(title, (Table("", columns, rows), Facts(legend, "How to read it")))
+
+
+def firing_orders_document(found: FiringOrders) -> Document:
+    """Return a table of firing orders with their intervals, alike ones written once."""
+    which = "Even firing orders" if found.even_only else "Firing orders"
+    title = f"{which} that the crank of {found.engine.name} allows: {len(found)}"
+    columns = (Column("firing order"), Column("intervals, degrees"))
+    rows = tuple((firing.as_text(), _intervals(firing.intervals)) for firing in found)
+    entries: list[tuple[Words, Words]] = []
+    if found.simultaneous:
+        entries.append(("together", "cylinders may fire at one moment: interval 0"))
+    if found.within:
+        said = f"dead centres within {_degrees(found.within)}° of an even moment count as lying there"
+        entries.append(("within", said))
+    blocks = (Table("", columns, rows, empty="none"),)
+    return Document(title, (*blocks, Facts(tuple(entries), "How to read it")) if entries else blocks)
+
+
+def _couple(expression: object) -> Exact | Formula:
+    value = formula_of(expression)
+    near = Decimal(f"{float(expression):.6g}")  # type: ignore[arg-type]
+    return Exact(value, near, beside=formula_text(near) != formula_text(value))
+
+
+def _intervals(gaps: Sequence[Fraction]) -> str:
+    if len(set(gaps)) == 1:
+        return f"{_degrees(gaps[0])} each"
+    return ", ".join(map(_degrees, gaps))
+
+
+def _listed(names: Sequence[str]) -> str:
+    if len(names) > MOST_NAMED:
+        return f"{names[0]} and {len(names) - 1} more"
+    return ", ".join(names)
+
+
+def _degrees(angle: Fraction) -> str:
+    return f"{float(angle):.12g}" if 10_000 % angle.denominator == 0 else str(angle)

@@ -1,0 +1,198 @@
+"""A balance as plain values for JSON: every number exact, as a string that SymPy reads."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import hypot
+from typing import Any
+
+import sympy
+
+from symbalance.engine.balancers import Balancers, Counterweight, Weight
+from symbalance.engine.cylinders import Cylinder
+from symbalance.exact.spectrum import COMPONENTS, Component
+from symbalance.forces.resultants import Balance, Order, Resultant
+from symbalance.forces.roll_rows import roll_rows
+from symbalance.kinematics.mechanisms import LinkRod
+from symbalance.text.numbers import decimal_text
+
+DIGITS = 30
+VALUE_DIGITS = 20
+
+
+def balance_data(balance: Balance) -> dict[str, Any]:
+    """Return what `to_json` writes of a balance, as plain Python values."""
+    return {
+        "engine": balance.layout.name,
+        "strokes": balance.layout.strokes,
+        "ratio": None if balance.ratio is None else str(balance.ratio),
+        "reference_plane": reference_plane(balance),
+        "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.layout.cylinders],
+        **({"balancers": _balancers(balance.layout.balancers)} if balance.layout.balancers else {}),
+        "orders": [_order(order, balance) for order in balance.orders],
+        **({"roll": _roll(balance)} if roll_rows(balance) else {}),
+    }
+
+
+def reference_plane(balance: Balance) -> str:
+    """Return what couples are taken about."""
+    return "mean of stations" if balance.reference is None else f"station {balance.reference}"
+
+
+def unit(balance: Balance, name: str) -> str:
+    """Return the unit of a balance's "force" or "couple" of order n."""
+    return _UNITS[balance.kinematics is not None, name]
+
+
+def _roll(balance: Balance) -> list[dict[str, Any]]:
+    """Return the roll moment of the shafts on the frame, + in the sense of rotation, in F_n r."""
+    rows = roll_rows(balance)
+    return [{"order": str(row.order), **component_values(row.component)} for row in rows]
+
+
+def _balancers(found: Balancers) -> dict[str, Any]:
+    """Return counterweights and shafts; a weight is `cos` + i `sin`, straight up and to the right."""
+    return {
+        "counterweights": [_counterweight(c) for c in found.counterweights],
+        "shafts": [
+            {
+                "speed": shaft.speed,
+                "phase": shaft.phase.as_text(),
+                "x": str(shaft.x),
+                "y": str(shaft.y),
+                "weights": [_weight(w) for w in shaft.weights],
+            }
+            for shaft in found.shafts
+        ],
+    }
+
+
+def _counterweight(counterweight: Counterweight) -> dict[str, Any]:
+    weight = counterweight.weight
+    given = {"throw": counterweight.throw, "web": counterweight.web}
+    return {
+        **{key: value for key, value in given.items() if value is not None},
+        "angle": counterweight.angle.as_text(),
+        "station": None if counterweight.station is None else str(counterweight.station),
+        **(
+            {"overbalance": str(counterweight.overbalance)}
+            if weight is None
+            else {"unit": _unit(weight), "vector": dict(component_values(Component(weight.vector)))}
+        ),
+    }
+
+
+def _weight(weight: Weight) -> dict[str, Any]:
+    vector = dict(component_values(Component(weight.vector)))
+    return {"station": str(weight.station), "unit": _unit(weight), "vector": vector}
+
+
+def _unit(weight: Weight) -> str:
+    return "kg mm" if weight.in_kg_mm else "share"
+
+
+def _cylinder(cylinder: Cylinder) -> dict[str, Any]:
+    return {
+        "number": cylinder.number,
+        "throw": cylinder.throw.as_text(),
+        "bank": cylinder.bank.as_text(),
+        "station": str(cylinder.station),
+        "fires": None if cylinder.fires is None else str(cylinder.fires),
+    }
+
+
+def _own(balance: Balance, cylinder: Cylinder) -> dict[str, Any]:
+    """Return what a cylinder has of its own where they are unlike: lengths over its crank radius."""
+    mechanism = cylinder.mechanism
+    if balance.kinematics or mechanism is None:
+        return {}
+    found: dict[str, Any] = {"ratio": str(mechanism.length), "offset": str(mechanism.offset)}
+    if isinstance(mechanism, LinkRod) and cylinder.link:
+        angle = str(mechanism.link_angle * 360)
+        radius = str(mechanism.link_radius)
+        found["link"] = {"master": cylinder.link.master, "angle": angle, "radius": radius}
+    return found
+
+
+def _order(order: Order, balance: Balance) -> dict[str, Any]:
+    return {
+        "order": str(order.order),
+        "coefficient": _coefficient(order, balance),
+        "force": _resultant(order.force),
+        "couple": _resultant(order.couple),
+    }
+
+
+def _coefficient(order: Order, balance: Balance) -> dict[str, Any] | None:
+    """Return A_n, or None where cylinders are unlike: components then hold the kinematics too."""
+    if order.coefficient is None:
+        return None
+    value = balance.values.get(order.order)
+    return {
+        "series": str(order.coefficient.in_lam()),
+        "through": order.coefficient.through,
+        "value": None if value is None else decimal_text(value, VALUE_DIGITS),
+    }
+
+
+def _resultant(resultant: Resultant) -> dict[str, Any]:
+    return {name: dict(component_values(resultant.component(name))) for name in COMPONENTS}
+
+
+@lru_cache(maxsize=4096)
+def component_values(component: Component) -> dict[str, Any]:
+    """Return a component's values, none of which can be changed: documents share them."""
+    symbolic = component.number.has_symbols and not component.is_zero()
+    cos, sin, phase = str(component.cos), str(component.sin), component.phase
+    return {
+        "cos": cos,
+        "sin": sin,
+        "amplitude": str(component.amplitude),
+        # An atan2 is that of the two above, which need not be printed again.
+        "phase": str(phase) if not phase.has(sympy.atan2) else f"atan2({sin}, {cos})",
+        "decimal": None if symbolic else _decimal(component),
+    }
+
+
+def _decimal(component: Component) -> tuple[str, ...]:
+    return tuple(decimal_text(x, DIGITS) for x in component.decimal(DIGITS))
+
+
+def balance_records(balance: Balance) -> list[dict[str, Any]]:
+    """Return a row for each component of force and couple that does not vanish.
+
+    Keys: order, of (force or couple), component, cos, sin, amplitude (floats, None with symbols in them),
+    unit, and coefficient, A_n in decimals (None where it is not apart or no ratio is known).
+    """
+    records = []
+    for order in balance.orders:
+        value = balance.values.get(order.order)
+        for of, resultant in (("force", order.force), ("couple", order.couple)):
+            for name in COMPONENTS:
+                part = resultant.component(name)
+                if part.is_zero():
+                    continue
+                cos, sin = (None, None) if part.number.has_symbols else map(float, part.decimal())
+                records.append(
+                    {
+                        "order": order.order,
+                        "of": of,
+                        "component": name,
+                        "cos": cos,
+                        "sin": sin,
+                        "amplitude": None if cos is None or sin is None else hypot(cos, sin),
+                        "exact_cos": str(part.cos),
+                        "exact_sin": str(part.sin),
+                        "unit": unit(balance, of),
+                        "coefficient": None if value is None else float(value),
+                    }
+                )
+    return records
+
+
+_UNITS = {
+    (True, "force"): "A_n m r omega^2",
+    (True, "couple"): "A_n m r omega^2 a",
+    (False, "force"): "m r omega^2",
+    (False, "couple"): "m r omega^2 a",
+}

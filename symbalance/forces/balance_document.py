@@ -1,0 +1,245 @@
+"""What is written of a balance: the free force and couple by order, then what its letters mean."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Protocol
+
+from symbalance.document.decimals import shown
+from symbalance.document.expressions import formula_of
+from symbalance.document.formula import (
+    Decimal,
+    Dots,
+    Equation,
+    Formula,
+    Name,
+    Subscript,
+    cos,
+    equal,
+    number,
+    sin,
+)
+from symbalance.document.nodes import (
+    Block,
+    Cell,
+    Column,
+    Document,
+    Exact,
+    Facts,
+    Paragraph,
+    Table,
+    blocks,
+)
+from symbalance.document.nodes import Words as Said
+from symbalance.document.text_writer import formula_text
+from symbalance.engine.engine_document import (
+    ORDER,
+    SIGNS,
+    balancer_entries,
+    engine_title,
+    origin_facts,
+    size_facts,
+)
+from symbalance.engine.kinds import kind_table
+from symbalance.forces.resultants import Balance
+from symbalance.forces.roll_rows import roll_rows
+from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, rotating, rows
+from symbalance.kinematics.coefficients import Kinematics
+from symbalance.kinematics.series_printing import series_formula
+from symbalance.kinematics.slider_crank import Series
+from symbalance.text.numbers import short_text
+from symbalance.text.reals import Real
+
+LONGEST_PHASE = 8
+"""A phase that takes more characters, an atan2 or a fine fraction of pi, is written rounded."""
+LONGEST_NUMERATOR = 30
+"""Digits of a coefficient's leading numerator beyond which its series is written rounded."""
+SHORT = 14
+"""An exact amplitude of a rotating part that takes more characters is written rounded."""
+_M, _R, _A, _N = Name("m"), Name("r"), Name("a"), Name("n")
+_OMEGA, _LAM = Name("omega"), Name("lam")
+_ANGLE = _N * Name("theta")
+_A_N, _F_N = Subscript(Name("A"), _N), Subscript(Name("F"), _N)
+_MR = _M * _R * _OMEGA**2
+
+
+def balance_document(balance: Balance) -> Document:
+    """Return a balance as a document: the components that are free, the coefficients, the conventions."""
+    return Document(engine_title(balance.layout), resultant_blocks(balance) + conventions(balance))
+
+
+def resultant_blocks(balance: Balance) -> tuple[Block, ...]:
+    """Return the free force, the free couple, the shafts' roll moment and the coefficients."""
+    return blocks(
+        _resultant(balance, "force", ("Free force, unit ", unit(balance, "force"))),
+        _resultant(
+            balance,
+            "couple",
+            (f"Free couple about {plane(balance)}, unit ", unit(balance, "couple")),
+        ),
+        _roll(balance),
+        _coefficients(balance),
+    )
+
+
+def unit(balance: Balance, name: str) -> Formula | Equation:
+    """Return the unit of a balance's "force" or "couple" of order n."""
+    if balance.kinematics is None:
+        return _MR if name == "force" else _MR * _A
+    return equal(_F_N, _A_N * _MR) if name == "force" else _F_N * _A
+
+
+def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tuple[Block, ...]:
+    """Return what an engine's letters, signs and angles mean, and what it is balanced by.
+
+    `own` are what a result's own tables mean; they stand before the rest.
+    """
+    layout, alike = balance.layout, balance.kinematics is not None
+    entries = (
+        *own,
+        *origin_facts(layout),
+        *size_facts(layout, balance.ratio, alike=alike),
+        *balancer_entries(layout),
+        SIGNS,
+        ORDER,
+    )
+    facts = Facts(entries, "How to read it")
+    return (facts,) if alike else (kind_table(layout), facts)
+
+
+def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
+    kept = rows(balance, name)
+    table = component_table(title, kept, empty=f"none, to order {balance.highest}")
+    return (table, *_rotating(balance, name)) if kept else (table,)
+
+
+def _roll(balance: Balance) -> tuple[Block, ...]:
+    kept = roll_rows(balance)
+    moment = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
+    title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", moment)
+    return (component_table(title, kept),) if kept else ()
+
+
+_HEAD = (
+    Column("order"),
+    Column("component"),
+    Column(cos(_ANGLE), "cos"),
+    Column(sin(_ANGLE), "sin"),
+    Column("amplitude"),
+    Column("phase"),
+)
+
+
+def component_table(title: Said, kept: Sequence[Row], empty: str = "none") -> Table:
+    """Return a table of components, exact where there is room, in decimals where there is not.
+
+    Rows without a name leave the column of components out.
+    """
+    return Table(title, _HEAD, tuple(map(_cells, kept)), keys=2, empty=empty)
+
+
+def order_cell(order: int | Fraction) -> Formula:
+    """Return an order as a cell; half orders as decimals, whose points stand in line."""
+    whole = order == int(order)
+    return number(int(order)) if whole else Decimal(str(float(order)))
+
+
+def _cells(row: Row) -> tuple[Cell, ...]:
+    decimals = row.decimals()
+    head = (order_cell(row.order), row.name)
+    if row.is_decimal and decimals is not None:
+        cosine, sine, amplitude = (Decimal(d) for d in decimals[:3])
+        return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
+    values = [formula_of(part) for part in row.exact()]
+    if decimals is None:
+        return (*head, *map(Exact, values))
+    near = [Decimal(d) for d in decimals]
+    amplitude = Exact(values[2], near[2], beside=decimals[2] != formula_text(values[2]))
+    return (
+        *head,
+        Exact(values[0], near[0]),
+        Exact(values[1], near[1]),
+        amplitude,
+        _short_phase(values[3], decimals[3]),
+    )
+
+
+def _short_phase(value: Formula, decimal: str) -> Said:
+    return value if len(formula_text(value)) <= LONGEST_PHASE else ("≈ ", Decimal(decimal))
+
+
+def _phase(row: Row, decimal: str) -> Formula:
+    plain = row.phase_in_turns()
+    return Decimal(decimal) if plain is None else formula_of(plain)
+
+
+def _rotating(balance: Balance, name: str) -> tuple[Block, ...]:
+    """Return the parts that turn with and against the crank, a row for each order."""
+    pairs = rotating(balance, name)
+    if not pairs:
+        return (Paragraph(IN_ONE_PLANE),)
+    columns = (
+        Column("order"),
+        Column("forward (with the crank)"),
+        Column("phase"),
+        Column("backward (against it)"),
+        Column("phase"),
+    )
+    cells = tuple((number(f.order), *_turning(f), *_turning(b)) for f, b in pairs)
+    return (Table("as rotating parts", columns, cells),)
+
+
+def _turning(row: Row) -> tuple[Cell, Cell]:
+    if row.component.is_zero():
+        return number(0), ""
+    decimals = row.decimals()
+    if row.is_decimal and decimals is not None:
+        return Decimal(decimals[2]), _phase(row, decimals[3])
+    amplitude, phase = (formula_of(part) for part in row.exact()[2:])
+    if decimals is None:
+        return Exact(amplitude), Exact(phase)
+    near = Decimal(decimals[2])
+    if len(formula_text(amplitude)) > SHORT:
+        return near, _short_phase(phase, decimals[3])
+    beside = decimals[2] != formula_text(amplitude)
+    return Exact(amplitude, near, beside), _short_phase(phase, decimals[3])
+
+
+def _series(series: Series) -> Said:
+    """Return a coefficient's series; one whose numbers fill a line by its leading term, rounded."""
+    power, lead = min(series.terms.items())
+    if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
+        return series_formula(series, ellipsis=True)
+    return ("≈ ", Decimal(shown(Real(lead))) * _LAM ** number(-power) + Dots())
+
+
+def _coefficients(balance: Balance) -> tuple[Block, ...]:
+    if not balance.orders or balance.kinematics is None:
+        return ()
+    return (coefficient_table(balance.kinematics, balance.orders, balance.values, balance.ratio),)
+
+
+class _Ordered(Protocol):
+    """An order of a result, with the coefficient of one cylinder."""
+
+    @property
+    def order(self) -> int: ...
+    @property
+    def coefficient(self) -> Series | None: ...
+
+
+def coefficient_table(
+    kinematics: Kinematics, orders: Sequence[_Ordered], values: Mapping[int, Real], ratio: Fraction | None
+) -> Table:
+    """Return a table of one cylinder's coefficients: as series in 1/λ, and in decimals at the ratio."""
+    letter = Subscript(Name(kinematics.letter), _N)
+    at: Said = "" if ratio is None else (letter, " at ", equal(_LAM, Decimal(short_text(ratio))))
+    cells = []
+    for order in orders:
+        assert order.coefficient is not None
+        value = values.get(order.order)
+        written = "" if value is None else Decimal(shown(value))
+        cells.append((number(order.order), _series(order.coefficient), written))
+    columns = (Column("order"), Column((letter, " in powers of ", 1 / _LAM)), Column(at))
+    return Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells))

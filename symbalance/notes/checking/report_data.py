@@ -1,0 +1,87 @@
+"""Verdicts for programs: an entry for each relation, and one for each line that only continues it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from symbalance.notes.checking.verdicts import HOLDS, REFUTED, VERDICTS, Checked, Verdict
+
+
+def report_data(checked: Checked) -> dict[str, Any]:
+    """Return the report as plain data."""
+    entries = [entry for v in checked.verdicts for entry in (verdict_data(v), *continuations(v))]
+    return {
+        "document": checked.derivation.name,
+        "seen": checked.seen,
+        "counts": dict.fromkeys(VERDICTS, 0) | checked.counted(),
+        "links": sorted(entries, key=lambda entry: entry["line"]),
+    }
+
+
+def verdict_data(verdict: Verdict) -> dict[str, Any]:
+    """Return one verdict as plain data; what does not apply is null, empty or absent."""
+    fix = verdict.fix
+    entry: dict[str, Any] = {
+        "line": verdict.line,
+        "link": verdict.link,
+        "column": verdict.column,
+        "lines": list(verdict.lines),
+        "source": verdict.source,
+        "verdict": verdict.verdict,
+        "order": verdict.order or None,
+        "assumption": verdict.assumption or None,
+        "reason": verdict.reason or None,
+        "claimed": verdict.claimed,
+        "exact": verdict.exact or None,
+        "witness": dict(verdict.witness),
+        "differences": [
+            {"term": d.term, "claimed": d.claimed, "exact": d.exact} for d in verdict.differences
+        ],
+        "fix": fix.text if fix else None,
+        "fix_kind": fix.kind if fix else None,
+        "wrong": [
+            {"line": f.line, "column": f.column, "source": f.source, "should": f.should}
+            for f in (fix.faults if fix else ())
+        ],
+    }
+    optional = {"bind": verdict.bind, "tag": verdict.tag, "notes": list(verdict.notes)}
+    return entry | {key: value for key, value in optional.items() if value}
+
+
+def continuations(verdict: Verdict) -> list[dict[str, Any]]:
+    """Return entries for the further lines a relation's side stands on, each referring to it.
+
+    Where the wrong pieces are known, only the lines that hold one are refuted.
+    """
+    wrong = {f.line for f in verdict.fix.faults} if verdict.fix else set()
+    entries = []
+    for line in verdict.lines[1:]:
+        here = verdict.verdict
+        if here == REFUTED and wrong and line not in wrong:
+            here = HOLDS
+        entries.append({"line": line, "link": verdict.link, "continues": verdict.line, "verdict": here})
+    return entries
+
+
+def verdict_records(verdicts: Iterable[Verdict]) -> list[dict[str, Any]]:
+    """Return a row for each verdict, texts and numbers only; what does not apply is None."""
+    return [
+        {
+            "line": v.line,
+            "link": v.link,
+            "column": v.column,
+            "verdict": v.verdict,
+            "source": v.source,
+            "order": v.order or None,
+            "assumption": v.assumption or None,
+            "bind": v.bind or None,
+            "reason": v.reason or None,
+            "claimed": v.claimed or None,
+            "exact": v.exact or None,
+            "fix": v.fix.text if v.fix else None,
+            "fix_kind": v.fix.kind if v.fix else None,
+            "tag": v.tag or None,
+        }
+        for v in verdicts
+    ]

@@ -1,0 +1,209 @@
+"""What is written of checked notes: how many relations hold, then each with its verdict and reasons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import islice
+
+from symbalance.document.fitting import plain_words
+from symbalance.document.formula import Equation, Formula, Name, walk
+from symbalance.document.nodes import Code, Document, Facts, Inline, Source, SourceLine, Words
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.checking.differences import rounded_number
+from symbalance.notes.checking.verdicts import (
+    CONDITIONAL,
+    DEFINITION,
+    FAILING,
+    HOLDS,
+    HOLDS_TO_ORDER,
+    REFUTED,
+    UNDECIDED,
+    UNREADABLE,
+    VERDICTS,
+    Checked,
+    Difference,
+    Fault,
+    Verdict,
+)
+
+LONGEST_SOURCE = 600
+"""Characters of a relation that are shown; the rest is in the JSON."""
+LARGEST_FORMULA = 300
+"""Parts of a formula that is written out."""
+LONGEST_PIECE = 60
+"""Of a wrong piece, which stands within a sentence."""
+
+_TITLES = {
+    HOLDS: "holds",
+    HOLDS_TO_ORDER: "holds to order",
+    CONDITIONAL: "holds if",
+    REFUTED: "REFUTED",
+    UNDECIDED: "UNDECIDED",
+    DEFINITION: "definition",
+    UNREADABLE: "UNREADABLE",
+}
+_MEANINGS = {
+    HOLDS: "proved, for all values of the letters",
+    HOLDS_TO_ORDER: "proved through the order named, in the powers that the line keeps",
+    CONDITIONAL: "proved under the assumption named",
+    REFUTED: "different: the witness is a point, with the value of each side there",
+    UNDECIDED: "neither proved nor refuted",
+    DEFINITION: "gives a letter its value, or states a condition or a range",
+    UNREADABLE: "not read, for the reason given",
+}
+
+
+def report_document(checked: Checked) -> Document:
+    """Return the counts, every verdict in line order, then what the verdicts mean."""
+    lines = tuple(map(_line, checked.verdicts))
+    if not lines:
+        return Document(_title(checked.derivation.name), (), summary(checked))
+    return Document(
+        _title(checked.derivation.name), (Source(lines), _legend(checked.verdicts)), summary(checked)
+    )
+
+
+def verdict_document(verdict: Verdict) -> Document:
+    """Return one verdict with its reasons, then what it means."""
+    return Document(
+        f"Verdict: {verdict_words(verdict)}", (Source((_line(verdict),)), _legend((verdict,)))
+    )
+
+
+def _title(name: str) -> Words:
+    """Return what was checked; a derivation that is no file has no name."""
+    return "Check of a derivation" if name == "text" else ("Check of ", Code(name))
+
+
+def report_summary(checked: Checked) -> str:
+    """Return what was checked and the counts of its verdicts, in one line."""
+    return f"{plain_words(_title(checked.derivation.name))}: {summary(checked)}"
+
+
+def summary(checked: Checked) -> str:
+    """Return the counts of the verdicts in one line."""
+    counts = checked.counted()
+    if not checked.seen:
+        return "No relation was seen: nothing is checked."
+    listed = ", ".join(f"{count} {_TITLES[name].lower()}" for name, count in counts.items())
+    return f"{checked.seen} {'relation' if checked.seen == 1 else 'relations'} seen: {listed}."
+
+
+def verdict_summary(verdict: Verdict) -> str:
+    """Return a verdict in one line: its place, its word, and the correction or the reason."""
+    fix = verdict.fix
+    said = verdict.reason or verdict.source
+    if fix:
+        side = "left side should be" if fix.of_left else "should be"
+        said = f"{side} {formula_text(fix.node, plain=True)} ({fix.kind})"
+    return one_line(f"Verdict on line {place(verdict)}: {verdict_words(verdict)}: {said}", 180)
+
+
+def verdict_words(verdict: Verdict) -> str:
+    """Return the verdict as it is read: with its order or its assumption."""
+    title = _TITLES[verdict.verdict]
+    named = {HOLDS_TO_ORDER: verdict.order, CONDITIONAL: verdict.assumption}
+    return f"{title} {named[verdict.verdict]}" if verdict.verdict in named else title
+
+
+def place(verdict: Verdict) -> str:
+    """Return a relation's line, with its number there unless it is the first."""
+    return f"{verdict.line}" if verdict.link == 1 else f"{verdict.line}.{verdict.link}"
+
+
+def one_line(source: str, limit: int) -> str:
+    r"""Return a source of several lines on one, shortened to `limit` characters.
+
+    >>> one_line("\\displaystyle x\n  = 1 + 2", 7)
+    'x = 1 …'
+    """
+    joined = " ".join(source.replace("\\displaystyle", " ").split())
+    return joined if len(joined) <= limit else joined[: limit - 1] + "…"
+
+
+def _line(verdict: Verdict) -> SourceLine:
+    return SourceLine(
+        place(verdict),
+        one_line(verdict.source, LONGEST_SOURCE),
+        verdict_words(verdict),
+        verdict.verdict in FAILING,
+        tuple(_notes(verdict)),
+        _formulas(verdict),
+    )
+
+
+def _notes(verdict: Verdict) -> Iterable[Words]:
+    """Yield what is said below a verdict's line."""
+    if verdict.bind:
+        yield f"claims to be: {verdict.bind}"
+    if verdict.reason:
+        yield verdict.reason
+    yield from (f"note: {note}" for note in verdict.notes)
+    yield from map(_difference, verdict.differences)
+    if verdict.verdict == REFUTED and verdict.witness:
+        yield _witness(verdict)
+    if verdict.fix:
+        yield f"found: {verdict.fix.kind}"
+        yield from map(_fault, verdict.fix.faults)
+
+
+def _difference(difference: Difference) -> Words:
+    term = difference.term_node or difference.term
+    claimed = difference.claimed_node or difference.claimed
+    return (term, ": claimed ", claimed, ", exact ", difference.exact_node or difference.exact)
+
+
+def _witness(verdict: Verdict) -> Words:
+    """Return a witness as `witness: θ = 1.2, λ = 3.7: left 0.5, right 0.25`."""
+    sides = {name: verdict.witness[name] for name in ("left", "right") if name in verdict.witness}
+    parts: list[Inline] = []
+    for name, value in verdict.witness.items():
+        if name not in sides:
+            parts += [", " if parts else "", Equation(Name(name), (("=", rounded_number(value)),))]
+    parts += [": "] if parts and sides else []
+    for k, (name, value) in enumerate(sides.items()):
+        parts += [", " if k else "", f"{name} ", rounded_number(value)]
+    return ("witness: ", *parts)
+
+
+def _fault(fault: Fault) -> Words:
+    should = fault.node or fault.should
+    where = f"line {fault.line}, column {fault.column}: "
+    if not fault.source:
+        return (f"{where}add ", should)
+    return (f"{where}for ", Code(one_line(fault.source, LONGEST_PIECE)), " put ", should)
+
+
+def _formulas(verdict: Verdict) -> tuple[tuple[str, Formula], ...]:
+    """Return a side that is not right as it was read, and as it should be; its exact value, if not."""
+    if not verdict.is_bad:
+        return ()
+    stands, fix = ("stands", verdict.node), verdict.fix
+    if fix is None:
+        wanted = (stands, ("exactly", verdict.exact_node))
+    elif fix.of_left:
+        wanted = (("left side should be", fix.node),)
+    else:
+        wanted = (stands, ("should be", fix.node))
+    return tuple((name, node) for name, node in wanted if node is not None and _is_readable(node))
+
+
+def _is_readable(node: Formula) -> bool:
+    """Tell whether a formula is small enough to be written out; the JSON has any."""
+    return next(islice(walk(node), LARGEST_FORMULA, None), None) is None
+
+
+def _legend(verdicts: tuple[Verdict, ...]) -> Facts:
+    """Return what the verdicts that occur mean, and how places and corrections are written."""
+    there = {verdict.verdict for verdict in verdicts}
+    entries: list[tuple[Words, Words]] = [
+        (_TITLES[word], _MEANINGS[word]) for word in VERDICTS if word in there
+    ]
+    second = next((place(verdict) for verdict in verdicts if verdict.link == 2), None)
+    if second:
+        entries.append((second, f"the second relation of line {second.split('.')[0]}"))
+    if any(verdict.differences for verdict in verdicts):
+        entries.append(("claimed, exact", "a term's coefficient in the line, and the right one"))
+    if any(verdict.fix for verdict in verdicts):
+        entries.append(("found", "a change after which the line is proved"))
+    return Facts(tuple(entries), "How to read it")

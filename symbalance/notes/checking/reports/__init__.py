@@ -1,1 +1,0 @@
-"""Verdicts as text, JSON, LaTeX and Markdown."""

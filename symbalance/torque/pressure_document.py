@@ -1,0 +1,64 @@
+"""What is written of a cylinder's pressure: a trace against the crank angle, and an ideal cycle."""
+
+from __future__ import annotations
+
+from symbalance.document.decimals import rounded
+from symbalance.document.formula import Name, Power, Product, equal
+from symbalance.document.formula import Words as Upright
+from symbalance.document.nodes import Column, Document, Facts, Table
+from symbalance.document.nodes import Words as Said
+from symbalance.torque.ideal import IdealCycle
+from symbalance.torque.pressure import PressureTrace
+
+ROWS = 24
+"""Even steps over a cycle that a trace is printed at."""
+_STROKES = {2: "two-stroke", 4: "four-stroke"}
+
+
+def trace_document(trace: PressureTrace) -> Document:
+    """Return a trace as a document: its peak, the pressure at even steps, what angles count from."""
+    facts: tuple[tuple[Said, Said], ...] = (
+        ("peak", (rounded(trace.peak), " bar at ", rounded(trace.peak_degrees), "°")),
+        ("lowest", (rounded(min(trace.bar)), " bar")),
+    )
+    step = trace.cycle // ROWS
+    rows = tuple((rounded(a), rounded(trace.at(a))) for a in range(0, trace.cycle, step))
+    count = len(trace.degrees)
+    legend: tuple[tuple[Said, Said], ...] = (
+        ("angle", "crank angle after the firing top dead centre"),
+        ("pressure", "absolute"),
+        ("trace", f"{count} point{'s' if count > 1 else ''}, straight lines between them"),
+    )
+    columns = (Column("angle, degrees"), Column("pressure, bar"))
+    table = Table(f"Pressure every {step} degrees (after the jump where there is one)", columns, rows)
+    title = f"Pressure trace of a {_STROKES[trace.strokes]} cycle"
+    return Document(title, (Facts(facts), table, Facts(legend, "How to read it")))
+
+
+def cycle_document(cycle: IdealCycle) -> Document:
+    """Return an ideal cycle as a document: its pressures and its work, then what it is computed from."""
+    mean = (rounded(cycle.mean_effective_pressure), " bar")
+    facts: list[tuple[Said, Said]] = [
+        ("mean effective pressure", mean),
+        ("efficiency", rounded(cycle.efficiency)),
+    ]
+    rows: list[tuple[Said, Said]] = [
+        ("intake", rounded(cycle.intake)),
+        ("end of compression", rounded(cycle.compressed)),
+        ("peak", rounded(cycle.peak)),
+        ("end of expansion", rounded(cycle.expanded)),
+        ("exhaust", rounded(cycle.exhaust)),
+    ]
+    heat = (rounded(cycle.heat), " bar: heat over the swept volume, 100 J per litre")
+    legend: list[tuple[Said, Said]] = [
+        ("compression ratio", rounded(cycle.compression_ratio)),
+        ("heat", heat),
+    ]
+    if cycle.cutoff > 1:
+        legend.append(("cutoff", (rounded(cycle.cutoff), " clearance volumes: end of constant pressure")))
+    constant = Product((Name("p"), Power(Name("V"), Name("gamma"))))
+    gamma = (rounded(cycle.gamma), ": ", equal(constant, Upright("constant")))
+    legend += [(Name("gamma"), gamma), ("pressures", "absolute; the gas is an ideal one")]
+    table = Table("Pressures, bar", (Column("state"), Column("pressure")), tuple(rows))
+    title = f"Ideal {_STROKES[cycle.strokes]} cycle"
+    return Document(title, (Facts(tuple(facts)), table, Facts(tuple(legend), "How to read it")))

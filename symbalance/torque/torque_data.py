@@ -1,0 +1,124 @@
+"""Torques as plain values for JSON and tables of rows: exact numbers are strings that SymPy reads."""
+
+from __future__ import annotations
+
+from math import hypot
+from typing import Any
+
+from symbalance.forces.balance_data import component_values
+from symbalance.text.numbers import decimal_text
+from symbalance.torque.inertia_balance import TorqueBalance
+from symbalance.torque.roll import TorqueReport
+from symbalance.torque.stars import FiringStars
+
+DIGITS = 20
+
+
+def torque_data(report: TorqueReport) -> dict[str, Any]:
+    """Return what `to_json` writes of a report, as plain Python values."""
+    layout = report.layout
+    return {
+        "engine": layout.name,
+        "strokes": layout.strokes,
+        "ratio": None if layout.ratio is None else str(layout.ratio),
+        "highest_order": report.inertia.highest,
+        "unit": report.inertia.unit,
+        "inertia": _orders(report.inertia),
+        "rod": None if not report.excess else _rods(report),
+        "frame": {
+            "opposite": report.is_opposite,
+            "beside": _orders(report.beside),
+            "total": None if report.frame is None else _orders(report.frame),
+        },
+        "running": None if report.running is None else report.running.data(),
+    }
+
+
+def orders_data(balance: TorqueBalance) -> dict[str, Any]:
+    """Return what `to_json` writes of one torque, as plain Python values."""
+    return {
+        "engine": balance.layout.name,
+        "strokes": balance.layout.strokes,
+        "ratio": None if balance.ratio is None else str(balance.ratio),
+        "highest_order": balance.highest,
+        "quantity": balance.quantity,
+        "unit": balance.unit,
+        "orders": _orders(balance),
+    }
+
+
+def stars_data(stars: FiringStars) -> dict[str, Any]:
+    """Return what `to_json` writes of firing stars: angles in turns, and the vectors' sums."""
+    return {
+        "engine": stars.layout.name,
+        "strokes": stars.layout.strokes,
+        "highest_order": stars.highest,
+        "stars": [
+            {
+                "order": str(star.order),
+                "closed": star.is_closed(),
+                "vectors": [{"cylinder": n, "turns": str(turns)} for n, turns in star.vectors],
+                "sum": dict(component_values(star.resultant)),
+            }
+            for star in stars
+        ],
+    }
+
+
+def torque_records(report: TorqueReport) -> list[dict[str, Any]]:
+    """Return the rows of every part, and of the running engine's torque, which has no exact numbers."""
+    rows = [row for balance in report.parts() for row in orders_records(balance)]
+    none = {"exact_cos": None, "exact_sin": None, "coefficient": None}
+    for row in report.running.records() if report.running else ():
+        unit = row.pop("unit")
+        rows.append({**row, **none, "unit": unit})
+    return rows
+
+
+def orders_records(balance: TorqueBalance) -> list[dict[str, Any]]:
+    """Return a row for each order of one torque.
+
+    Keys: order, of (which torque), cos, sin, amplitude (floats, None with symbols in them), exact_cos,
+    exact_sin, coefficient (that of one cylinder, None where it is not apart or no ratio is known), unit.
+    """
+    records = []
+    for order in balance.orders:
+        part, value = order.torque, balance.values.get(order.order)
+        cos, sin = (None, None) if part.number.has_symbols else map(float, part.decimal())
+        unit = (
+            balance.unit
+            if balance.kinematics is None
+            else f"{balance.kinematics.letter}_n {balance.unit}"
+        )
+        records.append(
+            {
+                "order": float(order.order),
+                "of": balance.quantity,
+                "cos": cos,
+                "sin": sin,
+                "amplitude": None if cos is None or sin is None else hypot(cos, sin),
+                "exact_cos": str(part.cos),
+                "exact_sin": str(part.sin),
+                "coefficient": None if value is None else float(value),
+                "unit": unit,
+            }
+        )
+    return records
+
+
+def _rods(report: TorqueReport) -> dict[str, Any]:
+    crank, frame = _orders(report.rod), _orders(report.rocking)
+    return {"unit": report.rod.unit, "excess": str(report.excess), "crank": crank, "frame": frame}
+
+
+def _orders(balance: TorqueBalance) -> list[dict[str, Any]]:
+    return [_order(balance, n) for n in balance.components]
+
+
+def _order(balance: TorqueBalance, n: int) -> dict[str, Any]:
+    order, value = balance[n], balance.values.get(n)
+    series, coefficient = order.coefficient, None
+    if series is not None:
+        written = None if value is None else decimal_text(value, DIGITS)
+        coefficient = {"series": str(series.in_lam()), "through": series.through, "value": written}
+    return {"order": str(n), "coefficient": coefficient, "torque": dict(component_values(order.torque))}

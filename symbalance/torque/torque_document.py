@@ -1,0 +1,129 @@
+"""What is written of a torque: its orders on crank and frame, exact, then what its letters mean."""
+
+from __future__ import annotations
+
+from symbalance.document.decimals import rounded
+from symbalance.document.formula import Equation, Formula, Name, Subscript, equal
+from symbalance.document.nodes import Block, Document, Facts, Heading, Paragraph, Table, blocks
+from symbalance.document.nodes import Words as Said
+from symbalance.engine.engine import Engine
+from symbalance.engine.engine_document import (
+    ORDER,
+    balancer_entries,
+    engine_words,
+    origin_facts,
+    size_facts,
+)
+from symbalance.engine.kinds import kind_table
+from symbalance.forces.balance_document import coefficient_table, component_table
+from symbalance.forces.rows import Row
+from symbalance.kinematics.coefficients import INERTIA, OF_RODS
+from symbalance.torque.groups import has_common_torque
+from symbalance.torque.inertia_balance import TorqueBalance
+from symbalance.torque.roll import MILLI, TorqueReport, excesses, first_excess
+from symbalance.torque.running_document import running_blocks, running_facts, running_title
+
+_N, _T, _J = Name("n"), Name("T"), Name("J_x")
+_OMEGA_2 = Name("omega") ** 2
+_UNITS = {INERTIA.unit: Name("m") * Name("r") ** 2 * _OMEGA_2, OF_RODS: _J * _OMEGA_2}
+LEGEND = "How to read it"
+SIGNS: tuple[Said, Said] = (
+    "signs",
+    "a torque is + on the crank in the sense of rotation, and so is a moment on the frame",
+)
+
+
+def torque_document(report: TorqueReport) -> Document:
+    """Return a report as a document: the torque on crank and frame, the running engine's, the legend."""
+    layout, running = report.layout, report.running
+    title, lead = f"{layout.name}: torque on crank and frame", engine_words(layout)
+    inertia = _report_blocks(report)
+    if running is None:
+        gas: tuple[Said, Said] = (
+            "gas torque",
+            "comes on top: it needs a pressure trace or an ideal cycle",
+        )
+        return Document(title, inertia + _legend(layout, LEGEND, gas), lead)
+    return Document(
+        title,
+        blocks(
+            Heading("Inertia, order by order"),
+            inertia,
+            Heading(running_title(running)),
+            running_blocks(running),
+            Heading(LEGEND),
+            _legend(layout, "", *running_facts(running)),
+        ),
+        lead,
+    )
+
+
+def orders_document(balance: TorqueBalance) -> Document:
+    """Return one torque or moment as a document: its orders, one cylinder's coefficients, the legend."""
+    title = f"{balance.layout.name}: {balance.quantity}"
+    body = blocks(_orders(balance), _coefficients(balance), _legend(balance.layout, LEGEND))
+    return Document(title, body, engine_words(balance.layout))
+
+
+def _report_blocks(report: TorqueReport) -> tuple[Block, ...]:
+    first, *others = report.parts()
+    coefficients = [block for part in report.parts() for block in _coefficients(part)]
+    return blocks(
+        _orders(first),
+        Paragraph(_frame_words(report)),
+        tuple(map(_orders, others)),
+        tuple(coefficients),
+    )
+
+
+def _frame_words(report: TorqueReport) -> str:
+    if report.is_opposite:
+        return "The frame gets the opposite."
+    if report.frame is None:
+        return "The frame gets the opposite, and moments of its own, whose sum needs more sizes."
+    return "The frame gets the opposite, and the moments below; of gas torque it gets the opposite alone."
+
+
+def _orders(balance: TorqueBalance) -> Table:
+    title = balance.quantity[0].upper() + balance.quantity[1:]
+    rows = [Row(n, "", component) for n, component in balance.components.items()]
+    empty = f"none, to order {balance.highest}"
+    return component_table((f"{title}, unit ", _unit(balance)), rows, empty=empty)
+
+
+def _unit(balance: TorqueBalance) -> Formula | Equation:
+    unit = _UNITS[balance.unit]
+    if balance.kinematics is None:
+        return unit
+    unit = Subscript(Name(balance.kinematics.letter), _N) * unit
+    return equal(Subscript(_T, _N), unit) if balance.kinematics == INERTIA else unit
+
+
+def _coefficients(balance: TorqueBalance) -> tuple[Block, ...]:
+    if not balance.components or balance.kinematics is None:
+        return ()
+    return (coefficient_table(balance.kinematics, balance.orders, balance.values, balance.ratio),)
+
+
+def _legend(layout: Engine, title: str, *more: tuple[Said, Said]) -> tuple[Block, ...]:
+    """Return what letters, signs and angles mean; `more` stands before the signs."""
+    alike = has_common_torque(layout)
+    entries = [
+        *origin_facts(layout),
+        *size_facts(layout, layout.ratio, alike=alike, pitch=False),
+        *_rods(layout),
+        *balancer_entries(layout),
+        *more,
+        SIGNS,
+        ORDER,
+    ]
+    return blocks(None if alike else kind_table(layout), Facts(tuple(entries), title))
+
+
+def _rods(layout: Engine) -> list[tuple[Said, Said]]:
+    excess = first_excess(layout)
+    if not excess:
+        return []
+    whose = "a rod" if len({*excesses(layout)}) == 1 else "the first rod that has one"
+    size = rounded(excess / MILLI**2)
+    return [(_J, (f"moment of inertia of {whose} beyond that of its two end masses: ", size, " kg m²"))]

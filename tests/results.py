@@ -1,0 +1,254 @@
+"""One example of every result the library computes, for tests that hold for all of them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import sympy
+from cranks import sheet, written
+from sympy import Symbol
+
+import symbalance as sb
+from symbalance.crankshaft.files import read_running_engine
+from symbalance.crankshaft.reports import summary
+from symbalance.crankshaft.running import setting, swept
+from symbalance.document.result import Result
+
+
+def _balance() -> Result:
+    return sb.balance(sb.load("v10-72"), 6)
+
+
+def _balance_unlike() -> Result:
+    return sb.balance(sb.load("r-985"), 4)
+
+
+def _worst_cases() -> Result:
+    tolerances = sb.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
+    return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
+
+
+def _sensitivities() -> Result:
+    return sb.sensitivities(sb.load("v8-90"), 4)
+
+
+def _assignment() -> Result:
+    return sb.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
+
+
+def _assignment_of_many() -> Result:
+    masses = [Fraction(440 + (7 * n) % 19, 1000) for n in range(12)]
+    return sb.assign_parts(sb.load("v12-60"), masses, orders=[1, 2], whole=True)
+
+
+def _symbolic_order() -> Result:
+    letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
+    return sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters)
+
+
+def _symbolic_order_of_a_vee() -> Result:
+    engine = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin_of_any_angle")
+    return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
+
+
+def _derivation() -> Result:
+    return sb.derive("force", 6)
+
+
+def _crank_stars() -> Result:
+    return sb.crank_stars(5)
+
+
+def _firing_orders() -> Result:
+    return sb.firing_orders(sb.load("vw-vr6"), within="1/2")
+
+
+def _truncation_bounds() -> Result:
+    return sb.truncation_bounds("force", "7/2", 12)
+
+
+def _harmonics() -> Result:
+    return sb.harmonics("displacement", 6)
+
+
+def _design() -> Result:
+    return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
+
+
+def _design_unlike() -> Result:
+    return sb.design_balance(sb.load("vw-vr6"), [1], per_throw=True)
+
+
+def _ellipse() -> Result:
+    return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+
+
+def _rotating_balance() -> Result:
+    pins = [("3/2", 0), ("1/2", 90), ("-1/2", 270), ("-3/2", 180)]
+    weights = [sb.Weight(station, angle, unbalance=60) for station, angle in pins]
+    return sb.balanced_weights(weights, [2, -2])
+
+
+def _running(name: str, order: int) -> Result:
+    sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5"}
+    return sb.crank_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
+
+
+def _torque_running() -> Result:
+    engine = sb.load(Path(__file__).parent / "record" / "engines" / "lanchester-four.toml")
+    cycle = sb.ideal_cycle("8.5", heat=18)
+    running = sb.crank_torque(engine, cycle, bore=90, rpm=3000, order=6)
+    return sb.torque_report(engine, 6, running=running)
+
+
+PAGE = r"""
+$$x \approx r(1-\cos\theta) + \frac{r}{2\lambda}(1-\cos 2\theta)$$
+
+連桿比 $\lambda = 147.15/36.65 = 4.02$ and $|k| = |-k|$, so that $k \neq q$; $\ln(k^2) = 2 \ln k$
+
+$$\frac{\mathrm{d}x}{\mathrm{d}\theta} 度 = r \sin\theta = r \cos\theta$$
+"""
+"""Every verdict, Japanese prose, and characters that each medium writes in its own way."""
+LETTERS = {
+    "theta": "crank angle",
+    "r": "crank radius",
+    "lambda": "rod ratio l/r",
+    "x": "displacement from top dead centre",
+    "k": "positive",
+}
+
+
+def _check() -> Result:
+    return sb.check(PAGE, LETTERS)
+
+
+def _verdict() -> Result:
+    x = sympy.Symbol("x")
+    return sb.check_equal(sympy.sin(x) ** 2, (1 + sympy.cos(2 * x)) / 2)
+
+
+def _rotor() -> Any:
+    discs = {0.5: sb.Disc(32.6, 0.33, 0.18)}
+    return sb.shaft([sb.Tube(1.5, 0.05)], discs, bearings=(0.0, 1.5))
+
+
+UNEVEN = [sb.Support((1e6, 8e5), damping=100.0)] * 2
+"""Supports softer sideways, N/m, with damping in N s/m."""
+
+
+def _modes() -> Result:
+    return sb.natural_modes(_rotor(), 5)
+
+
+def _campbell() -> Result:
+    rotor = _rotor()
+    return sb.campbell(rotor, [0.0, 200.0, 400.0], sb.held_at(rotor, 1e6, axial=1e8), count=8)
+
+
+def _whirl() -> Result:
+    return sb.whirl(_rotor(), UNEVEN, 400.0)
+
+
+def _critical_speeds() -> Result:
+    return sb.critical_speeds(_rotor(), UNEVEN, most=600.0)
+
+
+def _unbalance_response() -> Result:
+    return sb.unbalance_response(_rotor(), UNEVEN, {0.5: 1e-3, 0.0: 2e-4j}, [80.0, 400.0])
+
+
+def _torsional_chain() -> Result:
+    return sb.torsional_chain([3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05], [12e3, 12e3, 14e3, 10e3])
+
+
+def _crank_node() -> Result:
+    return sb.node_equations("uvw")
+
+
+def _crankshaft() -> Result:
+    """A run of one cylinder at three speeds, of which the last is not to be relied on."""
+    with TemporaryDirectory() as folder:
+        engine = read_running_engine(written(Path(folder), sheet())).at_speeds((1000.0, 1500.0, 2000.0))
+        made = setting(engine, webs="nominal", steps=120, about="centre")
+        outcomes = [replace(one, seconds=0.25) for one in swept(made, None, lambda line: None)]
+    lost = replace(outcomes[-1], reason="films do not settle at 120 steps a cycle")
+    return summary(made, [*outcomes[:-1], lost])
+
+
+EXAMPLES: dict[str, Callable[[], Result]] = {
+    "balance": _balance,
+    "balance-unlike": _balance_unlike,
+    "worst-cases": _worst_cases,
+    "sensitivities": _sensitivities,
+    "assignment": _assignment,
+    "assignment-of-many": _assignment_of_many,
+    "symbolic-order": _symbolic_order,
+    "symbolic-order-of-a-vee": _symbolic_order_of_a_vee,
+    "derivation": _derivation,
+    "presets": sb.presets,
+    "crank-stars": _crank_stars,
+    "firing-orders": _firing_orders,
+    "truncation-bounds": _truncation_bounds,
+    "harmonics": _harmonics,
+    "design": _design,
+    "design-unlike": _design_unlike,
+    "ellipse": _ellipse,
+    "rotating-balance": _rotating_balance,
+    "torque": lambda: sb.torque_report(sb.load("v10-72"), 10),
+    "torque-unlike": lambda: sb.torque_report(sb.load("vw-vr6"), 6),
+    "torque-symbolic": lambda: sb.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),
+    "torque-running": _torque_running,
+    "torque-orders": lambda: sb.inertia_torque(sb.load("inline-5"), 10),
+    "running-torque": lambda: _running("v2-45", 3),
+    "gas-torque": lambda: sb.gas_torque(sb.load("v6-90"), sb.ideal_cycle(10, heat=20)),
+    "firing-stars": lambda: sb.firing_stars(sb.load("v6-90"), 4),
+    "ideal-cycle": lambda: sb.ideal_cycle(16, heat=20, peak_pressure=100),
+    "pressure-trace": lambda: sb.ideal_cycle(10, heat=20).trace(4, 720),
+    "check": _check,
+    "verdict": _verdict,
+    "campbell": _campbell,
+    "crank-node": _crank_node,
+    "crankshaft": _crankshaft,
+    "critical-speeds": _critical_speeds,
+    "natural-modes": _modes,
+    "torsional-chain": _torsional_chain,
+    "unbalance-response": _unbalance_response,
+    "whirl": _whirl,
+}
+"""By a name of its own for each; a class may have several."""
+
+
+@cache
+def example(name: str) -> Result:
+    """Return an example, computed once."""
+    return EXAMPLES[name]()
+
+
+def result_classes() -> set[type[Result]]:
+    """Return every class of result in the package, all of its modules imported."""
+    from importlib import import_module
+    from pkgutil import walk_packages
+
+    import symbalance
+
+    for module in walk_packages(symbalance.__path__, "symbalance."):
+        if ".bench" not in module.name and not module.name.endswith("__main__"):
+            import_module(module.name)
+    # A class with slots is made twice; the first lives on among the subclasses.
+    return {
+        cls
+        for cls in _below(Result)
+        if cls.kind and getattr(sys.modules[cls.__module__], cls.__name__) is cls
+    }
+
+
+def _below(cls: type[Result]) -> set[type[Result]]:
+    """Return a class and all that derive from it, those that only others derive from among them."""
+    return {cls}.union(*map(_below, cls.__subclasses__()))
