@@ -29,7 +29,7 @@ LONGEST_TITLE = 70
 _STYLE = """
 .symbalance{max-width:60rem;font:1rem/1.45 system-ui,sans-serif}
 .symbalance table{border-collapse:collapse;margin:0 0 1rem}
-.symbalance caption{text-align:left;font-weight:bold;padding:.3rem 0}
+.symbalance caption,.symbalance .title{text-align:left;font-weight:bold;padding:.3rem 0}
 .symbalance th,.symbalance td{padding:.15rem .8rem .15rem 0;text-align:left;vertical-align:baseline}
 .symbalance thead th{border-bottom:1px solid}
 .symbalance tbody th{font-weight:normal}
@@ -116,7 +116,8 @@ class _Writer(DocumentWriter):
         return f"<details>\n<summary>{escape(block.summary)}</summary>\n{inner}\n</details>"
 
     def facts(self, block: nodes.Facts) -> str:
-        head = f"<p>{self.words(block.title)}</p>\n" if inlines(block.title) else ""
+        title = self.words(block.title)
+        head = f'<p class="title">{title}</p>\n' if title else ""
         if all(value == "" for _, value in block.entries):
             items = [f"<li>{self.words(name)}</li>" for name, _ in block.entries]
             return f"{head}<ul>\n{chr(10).join(items)}\n</ul>"

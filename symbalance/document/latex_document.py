@@ -9,7 +9,8 @@ lualatex with luatexja: pdflatex writes their codes, and says on the page and in
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from math import ceil
 
 from symbalance.document import nodes
 from symbalance.document.displayed import displayed
@@ -161,24 +162,22 @@ class _Writer(DocumentWriter):
         if not block.rows:
             return rf"{title}: {escaped(block.empty)}.\par" if title else rf"{escaped(block.empty)}.\par"
         fit = fitted(block, _width, ROOM / 0.8, _GAP)
+        columns, whole = _columns(fit)
         parts = []
-        for first in range(0, len(fit.rows), ROWS):
-            head = title if first == 0 else f"{title} (continued)" if title else ""
-            parts.append(self.tabular(head, fit, fit.rows[first : first + ROWS]))
+        for rows in _pages(fit.rows, columns):
+            head = f"{title} (continued)" if title and parts else title
+            parts.append(self.tabular(head, columns, whole, rows))
         remark = [rf"{fit.remark}.\par"] if fit.remark else []
         return "\n".join([*parts, *_left_out(fit.left_out), *remark])
 
-    def tabular(self, title: str, fit: Fitted, rows: Sequence[tuple[nodes.Words, ...]]) -> str:
+    def tabular(
+        self,
+        title: str,
+        columns: Sequence[_Column],
+        whole: float,
+        rows: Sequence[tuple[nodes.Words, ...]],
+    ) -> str:
         """Return a part of a table that fits a page, in the largest size that fits a line."""
-        columns = [
-            _Column([fit.columns[i].head, *(row[i] for row in fit.rows)]) for i in range(len(fit.columns))
-        ]
-        whole = sum(column.width for column in columns) + _GAP * (len(columns) - 1)
-        paragraph = _paragraph(columns, whole)
-        if paragraph is not None:
-            whole = ROOM / 0.8
-            rest = sum(c.width for i, c in enumerate(columns) if i != paragraph)
-            columns[paragraph].as_paragraph(whole - rest - _GAP * (len(columns) - 1))
         size = next((name for scale, name in _SIZES if whole * scale <= ROOM), _SIZES[-1][1])
         shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
         lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
@@ -204,11 +203,19 @@ class _Column:
         printed = [plain_words(cell) for cell in cells[1:]]
         self.splits = self.is_number and any("." in p for p in printed)
         self.width = max(map(_width, cells))
+        self.room = 0.0
+        """Of a paragraph's lines; 0 where cells are one line each."""
         self.shape = "r@{}l" if self.splits else "r" if self.is_number else "l"
         self.is_words = all(isinstance(part, str | nodes.Code | nodes.Strong) for c in body for part in c)
 
     def as_paragraph(self, width: float) -> None:
+        """Set the column's cells over several lines of so many digits."""
         self.shape = rf"p{{{width * 0.5:.1f}em}}"
+        self.room = width
+
+    def lines(self, words: nodes.Words) -> int:
+        """Return how many lines a cell takes, an estimate on the high side."""
+        return ceil(1.1 * _width(words) / self.room) if self.room else 1
 
     def head(self, printed: str, *, last: bool) -> str:
         """Return a column's head, over both halves of a column that is parted at its points."""
@@ -239,6 +246,37 @@ def _in_cell(value: Formula) -> str:
     equation = Equation(Words(""), (("", value),))
     lines = [line.printed for line in displayed([equation], LatexWriter(), ROOM * 0.7, _INDENT)]
     return r"\begin{aligned}[t]&" + r" \\ &".join(lines) + r"\end{aligned}"
+
+
+def _columns(fit: Fitted) -> tuple[list[_Column], float]:
+    """Return a table's columns, the widest one of words as a paragraph where it must, and their width."""
+    columns = [
+        _Column([fit.columns[i].head, *(row[i] for row in fit.rows)]) for i in range(len(fit.columns))
+    ]
+    gaps = _GAP * (len(columns) - 1)
+    whole = sum(column.width for column in columns) + gaps
+    paragraph = _paragraph(columns, whole)
+    if paragraph is None:
+        return columns, whole
+    rest = sum(c.width for i, c in enumerate(columns) if i != paragraph)
+    columns[paragraph].as_paragraph(ROOM / 0.8 - rest - gaps)
+    return columns, ROOM / 0.8
+
+
+def _pages(
+    rows: Sequence[tuple[nodes.Words, ...]], columns: Sequence[_Column]
+) -> Iterator[list[tuple[nodes.Words, ...]]]:
+    """Yield the rows in groups of at most `ROWS` lines, each of which fits a page."""
+    page: list[tuple[nodes.Words, ...]] = []
+    lines = 0
+    for row in rows:
+        tall = max(column.lines(row[i]) for i, column in enumerate(columns))
+        if page and lines + tall > ROWS:
+            yield page
+            page, lines = [], 0
+        page.append(row)
+        lines += tall
+    yield page
 
 
 def _paragraph(columns: Sequence[_Column], whole: float) -> int | None:

@@ -55,7 +55,7 @@ class _Writer(DocumentWriter):
     def facts(self, block: nodes.Facts) -> str:
         said = [(self.words(name), self.words(value)) for name, value in block.entries]
         lines = [f"- {name}: {value}" if value else f"- {name}" for name, value in said]
-        head = [self.words(block.title), ""] if inlines(block.title) else []
+        head = [f"**{self.words(block.title)}**", ""] if inlines(block.title) else []
         return "\n".join([*head, *lines])
 
     def formulas(self, block: nodes.Formulas) -> str:
