@@ -16,7 +16,7 @@ from textwrap import shorten
 from symbalance.document import nodes
 from symbalance.document.document_writer import DocumentWriter, is_number
 from symbalance.document.fitting import Fitted, fitted, plain_words
-from symbalance.document.formula import Decimal, Equation, Formula, Number
+from symbalance.document.formula import Decimal, Equation, Formula, Negative, Number
 from symbalance.document.mathml_writer import formula_mathml
 from symbalance.document.nodes import inlines
 
@@ -30,6 +30,7 @@ _STYLE = """
 .symbalance{max-width:60rem;font:1rem/1.45 system-ui,sans-serif}
 .symbalance table{border-collapse:collapse;margin:0 0 1rem}
 .symbalance caption,.symbalance .title{text-align:left;font-weight:bold;padding:.3rem 0}
+.symbalance caption{white-space:nowrap}
 .symbalance th,.symbalance td{padding:.15rem .8rem .15rem 0;text-align:left;vertical-align:baseline}
 .symbalance thead th{border-bottom:1px solid}
 .symbalance tbody th{font-weight:normal}
@@ -97,8 +98,9 @@ class _Writer(DocumentWriter):
         return f"<strong>{escape(text, quote=False)}</strong>"
 
     def math(self, value: Formula | Equation) -> str:
-        whole = isinstance(value, Number) and value.value.denominator == 1
-        return plain_words(value) if whole or isinstance(value, Decimal) else formula_mathml(value)
+        size = value.operand if isinstance(value, Negative) else value
+        whole = isinstance(size, Number) and size.value.denominator == 1
+        return plain_words(value) if whole or isinstance(size, Decimal) else formula_mathml(value)
 
     # Blocks -------------------------------------------------------------------------------------
 
@@ -207,7 +209,7 @@ def _padding(cells: Sequence[nodes.Words]) -> list[str] | None:
     return [longest[: len(longest) - len(head)] for head in heads]
 
 
-_WHOLE = re.compile("−?[0-9]+")
+_WHOLE = re.compile("[+−]?[0-9]+")
 """What stands before a number's point."""
 
 

@@ -22,7 +22,7 @@ _NARROWEST = 12
 """No column of words is wrapped to less."""
 _LONGEST_VERDICT = 20
 """Of those that have their lines' texts beside them."""
-_POINT = re.compile(r"[−-]?\d+")
+_POINT = re.compile(r"[+−-]?\d+")
 
 Spelled = Callable[[str], str]
 
@@ -185,7 +185,7 @@ class _Writer(DocumentWriter):
             return [head, *body]
         before = max(len(_whole(cell)) for cell in body)
         body = [" " * (before - len(_whole(cell))) + cell if cell else "" for cell in body]
-        if all(cell.strip().lstrip("−-").isdecimal() for cell in body if cell.strip() not in _WORDLESS):
+        if all(cell.strip().lstrip("+−-").isdecimal() for cell in body if cell.strip() not in _WORDLESS):
             head = head.rjust(before)
             body = [cell.rjust(len(head)) for cell in body]
         return [head, *body]
