@@ -26,9 +26,8 @@ def displayed(
     left column at least `column`.
     """
     space = writer.width(" ")
-    left = max(column, *(writer.width(writer.write(each.left)) for each in equations)) + space
-    for each in equations:
-        name = writer.write(each.left)
-        for line in broken_equation(each, writer, room - left, indent):
-            yield DisplayedLine(name, line.depth, line.printed)
-            name = ""
+    names = [writer.write(each.left) for each in equations]
+    left = max(column, *map(writer.width, names)) + space
+    for name, each in zip(names, equations, strict=True):
+        for place, line in enumerate(broken_equation(each, writer, room - left, indent)):
+            yield DisplayedLine("" if place else name, line.depth, line.printed)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 from symbalance.document import nodes
-from symbalance.document.formula import INFINITY, Decimal, Equation, Formula, Negative, Number
-from symbalance.document.nodes import UNKNOWN, Inline, inlines
+from symbalance.document.formula import Equation, Formula
+from symbalance.document.nodes import Inline, inlines
 
 
 class DocumentWriter(ABC):
@@ -75,20 +75,3 @@ class DocumentWriter(ABC):
     @abstractmethod
     def details(self, block: nodes.Details) -> str:
         """Return what may be skipped."""
-
-
-def is_number(words: nodes.Words) -> bool:
-    """Tell whether a cell is a lone number, infinite, unknown or empty: points stand in line.
-
-    >>> from symbalance.document.formula import number
-    >>> is_number(number(3)), is_number(-number(3)), is_number("3 of 4"), is_number(UNKNOWN)
-    (True, True, False, True)
-    """
-    match inlines(words):
-        case ():
-            return True
-        case (only,):
-            size = only.operand if isinstance(only, Negative) else only
-            return isinstance(size, Decimal | Number) or size in (UNKNOWN, INFINITY)
-        case _:
-            return False

@@ -8,9 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
-from symbalance.document.formula import Formula
-from symbalance.document.nodes import Cell, Code, Column, Exact, Inline, Strong, Table, Words, inlines
+from symbalance.document.formula import INFINITY, Decimal, Formula, Negative, Number
+from symbalance.document.nodes import (
+    UNKNOWN,
+    Cell,
+    Code,
+    Column,
+    Exact,
+    Inline,
+    Strong,
+    Table,
+    Words,
+    inlines,
+)
 from symbalance.document.text_writer import formula_text
 
 SHORT = 14
@@ -40,6 +52,15 @@ class Fitted:
     remark: str = ""
     """What is said of exact forms that no medium has room for."""
 
+    def cells(self, column: int) -> tuple[Words, ...]:
+        """Return what stands in a column below its head."""
+        return tuple(row[column] for row in self.rows)
+
+    @cached_property
+    def numeric(self) -> tuple[bool, ...]:
+        """Whether all cells of a column are numbers, whose points stand in line; by column."""
+        return tuple(all(map(is_number, self.cells(i))) for i in range(len(self.columns)))
+
 
 def fitted(table: Table, width: Callable[[Words], float], room: float, gap: float) -> Fitted:
     """Return a table with the exact cells that fit into `room`; `gap` lies between two columns.
@@ -56,25 +77,21 @@ def fitted(table: Table, width: Callable[[Words], float], room: float, gap: floa
     )
     longest: dict[int, int] = {}  # by column: how long an exact form may be
 
-    def shown() -> list[tuple[Words, ...]]:
-        return [tuple(_chosen(c, longest.get(i)) for i, c in enumerate(row)) for row in cells]
+    def width_of(i: int) -> float:
+        body = (width(_chosen(row[i], longest.get(i))) for row in cells)
+        return max(width(columns[i].head), *body)
 
-    def widths(rows: list[tuple[Words, ...]]) -> list[float]:
-        return [
-            max(width(column.head), *(width(row[i]) for row in rows)) if rows else width(column.head)
-            for i, column in enumerate(columns)
-        ]
-
-    rows = shown()
+    sizes = list(map(width_of, range(len(columns))))
     for limit in (SHORT, SHORTEST):
         open_columns = {i for i in range(len(columns)) if _can_give_way(cells, i, limit)}
-        while open_columns and sum(sizes := widths(rows)) + gap * (len(columns) - 1) > room:
+        while open_columns and sum(sizes) + gap * (len(columns) - 1) > room:
             widest = max(open_columns, key=lambda i: sizes[i])
             open_columns.discard(widest)
             longest[widest] = limit
-            rows = shown()
+            sizes[widest] = width_of(widest)
+    rows = tuple(tuple(_chosen(c, longest.get(i)) for i, c in enumerate(row)) for row in cells)
     keys = sum(i < table.keys for i in kept)
-    return Fitted(columns, tuple(rows), _left_out(keys, columns, cells, longest), _remark(unread))
+    return Fitted(columns, rows, _left_out(keys, columns, cells, longest), _remark(unread))
 
 
 def _readable(cell: Cell) -> Cell:
@@ -138,6 +155,23 @@ def _left_out(
         )
         for (value, rest, i), rows in rows_of.items()
     )
+
+
+def is_number(words: Words) -> bool:
+    """Tell whether a cell is a lone number, infinite, unknown or empty: points stand in line.
+
+    >>> from symbalance.document.formula import number
+    >>> is_number(number(3)), is_number(-number(3)), is_number("3 of 4"), is_number(UNKNOWN)
+    (True, True, False, True)
+    """
+    match inlines(words):
+        case ():
+            return True
+        case (only,):
+            size = only.operand if isinstance(only, Negative) else only
+            return isinstance(size, Decimal | Number) or size in (UNKNOWN, INFINITY)
+        case _:
+            return False
 
 
 def name_of(column: Column) -> str:

@@ -14,7 +14,7 @@ from itertools import count
 from textwrap import shorten
 
 from symbalance.document import nodes
-from symbalance.document.document_writer import DocumentWriter, is_number
+from symbalance.document.document_writer import DocumentWriter
 from symbalance.document.fitting import Fitted, fitted, plain_words
 from symbalance.document.formula import Decimal, Equation, Formula, Negative, Number
 from symbalance.document.mathml_writer import formula_mathml
@@ -159,7 +159,7 @@ class _Writer(DocumentWriter):
             title = f"{self.words(block.title)}: " if inlines(block.title) else ""
             return f"<p>{title}{escape(block.empty)}</p>"
         fit = fitted(block, lambda words: len(plain_words(words)), ROOM, 2)
-        columns = [_padding([row[i] for row in fit.rows]) for i in range(len(fit.columns))]
+        columns = [_padding(fit.cells(i)) if each else None for i, each in enumerate(fit.numeric)]
         heads = "".join(
             f'<th scope="col"{_number_class(pad)}>{self.words(column.head)}</th>'
             for column, pad in zip(fit.columns, columns, strict=True)
@@ -199,10 +199,8 @@ class _Writer(DocumentWriter):
         return f"\n<p>exactly:</p>\n<ul>\n{chr(10).join(items)}\n</ul>" if items else ""
 
 
-def _padding(cells: Sequence[nodes.Words]) -> list[str] | None:
-    """Return what is missing before each number of a column so that points stand in line, or None."""
-    if not all(map(is_number, cells)):
-        return None
+def _padding(cells: Sequence[nodes.Words]) -> list[str]:
+    """Return what is missing before each number of a column so that points stand in line."""
     wholes = [_WHOLE.match(plain_words(cell)) for cell in cells]
     heads = [whole[0] if whole else "" for whole in wholes]
     longest = max(heads, key=len, default="")

@@ -14,7 +14,7 @@ from math import ceil
 
 from symbalance.document import nodes
 from symbalance.document.displayed import displayed
-from symbalance.document.document_writer import DocumentWriter, is_number
+from symbalance.document.document_writer import DocumentWriter
 from symbalance.document.fitting import Fitted, LeftOut, fitted, plain_words
 from symbalance.document.formula import Equation, Formula, Words
 from symbalance.document.latex_characters import east_asian, escaped
@@ -34,6 +34,14 @@ _INDENT = 2.0
 _QUAD = r"\quad "
 _BREAKS = re.compile(r"(?<=.)(?=\\)|(?<=[=+,}/_])(?=.)", re.DOTALL)
 _SIZES = ((1.0, ""), (0.9, r"\small"), (0.8, r"\footnotesize"), (0.7, r"\scriptsize"), (0.55, r"\tiny"))
+_SMALLEST = 0.8
+"""A table is fitted as for this size, \\footnotesize: smaller ones are for what cannot give way."""
+_CELL, _CELL_LINE = 0.75, 0.7
+"""Of a line: a formula wider than the first stands in its cell over lines of the second: indents take the rest."""
+_LETTER, _TYPED = 0.95, 1.15
+"""How wide a letter is on average, and one of a typewriter, in digits."""
+_HIGH = 1.1
+"""What the ragged ends of a paragraph's lines add to it."""
 _WORDS_ROOM = 24.0
 """A column of words wider than this may be set as a paragraph."""
 
@@ -161,7 +169,7 @@ class _Writer(DocumentWriter):
         title = f"{self.words(block.title)}" if inlines(block.title) else ""
         if not block.rows:
             return rf"{title}: {escaped(block.empty)}.\par" if title else rf"{escaped(block.empty)}.\par"
-        fit = fitted(block, _width, ROOM / 0.8, _GAP)
+        fit = fitted(block, _width, ROOM / _SMALLEST, _GAP)
         columns, whole = _columns(fit)
         parts = []
         for rows in _pages(fit.rows, columns):
@@ -182,7 +190,7 @@ class _Writer(DocumentWriter):
         shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
         lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
         lines += [rf"{{{size}", rf"\begin{{tabular}}{{@{{}}{shape}@{{}}}}", r"\toprule"]
-        heads = [c.head(self.words(c.cells[0]), last=c is columns[-1]) for c in columns]
+        heads = [c.head(self.words(c.title), last=c is columns[-1]) for c in columns]
         lines.append(" & ".join(heads) + r" \\")
         lines.append(r"\midrule")
         body = [" & ".join(c.cell(self, row[i]) for i, c in enumerate(columns)) for row in rows]
@@ -196,17 +204,15 @@ class _Writer(DocumentWriter):
 class _Column:
     """A column of a table: how wide it is, its letter in the table's shape, and its cells."""
 
-    def __init__(self, cells: Sequence[nodes.Words]) -> None:
-        self.cells = cells
-        body = [inlines(cell) for cell in cells[1:]]
-        self.is_number = all(map(is_number, cells[1:]))
-        printed = [plain_words(cell) for cell in cells[1:]]
-        self.splits = self.is_number and any("." in p for p in printed)
-        self.width = max(map(_width, cells))
+    def __init__(self, fit: Fitted, place: int) -> None:
+        self.title, cells, numeric = fit.columns[place].head, fit.cells(place), fit.numeric[place]
+        self.splits = numeric and any("." in plain_words(cell) for cell in cells)
+        self.width = max(map(_width, (self.title, *cells)))
         self.room = 0.0
         """Of a paragraph's lines; 0 where cells are one line each."""
-        self.shape = "r@{}l" if self.splits else "r" if self.is_number else "l"
-        self.is_words = all(isinstance(part, str | nodes.Code | nodes.Strong) for c in body for part in c)
+        self.shape = "r@{}l" if self.splits else "r" if numeric else "l"
+        parts = (part for cell in cells for part in inlines(cell))
+        self.is_words = all(isinstance(part, str | nodes.Code | nodes.Strong) for part in parts)
 
     def as_paragraph(self, width: float) -> None:
         """Set the column's cells over several lines of so many digits."""
@@ -215,7 +221,7 @@ class _Column:
 
     def lines(self, words: nodes.Words) -> int:
         """Return how many lines a cell takes, an estimate on the high side."""
-        return ceil(1.1 * _width(words) / self.room) if self.room else 1
+        return ceil(_HIGH * _width(words) / self.room) if self.room else 1
 
     def head(self, printed: str, *, last: bool) -> str:
         """Return a column's head, over both halves of a column that is parted at its points."""
@@ -241,26 +247,24 @@ class _Column:
 
 def _in_cell(value: Formula) -> str:
     """Return a formula for a cell, over several lines where it is wider than a line."""
-    if latex_width(formula_latex(value)) <= ROOM * 0.75:
+    if latex_width(formula_latex(value)) <= ROOM * _CELL:
         return formula_latex(value)
     equation = Equation(Words(""), (("", value),))
-    lines = [line.printed for line in displayed([equation], LatexWriter(), ROOM * 0.7, _INDENT)]
+    lines = [line.printed for line in displayed([equation], LatexWriter(), ROOM * _CELL_LINE, _INDENT)]
     return r"\begin{aligned}[t]&" + r" \\ &".join(lines) + r"\end{aligned}"
 
 
 def _columns(fit: Fitted) -> tuple[list[_Column], float]:
     """Return a table's columns, the widest one of words as a paragraph where it must, and their width."""
-    columns = [
-        _Column([fit.columns[i].head, *(row[i] for row in fit.rows)]) for i in range(len(fit.columns))
-    ]
+    columns = [_Column(fit, i) for i in range(len(fit.columns))]
     gaps = _GAP * (len(columns) - 1)
     whole = sum(column.width for column in columns) + gaps
     paragraph = _paragraph(columns, whole)
     if paragraph is None:
         return columns, whole
     rest = sum(c.width for i, c in enumerate(columns) if i != paragraph)
-    columns[paragraph].as_paragraph(ROOM / 0.8 - rest - gaps)
-    return columns, ROOM / 0.8
+    columns[paragraph].as_paragraph(ROOM / _SMALLEST - rest - gaps)
+    return columns, ROOM / _SMALLEST
 
 
 def _pages(
@@ -282,7 +286,7 @@ def _pages(
 def _paragraph(columns: Sequence[_Column], whole: float) -> int | None:
     """Return the column of words to be set as a paragraph in a table too wide for a line, or None."""
     wordy = [i for i, c in enumerate(columns) if c.is_words and c.width > _WORDS_ROOM]
-    if whole * 0.8 <= ROOM or not wordy:
+    if whole * _SMALLEST <= ROOM or not wordy:
         return None
     return max(wordy, key=lambda i: columns[i].width)
 
@@ -325,9 +329,9 @@ def _width(words: nodes.Words) -> float:
         if isinstance(part, Formula | Equation):
             total += latex_width(formula_latex(part))
         elif isinstance(part, str):
-            total += 0.95 * len(part)
+            total += _LETTER * len(part)
         else:
-            total += 1.15 * len(part.text)
+            total += _TYPED * len(part.text)
     return total
 
 

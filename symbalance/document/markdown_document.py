@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from symbalance.document import nodes
-from symbalance.document.document_writer import DocumentWriter, is_number
+from symbalance.document.document_writer import DocumentWriter
 from symbalance.document.fitting import fitted, plain_words
 from symbalance.document.formula import Decimal, Equation, Formula, Number
 from symbalance.document.latex_writer import formula_latex
@@ -73,8 +73,7 @@ class _Writer(DocumentWriter):
             return f"{title}: {self.string(block.empty)}" if title else self.string(block.empty)
         fit = fitted(block, lambda words: len(plain_words(words)), ROOM, 3)
         heads = [self.words(column.head) for column in fit.columns]
-        numbers = [all(is_number(row[i]) for row in fit.rows) for i in range(len(heads))]
-        rows = [heads, ["---:" if each else "---" for each in numbers]]
+        rows = [heads, ["---:" if numeric else "---" for numeric in fit.numeric]]
         rows += [[self.words(cell) for cell in row] for row in fit.rows]
         lines = ["| " + " | ".join(row) + " |" for row in rows]
         below = [f"- {self.string(f'{e.place} {e.name}')} = {self.math(e.value)}" for e in fit.left_out]

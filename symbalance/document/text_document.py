@@ -8,7 +8,7 @@ from textwrap import wrap
 
 from symbalance.document import nodes
 from symbalance.document.displayed import displayed
-from symbalance.document.document_writer import DocumentWriter, is_number
+from symbalance.document.document_writer import DocumentWriter
 from symbalance.document.fitting import Fitted, fitted
 from symbalance.document.formula import INFINITY, Equation, Formula, Matrix
 from symbalance.document.nodes import UNKNOWN, Words, inlines
@@ -159,10 +159,7 @@ class _Writer(DocumentWriter):
         return "\n".join([*title, *self.grid(fit, room), *self.left_out(fit)])
 
     def grid(self, fit: Fitted, room: int) -> list[str]:
-        columns = [
-            self.column([fit.columns[i].head, *(row[i] for row in fit.rows)])
-            for i in range(len(fit.columns))
-        ]
+        columns = [self.column(fit, i) for i in range(len(fit.columns))]
         widths = [max(map(len, column)) for column in columns]
         spare = room - sum(widths) - _GAP * (len(widths) - 1)
         if spare < 0:
@@ -178,10 +175,10 @@ class _Writer(DocumentWriter):
         rule = _INDENT + "─" * (max(len(line) for row in rows for line in row) - len(_INDENT))
         return [*rows[0], rule, *(line for row in rows[1:] for line in row)]
 
-    def column(self, cells: Sequence[Words]) -> list[str]:
-        """Return a column's cells; where all below the head are numbers, their points stand in line."""
-        head, *body = map(self.cell, cells)
-        if not all(is_number(cell) for cell in cells[1:]):
+    def column(self, fit: Fitted, place: int) -> list[str]:
+        """Return a column's head and cells; where all cells are numbers, their points stand in line."""
+        head, body = self.cell(fit.columns[place].head), list(map(self.cell, fit.cells(place)))
+        if not fit.numeric[place]:
             return [head, *body]
         before = max(len(_whole(cell)) for cell in body)
         body = [" " * (before - len(_whole(cell))) + cell if cell else "" for cell in body]
@@ -197,10 +194,9 @@ class _Writer(DocumentWriter):
     def narrowed(self, fit: Fitted, columns: Sequence[Sequence[str]], over: int) -> list[int]:
         """Return widths that fit, the widest columns giving way: words, and the heads of numbers."""
         narrow = [max(map(len, column)) for column in columns]
-        numbers = [all(is_number(row[i]) for row in fit.rows) for i in range(len(narrow))]
         least = [
-            max(map(len, column[1:])) if lone else _NARROWEST
-            for column, lone in zip(columns, numbers, strict=True)
+            max(map(len, column[1:])) if numeric else _NARROWEST
+            for column, numeric in zip(columns, fit.numeric, strict=True)
         ]
         while over > 0 and (open_columns := [i for i, w in enumerate(narrow) if w > least[i]]):
             narrow[max(open_columns, key=lambda i: narrow[i])] -= 1
