@@ -37,7 +37,7 @@ numbers = st.one_of(whole, st.fractions(-5, 5, max_denominator=9).map(f.number))
 letters = st.sampled_from(NAMES).map(f.Name)
 decimals = st.sampled_from(["2.5", "7.4379e-5", "-1.5e12", "0.25"]).map(f.Decimal)
 constants = st.sampled_from(["pi", "e", "i", "infinity"]).map(f.Constant)
-leaves = st.one_of(numbers, letters, letters, decimals, constants, st.just(f.Words("a < b & c")))
+leaves = st.one_of(numbers, letters, letters, decimals, constants, st.just(f.Upright("a < b & c")))
 
 
 def _larger(parts: st.SearchStrategy[f.Formula]) -> st.SearchStrategy[f.Formula]:
@@ -156,7 +156,7 @@ def test_mathml_of_a_whole_derivation(quantity: str) -> None:
     ("formula", "inside"),
     [
         (f.Name("x") - f.Name("x"), "<mrow><mi>x</mi><mo>−</mo><mi>x</mi></mrow>"),
-        (f.Words("a < b"), "<mtext>a &lt; b</mtext>"),
+        (f.Upright("a < b"), "<mtext>a &lt; b</mtext>"),
         (
             f.cos(2 * f.Name("theta")),
             '<mrow><mi>cos</mi><mo>\u2061</mo><mspace width="0.2em"></mspace>'
@@ -254,7 +254,7 @@ def test_derivations_have_their_value_in_sympy() -> None:
     assert formula_sympy(f.Matrix(((x, f.number(1)),))) == sympy.Matrix([[sympy.Symbol("x"), 1]])
 
 
-@pytest.mark.parametrize("formula", [1 + f.Dots(), f.Words("rad"), f.Summation(f.Name("x"))])
+@pytest.mark.parametrize("formula", [1 + f.Dots(), f.Upright("rad"), f.Summation(f.Name("x"))])
 def test_what_has_no_value_is_refused(formula: f.Formula) -> None:
     with pytest.raises(SymbalanceError):
         formula_sympy(formula)
@@ -273,8 +273,8 @@ def test_what_is_no_formula_is_refused() -> None:
     ("formula", "printed", "plain", "in_latex"),
     [
         (f.Decimal("7.4379e-5"), "7.4379 × 10⁻⁵", "7.4379e-5", r"7.4379\cdot 10^{-5}"),
-        (f.Words("rad"), "rad", "rad", r"\mathrm{rad}"),
-        (f.Words("crank & rod"), "crank & rod", "crank & rod", r"\text{crank \& rod}"),
+        (f.Upright("rad"), "rad", "rad", r"\mathrm{rad}"),
+        (f.Upright("crank & rod"), "crank & rod", "crank & rod", r"\text{crank \& rod}"),
         (f.Subscript(f.Name("A"), 2 * f.Name("k")), "A₂ₖ", "A_{2k}", "A_{2 k}"),
         (f.Matrix(((f.Name("x"), f.number(0)),)), "[x, 0]", "[x, 0]",
          r"\begin{pmatrix} x & 0 \end{pmatrix}"),

@@ -8,7 +8,7 @@ import sympy
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.document.formula import Decimal, Name, Words, cos
+from symbalance.document.formula import Decimal, Name, Upright, cos
 from symbalance.document.latex_document import document_latex
 from symbalance.document.latex_writer import formula_latex
 from symbalance.document.mathml_writer import formula_mathml
@@ -121,14 +121,14 @@ def test_what_has_no_latex_says_so():
 
 def test_upright_words_stand_apart_from_what_is_beside_them():
     """`kg r` and `vertical C` would else be one word in LaTeX and MathML, where spaces do not count."""
-    for product in (Words("kg") * Name("r"), Name("r") * Words("kg"), Words("N") * Words("m")):
+    for product in (Upright("kg") * Name("r"), Name("r") * Upright("kg"), Upright("N") * Upright("m")):
         left, right = formula_text(product).split(" ")
         assert re.search(rf"{left}\}}? \\, (\\mathrm\{{)?{right}", formula_latex(product))
         assert re.search(
             rf"{left}</m\w+><mo>\u2062</mo><mspace [^>]+></mspace><m\w+>{right}", formula_mathml(product)
         )
     # A function's name has its own space in LaTeX.
-    assert r"\," not in formula_latex(Words("amplitude") * cos(Name("n")))
+    assert r"\," not in formula_latex(Upright("amplitude") * cos(Name("n")))
 
 
 @pytest.mark.parametrize("command", ["balance {}", "torque {}", "design {}", "tolerances {} --mass 1%%"])

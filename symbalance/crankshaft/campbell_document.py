@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 from symbalance.crankshaft.rotor_facts import DIGITS, HERTZ, RPM, rotor_entry, speed_words, whirl_word
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import number
-from symbalance.document.nodes import Cell, Column, Document, Facts, Strong, Table, blocks
-from symbalance.document.nodes import Words as Said
+from symbalance.document.nodes import Cell, Column, Document, Facts, Strong, Table, Words, blocks
 
 if TYPE_CHECKING:
     from symbalance.crankshaft.campbell import Campbell
@@ -24,7 +23,7 @@ def campbell_document(lines: Campbell) -> Document:
     first, last = (speed_words(float(lines.speeds[i])) for i in (0, -1))
     span = f"from {first} to {last}" if len(lines.speeds) > 1 else f"at {first}"
     held = "free" if lines.is_free else "on a given stiffness, alike in all directions across the axis"
-    entries: tuple[tuple[Said, Said], ...] = (
+    entries: tuple[tuple[Words, Words], ...] = (
         rotor_entry(lines.rotor),
         ("held", held),
         ("turning axes", "turn with the rotor"),
@@ -45,7 +44,7 @@ def campbell_document(lines: Campbell) -> Document:
     )
 
 
-def _verdict(lines: Campbell) -> Said:
+def _verdict(lines: Campbell) -> Words:
     """Return at which speeds something grows."""
     growing = lines.speeds[lines.unstable.any(axis=1)]
     if not len(growing):

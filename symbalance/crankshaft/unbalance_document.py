@@ -11,8 +11,7 @@ import numpy as np
 from symbalance.crankshaft.rotor_facts import RPM, SUPPORTS, rotor_entry, speed_words, supports_table
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import number
-from symbalance.document.nodes import Cell, Column, Details, Document, Facts, Table, blocks
-from symbalance.document.nodes import Words as Said
+from symbalance.document.nodes import Cell, Column, Details, Document, Facts, Table, Words, blocks
 
 if TYPE_CHECKING:
     from symbalance.crankshaft.unbalance import UnbalanceResponse
@@ -87,7 +86,7 @@ def _unbalances(answer: UnbalanceResponse) -> tuple[tuple[Cell, ...], ...]:
 
 
 def _how_to_read(answer: UnbalanceResponse) -> Facts:
-    entries: list[tuple[Said, Said]] = [
+    entries: list[tuple[Words, Words]] = [
         rotor_entry(answer.rotor),
         ("largest", "half the major axis of the orbit"),
         ("forward, backward", "radii of the circles, with and against the shaft, that make up an orbit"),

@@ -17,8 +17,7 @@ from symbalance.crankshaft.rotor_facts import (
 )
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import number
-from symbalance.document.nodes import Column, Document, Facts, Strong, Table, blocks
-from symbalance.document.nodes import Words as Said
+from symbalance.document.nodes import Column, Document, Facts, Strong, Table, Words, blocks
 
 if TYPE_CHECKING:
     from symbalance.crankshaft.whirling import CriticalSpeeds, Whirl
@@ -45,7 +44,7 @@ def whirl_document(whirl: Whirl) -> Document:
     )
     count = len(whirl.roots)
     title = f"Motions, the slowest {SHOWN} of {count}" if count > SHOWN else "Motions"
-    entries: tuple[tuple[Said, Said], ...] = (
+    entries: tuple[tuple[Words, Words], ...] = (
         rotor_entry(whirl.rotor),
         ("Hz", "with damping; natural: the size of the root"),
         ("damping ratio", "below 0: the motion grows"),
@@ -83,7 +82,7 @@ def critical_document(critical: CriticalSpeeds) -> Document:
     limit = "" if critical.most is None else f" up to {speed_words(critical.most)}"
     count = len(critical.speeds)
     shown = f"the lowest {SHOWN} of {count}" if count > SHOWN else ""
-    entries: list[tuple[Said, Said]] = [
+    entries: list[tuple[Words, Words]] = [
         rotor_entry(critical.rotor),
         ("critical", "a whirl has the frequency of the turning itself"),
         ("forward", "excited by unbalance; backward only where supports differ in two directions"),

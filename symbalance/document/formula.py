@@ -100,7 +100,7 @@ class Constant(Formula):
 
 
 @dataclass(frozen=True, slots=True)
-class Words(Formula):
+class Upright(Formula):
     """Upright words within a formula: a unit, a name in full."""
 
     text: str

@@ -25,7 +25,7 @@ from symbalance.document.formula import (
     Subscript,
     Sum,
     Summation,
-    Words,
+    Upright,
 )
 
 SUM, SIGN, PRODUCT, QUOTIENT, POWER, ATOM = range(6)
@@ -34,7 +34,7 @@ SUM, SIGN, PRODUCT, QUOTIENT, POWER, ATOM = range(6)
 _STRENGTH: dict[type[Formula], int] = {
     Sum: SUM, Dots: SUM, Negative: SIGN, Summation: SIGN, Product: PRODUCT, Quotient: QUOTIENT,
     Derivative: QUOTIENT, Power: POWER, Call: ATOM, Apply: ATOM, Subscript: ATOM, Name: ATOM,
-    Constant: ATOM, Words: ATOM, Matrix: ATOM,
+    Constant: ATOM, Upright: ATOM, Matrix: ATOM,
 }  # fmt: skip
 
 

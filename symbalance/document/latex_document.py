@@ -16,7 +16,7 @@ from symbalance.document import nodes
 from symbalance.document.displayed import displayed
 from symbalance.document.document_writer import DocumentWriter
 from symbalance.document.fitting import Fitted, LeftOut, fitted, plain_words
-from symbalance.document.formula import Equation, Formula, Words
+from symbalance.document.formula import Equation, Formula, Upright
 from symbalance.document.latex_characters import east_asian, escaped
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
 from symbalance.document.line_breaking import broken_sum
@@ -37,7 +37,7 @@ _SIZES = ((1.0, ""), (0.9, r"\small"), (0.8, r"\footnotesize"), (0.7, r"\scripts
 _SMALLEST = 0.8
 """A table is fitted as for this size, \\footnotesize: smaller ones are for what cannot give way."""
 _CELL, _CELL_LINE = 0.75, 0.7
-"""Of a line: a formula wider than the first stands in its cell over lines of the second: indents take the rest."""
+"""Of a line: a formula wider than the first stands in its cell over lines of the second."""
 _LETTER, _TYPED = 0.95, 1.15
 """How wide a letter is on average, and one of a typewriter, in digits."""
 _HIGH = 1.1
@@ -100,7 +100,7 @@ class _Writer(DocumentWriter):
         parts += [self.block(block) for block in document.blocks]
         return "\n".join(parts) + "\n"
 
-    # Words --------------------------------------------------------------------------------------
+    # Upright --------------------------------------------------------------------------------------
 
     def string(self, text: str) -> str:
         return escaped(text)
@@ -158,7 +158,7 @@ class _Writer(DocumentWriter):
         below = r"\small\raggedright\leftskip=2em "
         parts += [rf"{{{below}{self.words(note)}\par}}" for note in line.notes]
         if line.formulas:
-            equations = [Equation(Words(f"{name}:"), (("", value),)) for name, value in line.formulas]
+            equations = [Equation(Upright(f"{name}:"), (("", value),)) for name, value in line.formulas]
             rows = r" \\".join(_rows(equations, ROOM - 6.0, r"\quad "))
             parts.append(rf"{{\leftskip=2em$\begin{{aligned}}{rows}\end{{aligned}}$\par}}")
         return _kept_together("\\parskip=2pt\n" + "\n".join(parts), "smallskip")
@@ -249,7 +249,7 @@ def _in_cell(value: Formula) -> str:
     """Return a formula for a cell, over several lines where it is wider than a line."""
     if latex_width(formula_latex(value)) <= ROOM * _CELL:
         return formula_latex(value)
-    equation = Equation(Words(""), (("", value),))
+    equation = Equation(Upright(""), (("", value),))
     lines = [line.printed for line in displayed([equation], LatexWriter(), ROOM * _CELL_LINE, _INDENT)]
     return r"\begin{aligned}[t]&" + r" \\ &".join(lines) + r"\end{aligned}"
 

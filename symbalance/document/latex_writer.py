@@ -27,7 +27,7 @@ from symbalance.document.formula import (
     Subscript,
     Sum,
     Summation,
-    Words,
+    Upright,
     walk,
 )
 from symbalance.document.formula_printing import (
@@ -102,8 +102,10 @@ class LatexWriter(FormulaWriter):
 
     def between(self, before: Formula, piece: str, after: Formula) -> str:
         """Return a dot before digits, a thin space where letters would run together, else none."""
-        word_before = isinstance(before, Words) and not isinstance(after, Call)  # \cos has its own space
-        if isinstance(before, Decimal) or isinstance(after, Words) or word_before:
+        word_before = isinstance(before, Upright) and not isinstance(
+            after, Call
+        )  # \cos has its own space
+        if isinstance(before, Decimal) or isinstance(after, Upright) or word_before:
             return r" \, "
         digits = piece[:1].isdecimal() and not isinstance(before, Sum)
         mixed = isinstance(before, Number) and piece.startswith("\\frac")
@@ -138,7 +140,7 @@ class LatexWriter(FormulaWriter):
             return "i"
         return _CONSTANTS.get(node.name, node.name)
 
-    def words(self, node: Words, _: bool) -> str:
+    def upright(self, node: Upright, _: bool) -> str:
         """Write words."""
         upright = node.text.isascii() and node.text.isalpha()
         return rf"\mathrm{{{node.text}}}" if upright else rf"\text{{{escaped(node.text)}}}"

@@ -29,7 +29,7 @@ from symbalance.document.formula import (
     Subscript,
     Sum,
     Summation,
-    Words,
+    Upright,
 )
 from symbalance.document.formula_printing import (
     ATOM,
@@ -137,7 +137,7 @@ class MathmlWriter(FormulaWriter):
         """Write pi, e, i or infinity."""
         return _mn("∞") if node.name == "infinity" else _mi("π" if node.name == "pi" else node.name)
 
-    def words(self, node: Words, _: bool) -> str:
+    def upright(self, node: Upright, _: bool) -> str:
         """Write words."""
         return f"<mtext>{escape(node.text)}</mtext>"
 
@@ -185,7 +185,9 @@ class MathmlWriter(FormulaWriter):
         digits = piece.startswith(("<mn>", "<msup><mn>", "<mfrac><mn>"))
         if digits and isinstance(before, Number | Power | Name | Constant | Decimal):
             return _mo("·")
-        apart = isinstance(before, Words | Call) or piece.startswith("<mtext>") or _FUNCTION.match(piece)
+        apart = (
+            isinstance(before, Upright | Call) or piece.startswith("<mtext>") or _FUNCTION.match(piece)
+        )
         return _mo(TIMES) + (_SPACE if apart else "")
 
     def quotient(self, node: Quotient, _: bool) -> str:

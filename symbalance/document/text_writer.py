@@ -26,7 +26,7 @@ from symbalance.document.formula import (
     Subscript,
     Sum,
     Summation,
-    Words,
+    Upright,
 )
 from symbalance.document.formula_printing import (
     ATOM,
@@ -135,7 +135,7 @@ class TextWriter(FormulaWriter):
         """Write pi, e, i or infinity."""
         return self.constants.get(node.name, node.name)
 
-    def words(self, node: Words, _: bool) -> str:
+    def upright(self, node: Upright, _: bool) -> str:
         """Write words."""
         return node.text
 

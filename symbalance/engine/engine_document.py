@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.formula import Name, Words, cos, equal, sin
-from symbalance.document.nodes import Words as Said
+from symbalance.document.formula import Name, Upright, cos, equal, sin
+from symbalance.document.nodes import Words
 from symbalance.engine.balancer_facts import balancer_facts
 from symbalance.engine.engine import Engine
 from symbalance.engine.facts import banks, firing, origin, strokes
@@ -16,11 +16,12 @@ _M, _R, _L, _A, _N = Name("m"), Name("r"), Name("l"), Name("a"), Name("n")
 _THETA, _LAM = Name("theta"), Name("lam")
 _ANGLE = _N * _THETA
 WAVE = equal(
-    Name("C") * cos(_ANGLE) + Name("S") * sin(_ANGLE), Words("amplitude") * cos(_ANGLE - Words("phase"))
+    Name("C") * cos(_ANGLE) + Name("S") * sin(_ANGLE),
+    Upright("amplitude") * cos(_ANGLE - Upright("phase")),
 )
 """What an order's coefficients, amplitude and phase are."""
-ORDER: tuple[Said, Said] = (("order ", _N), WAVE)
-SIGNS: tuple[Said, Said] = (
+ORDER: tuple[Words, Words] = (("order ", _N), WAVE)
+SIGNS: tuple[Words, Words] = (
     "signs",
     "+ is up or right seen from the front; a couple + pushes the front up or right",
 )
@@ -43,23 +44,23 @@ def engine_title(engine: Engine) -> str:
     return f"{engine.name}: {engine_words(engine)}"
 
 
-def origin_facts(engine: Engine) -> list[tuple[Said, Said]]:
+def origin_facts(engine: Engine) -> list[tuple[Words, Words]]:
     """Return the firing order, where it is known, and where the crank angle is counted from."""
     fires = firing(engine)
-    entries: list[tuple[Said, Said]] = [("fires", fires)] if fires else []
+    entries: list[tuple[Words, Words]] = [("fires", fires)] if fires else []
     entries.append(((_THETA, " = 0"), f"{origin(engine)}; θ runs clockwise seen from the front"))
     return entries
 
 
 def size_facts(
     engine: Engine, ratio: Fraction | None, *, alike: bool, pitch: bool = True
-) -> list[tuple[Said, Said]]:
+) -> list[tuple[Words, Words]]:
     """Return what λ, m, r, with `pitch` a, and the letters of unlike cylinders' rods mean.
 
     `alike` says whether results are in the sizes that all cylinders share, else in cylinder 1's.
     """
-    entries: list[tuple[Said, Said]] = []
-    letters: Said = (_M, ", ", _R, ", ", _A) if alike and pitch else (_M, ", ", _R)
+    entries: list[tuple[Words, Words]] = []
+    letters: Words = (_M, ", ", _R, ", ", _A) if alike and pitch else (_M, ", ", _R)
     if alike:
         here = ", not given" if ratio is None else f", here {short_text(ratio)}"
         entries.append((equal(_LAM, _L / _R), f"connecting rod over crank radius{here}"))
@@ -73,6 +74,6 @@ def size_facts(
     return entries + kind_facts(engine)
 
 
-def balancer_entries(engine: Engine) -> list[tuple[Said, Said]]:
+def balancer_entries(engine: Engine) -> list[tuple[Words, Words]]:
     """Return the counterweights and balance shafts of an engine, an entry each."""
     return [("balanced by", said) for said in balancer_facts(engine)]

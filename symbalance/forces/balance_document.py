@@ -29,9 +29,9 @@ from symbalance.document.nodes import (
     Facts,
     Paragraph,
     Table,
+    Words,
     blocks,
 )
-from symbalance.document.nodes import Words as Said
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.engine_document import (
     ORDER,
@@ -90,7 +90,7 @@ def unit(balance: Balance, name: str) -> Formula | Equation:
     return equal(_F_N, _A_N * _MR) if name == "force" else _F_N * _A
 
 
-def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tuple[Block, ...]:
+def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tuple[Block, ...]:
     """Return what an engine's letters, signs and angles mean, and what it is balanced by.
 
     `own` are what a result's own tables mean; they stand before the rest.
@@ -108,7 +108,7 @@ def conventions(balance: Balance, own: Sequence[tuple[Said, Said]] = ()) -> tupl
     return (facts,) if alike else (kind_table(layout), facts)
 
 
-def _resultant(balance: Balance, name: str, title: Said) -> tuple[Block, ...]:
+def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
     kept = rows(balance, name)
     table = component_table(title, kept, empty=f"none, to order {balance.highest}")
     return (table, *_rotating(balance, name)) if kept else (table,)
@@ -131,7 +131,7 @@ _HEAD = (
 )
 
 
-def component_table(title: Said, kept: Sequence[Row], empty: str = "none") -> Table:
+def component_table(title: Words, kept: Sequence[Row], empty: str = "none") -> Table:
     """Return a table of components, exact where there is room, in decimals where there is not.
 
     Rows without a name leave the column of components out.
@@ -165,7 +165,7 @@ def _cells(row: Row) -> tuple[Cell, ...]:
     )
 
 
-def _short_phase(value: Formula, decimal: str) -> Said:
+def _short_phase(value: Formula, decimal: str) -> Words:
     return value if len(formula_text(value)) <= LONGEST_PHASE else ("≈ ", Decimal(decimal))
 
 
@@ -206,7 +206,7 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
     return Exact(amplitude, near, beside), _short_phase(phase, decimals[3])
 
 
-def _series(series: Series) -> Said:
+def _series(series: Series) -> Words:
     """Return a coefficient's series; one whose numbers fill a line by its leading term, rounded."""
     power, lead = min(series.terms.items())
     if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
@@ -234,7 +234,7 @@ def coefficient_table(
 ) -> Table:
     """Return a table of one cylinder's coefficients: as series in 1/λ, and in decimals at the ratio."""
     letter = Subscript(Name(kinematics.letter), _N)
-    at: Said = "" if ratio is None else (letter, " at ", equal(_LAM, Decimal(short_text(ratio))))
+    at: Words = "" if ratio is None else (letter, " at ", equal(_LAM, Decimal(short_text(ratio))))
     cells = []
     for order in orders:
         assert order.coefficient is not None

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from symbalance.document.decimals import rounded
-from symbalance.document.formula import Name, Power, Product, equal
-from symbalance.document.formula import Words as Upright
-from symbalance.document.nodes import Column, Document, Facts, Table
-from symbalance.document.nodes import Words as Said
+from symbalance.document.formula import Name, Power, Product, Upright, equal
+from symbalance.document.nodes import Column, Document, Facts, Table, Words
 from symbalance.torque.ideal import IdealCycle
 from symbalance.torque.pressure import PressureTrace
 
@@ -17,14 +15,14 @@ _STROKES = {2: "two-stroke", 4: "four-stroke"}
 
 def trace_document(trace: PressureTrace) -> Document:
     """Return a trace as a document: its peak, the pressure at even steps, what angles count from."""
-    facts: tuple[tuple[Said, Said], ...] = (
+    facts: tuple[tuple[Words, Words], ...] = (
         ("peak", (rounded(trace.peak), " bar at ", rounded(trace.peak_degrees), "°")),
         ("lowest", (rounded(min(trace.bar)), " bar")),
     )
     step = trace.cycle // ROWS
     rows = tuple((rounded(a), rounded(trace.at(a))) for a in range(0, trace.cycle, step))
     count = len(trace.degrees)
-    legend: tuple[tuple[Said, Said], ...] = (
+    legend: tuple[tuple[Words, Words], ...] = (
         ("angle", "crank angle after the firing top dead centre"),
         ("pressure", "absolute"),
         ("trace", f"{count} point{'s' if count > 1 else ''}, straight lines between them"),
@@ -38,11 +36,11 @@ def trace_document(trace: PressureTrace) -> Document:
 def cycle_document(cycle: IdealCycle) -> Document:
     """Return an ideal cycle as a document: its pressures and its work, then what it is computed from."""
     mean = (rounded(cycle.mean_effective_pressure), " bar")
-    facts: list[tuple[Said, Said]] = [
+    facts: list[tuple[Words, Words]] = [
         ("mean effective pressure", mean),
         ("efficiency", rounded(cycle.efficiency)),
     ]
-    rows: list[tuple[Said, Said]] = [
+    rows: list[tuple[Words, Words]] = [
         ("intake", rounded(cycle.intake)),
         ("end of compression", rounded(cycle.compressed)),
         ("peak", rounded(cycle.peak)),
@@ -50,7 +48,7 @@ def cycle_document(cycle: IdealCycle) -> Document:
         ("exhaust", rounded(cycle.exhaust)),
     ]
     heat = (rounded(cycle.heat), " bar: heat over the swept volume, 100 J per litre")
-    legend: list[tuple[Said, Said]] = [
+    legend: list[tuple[Words, Words]] = [
         ("compression ratio", rounded(cycle.compression_ratio)),
         ("heat", heat),
     ]

@@ -6,8 +6,7 @@ from math import hypot
 
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, cos, sin
-from symbalance.document.nodes import Block, Column, Document, Facts, Inline, Table, blocks
-from symbalance.document.nodes import Words as Said
+from symbalance.document.nodes import Block, Column, Document, Facts, Inline, Table, Words, blocks
 from symbalance.engine.engine_document import ORDER, engine_words, origin_facts
 from symbalance.forces.balance_document import order_cell
 from symbalance.torque.running import MILLI, CrankTorque
@@ -21,7 +20,7 @@ ORDER_COLUMNS = (
     Column(sin(_ANGLE), "sin"),
     Column("amplitude"),
 )
-Entry = tuple[Said, Said]
+Entry = tuple[Words, Words]
 
 
 def running_document(torque: CrankTorque) -> Document:
@@ -64,7 +63,7 @@ def running_facts(torque: CrankTorque) -> list[Entry]:
     """Return what the engine runs with, and what its torque leaves out."""
     own = torque.first
     alike = len({(c.radius, c.mass) for c in torque.cylinders}) == 1
-    sizes: Said = (
+    sizes: Words = (
         *("bore ", rounded(torque.bore * MILLI), " mm, stroke ", rounded(2 * own.radius * MILLI)),
         *(" mm, reciprocating mass ", rounded(own.mass)),
         " kg a cylinder"

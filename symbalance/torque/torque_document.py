@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Equation, Formula, Name, Subscript, equal
-from symbalance.document.nodes import Block, Document, Facts, Heading, Paragraph, Table, blocks
-from symbalance.document.nodes import Words as Said
+from symbalance.document.nodes import Block, Document, Facts, Heading, Paragraph, Table, Words, blocks
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_document import (
     ORDER,
@@ -27,7 +26,7 @@ _N, _T, _J = Name("n"), Name("T"), Name("J_x")
 _OMEGA_2 = Name("omega") ** 2
 _UNITS = {INERTIA.unit: Name("m") * Name("r") ** 2 * _OMEGA_2, OF_RODS: _J * _OMEGA_2}
 LEGEND = "How to read it"
-SIGNS: tuple[Said, Said] = (
+SIGNS: tuple[Words, Words] = (
     "signs",
     "a torque is + on the crank in the sense of rotation, and so is a moment on the frame",
 )
@@ -39,7 +38,7 @@ def torque_document(report: TorqueReport) -> Document:
     title, lead = f"{layout.name}: torque on crank and frame", engine_words(layout)
     inertia = _report_blocks(report)
     if running is None:
-        gas: tuple[Said, Said] = (
+        gas: tuple[Words, Words] = (
             "gas torque",
             "comes on top: it needs a pressure trace or an ideal cycle",
         )
@@ -105,7 +104,7 @@ def _coefficients(balance: TorqueBalance) -> tuple[Block, ...]:
     return (coefficient_table(balance.kinematics, balance.orders, balance.values, balance.ratio),)
 
 
-def _legend(layout: Engine, title: str, *more: tuple[Said, Said]) -> tuple[Block, ...]:
+def _legend(layout: Engine, title: str, *more: tuple[Words, Words]) -> tuple[Block, ...]:
     """Return what letters, signs and angles mean; `more` stands before the signs."""
     alike = has_common_torque(layout)
     entries = [
@@ -120,7 +119,7 @@ def _legend(layout: Engine, title: str, *more: tuple[Said, Said]) -> tuple[Block
     return blocks(None if alike else kind_table(layout), Facts(tuple(entries), title))
 
 
-def _rods(layout: Engine) -> list[tuple[Said, Said]]:
+def _rods(layout: Engine) -> list[tuple[Words, Words]]:
     excess = first_excess(layout)
     if not excess:
         return []

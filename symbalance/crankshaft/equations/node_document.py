@@ -35,9 +35,9 @@ from symbalance.document.nodes import (
     Inline,
     Paragraph,
     Table,
+    Words,
     blocks,
 )
-from symbalance.document.nodes import Words as Said
 from symbalance.document.text_writer import formula_text
 
 if TYPE_CHECKING:
@@ -190,7 +190,7 @@ def _is_upper(entry: Entry) -> bool:
     return entry.matrix == "centrifugal_force" or entry.row <= entry.column
 
 
-def _row(entry: Entry) -> tuple[Said, ...]:
+def _row(entry: Entry) -> tuple[Words, ...]:
     places = (entry.row, entry.column)[: 1 if entry.matrix == "centrifugal_force" else 2]
     name = _entry_name(_LETTERS[entry.matrix], *places)
     return (name, entry_formula(entry.published), entry_formula(entry.derived), entry.verdict)
@@ -269,7 +269,7 @@ def _how_to_read(equations: NodeEquations) -> Facts:
     if kind != "vector":
         attitude = Product(tuple(Name(f"R_{axis}") for axis in kind))
         turn = ("Cardan angles, the body turned by ", attitude)
-    entries: list[tuple[Said, Said]] = [
+    entries: list[tuple[Words, Words]] = [
         (_Q, (*_listed(COORDINATES), ": a shift and ", *turn, ", in axes that turn about W at ", _OMEGA)),
         (_ALPHA, Derivative(_OMEGA, _T)),
         (Name("m"), ("mass of the rigid body at the node ", *_listed(PLACE))),

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from symbalance.crankshaft.files.operation import speed_text
 from symbalance.document.decimals import fixed, rounded
-from symbalance.document.formula import Decimal, Name, Words, absolute, number
+from symbalance.document.formula import Decimal, Name, Upright, absolute, number
 from symbalance.document.nodes import (
     Block,
     Cell,
@@ -16,9 +16,9 @@ from symbalance.document.nodes import (
     Figure,
     Strong,
     Table,
+    Words,
     blocks,
 )
-from symbalance.document.nodes import Words as Said
 from symbalance.forces.balance_document import engine_title
 
 if TYPE_CHECKING:
@@ -66,12 +66,12 @@ def summary_document(run: Summary) -> Document:
     )
 
 
-def _verdict(run: Summary) -> Said:
+def _verdict(run: Summary) -> Words:
     if not run.reliable:
         return Strong("No speed is to be relied on.")
     worst = run.worst
     safety = f"{worst.found.safety:.2f}"
-    least: Said = (
+    least: Words = (
         "The least safety factor is ",
         Decimal(safety),
         f", of {worst.name} at {speed_text(worst.rpm)} rpm.",
@@ -83,7 +83,7 @@ def _verdict(run: Summary) -> Said:
 def _speeds(run: Summary) -> Table:
     columns = (
         Column("rpm"),
-        Column((absolute(Name("x")) / Words("clearance"),)),
+        Column((absolute(Name("x")) / Upright("clearance"),)),
         Column("off the orbit"),
         Column("bearing kN"),
         Column("multiplier"),
@@ -175,7 +175,7 @@ def _how_to_read(run: Summary) -> Facts:
     about = f"linear about their orbits, at most {setting.passes} passes"
     if _is_about_centre(run):
         about = "as springs about the centre"
-    entries: list[tuple[Said, Said]] = [("fires", "-".join(map(str, fires)))] if fires else []
+    entries: list[tuple[Words, Words]] = [("fires", "-".join(map(str, fires)))] if fires else []
     entries += [
         ("peak pressure", f"{max(operation.trace.bar):.4g} bar, bore {operation.bore * 1000:g} mm"),
         ("model", f"{setting.rotor.size} unknowns, {_kept(setting.modes)}"),
@@ -188,7 +188,7 @@ def _how_to_read(run: Summary) -> Facts:
             f"tensile {operation.strength.tensile / MEGA:g} MPa, "
             f"endurance {operation.strength.endurance / MEGA:g} MPa",
         ),
-        (absolute(Name("x")) / Words("clearance"), "a journal's largest displacement; valid below 1"),
+        (absolute(Name("x")) / Upright("clearance"), "a journal's largest displacement; valid below 1"),
         *([] if _is_about_centre(run) else [("off the orbit", OFF)]),
         ("multiplier", "largest Floquet multiplier; stable up to 1"),
         ("bearing, s", "largest load of a main bearing; seconds of computing"),

@@ -25,9 +25,9 @@ from symbalance.document.nodes import (
     Heading,
     Paragraph,
     Table,
+    Words,
     blocks,
 )
-from symbalance.document.nodes import Words as Said
 from symbalance.engine.balancer_facts import direction, rounded, signed
 from symbalance.engine.engine_document import engine_words
 from symbalance.forces.balance_document import conventions, resultant_blocks
@@ -86,7 +86,7 @@ def _size(design: Design) -> Formula:
 
 def _proposed(design: Design) -> tuple[Block, ...]:
     rows = tuple(map(_row, weights(design)))
-    title: Said = (
+    title: Words = (
         "Proposed weights: mass times radius ",
         equal(_U, _size(design)),
     )
@@ -119,9 +119,9 @@ def _certificate(design: Design) -> Table:
     return Table("Certificate: the engine with this built in, balanced anew", _CERTIFICATE, rows, keys=2)
 
 
-def _reading(design: Design) -> list[tuple[Said, Said]]:
+def _reading(design: Design) -> list[tuple[Words, Words]]:
     """Return what the tables of a design mean, and the limits it keeps to."""
-    entries: list[tuple[Said, Said]] = []
+    entries: list[tuple[Words, Words]] = []
     if asked := _limits(design):
         entries.append(("limits", "; ".join(asked)))
     if weights(design):

@@ -7,9 +7,8 @@ from fractions import Fraction
 
 from symbalance.design.balancing.rotating import RotatingBalance
 from symbalance.design.balancing.weight_cells import size_cell, station_cell
-from symbalance.document.formula import Formula, Name, Words
-from symbalance.document.nodes import Cell, Column, Document, Facts, Table
-from symbalance.document.nodes import Words as Said
+from symbalance.document.formula import Formula, Name, Upright
+from symbalance.document.nodes import Cell, Column, Document, Facts, Table, Words
 from symbalance.engine.balancer_facts import direction
 from symbalance.exact.amplitude import Amplitude
 
@@ -19,7 +18,7 @@ _AT = ("at ", _THETA, " = 0")
 
 def rotating_document(balance: RotatingBalance) -> Document:
     """Return the counterweights, the force and couple before and after, the weights, how to read them."""
-    unit = Words("kg mm") if balance.in_kg_mm else _M * _R
+    unit = Upright("kg mm") if balance.in_kg_mm else _M * _R
     pairs = zip(("force", "couple"), balance.before, balance.remains, strict=True)
     left = tuple(
         (name, *_part(before, "none"), *_part(after, "proved 0")) for name, before, after in pairs
@@ -51,10 +50,10 @@ def _part(vector: Amplitude, none: str) -> tuple[Cell, Cell]:
     return (none, "") if vector.is_zero() else (size_cell(vector), direction(vector))
 
 
-def _reading(balance: RotatingBalance) -> list[tuple[Said, Said]]:
+def _reading(balance: RotatingBalance) -> list[tuple[Words, Words]]:
     planes = ", ".join(str(z).replace("-", "−") for z in balance.stations)
     spread = f": {_SPREADS[balance.spread]}" if len(set(balance.stations)) > 1 else ""
-    entries: list[tuple[Said, Said]] = [
+    entries: list[tuple[Words, Words]] = [
         ("planes", f"stations {planes}{spread}"),
         ("station", ("place along the shaft, in pitches ", _A, ", + to the front")),
         (_AT, "where a weight points, from straight up, + to the right"),

@@ -5,9 +5,8 @@ from __future__ import annotations
 from symbalance.design.variations.arranging import Assignment
 from symbalance.design.variations.legend import Entry, as_decimal, letters, units
 from symbalance.document.decimals import rounded
-from symbalance.document.formula import Words, number
-from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table
-from symbalance.document.nodes import Words as Said
+from symbalance.document.formula import Upright, number
+from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words
 
 
 def assignment_document(result: Assignment) -> Document:
@@ -51,12 +50,12 @@ def _left(result: Assignment) -> Block:
 _LEFT = tuple(map(Column, ("order", "force", "couple", "force as listed", "couple as listed")))
 
 
-def _units(result: Assignment) -> tuple[Words, Words]:
-    return units(result.engine, result.rpm is not None, Words("kg"))  # type: ignore[return-value]
+def _units(result: Assignment) -> tuple[Upright, Upright]:
+    return units(result.engine, result.rpm is not None, Upright("kg"))  # type: ignore[return-value]
 
 
 def _legend(result: Assignment) -> Block:
-    criterion: Said = (
+    criterion: Words = (
         "root mean square over a turn of the force, and of the couple as a force at a lever of ",
         rounded(result.lever),
         " pitches",

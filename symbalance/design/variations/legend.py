@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.formula import Formula, Name, Words
-from symbalance.document.nodes import Words as Said
+from symbalance.document.formula import Formula, Name, Upright
+from symbalance.document.nodes import Words
 from symbalance.engine.engine import Engine
 
 MASS, RADIUS, PITCH, OMEGA = Name("m"), Name("r"), Name("a"), Name("omega")
-Entry = tuple[Said, Said]
+Entry = tuple[Words, Words]
 """A name and what is said of it."""
 TURNING: Entry = (
     "what turns",
@@ -30,7 +30,7 @@ def units(engine: Engine, at_speed: bool, mass: Formula = MASS) -> tuple[Formula
     ['m r ω²', 'm r ω² a', 'N', 'N a']
     """
     if at_speed:
-        return Words("N"), Words("N") * (PITCH if engine.pitch is None else Words("m"))
+        return Upright("N"), Upright("N") * (PITCH if engine.pitch is None else Upright("m"))
     force = mass * RADIUS * OMEGA**2
     return force, force * PITCH
 

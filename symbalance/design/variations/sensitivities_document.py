@@ -8,8 +8,7 @@ from symbalance.design.variations.legend import TURNING, Entry, letters, plane, 
 from symbalance.design.variations.sensitivity import STEPS, Sensitivities
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Formula, Name, number
-from symbalance.document.nodes import Cell, Column, Document, Facts, Table
-from symbalance.document.nodes import Words as Said
+from symbalance.document.nodes import Cell, Column, Document, Facts, Table, Words
 
 _COLUMNS = tuple(map(Column, ("order", "size", "step", "cylinders", "force", "couple")))
 
@@ -44,7 +43,7 @@ def _rows(result: Sensitivities) -> tuple[tuple[Cell, ...], ...]:
     )
 
 
-def _step(parameter: str) -> Said:
+def _step(parameter: str) -> Words:
     """Return a step in words, the letter it is a part of as a letter."""
     before, _, last = STEPS[parameter][1].rpartition(" ")
     return (f"{before} ", Name(last)) if len(last) == 1 else STEPS[parameter][1]

@@ -20,7 +20,7 @@ from symbalance.document.formula import (
     Product,
     Quotient,
     Sum,
-    Words,
+    Upright,
     cos,
     equal,
     number,
@@ -70,7 +70,7 @@ def _plane(order: SymbolicOrder) -> tuple[Inline, ...]:
 
 def _formulas(order: SymbolicOrder, title: Any, resultant: SymbolResultant) -> tuple[Block, ...]:
     equations = [
-        Equation(Words(name) * Name(letter), (("=", _formula(value, order.given)),))
+        Equation(Upright(name) * Name(letter), (("=", _formula(value, order.given)),))
         for name in ("vertical", "lateral")
         for letter, value in (("C", resultant.component(name).cos), ("S", resultant.component(name).sin))
         if value != 0

@@ -9,8 +9,7 @@ from symbalance.design.variations.legend import AS_MADE, Entry, as_decimal, lett
 from symbalance.design.variations.tolerances import PARTS_OF, UNITS
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, number
-from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, blocks
-from symbalance.document.nodes import Words as Said
+from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words, blocks
 
 MET = 1e-6
 """A bound within this part of what is attained is the worst itself."""
@@ -23,7 +22,7 @@ def worst_cases_document(result: WorstCases) -> Document:
     """Return worst cases as a document: what is reached and what is proved, of force and couple."""
     speed = "" if result.rpm is None else f", at {as_decimal(result.rpm)} rpm"
     force, couple = units(result.engine, result.rpm is not None)
-    titles: dict[str, Said] = {
+    titles: dict[str, Words] = {
         "force": ("Force, unit ", force),
         "couple": (f"Couple about {plane(result.reference)}, unit ", couple),
         "rotating force": ("Force of the rotating masses' errors alone, unit ", force),
@@ -38,9 +37,9 @@ def worst_cases_document(result: WorstCases) -> Document:
     return Document(title, blocks(*tables, _legend(result)), lead=_given(result))
 
 
-def _given(result: WorstCases) -> Said:
+def _given(result: WorstCases) -> Words:
     """Return the tolerances, plus or minus."""
-    said: list[Said] = []
+    said: list[Words] = []
     for name in UNITS:
         value = getattr(result.tolerances, name)
         if not value:

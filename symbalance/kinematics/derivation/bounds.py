@@ -11,7 +11,7 @@ from __future__ import annotations
 import decimal
 from fractions import Fraction
 
-from symbalance.document.formula import Decimal, Formula, Quotient, Words, equal, number
+from symbalance.document.formula import Decimal, Formula, Quotient, Upright, equal, number
 from symbalance.document.nodes import Paragraph, inlines
 from symbalance.kinematics.derivation.setting import LAM, RHO, L, R, Setting, prose
 from symbalance.kinematics.slider_crank import (
@@ -57,7 +57,7 @@ def numbers(setting: Setting, found: Harmonics) -> tuple[Paragraph, ...]:
 
 
 def _with_unit(setting: Setting, value: Real) -> Formula:
-    return rounded_up(value) * (Words("rad") if setting.rod_angle else setting.unit())
+    return rounded_up(value) * (Upright("rad") if setting.rod_angle else setting.unit())
 
 
 def rounded_up(value: Real) -> Decimal:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.formula import Decimal, Formula, Number, Quotient, Words, walk
+from symbalance.document.formula import Decimal, Formula, Number, Quotient, Upright, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
@@ -78,10 +78,10 @@ def rounded_number(printed: str) -> Formula:
     """Return a number printed in decimals as a formula; a complex one stays as it is printed.
 
     >>> rounded_number("0.25").text, type(rounded_number("(1.0 + 2.0j)")).__name__
-    ('0.25', 'Words')
+    ('0.25', 'Upright')
     """
     try:
         float(printed)
     except ValueError:
-        return Words(printed)
+        return Upright(printed)
     return Decimal(printed)
