@@ -120,7 +120,7 @@ def _to_stdout(text: str, form: str) -> None:
     with _stdout():
         if form in ("text", "json"):
             sys.stdout.write(_spelled(text, form, encoding))
-        elif encoding.lower().replace("_", "-") in ("utf-8", "utf8"):  # utf-8-sig would open with a mark
+        elif _is_utf8(encoding) and not encoding.lower().endswith("sig"):  # which would open with a mark
             sys.stdout.write(text)
         else:
             sys.stdout.flush()

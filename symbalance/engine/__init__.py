@@ -10,7 +10,7 @@ that know all about themselves, in groups of like ones, and what balances them.
     engine_keys                   what an engine file may hold: each key's kind, unit, range, meaning
     engine_file, engine_writing   engines from and to TOML;  balancer_tables: its weights and shafts
     catalogue                     the presets
-    facts, kinds, balancer_facts  what a table says of an engine before its numbers
+    engine_document, facts, kinds, balancer_facts  what every document says of an engine
 """
 
 from symbalance.loading import attach

@@ -42,7 +42,7 @@ def firing(layout: Engine) -> str:
     if len(set(steps)) == 1:
         return numbers
     period = next(k for k in range(1, len(steps) + 1) if steps == (steps[:k] * len(steps))[: len(steps)])
-    intervals = [f"{_decimal(step)}°" for step in steps[:period]]
+    intervals = [f"{decimal_text(step)}°" for step in steps[:period]]
     intervals += ["and so on"] if period < len(steps) else []
     return f"{numbers}{apart} {', '.join(intervals)}"
 
@@ -77,7 +77,7 @@ def origin(layout: Engine) -> str:
     past = Fraction(0) if first.delay.symbols else round(first.delay.in_degrees() - lead, 2)
     if not lead or abs(past) > NEAR:
         return where
-    side = f"{_decimal(abs(past))}° {'past' if past > 0 else 'before'} its " if past else "at its "
+    side = f"{decimal_text(abs(past))}° {'past' if past > 0 else 'before'} its " if past else "at its "
     return f"{where}, {side}{dead_centre}"
 
 
@@ -92,8 +92,13 @@ def angle_text(angle: Angle) -> str:
         from symbalance.document.text_writer import formula_text
 
         return formula_text(formula_of(angle.expression()))
-    return f"{_decimal(angle.in_degrees())}°".replace("-", "−")
+    return f"{decimal_text(angle.in_degrees())}°".replace("-", "−")
 
 
-def _decimal(number: Fraction) -> str:
+def decimal_text(number: Fraction) -> str:
+    """Return a number as a decimal where it is short, else as a fraction.
+
+    >>> decimal_text(Fraction(45, 2)), decimal_text(Fraction(360, 7))
+    ('22.5', '360/7')
+    """
     return f"{float(number):.12g}" if 10_000 % number.denominator == 0 else str(number)

@@ -13,6 +13,7 @@ from symbalance.engine.cylinders import Cylinder
 from symbalance.exact.spectrum import COMPONENTS, Component
 from symbalance.forces.resultants import Balance, Order, Resultant
 from symbalance.forces.roll_rows import roll_rows
+from symbalance.forces.rows import plane_key
 from symbalance.kinematics.mechanisms import LinkRod
 from symbalance.text.numbers import decimal_text
 
@@ -26,17 +27,12 @@ def balance_data(balance: Balance) -> dict[str, Any]:
         "engine": balance.layout.name,
         "strokes": balance.layout.strokes,
         "ratio": None if balance.ratio is None else str(balance.ratio),
-        "reference_plane": reference_plane(balance),
+        "reference_plane": plane_key(balance.reference),
         "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.layout.cylinders],
         **({"balancers": _balancers(balance.layout.balancers)} if balance.layout.balancers else {}),
         "orders": [_order(order, balance) for order in balance.orders],
         **({"roll": _roll(balance)} if roll_rows(balance) else {}),
     }
-
-
-def reference_plane(balance: Balance) -> str:
-    """Return what couples are taken about."""
-    return "mean of stations" if balance.reference is None else f"station {balance.reference}"
 
 
 def unit(balance: Balance, name: str) -> str:

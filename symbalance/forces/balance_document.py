@@ -76,7 +76,7 @@ def resultant_blocks(balance: Balance) -> tuple[Block, ...]:
         _resultant(
             balance,
             "couple",
-            (f"Free couple about {plane(balance)}, unit ", unit(balance, "couple")),
+            (f"Free couple about {plane(balance.reference)}, unit ", unit(balance, "couple")),
         ),
         _roll(balance),
         _coefficients(balance),

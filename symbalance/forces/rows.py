@@ -100,8 +100,11 @@ def _of(order: Order, resultant: str) -> Resultant:
 IN_ONE_PLANE = "each order is two equal halves, turning with and against the crank"
 
 
-def plane(balance: Balance) -> str:
-    """Return what couples are taken about."""
-    if balance.reference is None:
-        return "the mean of all stations"
-    return f"station {balance.reference}"
+def plane(reference: Fraction | None) -> str:
+    """Return in words what couples are taken about."""
+    return "the mean of all stations" if reference is None else f"station {reference}"
+
+
+def plane_key(reference: Fraction | None) -> str:
+    """Return what couples are taken about, as JSON has it of every result."""
+    return "mean of stations" if reference is None else f"station {reference}"

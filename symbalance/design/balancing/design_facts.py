@@ -76,7 +76,7 @@ def achieved(design: Design) -> str:
         if not design.devices:
             return f"{orders}: nothing to remove"
         return f"{orders} {'ends' if len(design.remove) == 1 else 'end'} exactly"
-    return f"{orders} {'reduced' if design.devices else 'left unchanged'}"
+    return f"{orders} {_short_of(design)}"
 
 
 def means(design: Design) -> str:
@@ -109,11 +109,15 @@ def sentence(design: Design) -> str:
     """
     taken = means(design)
     if design.is_complete:
-        said = f"{achieved(design)}, {taken}." if taken else f"{achieved(design)}."
+        words = f"{achieved(design)}, {taken}." if taken else f"{achieved(design)}."
     else:
-        verb = "reduced" if design.devices else "left unchanged"
-        said = f"{_orders(design)}: {verb} {taken}."
-    return said[0].upper() + said[1:]
+        words = f"{_orders(design)}: {_short_of(design)} {taken}."
+    return words[0].upper() + words[1:]
+
+
+def _short_of(design: Design) -> str:
+    """Return what becomes of orders that do not end."""
+    return "reduced" if design.devices else "left unchanged"
 
 
 def _orders(design: Design) -> str:

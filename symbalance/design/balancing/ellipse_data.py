@@ -7,7 +7,8 @@ from typing import Any
 
 from symbalance.design.balancing.ellipses import Ellipse
 from symbalance.exact.spectrum import Component
-from symbalance.forces.balance_data import VALUE_DIGITS, component_values, reference_plane, unit
+from symbalance.forces.balance_data import VALUE_DIGITS, component_values, unit
+from symbalance.forces.rows import plane_key
 from symbalance.text.numbers import decimal_text
 from symbalance.text.reals import pi
 
@@ -20,7 +21,7 @@ def ellipse_data(ellipse: Ellipse) -> dict[str, Any]:
     """
     return {
         "engine": ellipse.balance.layout.name,
-        "reference_plane": reference_plane(ellipse.balance),
+        "reference_plane": plane_key(ellipse.balance.reference),
         "unit": unit(ellipse.balance, ellipse.of),
         "order": str(ellipse.order),
         "of": ellipse.of,

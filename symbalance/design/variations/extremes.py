@@ -41,7 +41,7 @@ from symbalance.design.variations.aims import (
 )
 from symbalance.design.variations.boxes import Box, boxes
 from symbalance.design.variations.derivatives import sensitivities
-from symbalance.design.variations.legend import as_decimal, plane_key
+from symbalance.design.variations.legend import as_decimal
 from symbalance.design.variations.made import NOTHING, Made, made_parts
 from symbalance.design.variations.measures import Scale, checked_speed, scale_of
 from symbalance.design.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
@@ -53,6 +53,7 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.phasor import ZERO
 from symbalance.forces.resultants import Balance, balance
+from symbalance.forces.rows import plane_key
 from symbalance.kinematics.slider_crank import acceleration_value
 from symbalance.text.numbers import exact, listed
 

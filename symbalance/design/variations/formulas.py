@@ -21,7 +21,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.variations.entries import entries, symbols_in
-from symbalance.design.variations.legend import plane_key
 from symbalance.document.result import Result
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -39,6 +38,7 @@ from symbalance.exact.symbol_sums import (
     powered,
 )
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
+from symbalance.forces.rows import plane_key
 from symbalance.kinematics.coefficients import force_power
 from symbalance.kinematics.mechanisms import offset_series
 from symbalance.kinematics.slider_crank import Series, acceleration_series, checked_order

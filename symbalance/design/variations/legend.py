@@ -1,4 +1,4 @@
-"""Units, letters and planes in documents of tolerances, sensitivities and weighed parts."""
+"""Units and letters in documents of tolerances, sensitivities and weighed parts."""
 
 from __future__ import annotations
 
@@ -42,16 +42,6 @@ def letters(engine: Engine) -> Entry:
         (MASS, ", ", RADIUS, ", ", PITCH),
         f"reciprocating mass and crank radius of cylinder {first}, cylinder pitch",
     )
-
-
-def plane(reference: object) -> str:
-    """Return what couples are taken about."""
-    return "the mean of all stations" if reference is None else f"station {reference}"
-
-
-def plane_key(reference: object) -> str:
-    """Return what couples are taken about, as JSON has it of every result."""
-    return "mean of stations" if reference is None else f"station {reference}"
 
 
 def as_decimal(number: Fraction) -> str:

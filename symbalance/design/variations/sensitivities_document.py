@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbalance.design.variations.legend import TURNING, Entry, letters, plane, units
+from symbalance.design.variations.legend import TURNING, Entry, letters, units
 from symbalance.design.variations.sensitivity import STEPS, Sensitivities
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Formula, Name, number
 from symbalance.document.nodes import Cell, Column, Document, Facts, Table, Words
+from symbalance.forces.rows import plane
 
 _COLUMNS = tuple(map(Column, ("order", "size", "step", "cylinders", "force", "couple")))
 

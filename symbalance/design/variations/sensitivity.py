@@ -9,12 +9,12 @@ from functools import cached_property
 from math import pi
 from typing import TYPE_CHECKING, Any, ClassVar, overload
 
-from symbalance.design.variations.legend import plane_key
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.resultants import Resultant
+from symbalance.forces.rows import plane_key
 from symbalance.text.numbers import decimal_text
 from symbalance.text.reals import Real
 

@@ -8,7 +8,7 @@ from typing import Any
 import sympy
 
 from symbalance.design.variations.formulas import SymbolicOrder, SymbolResultant
-from symbalance.design.variations.legend import MASS, OMEGA, PITCH, RADIUS, Entry, plane
+from symbalance.design.variations.legend import MASS, OMEGA, PITCH, RADIUS, Entry
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import (
     Equation,
@@ -29,6 +29,7 @@ from symbalance.document.formula import (
 )
 from symbalance.document.nodes import Block, Document, Facts, Formulas, Heading, Inline, Paragraph
 from symbalance.engine.engine_document import SIGNS, origin_facts
+from symbalance.forces.rows import plane
 from symbalance.kinematics.series_printing import series_formula
 
 _THETA, _R, _L, _E = Name("theta"), Name("r"), Name("l"), Name("e")

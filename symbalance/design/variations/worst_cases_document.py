@@ -5,11 +5,12 @@ from __future__ import annotations
 from fractions import Fraction
 
 from symbalance.design.variations.extremes import WorstCase, WorstCases
-from symbalance.design.variations.legend import AS_MADE, Entry, as_decimal, letters, plane, units
+from symbalance.design.variations.legend import AS_MADE, Entry, as_decimal, letters, units
 from symbalance.design.variations.tolerances import PARTS_OF, UNITS
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words, blocks
+from symbalance.forces.rows import plane
 
 MET = 1e-6
 """A bound within this part of what is attained is the worst itself."""

@@ -9,6 +9,7 @@ from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal, Formula, number
 from symbalance.document.nodes import Column, Document, Exact, Facts, Table, Words
 from symbalance.document.text_writer import formula_text
+from symbalance.engine.facts import decimal_text
 from symbalance.engine.stars.cranks import CrankStars
 from symbalance.engine.stars.firings import FiringOrders
 
@@ -31,7 +32,7 @@ def crank_stars_document(found: CrankStars) -> Document:
     rows = tuple(
         (
             number(place),
-            ", ".join(_degrees(throw) for throw in star.throws),
+            ", ".join(decimal_text(throw) for throw in star.throws),
             _couple(star.first_couple),
             _couple(star.second_couple),
             number(star.stars),
@@ -57,7 +58,7 @@ def firing_orders_document(found: FiringOrders) -> Document:
     if found.simultaneous:
         entries.append(("together", "cylinders may fire at one moment: interval 0"))
     if found.within:
-        said = f"dead centres within {_degrees(found.within)}° of an even moment count as lying there"
+        said = f"dead centres within {decimal_text(found.within)}° of an even moment count as lying there"
         entries.append(("within", said))
     blocks = (Table("", columns, rows, empty="none"),)
     return Document(title, (*blocks, Facts(tuple(entries), "How to read it")) if entries else blocks)
@@ -71,15 +72,11 @@ def _couple(expression: object) -> Exact | Formula:
 
 def _intervals(gaps: Sequence[Fraction]) -> str:
     if len(set(gaps)) == 1:
-        return f"{_degrees(gaps[0])} each"
-    return ", ".join(map(_degrees, gaps))
+        return f"{decimal_text(gaps[0])} each"
+    return ", ".join(map(decimal_text, gaps))
 
 
 def _listed(names: Sequence[str]) -> str:
     if len(names) > MOST_NAMED:
         return f"{names[0]} and {len(names) - 1} more"
     return ", ".join(names)
-
-
-def _degrees(angle: Fraction) -> str:
-    return f"{float(angle):.12g}" if 10_000 % angle.denominator == 0 else str(angle)
