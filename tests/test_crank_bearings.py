@@ -9,9 +9,8 @@ from mpmath import mp
 pytest.importorskip("scipy")
 
 from symbalance.bench.integrating.four import CYCLE
-from symbalance.crankshaft.bearings.csv_table import read_film
+from symbalance.crankshaft.bearings.film_tables import film_from_tables, read_film, trigonometric_film
 from symbalance.crankshaft.bearings.orbits import films, journal_orbit
-from symbalance.crankshaft.bearings.periodic import film_from_tables, trigonometric_film
 from symbalance.crankshaft.bearings.series import equivalent, quasi_static
 from symbalance.crankshaft.bearings.short_film import Bearing, equilibrium, film_state
 from symbalance.crankshaft.frames import QUARTER_TURN, rotation

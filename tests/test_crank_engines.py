@@ -16,7 +16,7 @@ from symbalance.cli import run
 from symbalance.crankshaft.loads import pin_loads
 from symbalance.crankshaft.reduction import reduced
 from symbalance.crankshaft.running import setting
-from symbalance.crankshaft.running.shifted import shifted
+from symbalance.crankshaft.running.about_orbit import shifted
 from symbalance.crankshaft.steady import steady_state
 from symbalance.engine.catalogue import preset_text
 

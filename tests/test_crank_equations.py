@@ -27,9 +27,9 @@ from symbalance.crankshaft.frames import (
     turned_stiffness,
     turned_vectors,
 )
-from symbalance.crankshaft.gyroscopics import crossing, node_force, node_matrices
-from symbalance.crankshaft.rotor import Rotor
-from symbalance.crankshaft.spin import deflated, spin_growth, spin_motion
+from symbalance.crankshaft.rotor.matrices import Rotor
+from symbalance.crankshaft.rotor.rigid_bodies import crossing, node_force, node_matrices
+from symbalance.crankshaft.rotor.rigid_body_mode import deflated, spin_growth, spin_motion
 from symbalance.document.sympy_writer import formula_sympy
 from symbalance.errors import SymbalanceError
 

@@ -13,20 +13,19 @@ import pytest
 
 import symbalance as sb
 from symbalance.crankshaft.assembly import WEBS, assemble
-from symbalance.crankshaft.beams import Beam, circular, element, flexibility, rectangular, transfer
-from symbalance.crankshaft.campbell import campbell
-from symbalance.crankshaft.checks import check_geometry
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Material, Pin, Web, WebCounterweight
-from symbalance.crankshaft.modes import assurance, kinds, motion_shares, natural_modes
-from symbalance.crankshaft.shafts import Tube, held_at, shaft
+from symbalance.crankshaft.geometry_checks import check_geometry
+from symbalance.crankshaft.rotor.beams import Beam, circular, element, flexibility, rectangular, transfer
+from symbalance.crankshaft.rotor.campbell_diagram import campbell
+from symbalance.crankshaft.rotor.modes import assurance, kinds, motion_shares, natural_modes
+from symbalance.crankshaft.rotor.shafts import Tube, held_at, shaft
+from symbalance.crankshaft.rotor.torsion import torsional_chain, twists_of
 from symbalance.crankshaft.solid import store as store_module
 from symbalance.crankshaft.solid.reference import SIZES, reference, reference_four
 from symbalance.crankshaft.solid.store import Store, open_store, solid_web, solve_missing
-from symbalance.crankshaft.torsion import torsional_chain, twists_of
 from symbalance.crankshaft.webs.arm import arms
+from symbalance.crankshaft.webs.beam_webs import ker_wilson_torsion, nominal_flexibility
 from symbalance.crankshaft.webs.fitted import fitted_flexibility, fitted_parameters
-from symbalance.crankshaft.webs.formula import ker_wilson_torsion
-from symbalance.crankshaft.webs.nominal import nominal_flexibility
 from symbalance.crankshaft.webs.sector import sector_counterweight
 from symbalance.errors import MissingPartError, SymbalanceError
 

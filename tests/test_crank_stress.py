@@ -16,7 +16,7 @@ from symbalance.crankshaft.frames import rotation, turned_stiffness
 from symbalance.crankshaft.running import setting
 from symbalance.crankshaft.running.measured import compared
 from symbalance.crankshaft.running.outcome import Outcome
-from symbalance.crankshaft.running.sweep import run
+from symbalance.crankshaft.running.speed_sweep import run
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.stress import channels, durability, fillet_factors, stress_matrix
 from symbalance.crankshaft.stress.fatigue import damage
@@ -201,7 +201,7 @@ def test_on_equal_constant_springs_the_motion_is_a_sum_of_harmonics(tmp_path):
 def test_films_about_the_orbit_carry_the_nonlinear_films_own_force(tmp_path):
     """After some passes the journals go where the short bearing itself carries what they bear."""
     from symbalance.crankshaft.bearings.short_film import film_states
-    from symbalance.crankshaft.running.films import periodic, plain_bearings
+    from symbalance.crankshaft.running.oil_films import periodic, plain_bearings
 
     made = setting(engine(tmp_path, sheet()), webs="nominal", steps=360)
     once, found = run(replace(made, passes=1), 1500), run(made, 1500)

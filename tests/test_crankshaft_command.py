@@ -18,7 +18,9 @@ from cranks import SINGLE, engine, sheet, written
 from symbalance.cli import run
 from symbalance.crankshaft import assembly
 from symbalance.crankshaft.files import read_running_engine
-from symbalance.crankshaft.running import saved, setting, sweep
+from symbalance.crankshaft.running import outcome as saved
+from symbalance.crankshaft.running import setting
+from symbalance.crankshaft.running import speed_sweep as sweep
 from symbalance.crankshaft.system import UnsolvedError
 
 QUICK = ("--webs", "nominal", "--steps", "120", "--about", "centre")

@@ -9,8 +9,8 @@ from scipy.linalg import expm
 from scipy.optimize import brentq
 
 from symbalance.crankshaft.frames import QUARTER_TURN, gravity, rotation, turned_damping, turned_stiffness
-from symbalance.crankshaft.gyroscopics import node_force, node_matrices
-from symbalance.crankshaft.spin import deflated, held, spin_motion
+from symbalance.crankshaft.rotor.rigid_bodies import node_force, node_matrices
+from symbalance.crankshaft.rotor.rigid_body_mode import deflated, held, spin_motion
 
 NOWHERE = np.zeros(3)
 SHIFTS, TILTS = slice(0, 2), slice(3, 5)

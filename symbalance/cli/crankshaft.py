@@ -126,7 +126,7 @@ def _check_libraries() -> None:
 
 def _speeds(text: str) -> list[float]:
     """Return the speeds of --rpm: 2200, or 1000:4000:500, or 1000,2200."""
-    from symbalance.crankshaft.running.sweep import speeds_between
+    from symbalance.crankshaft.running.speed_sweep import speeds_between
 
     what, remedy = f"--rpm {text}", "write 2200, 1000,2200 or from:to:step, as in 1000:4000:500"
     try:

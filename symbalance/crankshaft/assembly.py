@@ -15,17 +15,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from symbalance.crankshaft.arguments import check_kind
-from symbalance.crankshaft.beams import ALONG_W, Beam, circular, element, flexibility
-from symbalance.crankshaft.bodies import Body, disc_body
-from symbalance.crankshaft.crank import Crank, Disc, Journal, Pin, Web
-from symbalance.crankshaft.gathering import damped, gathered
-from symbalance.crankshaft.rotor import Array, Hanging, Member, Rotor
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.crank import Crank, Journal, Pin, Web
+from symbalance.crankshaft.rotor.assembly import damped, gathered
+from symbalance.crankshaft.rotor.beams import ALONG_W, Beam, circular, element, flexibility
+from symbalance.crankshaft.rotor.matrices import Hanging, Member, Rotor
+from symbalance.crankshaft.rotor.parts import Disc
+from symbalance.crankshaft.rotor.rigid_bodies import Body, disc_body
 from symbalance.crankshaft.solid.store import Store, open_store, solid_web
 from symbalance.crankshaft.webs.arm import Arm, Elastic, arms, axis_of
+from symbalance.crankshaft.webs.beam_webs import formula_flexibility, nominal_flexibility
 from symbalance.crankshaft.webs.fitted import fitted_flexibility
-from symbalance.crankshaft.webs.formula import formula_flexibility
-from symbalance.crankshaft.webs.nominal import nominal_flexibility
-from symbalance.crankshaft.webs.shares import far_bodies, near_bodies, near_fillet
+from symbalance.crankshaft.webs.mass_lumping import far_bodies, near_bodies, near_fillet
 from symbalance.errors import SymbalanceError, shown
 
 Flexibility = Callable[[Arm], Array | Elastic]

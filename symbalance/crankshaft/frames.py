@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
 
 QUARTER_TURN: Array = np.array([[0.0, -1.0], [1.0, 0.0]])
 """S, a quarter of a turn from U towards V: S = R(pi/2), and R' = omega R S."""

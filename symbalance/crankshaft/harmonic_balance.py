@@ -18,10 +18,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symbalance.crankshaft.integrators.checked import checked_system
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.integrators.coefficients import bearing_count, gathered
-from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.crankshaft.system import PeriodicSystem, checked_system
 from symbalance.errors import SymbalanceError, shown
 
 Complex = NDArray[np.complexfloating[Any, Any]]

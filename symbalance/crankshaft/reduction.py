@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.integrators.coefficients import gathered
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import PeriodicSystem, check_system
 from symbalance.errors import SymbalanceError, shown
 

@@ -6,13 +6,11 @@ from time import perf_counter
 
 import numpy as np
 
-from symbalance.crankshaft.integrators.checked import checked_steps, checked_system
-from symbalance.crankshaft.integrators.coefficients import state_size
-from symbalance.crankshaft.integrators.first_order import film_forces
-from symbalance.crankshaft.integrators.from_scipy import SCIPY, scipy_states
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.integrators.coefficients import film_forces, state_size
+from symbalance.crankshaft.integrators.first_order import SCIPY, scipy_states
 from symbalance.crankshaft.integrators.methods import FIXED, linear_steps
-from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.system import PeriodicSystem, Trajectory
+from symbalance.crankshaft.system import PeriodicSystem, Trajectory, checked_steps, checked_system
 from symbalance.errors import SymbalanceError, shown
 
 METHODS = (*FIXED, *SCIPY)
@@ -52,7 +50,7 @@ def integrate(
     begun = perf_counter()
     theta = system.cycle / steps * np.arange(cycles * steps + 1)
     if method in FIXED:
-        states = linear_steps(system, method, steps).marched(state, cycles)
+        states = linear_steps(system, method, steps).march(state, cycles)
     else:
         states = scipy_states(system, method, theta, state, rtol)
     forces = film_forces(system, theta, states)

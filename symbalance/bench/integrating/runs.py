@@ -13,11 +13,11 @@ from time import process_time
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.harmonic_balance import harmonic_state
 from symbalance.crankshaft.integrators.coefficients import gathered
-from symbalance.crankshaft.integrators.from_scipy import scipy_states
+from symbalance.crankshaft.integrators.first_order import scipy_states
 from symbalance.crankshaft.integrators.methods import FIXED, linear_steps
-from symbalance.crankshaft.rotor import DOF, Array
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import SymbalanceError
 
@@ -79,7 +79,7 @@ class Reference:
         seconds, states = np.inf, self.states
         for _ in range(repeats):
             begun = process_time()
-            states = linear_steps(self.system, method, steps).marched(self.states[0])
+            states = linear_steps(self.system, method, steps).march(self.states[0])
             seconds = min(seconds, process_time() - begun)
         return seconds, self.error(states[:: steps // ASKED])
 

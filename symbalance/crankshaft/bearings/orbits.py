@@ -15,10 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from symbalance.crankshaft.arguments import check_kind
-from symbalance.crankshaft.bearings.closing import closed_places
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.bearings.periodic_newton import closed_places
 from symbalance.crankshaft.bearings.short_film import MAKE, Bearing, FilmState, equilibrium, film_states
 from symbalance.crankshaft.integrators.tableau import radau_iia
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.numbers import listed

@@ -15,7 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
 
 

@@ -22,8 +22,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symbalance.crankshaft.arguments import check_kind, check_number
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.frames import QUARTER_TURN
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
 

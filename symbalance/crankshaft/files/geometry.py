@@ -12,8 +12,9 @@ from fractions import Fraction
 from itertools import groupby, pairwise
 from math import pi
 
-from symbalance.crankshaft.checks import check_geometry
-from symbalance.crankshaft.crank import Crank, Disc, Journal, Material, Part, Pin, Web, WebCounterweight
+from symbalance.crankshaft.crank import Crank, Journal, Part, Pin, Web, WebCounterweight
+from symbalance.crankshaft.geometry_checks import check_geometry
+from symbalance.crankshaft.rotor.parts import Disc, Material
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError

@@ -6,14 +6,32 @@ journals' displacements s, (C + C_B) z' = K (s - z) + C s' - K_B z.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from time import perf_counter
+from typing import Any
 
 import numpy as np
 
-from symbalance.crankshaft.integrators.coefficients import coefficients, gathered, housing_size
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.integrators.coefficients import (
+    diagonal,
+    film_laws,
+    gathered,
+    housing_size,
+    units,
+)
 from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.errors import MissingPartError, SymbalanceError, shown
+
+INSTALL = "pip install 'symbalance[crankshaft]'"
+SCIPY = {"rk45": "RK45", "dop853": "DOP853", "radau": "Radau", "bdf": "BDF", "lsoda": "LSODA"}
+EXPLICIT = ("rk45", "dop853")
+FLOOR = 1e-3
+"""The absolute tolerance, as a share of the relative one times each kind of unknown's largest value."""
+SPARSE = 0.2
+"""The share of entries up to which a matrix is handled as sparse."""
 
 
 @dataclass(frozen=True)
@@ -81,40 +99,60 @@ def cleaned(matrix: Array) -> Array:
     return np.where(np.abs(matrix) > 1e-17 * largest, matrix, 0.0)
 
 
-def film_laws(system: PeriodicSystem, theta: Array) -> tuple[Array, Array]:
-    """Return, per angle and bearing, the film's force in turning axes and z' per (d, d', z).
+def scipy_states(
+    system: PeriodicSystem,
+    method: str,
+    theta: Array,
+    start: Array,
+    rtol: float,
+    size: Array | None = None,
+    limit: float = math.inf,
+) -> Array:
+    """Return the states (s, size) at angles (s,) from `start` at theta[0], by `method` of SciPy.
 
-    Shapes (s, b, 2, 6) and (s, b, 2, 6); without a housing (s, b, 2, 4) and (s, b, 0, 4). Where neither
-    film nor housing damps a direction, its z follows without delay and this form does not exist: the
-    least-squares rate is taken, right for z' = 0.
+    `size` are the typical sizes of the states; by default those of the start. Raises `SymbalanceError`
+    where the solver gives up, `TimeoutError` after `limit` seconds.
     """
-    at = coefficients(system, theta)
-    back = np.swapaxes(at.turn, -1, -2)[:, None]
-    direct = np.concatenate([at.stiffness, at.damping], axis=-1)
-    if system.housing is None:
-        return back @ direct, np.zeros((*direct.shape[:2], 0, 4))
-    stiffness = np.broadcast_to(system.housing.stiffness, at.film_stiffness.shape)
-    inverse = np.linalg.pinv(at.film_damping + system.housing.damping)
-    rate = inverse @ np.concatenate([direct, -at.film_stiffness - stiffness], axis=-1)
-    film = np.concatenate([direct, -at.film_stiffness], axis=-1) - at.film_damping @ rate
-    return back @ film, rate
+    try:
+        from scipy.integrate import solve_ivp
+        from scipy.sparse import csc_array, csr_array
+    except ImportError:
+        raise MissingPartError(f"method = {method!r}", "SciPy is not installed", INSTALL) from None
+    first, omega = FirstOrder.of(system), system.omega
+    sparse = np.count_nonzero(first.constant) < SPARSE * first.constant.size
+    packed = csc_array if sparse and method in ("radau", "bdf") else np.asarray
+    extra: dict[str, Any] = (
+        {} if method in EXPLICIT else {"jac": lambda t, _: packed(first.matrix(omega * t))}
+    )
+    first = replace(first, product=(csr_array(first.constant) if sparse else first.constant).__matmul__)
+    until = perf_counter() + limit
+
+    def slope(t: float, y: Array) -> Array:
+        if perf_counter() > until:
+            raise TimeoutError
+        return first.slope(omega * t, y)
+
+    scale = _scales(system, start if size is None else size)
+    found = solve_ivp(
+        slope,
+        (theta[0] / omega, theta[-1] / omega),
+        start,
+        method=SCIPY[method],
+        t_eval=theta / omega,
+        rtol=rtol,
+        atol=FLOOR * rtol * scale,
+        **extra,
+    )
+    if not found.success:
+        raise SymbalanceError(f"method = {shown(method)}", f"gave up: {found.message}", "another rtol")
+    return found.y.T
 
 
-def film_forces(system: PeriodicSystem, theta: Array, states: Array) -> Array:
-    """Return the bearings' forces on the shaft, stationary axes, (s, b, 2), of states (s, size)."""
-    n, count = system.size, len(system.points)
-    laws, _ = film_laws(system, theta)
-    place = np.einsum("bcn,sn->sbc", system.points, states[:, :n])
-    speed = np.einsum("bcn,sn->sbc", system.points, states[:, n : 2 * n])
-    rest = states[:, 2 * n :].reshape(len(theta), count, 0 if system.housing is None else 2)
-    turning = laws @ np.concatenate([place, speed, rest], axis=-1)[..., None]
-    return -(coefficients(system, theta).turn[:, None] @ turning)[..., 0]
-
-
-def diagonal(laws: Array) -> Array:
-    """Return one angle's (b, r, 2 k) as one matrix (b r, k 2b), columns by kind, then bearing."""
-    count, rows, columns = laws.shape
-    full = np.zeros((count, rows, columns // 2, count, 2))
-    for j in range(count):
-        full[j, :, :, j, :] = laws[j].reshape(rows, columns // 2, 2)
-    return full.reshape(count * rows, columns * count)
+def _scales(system: PeriodicSystem, size: Array) -> Array:
+    """Return one size for each kind of unknown: displacements, velocities, housing states."""
+    n, scale = system.size, np.empty(len(size))
+    parts = (slice(0, n), slice(n, 2 * n), slice(2 * n, 2 * n + housing_size(system)))
+    for part in parts:
+        if size[part].size:
+            scale[part] = np.abs(size[part]).max()
+    return np.where(scale > 0, scale, 1e-9 * units(system))

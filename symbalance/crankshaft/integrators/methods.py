@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from symbalance.crankshaft.integrators.checked import checked_steps, checked_system
-from symbalance.crankshaft.integrators.marching import LinearSteps
 from symbalance.crankshaft.integrators.newmark import newmark_steps
 from symbalance.crankshaft.integrators.radau import radau_steps
-from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.crankshaft.integrators.time_stepping import LinearSteps
+from symbalance.crankshaft.system import PeriodicSystem, checked_steps, checked_system
 from symbalance.errors import SymbalanceError, shown
 
 FIXED: dict[str, Callable[[PeriodicSystem, int], LinearSteps]] = {

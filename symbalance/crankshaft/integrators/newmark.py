@@ -12,10 +12,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from symbalance.crankshaft.integrators.coefficients import gathered, housing_size, units
-from symbalance.crankshaft.integrators.first_order import diagonal, film_laws
-from symbalance.crankshaft.integrators.marching import LinearSteps
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.integrators.coefficients import (
+    diagonal,
+    film_laws,
+    gathered,
+    housing_size,
+    units,
+)
+from symbalance.crankshaft.integrators.time_stepping import LinearSteps
 from symbalance.crankshaft.system import PeriodicSystem
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
 from symbalance.errors import SymbalanceError, shown
 
 Complex = NDArray[np.complexfloating[Any, Any]]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, SliderCrank
 
 Complex = NDArray[np.complex128]

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Pin
 from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads.cylinders import RodForces
 from symbalance.crankshaft.loads.motion import Complex
-from symbalance.crankshaft.rotor import DOF, Array
 
 MILLI = 1e-3
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.reports.summary import MEGA
+from symbalance.crankshaft.running.configuration import Setting
 from symbalance.crankshaft.running.outcome import Outcome
-from symbalance.crankshaft.running.setting import Setting
 
 
 def curves_csv(outcome: Outcome) -> str:

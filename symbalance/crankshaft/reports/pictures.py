@@ -9,14 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.bearings.series import quasi_static as in_series
-from symbalance.crankshaft.campbell import campbell
 from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.loads import firing_crank_angles
-from symbalance.crankshaft.modes import KINDS
 from symbalance.crankshaft.reports.summary import MEGA, Summary
-from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.running.holding import driven_node
+from symbalance.crankshaft.rotor.campbell_diagram import campbell
+from symbalance.crankshaft.rotor.constraints import driven_node
+from symbalance.crankshaft.rotor.modes import KINDS
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import MissingPartError

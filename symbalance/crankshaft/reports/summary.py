@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby
+from math import isfinite
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
 from symbalance.crankshaft.files.operation import speed_text
-from symbalance.crankshaft.modes import kinds
+from symbalance.crankshaft.rotor.modes import kinds
+from symbalance.crankshaft.running.configuration import Setting
 from symbalance.crankshaft.running.measured import Comparison, compared
 from symbalance.crankshaft.running.outcome import Outcome
-from symbalance.crankshaft.running.setting import Setting
 from symbalance.crankshaft.stress import Durability, durability
 from symbalance.document.result import Result
 
@@ -111,13 +112,11 @@ class Summary(Result):
 
     def data(self) -> dict[str, Any]:
         """Return the figures in MPa, Hz, rpm, N and hours; None where infinite or not known."""
-        from symbalance.crankshaft.reports.summary_data import summary_data
 
         return summary_data(self)
 
     def records(self) -> list[dict[str, Any]]:
         """Return a row for each channel at each speed that is to be relied on."""
-        from symbalance.crankshaft.reports.summary_data import summary_records
 
         return summary_records(self)
 
@@ -261,3 +260,58 @@ def _outside(made: Setting) -> list[tuple[str, tuple[str, ...]]]:
             if web not in names:
                 names.append(web)
     return [(", ".join(webs), outside) for outside, webs in found.items()]
+
+
+def summary_data(run: Summary) -> dict[str, Any]:
+    """Return what `to_json` writes of a run.
+
+    A speed with a `reason` is not to be relied on: channels, places and measured curves leave it out.
+    """
+    return {
+        "engine": run.setting.engine.layout.name,
+        "webs": run.setting.webs,
+        "modes": run.setting.modes,
+        "connection": run.setting.connection,
+        "natural_frequencies": [{"hertz": f, "mostly": kind} for f, kind in run.frequencies],
+        "speeds": [_finite(vars(s)) for s in run.speeds],
+        "channels": [_finite(vars(e)) for e in run.extremes],
+        "places": [
+            {
+                "name": p.name,
+                "rpm": p.rpm,
+                "amplitude": p.found.amplitude / MEGA,
+                "mean": p.found.mean / MEGA,
+                **_finite({"safety": p.found.safety, "damage": p.found.damage, "hours": p.hours}),
+            }
+            for p in run.places
+        ],
+        "measured": [
+            {"rpm": c.rpm, "channel": c.channel, "rms": c.rms, "peak": c.peak, "span": c.span}
+            for c in run.comparisons
+        ],
+        "notes": list(run.notes),
+    }
+
+
+def summary_records(run: Summary) -> list[dict[str, Any]]:
+    """Return a row for each channel at each speed that is to be relied on.
+
+    Keys: rpm, channel, unit (MPa or degrees), least and largest value of the cycle.
+    """
+    rows = []
+    for outcome in run.reliable:
+        for name, unit, values in zip(outcome.names, outcome.units, outcome.values.T, strict=True):
+            shown, scale = ("MPa", MEGA) if unit == "Pa" else (unit, 1.0)
+            least, largest = float(values.min()) / scale, float(values.max()) / scale
+            row = {"rpm": float(outcome.rpm), "channel": name, "unit": shown}
+            rows.append({**row, "least": least, "largest": largest})
+    return rows
+
+
+def _finite(values: dict[str, Any]) -> dict[str, Any]:
+    return {k: None if isinstance(v, float) and not isfinite(v) else _plain(v) for k, v in values.items()}
+
+
+def _plain(value: Any) -> Any:
+    """Return tuples as lists, as JSON has them."""
+    return [_plain(each) for each in value] if isinstance(value, tuple) else value

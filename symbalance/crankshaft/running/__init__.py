@@ -11,8 +11,8 @@ sweep        all speeds, finished ones kept
 measured     a measured curve beside the computed one
 """
 
+from symbalance.crankshaft.running.configuration import Setting, setting
 from symbalance.crankshaft.running.outcome import Outcome
-from symbalance.crankshaft.running.setting import Setting, setting
-from symbalance.crankshaft.running.sweep import swept
+from symbalance.crankshaft.running.speed_sweep import swept
 
 __all__ = ["Outcome", "Setting", "setting", "swept"]

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.files.operation import Overlay
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.running.outcome import Outcome
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.csv_rows import Row, rows_of, without_headers

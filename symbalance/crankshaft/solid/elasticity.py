@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.crankshaft.crank import Material
-from symbalance.crankshaft.rotor import DOF, Array
+from symbalance.crankshaft.arrays import DOF, Array
+from symbalance.crankshaft.rotor.parts import Material
 
 NEAR = 1e-7
 """A node lies in a plane when it is closer than this, in m."""

@@ -18,12 +18,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from symbalance.crankshaft.beams import circular, flexibility, transfer
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Journal, Pin
-from symbalance.crankshaft.rotor import DOF, Array
-from symbalance.crankshaft.solid.drawing import draw_half_throw, halved
+from symbalance.crankshaft.rotor.beams import circular, flexibility, transfer
 from symbalance.crankshaft.solid.elasticity import NEAR, Solid, elastic_solid, factored
-from symbalance.crankshaft.solid.meshing import meshed
+from symbalance.crankshaft.solid.meshing import draw_half_throw, halved, meshed
 from symbalance.crankshaft.webs.arm import Arm, Elastic
 
 Flags = NDArray[np.bool_]

@@ -18,11 +18,19 @@ import json
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import product
 from math import pi
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
-from symbalance.crankshaft.crank import Crank, Journal, Material, Part, Pin, Web
+import numpy as np
+
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.crank import Crank, Journal, Part, Pin, Web
+from symbalance.crankshaft.rotor.parts import Material
+from symbalance.crankshaft.solid.elasticity import Solid, elastic_solid, factored
+from symbalance.crankshaft.solid.meshing import draw_crank, halved, meshed
 from symbalance.crankshaft.webs.sector import sector_counterweight
 
 SIZES = {
@@ -74,7 +82,6 @@ def _weighted(
 
 def measured(name: str, count: int = 20) -> dict[str, object]:
     """Return a solid crank's frequencies (Hz) for each size of elements, and the seconds taken."""
-    from symbalance.crankshaft.solid.free_modes import solid_frequencies
 
     found: dict[str, object] = {}
     for size in SIZES[name]:
@@ -93,3 +100,49 @@ if __name__ == "__main__":
     for name in sys.argv[2:] or SIZES:
         kept |= measured(name)
         place.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+
+
+def solid_frequencies(crank: Crank, size: float, count: int = 20) -> Array:
+    """Return the lowest `count` elastic natural frequencies (Hz) of the free crank, without end discs.
+
+    `size` (m) is the elements'. ARPACK, shifted and inverted just below zero.
+    """
+    planes = mirrors(crank)
+    middle = crank.length / 2
+    mesh = meshed(lambda occ: halved(occ, draw_crank(occ, crank), [*planes], middle * 1e3), size)
+    body = elastic_solid(mesh, crank.material)
+    found: list[float] = []
+    for parity in product((True, False), repeat=len(planes)):
+        held = np.zeros(body.size, dtype=bool)
+        for axis, even in zip(planes, parity, strict=True):
+            held |= body.held_by_mirror(axis, middle if axis == 2 else 0.0, even=even)
+        found += _frequencies(body, ~held, count + 6)
+    elastic = np.sort([f for f in found if f > 1.0])
+    return elastic[:count]
+
+
+def _frequencies(body: Solid, free: Any, count: int) -> list[float]:
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    shift = -((2 * np.pi * 20.0) ** 2)
+    stiffness, mass = (m.tocsr()[free][:, free].tocsc() for m in (body.stiffness, body.mass))
+    factors = factored(body.stiffness - shift * body.mass, free)
+    inverse = LinearOperator(stiffness.shape, factors.solve)
+    squares = eigsh(stiffness, count, mass, sigma=shift, OPinv=inverse, return_eigenvectors=False)
+    return [*(np.sqrt(np.maximum(squares, 0.0)) / (2 * np.pi))]
+
+
+def mirrors(crank: Crank) -> tuple[int, ...]:
+    """Return the crank's mirror planes: 1, that of its throws (v = 0); 2, its middle.
+
+    >>> from symbalance.crankshaft.crank import Journal
+    >>> web, end = Web(0.02, 0.08, 0.04, 0.04), Journal(0.06, 0.03)
+    >>> mirrors(Crank((end, web, Pin(0.05, 0.03, 0.04, 0.0, (1,)), web, end)))
+    (1, 2)
+    """
+    angles = [p.angle for p in crank.pins]
+    weights = [p.counterweight for p in crank.parts if isinstance(p, Web) and p.counterweight]
+    angles += [w.angle for w in weights if w.outer]
+    flat = bool(np.all(np.abs(np.sin(angles)) < 1e-9))
+    plain = [replace(p, cylinders=()) if isinstance(p, Pin) else p for p in crank.parts]
+    return (*((1,) if flat else ()), *((2,) if plain == plain[::-1] else ()))

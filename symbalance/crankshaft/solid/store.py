@@ -22,9 +22,9 @@ from typing import Any
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.digests import digest
-from symbalance.crankshaft.rotor import DOF, Array
 from symbalance.crankshaft.webs.arm import Arm, Elastic, arms
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.writing import write_file

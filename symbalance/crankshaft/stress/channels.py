@@ -22,10 +22,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Crank, Journal, Part, Pin, Web
-from symbalance.crankshaft.rotor import DOF, Array, Rotor
+from symbalance.crankshaft.rotor.matrices import Member, Rotor
 from symbalance.crankshaft.stress.concentration import fillet_factors, round_modulus
-from symbalance.crankshaft.stress.sections import members_of, transmitted
 
 DEGREE = np.pi / 180
 
@@ -157,3 +157,24 @@ def _twists(rotor: Rotor) -> Iterator[Channel]:
         row = np.zeros(rotor.size)
         row[DOF * rear + 5], row[DOF * front + 5] = 1 / DEGREE, -1 / DEGREE
         yield Channel(f"twist {number}", "degrees", row)
+
+
+def transmitted(rotor: Rotor, member: Member, point: Array) -> Array:
+    """Return (6, n): what the part in front of a section bears on the part behind it, per displacement.
+
+    Forces F and moments M about `point` (3,), all in U, V, W: the loads at the member's front end,
+    stiffness times displacements, carried to the point, M = M_front + (front - point) x F. What the
+    member itself weighs between is left out; what hangs on a web counts with the end it hangs on.
+
+    A member stretched along W transmits F_w = -N: the part in front pulls forward.
+    """
+    carried = rotor.passing(member)
+    arm = rotor.points[member.front] - np.asarray(point, dtype=float)
+    carried[3:] += np.cross(arm, carried[:3], axisb=0, axisc=0)
+    return carried
+
+
+def members_of(rotor: Rotor, index: int) -> list[Member]:
+    """Return the members of a part of the crank's chain, front to rear."""
+    own = [m for m in rotor.members if m.index == index]
+    return sorted(own, key=lambda m: rotor.points[m.front][2] + rotor.points[m.rear][2])

@@ -23,8 +23,8 @@ from typing import Any
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.files.operation import Strength
-from symbalance.crankshaft.rotor import Array
 from symbalance.errors import MissingPartError
 
 DIRECTIONS = 24

@@ -12,10 +12,11 @@ from math import atan2, cos, hypot, sin
 
 import numpy as np
 
-from symbalance.crankshaft.beams import element, transfer
-from symbalance.crankshaft.bodies import Body, turn_about_w
-from symbalance.crankshaft.crank import Crank, Journal, Material, Pin, Web
-from symbalance.crankshaft.rotor import DOF, Array
+from symbalance.crankshaft.arrays import DOF, Array
+from symbalance.crankshaft.crank import Crank, Journal, Pin, Web
+from symbalance.crankshaft.rotor.beams import element, transfer
+from symbalance.crankshaft.rotor.parts import Material
+from symbalance.crankshaft.rotor.rigid_bodies import Body, turn_about_w
 
 MIRROR = np.diag([1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
 

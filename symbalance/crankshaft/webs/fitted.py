@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from symbalance.crankshaft.beams import transfer
-from symbalance.crankshaft.rotor import DOF, Array
+from symbalance.crankshaft.arrays import DOF, Array
+from symbalance.crankshaft.rotor.beams import transfer
 from symbalance.crankshaft.webs.arm import Arm, chained
-from symbalance.crankshaft.webs.nominal import stub
+from symbalance.crankshaft.webs.beam_webs import stub
 from symbalance.errors import MissingPartError
 
 NAMES = ("stretch", "shear across", "shear through", "twist", "bend through", "bend in plane")

@@ -8,8 +8,9 @@ from math import pi
 
 import numpy as np
 
-from symbalance.crankshaft.crank import Material, Web, WebCounterweight
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.crank import Web, WebCounterweight
+from symbalance.crankshaft.rotor.parts import Material
 from symbalance.errors import SymbalanceError, shown
 
 STEPS = 600
