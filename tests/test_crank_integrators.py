@@ -17,7 +17,7 @@ from symbalance.crankshaft.bearings.film_tables import trigonometric_film
 from symbalance.crankshaft.frames import QUARTER_TURN, rotation
 from symbalance.crankshaft.harmonic_balance import harmonic_state
 from symbalance.crankshaft.integrators.coefficients import film_forces, state_size
-from symbalance.crankshaft.integrators.first_order import FirstOrder
+from symbalance.crankshaft.integrators.first_order import FirstOrderForm
 from symbalance.crankshaft.integrators.methods import linear_steps
 from symbalance.crankshaft.integrators.tableau import radau_iia
 from symbalance.crankshaft.reduction import reduced
@@ -194,7 +194,7 @@ def test_scipys_and_ours_end_at_one_state(four, balanced):
 
 
 def test_the_jacobian_is_that_of_the_slope(four):
-    first = FirstOrder.of(four[0])
+    first = FirstOrderForm.of(four[0])
     state = np.random.default_rng(1).normal(size=first.size)
     rest = first.slope(1.3, np.zeros(first.size))
     assert np.allclose(first.slope(1.3, state) - rest, first.matrix(1.3) @ state, rtol=1e-9, atol=1e-3)
@@ -215,7 +215,7 @@ def test_a_housing_without_bounds_is_the_ground():
 def test_frozen_angles_say_nothing(delta, epsilon, frozen):
     """Unstable at some angles taken one by one and stable over the cycle, and the other way about."""
     system = mathieu(delta, epsilon)
-    first = FirstOrder.of(system)
+    first = FirstOrderForm.of(system)
     rates = [np.linalg.eigvals(first.matrix(a)).real.max() for a in np.arange(0, 2 * np.pi, 0.1)]
     factors = periodic_start(linear_steps(system, "radau-iia", 200))[1]
     assert (max(rates) > 0.1) == frozen

@@ -1,4 +1,4 @@
-"""Between the stationary axes of the engine and those that turn with the crank.
+"""Bearing matrices and vectors transformed between stationary axes and axes that turn with the crank.
 
 With Q = R(theta) = [cos, -sin; sin, cos] a journal's displacement is (vertical, lateral) = Q (u, v), and
 Q' = omega Q S with S = [0, -1; 1, 0] gives its stationary velocity Q (u', v') + omega Q S (u, v). So a

@@ -1,4 +1,4 @@
-"""What a crank's sizes must satisfy to be one: parts that fit into each other and past each other."""
+"""Checks that a crank's parts fit into each other and past each other."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from symbalance.errors import SymbalanceError, shown
 
 
 def check_geometry(crank: Crank) -> None:
-    """Refuse a crank whose parts overlap or whose sizes cannot be made; errors in mm.
+    """Refuse a crank whose parts overlap or whose sizes nobody can machine; errors in mm.
 
     >>> web = Web(0.02, 0.08, 0.04, 0.04)
     >>> ends = Journal(0.06, 0.03)
@@ -59,13 +59,13 @@ def _check_arm(arm: Arm, place: str) -> None:
     names = ("heel" if isinstance(arm.near, Journal) else "tip", "tip")
     margins = (arm.near_margin, arm.far_margin)
     for part, own in ((arm.near, 0), (arm.far, 1)):
-        kind, needed = type(part).__name__.lower(), part.diameter / 2 + part.fillet
+        kind, radius = type(part).__name__.lower(), part.diameter / 2 + part.fillet
         rule = f"must cover the {kind} with its fillets, {{}} mm"
-        if needed > arm.web.width / 2 * (1 + 1e-9):
-            _refuse(place, "width", arm.web.width, rule.format(mm(2 * needed)))
-        for end, wanted in ((own, needed), (1 - own, needed - arm.reach)):
-            if wanted > margins[end] * (1 + 1e-9):
-                _refuse(place, names[end], margins[end], rule.format(mm(wanted)))
+        if radius > arm.web.width / 2 * (1 + 1e-9):
+            _refuse(place, "width", arm.web.width, rule.format(mm(2 * radius)))
+        for end, least in ((own, radius), (1 - own, radius - arm.reach)):
+            if least > margins[end] * (1 + 1e-9):
+                _refuse(place, names[end], margins[end], rule.format(mm(least)))
         if arm.web.thickness <= part.fillet:
             thin = f"must be more than the {kind}'s fillet, {mm(part.fillet)} mm"
             _refuse(place, "thickness", arm.web.thickness, thin)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from importlib import import_module
 from time import perf_counter
 from typing import Any
 
@@ -31,6 +32,7 @@ CLOSED = 1e-6
 UNBOUNDED = 1e6
 """A steady state this much larger than what one cycle gives from rest has no damping to speak of."""
 MOST_STEPS = 46080
+"""Of a cycle, to which a tolerance may double them: 64 times the usual 720."""
 
 
 def steady_state(
@@ -43,10 +45,10 @@ def steady_state(
 ) -> Trajectory:
     """Return the periodic steady state over one cycle, at `steps` equal angles from 0, the end left out.
 
-    `method` is one of `FIXED`: radau-iia (order 5), radau-iia-9, newmark. With a `tolerance` the
-    steps are doubled until the displacements' relative change, over 7, is below it; `error` holds
-    that estimate, else NaN. `multipliers` are sorted by size, largest first (the largest dozen for
-    systems beyond `DENSE` states). Refuses a system without a periodic state: a mean load unheld.
+    `method` is one of `FIXED`: radau-iia (order 5), radau-iia-9, newmark. With a `tolerance` the steps
+    are doubled until the displacements' relative change, over 7, is below it; `error` holds that
+    estimate, else NaN. `multipliers` are sorted by size, largest first (the largest dozen for systems
+    beyond `DENSE` states). Refuses a system without a periodic state: a mean load that nothing carries.
     """
     if tolerance is not None and not tolerance > 0:
         raise SymbalanceError(f"tolerance = {shown(tolerance)}", "must be positive", "1e-4 is usual")
@@ -85,23 +87,23 @@ def periodic_start(
     """Return the state that comes back after a cycle, and the multipliers, largest first (or None)."""
     units = cycle.units
     with np.errstate(over="ignore", invalid="ignore"):
-        pushed = cycle.march(np.zeros(cycle.state_size))[-1] / units
-    if not np.isfinite(pushed).all():
+        side = cycle.march(np.zeros(cycle.state_size))[-1] / units
+    if not np.isfinite(side).all():
         rule = "must be finite after a cycle; a load is not, or it grows past all bounds"
         remedy = "take more steps a cycle, or look at pressures, masses and films"
         raise UnsolvedError("the motion", rule, remedy)
 
-    def propagated(states: Array) -> Array:
+    def psi(states: Array) -> Array:
         scale = units if states.ndim == 1 else units[:, None]
         return cycle.propagate(scale * states) / scale
 
     solve = _solve_densely if cycle.state_size <= DENSE else _solve_by_krylov
-    start, factors = solve(propagated, pushed, multipliers)
-    missing = np.linalg.norm(start - propagated(start) - pushed)
-    if not missing <= CLOSED * (np.linalg.norm(pushed) + np.linalg.norm(start)):
+    start, factors = solve(psi, side, multipliers)
+    missing = np.linalg.norm(start - psi(start) - side)
+    if not missing <= CLOSED * (np.linalg.norm(side) + np.linalg.norm(start)):
         rule = "there is no periodic state: a mean load is held by nothing, or a multiplier is 1"
         raise UnsolvedError("steady state", rule, "balance the mean torque, or hold the spin")
-    if np.linalg.norm(start) > UNBOUNDED * np.linalg.norm(pushed):
+    if np.linalg.norm(start) > UNBOUNDED * np.linalg.norm(side):
         rule = "is a resonance that nothing damps: only the integrator's own damping bounds the motion"
         raise UnsolvedError("steady state", rule, "give the rotor or its bearings damping")
     return units * start, None if factors is None else factors[np.argsort(-np.abs(factors))]
@@ -124,21 +126,21 @@ def _solve_by_krylov(psi: Propagation, side: Array, multipliers: bool) -> tuple[
     Both take a dozen or two of cycles where the whole matrix takes as many as there are states.
     """
     try:
-        from scipy.sparse.linalg import ArpackError, LinearOperator, eigs, gmres
+        krylov: Any = import_module("scipy.sparse.linalg")
     except ImportError:
         rule, remedy = "SciPy is not installed", "pip install 'symbalance[crankshaft]'"
         raise MissingPartError(f"a steady state of {len(side)} states", rule, remedy) from None
     shape = (len(side), len(side))
     # Not restarted: the caller's check of the residual says whether it converged.
-    rest = LinearOperator(shape, matvec=lambda state: state - psi(state), dtype=float)
-    start = gmres(rest, side, rtol=1e-11, atol=0.0, restart=min(400, len(side)), maxiter=1)[0]
+    rest = krylov.LinearOperator(shape, matvec=lambda state: state - psi(state), dtype=float)
+    start = krylov.gmres(rest, side, rtol=1e-11, atol=0.0, restart=min(400, len(side)), maxiter=1)[0]
     if not multipliers:
         return start, None
     count = min(LEADING, len(side) - 2)  # ARPACK takes no more
     first = np.random.default_rng(1).standard_normal(len(side))  # the same multipliers at every run
     try:
-        operator = LinearOperator(shape, matvec=psi, dtype=float)
-        return start, eigs(operator, count, v0=first, return_eigenvectors=False)
-    except ArpackError as problem:
+        operator = krylov.LinearOperator(shape, matvec=psi, dtype=float)
+        return start, krylov.eigs(operator, count, v0=first, return_eigenvectors=False)
+    except krylov.ArpackError as problem:
         rule = f"the largest Floquet multipliers do not settle ({problem})"
         raise UnsolvedError("steady state", rule, "look at the rotor's damping and constraints") from None

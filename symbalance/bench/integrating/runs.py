@@ -15,7 +15,7 @@ import numpy as np
 
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.harmonic_balance import harmonic_state
-from symbalance.crankshaft.integrators.coefficients import gathered
+from symbalance.crankshaft.integrators.coefficients import bearing_rows
 from symbalance.crankshaft.integrators.first_order import scipy_states
 from symbalance.crankshaft.integrators.methods import FIXED, linear_steps
 from symbalance.crankshaft.system import PeriodicSystem
@@ -110,7 +110,7 @@ def kinds(system: PeriodicSystem, spin: Array, basis: Array | None = None) -> li
     weight = system.mass if len(system.mass) == n else np.eye(n)
     rest = np.eye(n) - np.outer(spin, weight @ spin) / (spin @ weight @ spin)
     shifts = (np.arange(n) % DOF) < 3
-    return [gathered(system), (rest @ basis)[shifts], (rest @ basis)[~shifts]]
+    return [bearing_rows(system), (rest @ basis)[shifts], (rest @ basis)[~shifts]]
 
 
 Progress = Callable[[str], None]

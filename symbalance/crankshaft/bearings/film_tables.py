@@ -1,4 +1,4 @@
-"""Bearing coefficients between the angles of a table, periodic; and what a table may hold."""
+"""Oil films from tables of stiffness and damping over the crank angle: checks, splines, CSV files."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ def film_from_tables(theta: Array, stiffness: Array, damping: Array, cycle: floa
 
     Two derivatives are continuous: the error falls with the fourth power of the angles' spacing, and a
     fifth-order method keeps its order where its steps end on the table's angles. Refuses tables that no
-    film has: see `checked_table`.
+    film has: see `check_table`.
     """
-    checked_table(theta, stiffness, damping, cycle)
+    check_table(theta, stiffness, damping, cycle)
     return Film(_spline(theta, stiffness, cycle), _spline(theta, damping, cycle))
 
 
@@ -46,7 +46,7 @@ def trigonometric_film(stiffness: Array, damping: Array, cycle: float) -> Film:
     return Film(_waves(stiffness, cycle), _waves(damping, cycle))
 
 
-def checked_table(theta: Array, stiffness: Array, damping: Array, cycle: float) -> None:
+def check_table(theta: Array, stiffness: Array, damping: Array, cycle: float) -> None:
     """Refuse what no film's table can be; place, rule and remedy in the refusal.
 
     Angles rise from 0 or above to below the cycle; all is finite; the damping's symmetric part is
@@ -87,8 +87,8 @@ def _spline(theta: Array, table: Array, cycle: float) -> Callable[[Array], Array
         from scipy.interpolate import CubicSpline
     except ImportError:
         raise MissingPartError("bearing tables", "SciPy is not installed", INSTALL) from None
-    closed = np.concatenate([table, table[:1]])
-    spline = CubicSpline(np.append(theta, theta[0] + cycle), closed, bc_type="periodic")
+    around = np.concatenate([table, table[:1]])
+    spline = CubicSpline(np.append(theta, theta[0] + cycle), around, bc_type="periodic")
     return lambda angles: spline(theta[0] + (angles - theta[0]) % cycle)
 
 

@@ -1,7 +1,7 @@
-"""A journal's whole orbit at once by Newton's method: the same discrete orbit as marching, much faster.
+"""Newton's method on all time steps of journals' periodic orbits together, much faster than stepping.
 
-All steps' stage equations F = load are linearised together; each step then carries a change of its
-start on to a change of its end, 2 x 2 a bearing, and the cycle closes by one 2 x 2 system a bearing.
+All steps' stage equations F = load are linearised together; each step then turns a change of its
+start into a change of its end, 2 x 2 a bearing, and the cycle closes by one 2 x 2 system a bearing.
 """
 
 from __future__ import annotations
@@ -14,25 +14,26 @@ from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.bearings.short_film import FilmState
 
 MOST, SETTLED, SMALLEST = 40, 1e-10, 1e-3
+"""Newton steps; the change over the clearance that ends them; the share of a step below which it fails."""
 Films = Callable[[Array, Array], FilmState]
 
 
-def closed_places(
-    at: Films, wanted: Array, inner: Array, limits: Array, start: tuple[Array, Array]
+def periodic_places(
+    at: Films, loads: Array, inner: Array, limits: Array, start: tuple[Array, Array]
 ) -> Array | None:
-    """Return the places (N, b, 2) at the steps' starts of the closed orbit, or None if none is found.
+    """Return the places (N, b, 2) at the steps' starts of the periodic orbit, or None without convergence.
 
-    `wanted` (N, s, b, 2) are the loads at the stages, `inner` (s, s) is h A of a stiffly accurate
+    `loads` (N, s, b, 2) are the loads at the stages, `inner` (s, s) is h A of a stiffly accurate
     method, `limits` (b, 1) the distance that no journal passes, `start` a guess: places (N, b, 2) and
     stage velocities (N, s, b, 2).
     """
     place, rate = start
     for _ in range(MOST):
         film = at(_stages(place, rate, inner), rate)
-        moved, turned = _changes(film, wanted - film.force, inner, place, rate)
+        place_change, rate_change = _newton_step(film, loads - film.force, inner, place, rate)
         share = np.ones((1, place.shape[1], 1))
         while True:
-            new = place + share * moved, rate + share[:, None] * turned
+            new = place + share * place_change, rate + share[:, None] * rate_change
             within = np.linalg.norm(_stages(*new, inner), axis=-1).max(axis=(0, 1))[:, None] < limits
             if within.all():
                 break
@@ -40,7 +41,7 @@ def closed_places(
             if share.min() < SMALLEST:
                 return None
         place, rate = new
-        if share.min() == 1 and (np.abs(moved) / limits).max() <= SETTLED:
+        if share.min() == 1 and (np.abs(place_change) / limits).max() <= SETTLED:
             return place
     return None
 
@@ -50,7 +51,7 @@ def _stages(place: Array, rate: Array, inner: Array) -> Array:
     return place[:, None] + np.einsum("ij,njbc->nibc", inner, rate)
 
 
-def _changes(
+def _newton_step(
     film: FilmState, missing: Array, inner: Array, place: Array, rate: Array
 ) -> tuple[Array, Array]:
     """Return Newton's changes of places (N, b, 2) and of stage velocities (N, s, b, 2)."""
@@ -60,23 +61,23 @@ def _changes(
         matrix[:, :, i, :, i] += film.damping[:, i]
     by_place = film.stiffness.transpose(0, 2, 1, 3, 4).reshape(steps, count, 2 * s, 2)
     side = missing.transpose(0, 2, 1, 3).reshape(steps, count, 2 * s, 1)
-    solved = np.linalg.solve(
+    solution = np.linalg.solve(
         matrix.reshape(steps, count, 2 * s, 2 * s), np.concatenate([by_place, side], axis=-1)
     )
-    end = np.kron(inner[-1], np.eye(2)) @ solved
+    end = np.kron(inner[-1], np.eye(2)) @ solution
     gap = _stages(place, rate, inner)[:, -1] - np.roll(place, -1, axis=0)
-    moved = _around(np.eye(2) - end[..., :2], end[..., 2] + gap)
-    turned = (solved[..., 2:] - solved[..., :2] @ moved[..., None])[..., 0]
-    return moved, turned.reshape(steps, count, s, 2).transpose(0, 2, 1, 3)
+    place_change = _solve_cyclic(np.eye(2) - end[..., :2], end[..., 2] + gap)
+    rate_change = (solution[..., 2:] - solution[..., :2] @ place_change[..., None])[..., 0]
+    return place_change, rate_change.reshape(steps, count, s, 2).transpose(0, 2, 1, 3)
 
 
-def _around(factor: Array, added: Array) -> Array:
-    """Return x (N, b, 2) with x_{k+1} = factor_k x_k + added_k, all the way round."""
-    whole, sum_ = np.broadcast_to(np.eye(2), factor.shape[1:]), np.zeros(added.shape[1:])
-    for each, one in zip(factor, added, strict=True):
+def _solve_cyclic(factor: Array, offset: Array) -> Array:
+    """Return x (N, b, 2) with x_{k+1} = factor_k x_k + added_k, where x_N is x_0 again."""
+    whole, sum_ = np.broadcast_to(np.eye(2), factor.shape[1:]), np.zeros(offset.shape[1:])
+    for each, one in zip(factor, offset, strict=True):
         whole, sum_ = each @ whole, (each @ sum_[..., None])[..., 0] + one
-    found = np.empty_like(added)
-    found[0] = np.linalg.solve(np.eye(2) - whole, sum_[..., None])[..., 0]
-    for k in range(len(added) - 1):
-        found[k + 1] = (factor[k] @ found[k][..., None])[..., 0] + added[k]
-    return found
+    values = np.empty_like(offset)
+    values[0] = np.linalg.solve(np.eye(2) - whole, sum_[..., None])[..., 0]
+    for k in range(len(offset) - 1):
+        values[k + 1] = (factor[k] @ values[k][..., None])[..., 0] + offset[k]
+    return values

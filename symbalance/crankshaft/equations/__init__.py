@@ -10,12 +10,12 @@ node_document   what is written of it
 
 from symbalance.crankshaft.equations.bearings import TurnedBearing, turned_bearing
 from symbalance.crankshaft.equations.node import NodeEquations, node_equations
-from symbalance.crankshaft.equations.published import compared
+from symbalance.crankshaft.equations.published import compare_with_published
 
 __all__ = [
     "NodeEquations",
     "TurnedBearing",
-    "compared",
+    "compare_with_published",
     "node_equations",
     "turned_bearing",
 ]

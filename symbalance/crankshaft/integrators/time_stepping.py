@@ -1,13 +1,13 @@
-"""A fixed-step method on a linear periodic system: everything but a few small products done beforehand.
+"""Time stepping of a linear periodic system by precomputed matrices: a few small products a step.
 
 The rotor between its bearings has constant coefficients, so a step of it is one matrix, the same for the
 whole run; only the bearings change with the crank angle, and they touch it at two coordinates each. A
 step is therefore, with b the bearing forces at the step's stages,
 
-    seen = (W p, q),    b = gain_k seen + bias_k,    p+ = F p - L b + forced_k,    q+ = E q + H_k b
+    s = (W p, q),    b = gain_k s + bias_k,    p+ = F p - L b + forcing_k,    q+ = E q + H_k b
 
 for the rotor's state p (displacements first) and the housings' q: the Woodbury identity, with the small
-inverse, which is the only thing that changes, in `gain_k`, made for all steps at once.
+inverse, which is the only thing that changes, in `gain_k`, computed for all steps at once.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from symbalance.crankshaft.arrays import Array
 class LinearSteps:
     """The matrices of all steps of one cycle; `free` is F above W, shapes (m + w, m).
 
-    `units` (state,) is what each part of a state is measured in where states are compared.
+    `units` (state,) are those in which the parts of states are compared.
     """
 
     free: Array
     load: Array
     gain: Array
     bias: Array
-    forced: Array
+    forcing: Array
     housing_free: Array
     housing_load: Array
     units: Array
@@ -55,17 +55,17 @@ class LinearSteps:
         m, count = self.motion_size, self.steps
         states = np.empty((cycles * count + 1, self.state_size))
         states[0] = start
-        seen = np.empty(self.gain.shape[2])
-        watched = len(self.free) - m
+        journals = np.empty(self.gain.shape[2])
+        count_free = len(self.free) - m
         for k in range(cycles * count):
             i, state = k % count, states[k]
-            moved = self.free @ state[:m]
-            seen[:watched], seen[watched:] = moved[m:], state[m:]
-            force = self.gain[i] @ seen
+            after_free = self.free @ state[:m]
+            journals[:count_free], journals[count_free:] = after_free[m:], state[m:]
+            force = self.gain[i] @ journals
             force += self.bias[i]
             after = states[k + 1]
-            np.subtract(moved[:m], self.load @ force, out=after[:m])
-            after[:m] += self.forced[i]
+            np.subtract(after_free[:m], self.load @ force, out=after[:m])
+            after[:m] += self.forcing[i]
             after[m:] = self.housing_free @ state[m:] + self.housing_load[i] @ force
         return states
 
@@ -74,8 +74,8 @@ class LinearSteps:
         m = self.motion_size
         motion, housing = columns[:m], columns[m:]
         for i in range(self.steps):
-            moved = self.free @ motion
-            force = self.gain[i] @ np.concatenate([moved[m:], housing])
-            motion = moved[:m] - self.load @ force
+            after_free = self.free @ motion
+            force = self.gain[i] @ np.concatenate([after_free[m:], housing])
+            motion = after_free[:m] - self.load @ force
             housing = self.housing_free @ housing + self.housing_load[i] @ force
         return np.concatenate([motion, housing])

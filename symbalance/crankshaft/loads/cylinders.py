@@ -10,7 +10,7 @@ import numpy as np
 
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.files import RunningEngine
-from symbalance.crankshaft.loads.motion import Complex, Motion, link_arm, motion
+from symbalance.crankshaft.loads.motion import Complex, PistonMotion, link_arm, piston_motion
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
@@ -43,12 +43,12 @@ class RodForces:
         A master's holds the lateral force that balances its link rods' moments about the crank pin; the
         link rods' own forces are theirs.
         """
-        cylinder, moved = self._cylinders[number], self._motion(number, theta)
+        cylinder, motion_ = self._cylinders[number], self._motion(number, theta)
         axial = self.axial(number, theta)
-        excess = self.engine.operation.excess * self.omega**2 * moved.swinging
+        excess = self.engine.operation.excess * self.omega**2 * motion_.angle_acceleration
         moment = excess + sum(self._link_moment(link, theta) for link in self._links(cylinder))
-        across = moment / (self._length(number) * np.cos(moved.angle))
-        return axial - 1j * (axial * np.tan(moved.angle) + across)
+        across = moment / (self._length(number) * np.cos(motion_.angle))
+        return axial - 1j * (axial * np.tan(motion_.angle) + across)
 
     def axial(self, number: int, theta: Array) -> Array:
         """Return F, the piston's load along its axis, away from the crank: gas and inertia, N."""
@@ -94,13 +94,13 @@ class RodForces:
         run = self.engine.operation
         if run.ideal is None:
             return dict.fromkeys(self._mechanisms, run.trace)
-        made = {self._mechanisms[self.engine.layout.first.number]: run.trace}
-        made |= {m: run.ideal.trace(m) for m in set(self._mechanisms.values()) - made.keys()}
-        return {n: made[m] for n, m in self._mechanisms.items()}
+        traces = {self._mechanisms[self.engine.layout.first.number]: run.trace}
+        traces |= {m: run.ideal.trace(m) for m in set(self._mechanisms.values()) - traces.keys()}
+        return {n: traces[m] for n, m in self._mechanisms.items()}
 
-    def _motion(self, number: int, theta: Array) -> Motion:
+    def _motion(self, number: int, theta: Array) -> PistonMotion:
         delay = 2 * pi * float(self._cylinders[number].delay.turns)
-        return motion(self._mechanisms[number], theta + delay)
+        return piston_motion(self._mechanisms[number], theta + delay)
 
     def _bank(self, number: int) -> float:
         return 2 * pi * float(self._cylinders[number].bank.turns)
@@ -117,8 +117,8 @@ class RodForces:
         return float(self._mechanisms[number].length) * self._radius(number)
 
     def _links(self, master: Cylinder) -> list[Cylinder]:
-        found = self._cylinders.values()
-        return [c for c in found if c.link is not None and c.link.master == master.number]
+        cylinders = self._cylinders.values()
+        return [c for c in cylinders if c.link is not None and c.link.master == master.number]
 
     def _link_moment(self, cylinder: Cylinder, theta: Array) -> Array:
         """Return a link rod's moment about the crank pin, + in the sense of rotation, N m."""

@@ -34,15 +34,15 @@ class PinLoads:
     def at(self, theta: Array) -> Array:
         """Return (s, pins, 6): F_u, F_v, F_w, N_u, N_v, N_w at angles (s,), N and N m."""
         pins = self.rods.engine.crank.pins
-        found = np.zeros((len(theta), len(pins), DOF))
+        loads = np.zeros((len(theta), len(pins), DOF))
         for place, pin in enumerate(pins):
             for number in pin.cylinders:
                 force = self.rods.at(number, theta)
-                found[:, place, 0] += force.real
-                found[:, place, 1] += force.imag
-                found[:, place, 3] -= self.shifts[number] * force.imag
-                found[:, place, 4] += self.shifts[number] * force.real
-        return found
+                loads[:, place, 0] += force.real
+                loads[:, place, 1] += force.imag
+                loads[:, place, 3] -= self.shifts[number] * force.imag
+                loads[:, place, 4] += self.shifts[number] * force.real
+        return loads
 
     def harmonics(self, order: int, points: int = 4096) -> Complex:
         """Return (k + 1, pins, 6), the two-sided coefficients c of sum c e^(i s theta) of each load.

@@ -8,6 +8,6 @@ pictures          plots against crank angle, order and speed
 """
 
 from symbalance.crankshaft.reports.curves import curves_csv, loads_csv
-from symbalance.crankshaft.reports.summary import Summary, summary
+from symbalance.crankshaft.reports.summary import Summary, summarise_run
 
-__all__ = ["Summary", "curves_csv", "loads_csv", "summary"]
+__all__ = ["Summary", "curves_csv", "loads_csv", "summarise_run"]

@@ -1,4 +1,4 @@
-"""From beams, elements and bodies at nodes to a rotor's matrices."""
+"""Assembly of a rotor's matrices from elastic elements, beams and rigid bodies; modal damping."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ import numpy as np
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.rotor.beams import Beam
 from symbalance.crankshaft.rotor.matrices import Member, Rotor
-from symbalance.crankshaft.rotor.rigid_bodies import Body, node_force, node_matrices
+from symbalance.crankshaft.rotor.rigid_bodies import RigidBody, node_force, node_matrices
 
 
 @dataclass(frozen=True)
 class _Sums:
-    """The growing matrices."""
+    """The matrices and the force that every piece is added to."""
 
     mass: Array
     gyroscopic: Array
@@ -23,11 +23,11 @@ class _Sums:
     force: Array
 
 
-def gathered(
+def assemble_rotor(
     points: Array,
     members: Sequence[Member],
     spans: Iterable[tuple[int, int, Beam]],
-    bodies: Iterable[tuple[int, Body]],
+    bodies: Iterable[tuple[int, RigidBody]],
 ) -> Rotor:
     """Return the undamped rotor of these nodes (n, 3).
 
@@ -62,7 +62,7 @@ def _add(total: Array, piece: Array, *nodes: int) -> None:
     total[np.ix_(unknowns, unknowns)] += piece
 
 
-def _add_body(sums: _Sums, point: Array, node: int, body: Body) -> None:
+def _add_body(sums: _Sums, point: Array, node: int, body: RigidBody) -> None:
     matrices = node_matrices(body.mass, body.offset, body.inertia, point)
     for total, piece in zip((sums.mass, sums.gyroscopic, sums.centrifugal), matrices, strict=True):
         _add(total, piece, node)
@@ -71,12 +71,12 @@ def _add_body(sums: _Sums, point: Array, node: int, body: Body) -> None:
 
 def _add_beam(sums: _Sums, start: Array, ends: tuple[int, int], beam: Beam) -> None:
     """Add a beam's slices, each a thin rigid disc, by the beam's own interpolation."""
-    mass, inertia, centred = beam.material.density * beam.section.area, beam.inertia, np.zeros(3)
-    slices = np.array(node_matrices(mass, centred, inertia))
+    mass, inertia, no_offset = beam.material.density * beam.section.area, beam.inertia, np.zeros(3)
+    slices = np.array(node_matrices(mass, no_offset, inertia))
     totals, force = np.zeros((3, 2 * DOF, 2 * DOF)), np.zeros(2 * DOF)
     for weight, lever, shape in beam.interpolations():
         totals += weight * (shape.T @ slices @ shape)
-        force += weight * (shape.T @ node_force(mass, start + lever, centred, inertia))
+        force += weight * (shape.T @ node_force(mass, start + lever, no_offset, inertia))
     for total, piece in zip((sums.mass, sums.gyroscopic, sums.centrifugal), totals, strict=True):
         _add(total, piece, *ends)
     for node, part in zip(ends, (force[:DOF], force[DOF:]), strict=True):

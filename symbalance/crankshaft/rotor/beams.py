@@ -1,7 +1,7 @@
-"""Timoshenko beams, and every other two-ended elastic piece, from the flexibility of the far end.
+"""Stiffness and mass of Timoshenko beams and other two-ended elastic pieces, from their flexibility.
 
-A piece between a front and a rear end, held at its front, gives its rear end the displacement S F under
-a load F there. With T the rigid transfer of a displacement from front to rear and K = S^-1, its
+A piece between a front and a rear end, clamped at its front, has the displacement S F of its rear end
+under a load F there. With T the rigid transfer of a displacement from front to rear and K = S^-1, its
 stiffness between the two ends is
 
     [ T' K T   -T' K ]
@@ -31,7 +31,7 @@ ALONG_W = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 
 
 @dataclass(frozen=True)
-class Section:
+class CrossSection:
     """A cross-section in the beam's own axes (x along it), SI.
 
     `area`; `shear_y`, `shear_z` effective in shear; `torsion` constant; `bend_y`, `bend_z` second moments
@@ -46,7 +46,7 @@ class Section:
     bend_z: float
 
 
-def circular(diameter: float, bore: float, poisson: float) -> Section:
+def circular(diameter: float, bore: float, poisson: float) -> CrossSection:
     """Return the section of a round bar or tube.
 
     Shear coefficient 6 (1+nu) (1+m^2)^2 / ((7+6 nu) (1+m^2)^2 + (20+12 nu) m^2), m = bore/diameter:
@@ -60,10 +60,10 @@ def circular(diameter: float, bore: float, poisson: float) -> Section:
     ratio = (bore / diameter) ** 2
     whole = (1 + ratio) ** 2
     shear = 6 * (1 + poisson) * whole / ((7 + 6 * poisson) * whole + (20 + 12 * poisson) * ratio)
-    return Section(area, shear * area, shear * area, 2 * bend, bend, bend)
+    return CrossSection(area, shear * area, shear * area, 2 * bend, bend, bend)
 
 
-def rectangular(height: float, depth: float, poisson: float) -> Section:
+def rectangular(height: float, depth: float, poisson: float) -> CrossSection:
     """Return the section of a rectangle, `height` along y and `depth` along z.
 
     Shear coefficient 10 (1+nu)/(12+11 nu), Cowper (1966); torsion constant a b^3 (1/3 - 0.21 b/a (1 -
@@ -73,7 +73,7 @@ def rectangular(height: float, depth: float, poisson: float) -> Section:
     shear = 10 * (1 + poisson) / (12 + 11 * poisson) * area
     long, short = max(height, depth), min(height, depth)
     torsion = long * short**3 * (1 / 3 - 0.21 * short / long * (1 - (short / long) ** 4 / 12))
-    return Section(area, shear, shear, torsion, height * depth**3 / 12, depth * height**3 / 12)
+    return CrossSection(area, shear, shear, torsion, height * depth**3 / 12, depth * height**3 / 12)
 
 
 def transfer(lever: Array) -> Array:
@@ -88,14 +88,14 @@ def transfer(lever: Array) -> Array:
     return matrix
 
 
-def turned(matrix: Array, axes: Array) -> Array:
+def in_rotor_axes(matrix: Array, axes: Array) -> Array:
     """Return a (6, 6) matrix given in a piece's own `axes` (rows: x, y, z) in U, V, W instead."""
     turn = np.kron(np.eye(2), axes)
     return turn.T @ matrix @ turn
 
 
-def flexibility(section: Section, material: Material, length: float, axes: Array = ALONG_W) -> Array:
-    """Return the flexibility (6, 6) of a straight beam's far end, held at the near one, in U, V, W.
+def flexibility(section: CrossSection, material: Material, length: float, axes: Array = ALONG_W) -> Array:
+    """Return the flexibility (6, 6) of a straight beam's far end, clamped at the near one, in U, V, W.
 
     Along x: L/EA, torsion L/GJ, bending L^3/3EI + L/GA_s, L^2/2EI, L/EI; m/N, rad/N, rad/(N m).
     """
@@ -109,11 +109,11 @@ def flexibility(section: Section, material: Material, length: float, axes: Array
         own[across, across] = length**3 / (3 * e * bend) + length / (g * area)
         own[about, about] = length / (e * bend)
         own[across, about] = own[about, across] = sign * length**2 / (2 * e * bend)
-    return turned(own, axes)
+    return in_rotor_axes(own, axes)
 
 
 def element(flexible: Array, *levers: Array) -> Array:
-    """Return the stiffness of a piece between its near end and the places that give by `flexible`.
+    """Return the stiffness of a piece between its near end and places of the flexibility `flexible`.
 
     `levers` lead to those places from the near end: one, and (12, 12), for a far end alone.
     """
@@ -126,7 +126,7 @@ def element(flexible: Array, *levers: Array) -> Array:
 class Beam:
     """A straight beam: section, material, length, its `axes` as rows x (along), y, z in U, V, W."""
 
-    section: Section
+    section: CrossSection
     material: Material
     length: float
     axes: Array

@@ -1,11 +1,11 @@
-"""Natural frequencies against speed, in axes that turn with the crank and in stationary ones.
+"""Campbell diagram: natural frequencies over the speed, in turning and in stationary axes.
 
 In turning axes M x'' + (C + omega G) x' + (K + omega^2 dK) x = 0 has solutions x = Re(a e^{st}). What
 turns there as (u + iv) ~ e^{ipt} turns at p + omega in stationary axes: a shape's forward part
 z+ = u + iv (of e^{ipt}) gives the line p + omega, its backward part the line p - omega; axial motion and
 twist stay at p. Supports are given in turning axes, which holds where they are alike in all directions.
 
-The false divergence of the free spin is taken out of dK (see `spin`).
+The false divergence of the rigid-body rotation is taken out of dK (see `rigid_body_mode`).
 """
 
 from __future__ import annotations
@@ -49,23 +49,21 @@ class _Parts:
 class _Whirls:
     """At one speed: eigenvalues (k,), shapes (m, k) on the basis, and how the axis moves in them.
 
-    `onward`, `back`, `rest` (k,) are parts, 1 in sum: lateral motion whirling with the signed frequency
-    in turning axes, against it, and stretch and twist.
+    `forward_part`, `backward_part`, `rest` (k,) are shares, 1 in sum: lateral motion that whirls with the
+    signed frequency in turning axes, against it, and stretch and twist.
     """
 
     speed: float
     roots: Shapes
     shapes: Shapes
-    onward: Array
-    back: Array
+    forward_part: Array
+    backward_part: Array
     rest: Array
 
-    def taken(self, picked: Sequence[int]) -> _Whirls:
+    def selected(self, order: Sequence[int]) -> _Whirls:
         """Return some of them, in this order."""
-        parts = (self.onward, self.back, self.rest)
-        return _Whirls(
-            self.speed, self.roots[picked], self.shapes[:, picked], *(p[picked] for p in parts)
-        )
+        parts = (self.forward_part, self.backward_part, self.rest)
+        return _Whirls(self.speed, self.roots[order], self.shapes[:, order], *(p[order] for p in parts))
 
 
 @dataclass(frozen=True, repr=False)
@@ -86,7 +84,7 @@ class Campbell(Result):
     lateral: NDArray[np.bool_]
     rotor: Rotor
     is_free: bool
-    """Whether nothing but its own stiffness holds the rotor."""
+    """Whether the rotor has no support."""
 
     kind: ClassVar[str] = "campbell"
 
@@ -103,10 +101,10 @@ class Campbell(Result):
     def summary(self) -> str:
         """Return modes, speeds and whether something grows, in one line."""
         speeds = len(self.speeds)
-        said = "something grows" if self.unstable.any() else "nothing grows"
+        verdict = "something grows" if self.unstable.any() else "nothing grows"
         return (
             f"Frequencies of {self.rotating.shape[1]} modes at {speeds} speed{'s' * (speeds > 1)} to "
-            f"{self.speeds.max() * 30 / np.pi:.6g} rpm: {said}"
+            f"{self.speeds.max() * 30 / np.pi:.6g} rpm: {verdict}"
         )
 
     def document(self) -> Document:
@@ -140,38 +138,42 @@ class Campbell(Result):
 
 
 def campbell(
-    rotor: Rotor, speeds: Sequence[float], support: Array | None = None, count: int = 12, kept: int = 40
+    rotor: Rotor,
+    speeds: Sequence[float],
+    support: Array | None = None,
+    count: int = 12,
+    basis_size: int = 40,
 ) -> Campbell:
     """Return the lowest `count` modes' frequencies over `speeds` (rad/s), tracked by their shapes.
 
-    `support` (n, n) is a stiffness alike in all directions across the axis. Solved on the `kept` lowest
-    modes at rest, the free rotor's rigid motions included.
+    `support` (n, n) is a stiffness alike in all directions across the axis. Solved on the `basis_size`
+    lowest modes at rest, the free rotor's rigid motions included.
     """
     check_rotor(rotor)
     for speed in speeds:
         if not np.isfinite(speed):
             raise SymbalanceError(f"speed = {shown(speed)} rad/s", "must be finite")
-    basis = _basis(rotor, support, kept)
+    basis = _basis(rotor, support, basis_size)
     stiffness = rotor.stiffness + (0 if support is None else support)
     spin = rotor.rigid_motions()[:, 5]
     centrifugal = deflated(rotor.centrifugal, rotor.mass, spin)
     matrices = (rotor.damping, rotor.gyroscopic, stiffness, centrifugal)
     damping, gyroscopic, stiffness, centrifugal = (basis.T @ m @ basis for m in matrices)
-    stiffness = _unheld(stiffness, rotor, basis, support)
+    stiffness = _without_rigid_rounding(stiffness, rotor, basis, support)
     squares = np.linalg.eigvalsh((stiffness + stiffness.T) / 2)
     shift = 0.1 * float(np.sqrt(squares[squares > 3e-15 * squares[-1]][0]))
     parts = _Parts(damping, gyroscopic, stiffness, centrifugal, shift)
-    found: list[_Whirls] = []
+    history: list[_Whirls] = []
     for speed in speeds:
         whirls = _whirls(parts, float(speed), rotor, basis)
-        picked = _matched(found[-1], whirls) if found else _first(whirls, count)
-        found.append(whirls.taken(picked))
-    return _lines(found, rotor, support is None)
+        order = _match(history[-1], whirls) if history else _first(whirls, count)
+        history.append(whirls.selected(order))
+    return _lines(history, rotor, support is None)
 
 
-def _basis(rotor: Rotor, support: Array | None, kept: int) -> Array:
+def _basis(rotor: Rotor, support: Array | None, basis_size: int) -> Array:
     available = rotor.size - (DOF if support is None else 0)
-    shapes = natural_modes(rotor, min(kept, available), support).shapes
+    shapes = natural_modes(rotor, min(basis_size, available), support).shapes
     if support is not None:
         return shapes
     rigid = rotor.rigid_motions()
@@ -179,12 +181,12 @@ def _basis(rotor: Rotor, support: Array | None, kept: int) -> Array:
     return np.hstack([rigid @ np.linalg.inv(factor).T, shapes])
 
 
-def _unheld(stiffness: Array, rotor: Rotor, basis: Array, support: Array | None) -> Array:
-    """Return the stiffness without what rounding left of it along rigid motions that nothing holds."""
+def _without_rigid_rounding(stiffness: Array, rotor: Rotor, basis: Array, support: Array | None) -> Array:
+    """Return the stiffness with the rounding taken out along rigid motions that no support stops."""
     motions = rotor.rigid_motions()
     free = [j for j in range(DOF) if support is None or not (support @ motions[:, j]).any()]
-    unheld = np.linalg.qr(basis.T @ rotor.mass @ motions[:, free])[0]
-    rest = np.eye(len(stiffness)) - unheld @ unheld.T
+    rigid = np.linalg.qr(basis.T @ rotor.mass @ motions[:, free])[0]
+    rest = np.eye(len(stiffness)) - rigid @ rigid.T
     return rest @ stiffness @ rest
 
 
@@ -212,9 +214,9 @@ def _eigen(parts: _Parts, speed: float) -> tuple[Shapes, Shapes]:
     values, vectors = np.linalg.eig(np.vstack([upper, lower]))
     roots: Shapes = np.asarray(shift + 1 / values, dtype=np.complex128)
     moving = np.abs(roots) > RESTING * shift
-    kept = moving & (np.abs(roots.imag) > REAL * np.abs(roots))
-    kept[_divergent(roots, moving & ~kept)] = True
-    order = [k for k in np.lexsort((roots.imag < 0, np.abs(roots.imag).round(6))) if kept[k]]
+    relevant = moving & (np.abs(roots.imag) > REAL * np.abs(roots))
+    relevant[_divergent(roots, moving & ~relevant)] = True
+    order = [k for k in np.lexsort((roots.imag < 0, np.abs(roots.imag).round(6))) if relevant[k]]
     return roots[order], np.asarray(vectors[:size, order], dtype=np.complex128)
 
 
@@ -229,47 +231,49 @@ def _divergent(roots: Shapes, real: NDArray[np.bool_]) -> NDArray[np.intp]:
 
 
 def _motions(rotor: Rotor, shapes: Shapes) -> tuple[Array, Array, Array]:
-    """Return the parts of onward whirl, backward whirl, stretch and twist in the axis' motion.
+    """Return the shares of forward whirl, backward whirl, stretch and twist in the axis' motion.
 
-    Weighted with the crank's mass and moment of inertia about the axis; pins and webs are not looked at,
+    Weighted with the crank's mass and moment of inertia about the axis; pins and webs do not count,
     as a twist moves them sideways.
     """
     motions = rotor.rigid_motions()
     inertia = np.diag(motions.T @ rotor.mass @ motions)
     axis = np.flatnonzero(np.hypot(*rotor.points[:, :2].T) < 1e-9) * DOF
     u, v, w, twist = (shapes[axis + place] for place in (0, 1, 2, 5))
-    onward, back = (inertia[0] * np.sum(np.abs(z) ** 2, axis=0) / 2 for z in (u + 1j * v, u - 1j * v))
+    forward_part, backward_part = (
+        inertia[0] * np.sum(np.abs(z) ** 2, axis=0) / 2 for z in (u + 1j * v, u - 1j * v)
+    )
     rest = np.sum(inertia[0] * np.abs(w) ** 2 + inertia[5] * np.abs(twist) ** 2, axis=0)
-    total = np.maximum(onward + back + rest, 1e-300)
-    return onward / total, back / total, rest / total
+    total = np.maximum(forward_part + backward_part + rest, 1e-300)
+    return forward_part / total, backward_part / total, rest / total
 
 
 def _first(whirls: _Whirls, count: int) -> list[int]:
     return [k for k in range(len(whirls.roots)) if whirls.roots[k].imag >= 0][:count]
 
 
-def _matched(before: _Whirls, now: _Whirls) -> list[int]:
+def _match(before: _Whirls, now: _Whirls) -> list[int]:
     """Return which of `now` continues each of `before`: the best pairs first, each used once.
 
     Shapes are compared, and frequencies with what a whirl's would be (less the change of speed for
-    onward whirl, more for backward): a forward whirl looks like the conjugate of a backward one. A
+    forward whirl, more for backward): a forward whirl looks like the conjugate of a backward one. A
     frequency may pass through zero, so that both signs are looked at; a motion and its conjugate are one.
     """
     step = now.speed - before.speed
-    expected = before.roots.imag + (before.back - before.onward) * step
-    miss = (now.roots.imag[None, :] - expected[:, None]) / (
-        abs(step) + 1e-3 * np.abs(expected[:, None]) + 1e-9
+    frequencies = before.roots.imag + (before.backward_part - before.forward_part) * step
+    miss = (now.roots.imag[None, :] - frequencies[:, None]) / (
+        abs(step) + 1e-3 * np.abs(frequencies[:, None]) + 1e-9
     )
     likeness = assurance(before.shapes, now.shapes) / (1 + miss**2)
     partners = _partners(now)
-    picked, used, todo = [0] * len(before.roots), set(), set(range(len(before.roots)))
+    matches, used, todo = [0] * len(before.roots), set(), set(range(len(before.roots)))
     for flat in np.argsort(likeness, axis=None)[::-1]:
         row, column = divmod(int(flat), likeness.shape[1])
         if row in todo and column not in used:
-            picked[row] = column
+            matches[row] = column
             used |= {column, partners[column]}
             todo.discard(row)
-    return picked
+    return matches
 
 
 def _partners(whirls: _Whirls) -> list[int]:
@@ -279,16 +283,17 @@ def _partners(whirls: _Whirls) -> list[int]:
     return [int(k) for k in np.argmax(np.where(apart, -1.0, likeness), axis=1)]
 
 
-def _lines(found: Sequence[_Whirls], rotor: Rotor, is_free: bool) -> Campbell:
-    speeds = np.array([whirls.speed for whirls in found])
-    roots = np.array([whirls.roots for whirls in found])
-    onward, back, rest = (
-        np.array([getattr(w, name) for w in found]) for name in ("onward", "back", "rest")
+def _lines(history: Sequence[_Whirls], rotor: Rotor, is_free: bool) -> Campbell:
+    speeds = np.array([whirls.speed for whirls in history])
+    roots = np.array([whirls.roots for whirls in history])
+    forward_part, backward_part, rest = (
+        np.array([getattr(w, name) for w in history])
+        for name in ("forward_part", "backward_part", "rest")
     )
     frequencies, turn = roots.imag, speeds[:, None]
-    stationary = np.where(onward >= back, turn + frequencies, turn - frequencies)
+    stationary = np.where(forward_part >= backward_part, turn + frequencies, turn - frequencies)
     stationary = np.where(rest > 0.5, np.abs(frequencies), stationary)
-    forward = onward / np.maximum(onward + back, 1e-300)
+    forward = forward_part / np.maximum(forward_part + backward_part, 1e-300)
     return Campbell(
         speeds, np.abs(frequencies), roots.real, stationary, forward, rest <= 0.5, rotor, is_free
     )

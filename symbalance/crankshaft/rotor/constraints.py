@@ -1,4 +1,4 @@
-"""What holds a free rotor in place without bending it: the thrust bearing and the driveline."""
+"""Constraints of a free rotor that do not bend it: thrust bearing and driveline."""
 
 from __future__ import annotations
 
@@ -11,30 +11,34 @@ from symbalance.crankshaft.rotor.matrices import Rotor
 from symbalance.crankshaft.rotor.rigid_body_mode import deflated, spin_motion
 
 SPIN_ORDER = 0.05
-"""The driveline's own order: the free spin swings at this multiple of the speed, half critically damped.
+"""Natural frequency of the rotor's rotation on its driveline, over the speed; half critically damped.
 
 A soft coupling to a load at constant speed, as on a test bed: at order 2 it alters the flywheel's
 swing by (0.05/2)^2 < 0.1 %.
 """
 SPIN_DAMPING = 0.5
+"""Of critical, of the rotation on the driveline."""
 THRUST_DAMPING = 0.1
 """Of critical, of the whole crank on its thrust bearing."""
 
 
 @dataclass(frozen=True)
-class Held:
-    """The constant matrices of M x'' + D x' + S x at a speed, bearings apart."""
+class ConstrainedMatrices:
+    """The constant matrices of M x'' + D x' + S x at a speed, without bearings."""
 
     mass: Array
     damping: Array
     stiffness: Array
 
 
-def held(rotor: Rotor, omega: float, thrust: int, thrust_stiffness: float) -> Held:
-    """Return the rotor's matrices at `omega` rad/s, its spin and its axial motion held.
+def constrained_matrices(
+    rotor: Rotor, omega: float, thrust: int, thrust_stiffness: float
+) -> ConstrainedMatrices:
+    """Return the rotor's matrices at `omega` rad/s, with springs on its rotation and its axial motion.
 
-    D = C + omega G, S = K + omega^2 P^T dK P: the centrifugal matrix's false stiffness along the free
-    spin is taken out (see `rigid_body_mode`). `thrust` is the node of the thrust bearing, N/m.
+    D = C + omega G, S = K + omega^2 P^T dK P: the centrifugal matrix's false stiffness along the
+    rigid-body rotation is taken out (see `rigid_body_mode`). `thrust` is the node of the thrust bearing,
+    N/m.
     """
     spin = spin_motion(rotor.points)
     damping = rotor.damping + omega * rotor.gyroscopic
@@ -47,7 +51,7 @@ def held(rotor: Rotor, omega: float, thrust: int, thrust_stiffness: float) -> He
     total = float(rotor.mass[2::DOF, 2::DOF].sum())
     stiffness[along, along] += thrust_stiffness
     damping[along, along] += 2 * THRUST_DAMPING * np.sqrt(thrust_stiffness * total)
-    return Held(rotor.mass, damping, stiffness)
+    return ConstrainedMatrices(rotor.mass, damping, stiffness)
 
 
 def driven_node(rotor: Rotor) -> int:

@@ -173,10 +173,12 @@ def campbell_document(lines: Campbell) -> Document:
     """Return a Campbell diagram's lines as a document."""
     first, last = (speed_words(float(lines.speeds[i])) for i in (0, -1))
     span = f"from {first} to {last}" if len(lines.speeds) > 1 else f"at {first}"
-    held = "free" if lines.is_free else "on a given stiffness, alike in all directions across the axis"
+    constraint = (
+        "free" if lines.is_free else "on a given stiffness, alike in all directions across the axis"
+    )
     entries: tuple[tuple[Words, Words], ...] = (
         rotor_entry(lines.rotor),
-        ("held", held),
+        ("held", constraint),
         ("turning axes", "turn with the rotor"),
         ("stationary axes", "the stronger line of a mode there; negative: it whirls backward"),
         ("growth", "real part of the root in 1/s; above 0: unstable"),
@@ -287,7 +289,7 @@ def critical_document(critical: CriticalSpeeds) -> Document:
     heads = tuple(map(Column, ("number", "rpm", "rad/s", "Hz", "whirl", "forward %")))
     limit = "" if critical.most is None else f" up to {speed_words(critical.most)}"
     count = len(critical.speeds)
-    shown = f"the lowest {SHOWN} of {count}" if count > SHOWN else ""
+    caption = f"the lowest {SHOWN} of {count}" if count > SHOWN else ""
     entries: list[tuple[Words, Words]] = [
         rotor_entry(critical.rotor),
         ("critical", "a whirl has the frequency of the turning itself"),
@@ -302,7 +304,7 @@ def critical_document(critical: CriticalSpeeds) -> Document:
         supports = supports_table(critical.rotor, critical.supports)
     return Document(
         f"Critical speeds{limit}",
-        blocks(Table(shown, heads, rows), supports, Facts(tuple(entries), "How to read it")),
+        blocks(Table(caption, heads, rows), supports, Facts(tuple(entries), "How to read it")),
     )
 
 
@@ -310,7 +312,12 @@ def unbalance_document(answer: UnbalanceResponse) -> Document:
     """Return the answer to unbalance as a document."""
     largest = tuple(_orbit(answer, s, int(np.argmax(row))) for s, row in enumerate(answer.largest))
     forces = tuple(
-        (rounded(float(speed) * RPM), number(b + 1), *_sized(force[0], 1.0), *_sized(force[1], 1.0))
+        (
+            rounded(float(speed) * RPM),
+            number(b + 1),
+            *_size_and_phase(force[0], 1.0),
+            *_size_and_phase(force[1], 1.0),
+        )
         for speed, row in zip(answer.speeds, answer.forces, strict=True)
         for b, force in enumerate(row)
     )
@@ -342,12 +349,12 @@ def _orbit(answer: UnbalanceResponse, speed: int, node: int) -> tuple[Cell, ...]
         rounded(float(answer.speeds[speed]) * RPM),
         rounded(float(answer.places[node]), PLACES),
         rounded(float(answer.largest[speed, node]) * MICRO, PLACES),
-        *_sized(forward, MICRO),
-        *_sized(backward, MICRO),
+        *_size_and_phase(forward, MICRO),
+        *_size_and_phase(backward, MICRO),
     )
 
 
-def _sized(value: complex, scale: float) -> tuple[Cell, Cell]:
+def _size_and_phase(value: complex, scale: float) -> tuple[Cell, Cell]:
     """Return a complex amplitude's size and phase; of nothing there is no phase."""
     size = abs(value) * scale
     return rounded(size, PLACES), rounded(round(degrees(phase(value)), 1), PLACES) if size else ""
@@ -362,7 +369,9 @@ def _everywhere(answer: UnbalanceResponse) -> Details | None:
 
 
 def _unbalances(answer: UnbalanceResponse) -> tuple[tuple[Cell, ...], ...]:
-    return tuple((rounded(place, PLACES), *_sized(amount, 1.0)) for place, amount in answer.unbalances)
+    return tuple(
+        (rounded(place, PLACES), *_size_and_phase(amount, 1.0)) for place, amount in answer.unbalances
+    )
 
 
 def _how_to_read(answer: UnbalanceResponse) -> Facts:

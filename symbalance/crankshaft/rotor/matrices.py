@@ -1,4 +1,4 @@
-"""A crankshaft as nodes and matrices in coordinates that turn with it.
+"""A rotor, cranked or straight, as nodes and matrices in coordinates that turn with it.
 
 At a node, in this order: u, v, w, theta_u, theta_v, theta_w. For constant speed omega and no bearings,
 
@@ -18,10 +18,10 @@ from symbalance.crankshaft.arrays import DOF, Array
 
 
 @dataclass(frozen=True)
-class Hanging:
-    """What hangs on a web, at a `node` of its own: `stiffness` (18, 18) of front, rear and that node.
+class AttachedBody:
+    """A body attached to a web at a `node` of its own: `stiffness` (18, 18) of front, rear, that node.
 
-    `in_front`: it hangs on the web's front end, so that its weight does not pass the web's middle.
+    `in_front`: it sits on the web's front end, so that its inertia forces do not pass the web's middle.
     """
 
     node: int
@@ -31,11 +31,11 @@ class Hanging:
 
 @dataclass(frozen=True)
 class Member:
-    """An elastic element between two nodes, kept so that section loads follow from displacements.
+    """An elastic element between two nodes, from which section loads follow for given displacements.
 
     `stiffness` is 12 x 12 in U, V, W axes; `kind` is journal, web, pin or shaft, `index` the place of its
-    part in the crank's chain (-1: a shaft at an end). What `hangs` on a web is a third node; `stiffness`
-    is then that of the two ends with nothing pulling there.
+    part in the crank's chain (-1: a shaft at an end). A `body` attached to a web is a third node;
+    `stiffness` is then that of the two ends with no force on it.
     """
 
     front: int
@@ -43,22 +43,22 @@ class Member:
     stiffness: Array
     kind: str
     index: int
-    hangs: Hanging | None = None
+    body: AttachedBody | None = None
 
     @property
     def nodes(self) -> tuple[int, ...]:
-        """The nodes: front, rear, and what hangs between."""
-        return (self.front, self.rear) if self.hangs is None else (self.front, self.rear, self.hangs.node)
+        """The nodes: front, rear, and that of an attached body."""
+        return (self.front, self.rear) if self.body is None else (self.front, self.rear, self.body.node)
 
     @property
     def whole(self) -> Array:
         """The stiffness of all `nodes`: 12 x 12, or 18 x 18."""
-        return self.stiffness if self.hangs is None else self.hangs.stiffness
+        return self.stiffness if self.body is None else self.body.stiffness
 
 
 @dataclass(frozen=True)
 class Rotor:
-    """A free crankshaft. `points` (n, 3) are the nodes' U, V, W in m; matrices are (6n, 6n), SI.
+    """A free rotor. `points` (n, 3) are the nodes' U, V, W in m; matrices are (6n, 6n), SI.
 
     `journals` are the nodes of the main bearings, `pins` those of the pins' middles, front to rear,
     `pulley` and `flywheel` the nodes of the end discs, None where there is none.
@@ -83,14 +83,14 @@ class Rotor:
         return len(self.mass)
 
     def passing(self, member: Member) -> Array:
-        """Return (6, n): what the part in front of a member's middle bears on the part behind it.
+        """Return (6, n): the load of the part in front of a member's middle on the part behind it.
 
-        Per displacement; forces, and moments about the front node. What the member itself weighs is left
-        out, what hangs on it counts with the end it hangs on.
+        Per displacement; forces, and moments about the front node. The member's own inertia is left
+        out; an attached body counts with the end that carries it.
         """
         loads = member.whole[:DOF].copy()
-        if member.hangs is not None and member.hangs.in_front:
-            lever = self.points[member.hangs.node] - self.points[member.front]
+        if member.body is not None and member.body.in_front:
+            lever = self.points[member.body.node] - self.points[member.front]
             pull = member.whole[2 * DOF :]
             loads += pull
             loads[3:] += np.cross(lever, pull[:3], axisb=0, axisc=0)
@@ -100,7 +100,7 @@ class Rotor:
         return rows
 
     def rigid_motions(self) -> Array:
-        """Return the six rigid motions as columns, three shifts, three small turns about the origin."""
+        """Return the six rigid-body motions as columns: three shifts, three turns about the origin."""
         motions = np.zeros((len(self.points), DOF, DOF))
         motions[:] = np.eye(DOF)
         for axis in range(3):

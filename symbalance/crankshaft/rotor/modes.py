@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
 AnyShapes = Array | NDArray[np.complex128]
-KINDS = ("bending U", "bending V", "axial", "torsion")
+MOTIONS = ("bending U", "bending V", "axial", "torsion")
 
 
 @dataclass(frozen=True, repr=False)
@@ -60,7 +60,7 @@ class Modes(Result):
 
     def records(self) -> list[dict[str, Any]]:
         """Return a row for each mode: hertz, mostly, and the shares of each kind of motion."""
-        names = [name.lower().replace(" ", "_") for name in KINDS]
+        names = [name.lower().replace(" ", "_") for name in MOTIONS]
         return [
             {
                 "mode": i,
@@ -81,39 +81,39 @@ class Modes(Result):
     @property
     def kinds(self) -> list[str]:
         """The name of the largest share of each mode."""
-        return kinds(self.rotor, self)
+        return dominant_motions(self.rotor, self)
 
     def __len__(self) -> int:
         return len(self.frequencies)
 
 
 def natural_modes(rotor: Rotor, count: int = 20, support: Array | None = None) -> Modes:
-    """Return the lowest `count` elastic modes; a rotor without `support` hangs free.
+    """Return the lowest `count` elastic modes; a rotor without `support` is free.
 
-    `support` (n, n) is added to the stiffness. A free rotor's six rigid motions R are moved out of the
-    way, K - s M R (R' M R)^-1 R' M, to the eigenvalue -s, so that a slow elastic mode is never lost
-    among zeros.
+    `support` (n, n) is added to the stiffness. The zero eigenvalues of a free rotor's six rigid-body
+    motions R are moved, K - s M R (R' M R)^-1 R' M, to the eigenvalue -s, so that a slow elastic mode is
+    never lost among zeros.
     """
     check_rotor(rotor)
     available = rotor.size - (DOF if support is None else 0)
     if not isinstance(count, int | np.integer) or not 0 < count <= available:
         raise SymbalanceError(f"modes = {shown(count)}", f"must lie in 1..{available}", "elastic modes")
-    stiffness = rotor.stiffness + (0 if support is None else checked_support(rotor, support))
-    skipped = 0
+    stiffness = rotor.stiffness + (0 if support is None else check_support(rotor, support))
+    first = 0
     if support is None:
         motions = rotor.mass @ rotor.rigid_motions()
         scale = np.trace(stiffness) / np.trace(rotor.mass)
         stiffness = stiffness - scale * motions @ np.linalg.solve(
             rotor.rigid_motions().T @ motions, motions.T
         )
-        skipped = DOF
+        first = DOF
     squares, shapes = _eigen(stiffness, rotor.mass)
-    kept = slice(skipped, skipped + count)
-    frequencies = np.sqrt(np.maximum(squares[kept], 0.0)) / (2 * np.pi)
-    return Modes(frequencies, shapes[:, kept], rotor, support is None)
+    elastic = slice(first, first + count)
+    frequencies = np.sqrt(np.maximum(squares[elastic], 0.0)) / (2 * np.pi)
+    return Modes(frequencies, shapes[:, elastic], rotor, support is None)
 
 
-def checked_support(rotor: Rotor, support: Array) -> Array:
+def check_support(rotor: Rotor, support: Array) -> Array:
     """Return the support; refuses what is not (n, n) and finite."""
     if np.shape(support) != rotor.stiffness.shape or not np.isfinite(support).all():
         rule = f"must be finite, of shape {rotor.stiffness.shape}"
@@ -155,6 +155,6 @@ def motion_shares(rotor: Rotor, modes: Modes) -> Array:
     return (energy / np.maximum(energy.sum(axis=0), 1e-300)).T
 
 
-def kinds(rotor: Rotor, modes: Modes) -> list[str]:
+def dominant_motions(rotor: Rotor, modes: Modes) -> list[str]:
     """Return the name of the largest share of each mode."""
-    return [KINDS[int(k)] for k in np.argmax(motion_shares(rotor, modes), axis=1)]
+    return [MOTIONS[int(k)] for k in np.argmax(motion_shares(rotor, modes), axis=1)]

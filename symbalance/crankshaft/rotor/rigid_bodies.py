@@ -1,4 +1,4 @@
-"""What turning adds at a node: mass, gyroscopic and centrifugal matrices of a rigid body, in numbers.
+"""Mass, gyroscopic and centrifugal matrices of rigid bodies at nodes of a turning rotor.
 
 A body of mass m sits at a node (U, V, W) of axes that turn about W; its mass centre is e from the node
 and I is its inertia tensor about that centre. With [a] the matrix of a x, w the unit vector along W,
@@ -12,8 +12,8 @@ P = diag(1, 1, 0), J = I - m [e][e] the tensor about the node, c = P ((U, V, W) 
 
     F_M = ( m c,  m e x c - w x h ),       sym(a, b) = (a b^T + b a^T)/2.
 
-The coordinates are a shift and a rotation vector. Derived in `symbalance.crankshaft.equations`, and held
-to it by the tests; signs as in M x'' + omega G x' + omega^2 dK x = F + omega^2 F_M.
+The coordinates are a shift and a rotation vector. Derived in `symbalance.crankshaft.equations`, which
+the tests compare with; signs as in M x'' + omega G x' + omega^2 dK x = F + omega^2 F_M.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ AXIS: Array = np.array([0.0, 0.0, 1.0])
 ACROSS: Array = np.diag([1.0, 1.0, 0.0])
 
 
-def crossing(vector: ArrayLike) -> Array:
+def skew_matrix(vector: ArrayLike) -> Array:
     """Return [a], the skew matrix with [a] b = a x b; shape (..., 3) to (..., 3, 3).
 
-    >>> crossing([1.0, 2.0, 3.0]) @ [0.0, 0.0, 1.0]
+    >>> skew_matrix([1.0, 2.0, 3.0]) @ [0.0, 0.0, 1.0]
     array([ 2., -1.,  0.])
     """
     return -np.cross(np.asarray(vector, dtype=float)[..., None, :], np.eye(3), axis=-1)
@@ -57,11 +57,11 @@ def node_matrices(
     >>> float(G[0, 1]), float(G[3, 4])
     (-4.0, -1.0)
     """
-    e, tensor, across = crossing(offset), np.asarray(inertia, dtype=float), ACROSS
-    turn, arm = crossing(AXIS), tensor @ AXIS
+    e, tensor, across = skew_matrix(offset), np.asarray(inertia, dtype=float), ACROSS
+    turn, arm = skew_matrix(AXIS), tensor @ AXIS
     centre = across @ (np.asarray(point, dtype=float) + np.asarray(offset, dtype=float))
     M = _blocks(mass * np.eye(3), -mass * e, tensor - mass * e @ e)
-    spin = np.trace(tensor) * turn - 2 * crossing(arm)
+    spin = np.trace(tensor) * turn - 2 * skew_matrix(arm)
     G = _blocks(2 * mass * turn, -2 * mass * turn @ e, spin - 2 * mass * e @ turn @ e, sign=-1)
     load = _stiffening(arm, AXIS) + mass * _stiffening(centre, offset)
     dK = _blocks(-mass * across, mass * across @ e, turn @ tensor @ turn + mass * e @ across @ e + load)
@@ -95,26 +95,26 @@ def _blocks(shift: Array, coupling: Array, turning: Array, sign: int = 1) -> Arr
 
 
 @dataclass(frozen=True)
-class Body:
+class RigidBody:
     """A rigid body: mass, `offset` (3,) from node to mass centre, `inertia` (3, 3) about that centre."""
 
     mass: float
     offset: Array
     inertia: Array
 
-    def turned(self, angle: float) -> Body:
+    def turned(self, angle: float) -> RigidBody:
         """Return the body turned by `angle` about W."""
         turn = turn_about_w(angle)
-        return Body(self.mass, turn @ self.offset, turn @ self.inertia @ turn.T)
+        return RigidBody(self.mass, turn @ self.offset, turn @ self.inertia @ turn.T)
 
-    def mirrored(self) -> Body:
+    def mirrored(self) -> RigidBody:
         """Return the body reflected front to rear."""
         flip = np.diag([1.0, 1.0, -1.0])
-        return Body(self.mass, flip @ self.offset, flip @ self.inertia @ flip)
+        return RigidBody(self.mass, flip @ self.offset, flip @ self.inertia @ flip)
 
-    def shifted(self, lever: Array) -> Body:
-        """Return the same body seen from a node `lever` before the old one."""
-        return Body(self.mass, self.offset + lever, self.inertia)
+    def shifted(self, lever: Array) -> RigidBody:
+        """Return the same body about a node that lies `lever` before the old one."""
+        return RigidBody(self.mass, self.offset + lever, self.inertia)
 
 
 def turn_about_w(angle: float) -> Array:
@@ -127,17 +127,17 @@ def turn_about_w(angle: float) -> Array:
     return np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
 
 
-def disc_body(disc: Disc) -> Body:
+def disc_body(disc: Disc) -> RigidBody:
     """Return a disc as a body centred on its node.
 
     >>> disc_body(Disc(2.0, 3.0, 4.0)).inertia.diagonal()
     array([4., 4., 3.])
     """
-    return Body(disc.mass, np.zeros(3), np.diag([disc.diametral, disc.diametral, disc.polar]))
+    return RigidBody(disc.mass, np.zeros(3), np.diag([disc.diametral, disc.diametral, disc.polar]))
 
 
-def ring(area: float, radius: float, place: float, density: float) -> Body:
+def ring(area: float, radius: float, place: float, density: float) -> RigidBody:
     """Return a thin ring about W of cross-section `area` and mean `radius`, `place` along W."""
     mass = 2 * np.pi * radius * area * density
     about = mass * radius**2
-    return Body(mass, np.array([0.0, 0.0, place]), np.diag([about / 2, about / 2, about]))
+    return RigidBody(mass, np.array([0.0, 0.0, place]), np.diag([about / 2, about / 2, about]))

@@ -1,4 +1,4 @@
-"""The free spin of a rotor, which the linear equations make falsely unstable, and two ways to hold it.
+"""The rigid-body rotation of a rotor about its axis, falsely unstable in linear equations: two remedies.
 
 A rotor turned as a whole about W by a small angle is as much in equilibrium as before. The linear
 equations do not know: they turn the shape, phi = (-V, U, 0, 0, 0, 1) at every node, but not the stresses
@@ -6,9 +6,10 @@ that balance the centrifugal forces (their geometric stiffness, omega^2 K_g, is 
 
     phi^T (K + omega^2 dK) phi = -omega^2 sum m (U^2 + V^2) < 0 = phi^T G phi:
 
-a divergence at the rate omega sqrt(sum m (U^2 + V^2)/J), J = phi^T M phi, that no real shaft has.
-Either the spin is held (the speed is then the flywheel's, exactly constant, as the paper has it), or its
-false stiffness is taken out: dK becomes P^T dK P with P = 1 - phi (M phi)^T/J, symmetric, dK phi = 0.
+a divergence at the rate omega sqrt(sum m (U^2 + V^2)/J), J = phi^T M phi, that no real shaft has. Either
+one unknown is taken out (`without_unknown`: the flywheel then turns at exactly constant speed, as the
+paper has it), or the false stiffness is (`deflated`): dK becomes P^T dK P with P = 1 - phi (M phi)^T/J,
+symmetric, dK phi = 0.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ def spin_motion(points: ArrayLike) -> Array:
 
 
 def deflated(centrifugal: Array, mass: Array, spin: Array) -> Array:
-    """Return P^T dK P, P = 1 - phi (M phi)^T/J: the centrifugal matrix with nothing along the spin.
+    """Return P^T dK P, P = 1 - phi (M phi)^T/J: the centrifugal matrix with nothing along the rotation.
 
     Symmetric where dK is, the same on every motion without angular momentum about the axis.
 
@@ -51,7 +52,7 @@ def deflated(centrifugal: Array, mass: Array, spin: Array) -> Array:
 
 
 def spin_growth(centrifugal: Array, mass: Array, spin: Array) -> float:
-    """Return the rate at which the spin falsely diverges, per omega: sqrt(-phi^T dK phi/J).
+    """Return the rate at which the rotation falsely diverges, per omega: sqrt(-phi^T dK phi/J).
 
     >>> spin_growth(np.diag([-0.25, 0.0]), np.eye(2), np.array([1.0, 0.0]))
     0.5
@@ -59,10 +60,10 @@ def spin_growth(centrifugal: Array, mass: Array, spin: Array) -> float:
     return float(np.sqrt(max(0.0, -(spin @ centrifugal @ spin) / (spin @ mass @ spin))))
 
 
-def held(matrix: Array, unknown: int) -> Array:
+def without_unknown(matrix: Array, unknown: int) -> Array:
     """Return a matrix without the row and column of one unknown: the flywheel's theta_w, say.
 
-    >>> held(np.diag([1.0, 2.0, 3.0]), 1)
+    >>> without_unknown(np.diag([1.0, 2.0, 3.0]), 1)
     array([[1., 0.],
            [0., 3.]])
     """

@@ -9,7 +9,7 @@ import numpy as np
 
 from symbalance.crankshaft.arguments import check_fields, check_kind, check_number
 from symbalance.crankshaft.arrays import DOF, Array
-from symbalance.crankshaft.rotor.assembly import gathered
+from symbalance.crankshaft.rotor.assembly import assemble_rotor
 from symbalance.crankshaft.rotor.beams import ALONG_W, Beam, circular
 from symbalance.crankshaft.rotor.matrices import Member, Rotor, check_rotor
 from symbalance.crankshaft.rotor.parts import Disc, Material
@@ -18,6 +18,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.text.numbers import listed, whole
 
 CLOSE = 1e-9
+"""Places along a shaft nearer than this, in m, are one node."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +26,7 @@ class Tube:
     """A straight piece of shaft: length, diameter and bore in m, divided into `elements` at least.
 
     `bending` are factors on its second moments of area for bending along U and along V: of a slotted or
-    flattened shaft, which is not round, they are unlike.
+    flattened shaft, which is not round, they differ.
     """
 
     length: float
@@ -75,10 +76,10 @@ def shaft(
         check_number(place, "place", "m along the shaft", signed=True)
     places = _places(tubes, [*weights, *bearings])
     points = np.array([[0.0, 0.0, w] for w in places])
-    spans = [*_spans(tubes, places, steel, shear)]
+    spans = [*_beams(tubes, places, steel, shear)]
     members = [Member(front, rear, beam.stiffness, "shaft", -1) for front, rear, beam in spans]
     bodies = [(_node(places, place), disc_body(disc)) for place, disc in weights.items()]
-    rotor = gathered(points, members, spans, bodies)
+    rotor = assemble_rotor(points, members, spans, bodies)
     return replace(rotor, journals=tuple(_node(places, place) for place in bearings))
 
 
@@ -118,15 +119,15 @@ def held_at(rotor: Rotor, stiffness: float, across: float | None = None, axial: 
 
 def _places(tubes: Sequence[Tube], extra: Sequence[float]) -> list[float]:
     ends = [0.0, *np.cumsum([tube.length for tube in tubes])]
-    wanted = [*extra]
+    ends_and_extra = [*extra]
     for tube, start in zip(tubes, ends[:-1], strict=True):
-        wanted += [*np.linspace(start, start + tube.length, tube.elements + 1)]
+        ends_and_extra += [*np.linspace(start, start + tube.length, tube.elements + 1)]
     for place in extra:
         if not -CLOSE <= place <= ends[-1] + CLOSE:
             rule = f"must lie on the shaft, 0 to {shown(float(ends[-1]))} m"
             raise SymbalanceError(f"place = {shown(place)}", rule)
     places: list[float] = []
-    for place in sorted(wanted):
+    for place in sorted(ends_and_extra):
         if not places or place - places[-1] > CLOSE:
             places.append(float(place))
     return places
@@ -136,7 +137,7 @@ def _node(places: Sequence[float], place: float) -> int:
     return int(np.argmin(np.abs(np.array(places) - place)))
 
 
-def _spans(
+def _beams(
     tubes: Sequence[Tube], places: Sequence[float], material: Material, shear: bool
 ) -> list[tuple[int, int, Beam]]:
     ends = np.cumsum([tube.length for tube in tubes])

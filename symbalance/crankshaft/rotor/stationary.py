@@ -1,4 +1,4 @@
-"""Round rotors seen from stationary axes, on supports of any kind: constant matrices.
+"""Axisymmetric rotors in stationary axes, on supports of any kind: equations with constant matrices.
 
 With x = T(theta) q, q in turning axes, T' = omega T S and S the quarter turn at every node, a rotor that
 looks alike from all sides (M, K, C and G commute with T) obeys in stationary axes
@@ -34,11 +34,11 @@ LATERAL = (0, 1, 3, 4)
 
 @dataclass(frozen=True)
 class Support:
-    """What is under a bearing, stationary axes: `stiffness` in N/m and `damping` in N s/m.
+    """The support of a bearing in stationary axes: `stiffness` in N/m and `damping` in N s/m.
 
     Each a number, alike in all directions; a pair, vertical and lateral; or (2, 2) with cross terms, the
     force's direction first: the shaft's force on the support per displacement and velocity. `tilt`
-    (N m/rad) holds the shaft's direction too, alike in both planes.
+    (N m/rad) resists a turn of the shaft's direction, alike in both planes.
 
     >>> Support((1e6, 8e5), damping=100.0).stiffness
     array([[1000000.,       0.],
@@ -64,13 +64,13 @@ Supports = Sequence[Support] | Callable[[float], Sequence[Support]]
 """One for each of the rotor's bearings, front to rear as given; or these as a function of rad/s."""
 
 
-def _square(given: ArrayLike, name: str) -> Array:
+def _square(value: ArrayLike, name: str) -> Array:
     # Text would become a number here, and None nan.
-    kind = np.asarray(given, dtype=object)
+    kind = np.asarray(value, dtype=object)
     if not all(isinstance(x, Real) and not isinstance(x, bool) for x in kind.ravel()):
         rule = "must be a finite number, a pair or (2, 2)"
-        raise SymbalanceError(f"{name} = {written(given)}", rule, "N/m, N s/m; vertical, lateral")
-    table = np.asarray(given, dtype=float)
+        raise SymbalanceError(f"{name} = {written(value)}", rule, "N/m, N s/m; vertical, lateral")
+    table = np.asarray(value, dtype=float)
     if table.shape == ():
         table = float(table) * np.eye(2)
     elif table.shape == (2,):
@@ -82,25 +82,25 @@ def _square(given: ArrayLike, name: str) -> Array:
 
 
 @dataclass(frozen=True)
-class Standing:
+class StationaryRotor:
     """A round rotor's lateral matrices in stationary axes: x holds u, v, theta_u, theta_v of every node.
 
-    Per rad/s the speed adds `turning` to the damping and takes `circulating` from the stiffness.
+    Per rad/s the speed adds `gyroscopic` to the damping and takes `circulatory` from the stiffness.
     """
 
     rotor: Rotor
     mass: Array
     damping: Array
     stiffness: Array
-    turning: Array
-    circulating: Array
+    gyroscopic: Array
+    circulatory: Array
 
     def at(self, supports: Supports, omega: float) -> tuple[Array, Array]:
         """Return damping and stiffness on these supports at a speed in rad/s."""
-        damping = self.damping + omega * self.turning
-        stiffness = self.stiffness - omega * self.circulating
+        damping = self.damping + omega * self.gyroscopic
+        stiffness = self.stiffness - omega * self.circulatory
         for node, support in zip(
-            self.rotor.journals, standing_at(self.rotor, supports, omega), strict=True
+            self.rotor.journals, supports_at(self.rotor, supports, omega), strict=True
         ):
             here = slice(4 * node, 4 * node + 2)
             spring, damper = support.matrices
@@ -111,35 +111,35 @@ class Standing:
         return damping, stiffness
 
 
-def standing_at(rotor: Rotor, supports: Supports, omega: float) -> Sequence[Support]:
+def supports_at(rotor: Rotor, supports: Supports, omega: float) -> Sequence[Support]:
     """Return the supports at a speed; refuses another number than that of the rotor's bearings."""
     check_rotor(rotor)
     if not 0 <= omega < np.inf:
         raise SymbalanceError(f"speed = {shown(omega)} rad/s", "must be finite, not negative")
-    found = listed(
+    answer = listed(
         supports(omega) if callable(supports) else supports, "supports", "[sb.Support(1e6)] * 2"
     )
-    for number, support in enumerate(found, 1):
+    for number, support in enumerate(answer, 1):
         check_kind(support, Support, f"support {number}", "sb.Support(stiffness, damping), N/m and N s/m")
-    if len(found) != len(rotor.journals):
-        what = f"{len(found)} supports"
+    if len(answer) != len(rotor.journals):
+        what = f"{len(answer)} supports"
         raise SymbalanceError(what, f"must be one a bearing, {len(rotor.journals)}", "shaft(bearings=…)")
-    return found
+    return answer
 
 
-def standing(rotor: Rotor) -> Standing:
+def stationary_rotor(rotor: Rotor) -> StationaryRotor:
     """Return a round rotor's matrices in stationary axes; refuses a rotor that is not round."""
     check_rotor(rotor)
     turn = np.kron(np.eye(2 * len(rotor.points)), np.pad(QUARTER_TURN, (0, 1)))
-    _checked(rotor, turn)
-    turning = rotor.gyroscopic - 2 * rotor.mass @ turn
+    _check_round(rotor, turn)
+    gyroscopic = rotor.gyroscopic - 2 * rotor.mass @ turn
     places = np.add.outer(DOF * np.arange(len(rotor.points)), LATERAL).ravel()
-    kept = np.ix_(places, places)
-    parts = (rotor.mass, rotor.damping, rotor.stiffness, turning, rotor.damping @ turn)
-    return Standing(rotor, *(part[kept] for part in parts))
+    lateral = np.ix_(places, places)
+    parts = (rotor.mass, rotor.damping, rotor.stiffness, gyroscopic, rotor.damping @ turn)
+    return StationaryRotor(rotor, *(part[lateral] for part in parts))
 
 
-def _checked(rotor: Rotor, turn: Array) -> None:
+def _check_round(rotor: Rotor, turn: Array) -> None:
     for name in ("mass", "stiffness", "damping", "gyroscopic"):
         matrix = getattr(rotor, name)
         if np.abs(matrix @ turn - turn @ matrix).max() > ROUND * np.abs(matrix).max():

@@ -1,4 +1,4 @@
-"""A shaft as discs and torsion springs: natural frequencies, and such a chain from a crankshaft.
+"""Torsional vibration of a shaft as discs and springs, and that chain for a given crankshaft.
 
 J_i phi_i'' = c_i (phi_{i+1} - phi_i) - c_{i-1} (phi_i - phi_{i-1})
 """
@@ -64,14 +64,14 @@ class TorsionalChain(Result):
         return np.diag(self.inertias), twist.T @ (self.stiffnesses[:, None] * twist)
 
     def frequencies(self) -> Array:
-        """Return the elastic natural frequencies in Hz, rising; the free spin is left out."""
+        """Return the elastic natural frequencies in Hz, rising; the rigid-body rotation is left out."""
         return self.modes()[0]
 
     def modes(self) -> tuple[Array, Array]:
         """Return frequencies (k,) in Hz and shapes (n, k), sum of J phi^2 = 1.
 
-        The eigenvalues of the twists' own matrix D J^-1 D' (D the differences), where the free spin
-        does not appear: nothing is lost to it.
+        The eigenvalues of the twists' own matrix D J^-1 D' (D the differences), where the rigid-body
+        rotation does not appear: no low frequency loses digits to a zero.
         """
         root = np.sqrt(self.stiffnesses)
         twist = np.diff(np.eye(len(self.inertias)), axis=0) * root[:, None] / np.sqrt(self.inertias)
@@ -104,8 +104,8 @@ def twists_of(rotor: Rotor) -> TorsionalChain:
     """Return the torsional chain of a crankshaft: discs at the middles of its journals, and at its ends.
 
     A spring is 1 over the turn between two journals under a unit torque on the free crank; a node's
-    inertia about W goes to the journals before and behind it in proportion to its place. A lateral
-    hold by bearings stiffens the throws: this chain is the free shaft's.
+    inertia about W goes to the journals before and behind it in proportion to its place. Bearings that
+    stop the journals sideways stiffen the throws: this chain is the free shaft's.
     """
     check_rotor(rotor)
     stations = sorted({*rotor.journals, *(n for n in (rotor.pulley, rotor.flywheel) if n is not None)})

@@ -1,4 +1,4 @@
-"""What unbalance does to a rotor: at one frequency if it is round, else through its periodic system.
+"""Response of a rotor to unbalance: by amplitudes if it is axisymmetric, else as a periodic system.
 
 A mass m at the distance e and the angle alpha (from U towards V) pulls a node with U = m e e^{i alpha}:
 vertically Re(U w^2 e^{iwt}), laterally Re(-i U w^2 e^{iwt}).
@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.frames import GRAVITY, rotation
-from symbalance.crankshaft.rotor.constraints import held
+from symbalance.crankshaft.rotor.constraints import constrained_matrices
 from symbalance.crankshaft.rotor.documents import RPM, complex_data, supports_data
 from symbalance.crankshaft.rotor.matrices import Rotor
-from symbalance.crankshaft.rotor.stationary import Support, Supports, standing, standing_at
+from symbalance.crankshaft.rotor.stationary import Support, Supports, stationary_rotor, supports_at
 from symbalance.crankshaft.system import Film, PeriodicSystem
 from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 Unbalances = Mapping[float, complex]
 """Place along the shaft (m) to unbalance (kg m), complex where its angle is not 0."""
 NEAR = 1e-6
+"""How far from a node, in m, the place of an unbalance may be."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -131,31 +132,33 @@ def unbalance_response(
     >>> rotor = shaft([Tube(1.0, 0.09)], {0.5: Disc(20.0, 0.4, 0.2)}, (0.0, 1.0), light)
     >>> rigid = [Support(1e13), Support(1e13)]
     >>> critical = critical_speeds(rotor, rigid).speeds[0]
-    >>> found = unbalance_response(rotor, rigid, {0.5: 20.0 * 1e-3}, [2 * critical])
-    >>> found.forward[0, 2].round(7)
+    >>> motions = unbalance_response(rotor, rigid, {0.5: 20.0 * 1e-3}, [2 * critical])
+    >>> motions.forward[0, 2].round(7)
     np.complex128(-0.0013333+0j)
     """
-    matrices = standing(rotor)
+    matrices = stationary_rotor(rotor)
     n = len(rotor.points)
     push = np.zeros((n, 4), dtype=complex)
-    for node, amount in _placed(rotor, unbalances):
+    for node, amount in _unbalanced_nodes(rotor, unbalances):
         push[node, :2] += amount * np.array([1, -1j])
-    found, forces = [], []
+    motions, forces = [], []
     for speed in map(float, speeds):
         damping, stiffness = matrices.at(supports, speed)
         dynamic = stiffness + 1j * speed * damping - speed**2 * matrices.mass
         answer = np.linalg.solve(dynamic, speed**2 * push.ravel()).reshape(n, 4)[:, :2]
-        found.append(answer)
-        pairs = [each.matrices for each in standing_at(rotor, supports, speed)]
+        motions.append(answer)
+        pairs = [each.matrices for each in supports_at(rotor, supports, speed)]
         springs = [k + 1j * speed * c for k, c in pairs]
         forces.append([s @ answer[j] for s, j in zip(springs, rotor.journals, strict=True)])
-    motion = np.array(found).reshape(-1, n, 2)
-    borne = np.array(forces, dtype=complex).reshape(len(found), -1, 2)
-    given = np.array([float(speed) for speed in speeds])
+    motion = np.array(motions).reshape(-1, n, 2)
+    support_forces = np.array(forces, dtype=complex).reshape(len(motions), -1, 2)
+    speeds_of = np.array([float(speed) for speed in speeds])
     amounts = tuple((float(place), complex(amount)) for place, amount in unbalances.items())
     below = None if callable(supports) else tuple(supports)
     places = rotor.points[:, 2]
-    return UnbalanceResponse(given, places, motion[..., 0], motion[..., 1], borne, rotor, amounts, below)
+    return UnbalanceResponse(
+        speeds_of, places, motion[..., 0], motion[..., 1], support_forces, rotor, amounts, below
+    )
 
 
 def supported(
@@ -170,22 +173,22 @@ def supported(
     """Return any rotor, round or not, turning at `omega` (rad/s) on its supports: for `steady_state`.
 
     One turn is a cycle; the Floquet multipliers are e^{sT}, T = 2 pi/omega. Unbalances, the rotor's own
-    centrifugal forces and, with `weight`, gravity act. Axially it is held at its first bearing, and its
-    spin by a soft coupling at its end (`symbalance.crankshaft.rotor.constraints`).
+    centrifugal forces and, with `weight`, gravity act. A spring at its first bearing holds it
+    axially, a soft coupling at its end its rotation (see `constraints`).
     """
-    found = standing_at(rotor, supports, omega)
+    bearings = supports_at(rotor, supports, omega)
     if not rotor.journals or not omega > 0:
         what = f"speed = {shown(omega)} rad/s, {len(rotor.journals)} bearings"
         raise SymbalanceError(what, "must be positive, with one bearing or more")
-    whole = held(rotor, omega, rotor.journals[0], thrust_stiffness)
+    whole = constrained_matrices(rotor, omega, rotor.journals[0], thrust_stiffness)
     stiffness = whole.stiffness.copy()
-    for node, support in zip(rotor.journals, found, strict=True):
+    for node, support in zip(rotor.journals, bearings, strict=True):
         for place in (DOF * node + 3, DOF * node + 4):
             stiffness[place, place] += support.tilt
     points = np.zeros((len(rotor.journals), 2, rotor.size))
     for j, node in enumerate(rotor.journals):
         points[j, :, DOF * node : DOF * node + 2] = np.eye(2)
-    springs, dampers = (np.array([each.matrices[i] for each in found]) for i in (0, 1))
+    springs, dampers = (np.array([each.matrices[i] for each in bearings]) for i in (0, 1))
     film = Film(_constant(springs), _constant(dampers))
     force = _force(rotor, omega, unbalances or {}, weight)
     return PeriodicSystem(
@@ -199,7 +202,7 @@ def _constant(table: Array) -> Callable[[Array], Array]:
 
 def _force(rotor: Rotor, omega: float, unbalances: Unbalances, weight: bool) -> Callable[[Array], Array]:
     steady = rotor.centrifugal_force.copy()
-    for node, amount in _placed(rotor, unbalances):
+    for node, amount in _unbalanced_nodes(rotor, unbalances):
         steady[DOF * node : DOF * node + 2] += [complex(amount).real, complex(amount).imag]
     fall = np.zeros((rotor.size, 2))
     fall[0::DOF, 0] = fall[1::DOF, 1] = -GRAVITY * weight
@@ -212,8 +215,8 @@ def _force(rotor: Rotor, omega: float, unbalances: Unbalances, weight: bool) -> 
     return force
 
 
-def _placed(rotor: Rotor, unbalances: Unbalances) -> list[tuple[int, complex]]:
-    found = []
+def _unbalanced_nodes(rotor: Rotor, unbalances: Unbalances) -> list[tuple[int, complex]]:
+    nodes = []
     for place, amount in unbalances.items():
         node = int(np.argmin(np.abs(rotor.points[:, 2] - place)))
         if not abs(rotor.points[node, 2] - place) <= NEAR:
@@ -221,5 +224,5 @@ def _placed(rotor: Rotor, unbalances: Unbalances) -> list[tuple[int, complex]]:
             raise SymbalanceError(f"place = {shown(place)} m", rule, "see Rotor.points")
         if not np.isfinite(amount):
             raise SymbalanceError(f"unbalance = {shown(amount)} kg m", "must be finite")
-        found.append((node, complex(amount)))
-    return found
+        nodes.append((node, complex(amount)))
+    return nodes

@@ -21,11 +21,11 @@ from symbalance.crankshaft.rotor.matrices import Rotor
 from symbalance.crankshaft.rotor.modes import natural_modes
 from symbalance.crankshaft.rotor.stationary import (
     ROUND,
-    Standing,
+    StationaryRotor,
     Support,
     Supports,
-    standing,
-    standing_at,
+    stationary_rotor,
+    supports_at,
 )
 from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
@@ -35,9 +35,11 @@ if TYPE_CHECKING:
 
 Complex = NDArray[np.complex128]
 SINGULAR = 1e13
-"""The condition (scaled by its diagonal) beyond which a stiffness holds some rigid motion not at all."""
+"""The condition (scaled by its diagonal) beyond which a stiffness leaves some rigid motion free."""
 OSCILLATES, MOVES = 1e-7, 1e-5
+"""Below these a root counts as real (imaginary part per its size), or as zero (size per shift)."""
 GRID, NARROWINGS, CLOSE = 96, 60, 1e-12
+"""Of the search for crossings: speeds of the grid, steps of a zero's search, its relative width."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -61,9 +63,9 @@ class Whirl(Result):
 
     def summary(self) -> str:
         """Return the slowest motion and whether all are stable, in one line."""
-        said = "stable" if self.is_stable else "unstable"
+        verdict = "stable" if self.is_stable else "unstable"
         slowest = f", the slowest at {self.natural[0] * HERTZ:.5g} Hz" if len(self.roots) else ""
-        return f"Whirl at {self.speed * RPM:.6g} rpm: {len(self.roots)} motions{slowest}; {said}"
+        return f"Whirl at {self.speed * RPM:.6g} rpm: {len(self.roots)} motions{slowest}; {verdict}"
 
     def document(self) -> Document:
         """Return the motions, whether they are stable, and the supports."""
@@ -186,11 +188,11 @@ def whirl(rotor: Rotor, supports: Supports, speed: float) -> Whirl:
     >>> found.frequencies[:2].round(0)
     array([-1126.,  1163.])
     """
-    return _whirl(standing(rotor), supports, float(speed))
+    return _whirl(stationary_rotor(rotor), supports, float(speed))
 
 
-def _whirl(matrices: Standing, supports: Supports, speed: float) -> Whirl:
-    below = tuple(standing_at(matrices.rotor, supports, speed))
+def _whirl(matrices: StationaryRotor, supports: Supports, speed: float) -> Whirl:
+    below = tuple(supports_at(matrices.rotor, supports, speed))
     damping, stiffness = matrices.at(below, speed)
     roots, vectors, shift = _roots(matrices, damping, stiffness)
     real = np.abs(roots.imag) <= OSCILLATES * np.abs(roots)
@@ -203,28 +205,32 @@ def _whirl(matrices: Standing, supports: Supports, speed: float) -> Whirl:
     return Whirl(speed, roots[whirling], shapes, forward, overdamped, matrices.rotor, below)
 
 
-def _roots(matrices: Standing, damping: Array, stiffness: Array) -> tuple[Complex, Complex, float]:
+def _roots(matrices: StationaryRotor, damping: Array, stiffness: Array) -> tuple[Complex, Complex, float]:
     """Return all roots, shapes (n, 2n), and the shift (0 where the supports hold the rotor)."""
     mass, n = matrices.mass, len(damping)
     scale = 1 / np.sqrt(np.abs(np.diag(stiffness)))
-    held = np.isfinite(scale).all() and np.linalg.cond(scale[:, None] * stiffness * scale) < SINGULAR
-    shift = 0.0 if held else 0.2 * np.pi * float(natural_modes(matrices.rotor, 1).frequencies[0])
-    shifted = stiffness + shift * damping + shift**2 * mass
-    inverse = np.linalg.solve(shifted, np.hstack([damping + shift * mass, mass]))
+    is_constrained = (
+        np.isfinite(scale).all() and np.linalg.cond(scale[:, None] * stiffness * scale) < SINGULAR
+    )
+    shift = (
+        0.0 if is_constrained else 0.2 * np.pi * float(natural_modes(matrices.rotor, 1).frequencies[0])
+    )
+    stiffness_at_shift = stiffness + shift * damping + shift**2 * mass
+    inverse = np.linalg.solve(stiffness_at_shift, np.hstack([damping + shift * mass, mass]))
     # (1/mu) (x, s x) of s x = shift x + x/mu, (shifted) x = -(damping + shift mass)(x/mu) - mass s (x/mu)
     upper = -inverse
     lower = shift * upper
     lower[:, :n] += np.eye(n)
-    found, vectors = np.linalg.eig(np.vstack([upper, lower]))
-    used = np.abs(found) > 1e-15 * np.abs(found).max()
-    roots: Complex = np.asarray(shift + 1 / found[used], dtype=np.complex128)
-    return roots, np.asarray(vectors[:n, used], dtype=np.complex128), shift
+    values, vectors = np.linalg.eig(np.vstack([upper, lower]))
+    finite = np.abs(values) > 1e-15 * np.abs(values).max()
+    roots: Complex = np.asarray(shift + 1 / values[finite], dtype=np.complex128)
+    return roots, np.asarray(vectors[:n, finite], dtype=np.complex128), shift
 
 
 def forward_share(shapes: Complex) -> Array:
     """Return the share of the forward part in shapes (n, 2, k)."""
-    onward, back = (np.sum(np.abs(shapes[:, 0] + i * shapes[:, 1]) ** 2, axis=0) for i in (1j, -1j))
-    return onward / np.maximum(onward + back, 1e-300)
+    forward, backward = (np.sum(np.abs(shapes[:, 0] + i * shapes[:, 1]) ** 2, axis=0) for i in (1j, -1j))
+    return forward / np.maximum(forward + backward, 1e-300)
 
 
 def critical_speeds(rotor: Rotor, supports: Supports, most: float | None = None) -> CriticalSpeeds:
@@ -240,14 +246,14 @@ def critical_speeds(rotor: Rotor, supports: Supports, most: float | None = None)
     >>> critical_speeds(rotor, [Support(1e8), Support(1e8)]).speeds[:2].round(0)
     array([1163., 1163.])
     """
-    matrices = standing(rotor)
+    matrices = stationary_rotor(rotor)
     if most is not None and not 0 < most < np.inf:
         raise SymbalanceError(f"most = {shown(most)} rad/s", "must be positive and finite")
     if not callable(supports):
         damping, stiffness = matrices.at(supports, 0.0)
         uneven = np.abs(stiffness - stiffness.T).max() / np.abs(stiffness).max()
         if not damping.any() and uneven < ROUND:
-            speeds, forward = _undamped(
+            speeds, forward = _solve_undamped(
                 matrices, (stiffness + stiffness.T) / 2, np.inf if most is None else most
             )
             return CriticalSpeeds(speeds, forward, rotor, tuple(supports), most)
@@ -258,46 +264,46 @@ def critical_speeds(rotor: Rotor, supports: Supports, most: float | None = None)
     return CriticalSpeeds(*_crossings(matrices, supports, most), rotor, below, most)
 
 
-def _undamped(matrices: Standing, stiffness: Array, most: float) -> tuple[Array, Array]:
-    gyric = matrices.mass - 1j * matrices.turning
+def _solve_undamped(matrices: StationaryRotor, stiffness: Array, most: float) -> tuple[Array, Array]:
+    gyric = matrices.mass - 1j * matrices.gyroscopic
     try:
         inverse = np.linalg.inv(np.linalg.cholesky(stiffness))
     except np.linalg.LinAlgError:
         rule = "must hold the rotor against every rigid motion"
         raise SymbalanceError("the supports", rule, "two springs, or a tilt stiffness") from None
     values, vectors = np.linalg.eigh(inverse @ gyric @ inverse.T)
-    kept = np.flatnonzero(values > 1e-14 * np.abs(values).max())[::-1]
-    speeds = 1 / np.sqrt(values[kept])
-    shapes = (inverse.T @ vectors[:, kept]).reshape(len(matrices.rotor.points), 4, -1)[:, :2]
+    positive = np.flatnonzero(values > 1e-14 * np.abs(values).max())[::-1]
+    speeds = 1 / np.sqrt(values[positive])
+    shapes = (inverse.T @ vectors[:, positive]).reshape(len(matrices.rotor.points), 4, -1)[:, :2]
     inside = speeds <= most
     return speeds[inside], forward_share(np.asarray(shapes[..., inside], dtype=np.complex128))
 
 
-def _crossings(matrices: Standing, supports: Supports, most: float) -> tuple[Array, Array]:
+def _crossings(matrices: StationaryRotor, supports: Supports, most: float) -> tuple[Array, Array]:
     """Return where the k-th of the rising frequencies passes the speed, for every k."""
     grid = np.linspace(most / GRID / 64, most, GRID)
     count = len(matrices.mass)
 
     def lead(speed: float) -> Array:
-        found = _whirl(matrices, supports, speed).roots.imag
-        return np.pad(np.sort(found), (count - len(found), 0)) - speed
+        frequencies = _whirl(matrices, supports, speed).roots.imag
+        return np.pad(np.sort(frequencies), (count - len(frequencies), 0)) - speed
 
     leads = [lead(float(speed)) for speed in grid]
-    found = []
+    crossings = []
     for ends, values in zip(pairwise(grid), pairwise(leads), strict=True):
         for k in np.flatnonzero(values[0] * values[1] < 0):
-            passed = (float(values[0][k]), float(values[1][k]))
-            found.append(_narrowed(lambda speed, k=k: float(lead(speed)[k]), ends, passed))
-    speeds = np.sort(found)
+            at_ends = (float(values[0][k]), float(values[1][k]))
+            crossings.append(_find_zero(lambda speed, k=k: float(lead(speed)[k]), ends, at_ends))
+    speeds = np.sort(crossings)
     shares = [_share_at(_whirl(matrices, supports, float(speed))) for speed in speeds]
     return speeds, np.array(shares)
 
 
-def _share_at(found: Whirl) -> float:
-    return float(found.forward[np.argmin(np.abs(found.roots.imag - found.speed))])
+def _share_at(motions: Whirl) -> float:
+    return float(motions.forward[np.argmin(np.abs(motions.roots.imag - motions.speed))])
 
 
-def _narrowed(
+def _find_zero(
     function: Callable[[float], float], ends: tuple[float, float], values: tuple[float, float]
 ) -> float:
     """Return the zero between two ends by the Illinois method."""

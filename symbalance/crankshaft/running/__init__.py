@@ -11,8 +11,8 @@ sweep        all speeds, finished ones kept
 measured     a measured curve beside the computed one
 """
 
-from symbalance.crankshaft.running.configuration import Setting, setting
-from symbalance.crankshaft.running.outcome import Outcome
-from symbalance.crankshaft.running.speed_sweep import swept
+from symbalance.crankshaft.running.configuration import RunConfiguration, configure_run
+from symbalance.crankshaft.running.outcome import SpeedOutcome
+from symbalance.crankshaft.running.speed_sweep import run_speeds
 
-__all__ = ["Outcome", "Setting", "setting", "swept"]
+__all__ = ["RunConfiguration", "SpeedOutcome", "configure_run", "run_speeds"]

@@ -21,25 +21,27 @@ from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.frames import turned_vectors
 from symbalance.crankshaft.rotor.constraints import driven_node
 from symbalance.crankshaft.rotor.matrices import Rotor
-from symbalance.crankshaft.running.oil_films import Orbits, periodic
+from symbalance.crankshaft.running.oil_films import OrbitFilms, periodic_spline
 from symbalance.crankshaft.system import PeriodicSystem
 
 
 @dataclass(frozen=True)
-class Shifted:
+class SystemAboutOrbit:
     """A periodic system for the departures, and `field`: X_0 (s, n) at angles (s,)."""
 
     system: PeriodicSystem
     field: Callable[[Array], Array]
 
 
-def shifted(full: PeriodicSystem, rotor: Rotor, orbits: Orbits) -> Shifted:
+def system_about_orbit(full: PeriodicSystem, rotor: Rotor, orbits: OrbitFilms) -> SystemAboutOrbit:
     """Return the system of the departures from `orbits`; `full` holds the orbits' own film."""
     flat = full.points.reshape(-1, full.size)
     shapes = static_shapes(rotor, flat)
-    there = turned_vectors(orbits.place + orbits.shells, orbits.theta).reshape(len(orbits.theta), -1)
-    bent = periodic(orbits.theta, there, full.cycle)
-    borne = periodic(
+    there = turned_vectors(orbits.place + orbits.housing_place, orbits.theta).reshape(
+        len(orbits.theta), -1
+    )
+    bearing_motion = periodic_spline(orbits.theta, there, full.cycle)
+    bearing_force = periodic_spline(
         orbits.theta, turned_vectors(orbits.force, orbits.theta).reshape(there.shape), full.cycle
     )
     omega = full.omega
@@ -50,10 +52,10 @@ def shifted(full: PeriodicSystem, rotor: Rotor, orbits: Orbits) -> Shifted:
     ]
 
     def force(theta: Array) -> Array:
-        moved = sum((bent(theta, 2 - k) @ part for k, part in enumerate(parts)), np.zeros(()))
-        return full.force(theta) - borne(theta) @ flat - moved
+        inertia = sum((bearing_motion(theta, 2 - k) @ part for k, part in enumerate(parts)), np.zeros(()))
+        return full.force(theta) - bearing_force(theta) @ flat - inertia
 
-    return Shifted(replace(full, force=force), lambda theta: bent(theta) @ shapes.T)
+    return SystemAboutOrbit(replace(full, force=force), lambda theta: bearing_motion(theta) @ shapes.T)
 
 
 def static_shapes(rotor: Rotor, flat: Array) -> Array:
@@ -61,9 +63,11 @@ def static_shapes(rotor: Rotor, flat: Array) -> Array:
     size, count = rotor.size, len(flat)
     rows = np.zeros((2, size))
     rows[0, DOF * driven_node(rotor) + 5] = rows[1, DOF * rotor.journals[-1] + 2] = 1.0
-    holds = np.vstack([flat, rows])
+    constraints = np.vstack([flat, rows])
     scale = float(np.abs(rotor.stiffness).max())
-    bordered = np.block([[rotor.stiffness / scale, holds.T], [holds, np.zeros((len(holds),) * 2)]])
-    given = np.zeros((size + len(holds), count))
-    given[size : size + count] = np.eye(count)
-    return np.asarray(np.linalg.solve(bordered, given)[:size], dtype=np.float64)
+    matrix = np.block(
+        [[rotor.stiffness / scale, constraints.T], [constraints, np.zeros((len(constraints),) * 2)]]
+    )
+    sides = np.zeros((size + len(constraints), count))
+    sides[size : size + count] = np.eye(count)
+    return np.asarray(np.linalg.solve(matrix, sides)[:size], dtype=np.float64)

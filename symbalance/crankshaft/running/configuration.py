@@ -14,15 +14,20 @@ from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.assembly import assemble, web_flexibility
 from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads import big_end_masses, pin_loads
-from symbalance.crankshaft.rotor.constraints import held
+from symbalance.crankshaft.rotor.constraints import constrained_matrices
 from symbalance.crankshaft.rotor.matrices import Rotor
 from symbalance.crankshaft.rotor.modes import Modes, natural_modes
-from symbalance.crankshaft.running.loading import Loading, bearing_points, quasi_static, stationary
-from symbalance.crankshaft.running.oil_films import Orbits, loaded_places, orbits_about, table_film
+from symbalance.crankshaft.running.loading import (
+    RotorLoads,
+    bearing_points,
+    quasi_static_reactions,
+    to_stationary_axes,
+)
+from symbalance.crankshaft.running.oil_films import OrbitFilms, loaded_places, orbits_about, table_film
 from symbalance.crankshaft.solid.store import open_store
 from symbalance.crankshaft.stress import Channel, channels, stress_matrix
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
-from symbalance.crankshaft.webs.arm import Arm, Elastic
+from symbalance.crankshaft.webs.arm import Arm, WebCompliance
 from symbalance.text.numbers import checked_whole
 
 OMEGA = np.pi / 30
@@ -33,11 +38,11 @@ Loads = Callable[[Array], Array]
 
 
 @dataclass(frozen=True)
-class Setting:
+class RunConfiguration:
     """An engine, its rotor (webs and big ends in it), and how it is solved.
 
     `about` is what the films are linear about: orbit, the journals' own, or centre, as the paper has it
-    (a table is always about the centre); up to `passes` times under the loads found.
+    (a table is always about the centre); up to `iterations` times under the loads found.
     `modes` 0 keeps every unknown; `connection` is exact (a housing state a bearing) or equivalent (the
     paper's K(K + K_B)^-1 K_B as one film); `steps` are those of a cycle.
     """
@@ -49,14 +54,14 @@ class Setting:
     connection: str
     steps: int
     about: str = "orbit"
-    passes: int = 9
-    compliances: tuple[Elastic, ...] = ()
+    iterations: int = 9
+    compliances: tuple[WebCompliance, ...] = ()
     """The webs' compliances that the rotor was assembled with, front to rear."""
 
     @property
-    def how(self) -> tuple[object, ...]:
+    def solver_options(self) -> tuple[object, ...]:
         """How it is solved, for a key."""
-        return self.webs, self.modes, self.connection, self.steps, self.about, self.passes
+        return self.webs, self.modes, self.connection, self.steps, self.about, self.iterations
 
     @cached_property
     def channels(self) -> list[Channel]:
@@ -68,15 +73,17 @@ class Setting:
         """Psi (c, n): the channels per displacement."""
         return stress_matrix(self.channels)
 
-    def loading(self, rpm: float) -> Loading:
+    def rotor_loads(self, rpm: float) -> RotorLoads:
         """Return the loads at a speed."""
-        return Loading(self.rotor, pin_loads(self.engine, rpm * OMEGA))
+        return RotorLoads(self.rotor, pin_loads(self.engine, rpm * OMEGA))
 
     def bearing_loads(self, rpm: float, theta: Array) -> Array:
         """Return (s, b, 2): the shaft's quasi-static forces on the bearings, stationary axes, N."""
-        return stationary(quasi_static(self.rotor, self.loading(rpm).at(theta)), theta)
+        return to_stationary_axes(
+            quasi_static_reactions(self.rotor, self.rotor_loads(rpm).at(theta)), theta
+        )
 
-    def orbits(self, rpm: float, loads: Loads | None = None) -> Orbits:
+    def orbits(self, rpm: float, loads: Loads | None = None) -> OrbitFilms:
         """Return the films along the orbits under bearing loads, by default the quasi-static ones, N."""
         omega = rpm * OMEGA
         loads = loads or (lambda theta: self.bearing_loads(rpm, theta))
@@ -86,11 +93,11 @@ class Setting:
     @cached_property
     def housing(self) -> Housing | None:
         """The structure behind the films, None if rigid."""
-        given = self.engine.supports.housing
-        if given is None:
+        rows = self.engine.bearings.housing
+        if rows is None:
             return None
-        stiffness = np.array([np.diag(row[:2]) for row in given])
-        damping = np.array([row[2] * np.eye(2) for row in given])
+        stiffness = np.array([np.diag(row[:2]) for row in rows])
+        damping = np.array([row[2] * np.eye(2) for row in rows])
         return Housing(stiffness, damping)
 
     @cached_property
@@ -103,35 +110,35 @@ class Setting:
 
         Without a `film`: the table's, or that of the orbits under the quasi-static loads.
         """
-        holding = self._held(rpm)
+        constrained = self._constrained(rpm)
         return PeriodicSystem(
-            mass=holding.mass,
-            damping=holding.damping,
-            stiffness=holding.stiffness,
+            mass=constrained.mass,
+            damping=constrained.damping,
+            stiffness=constrained.stiffness,
             points=bearing_points(self.rotor),
             film=film or self.table or self.orbits(rpm).film,
             housing=self.housing,
-            force=self.loading(rpm).at,
+            force=self.rotor_loads(rpm).at,
             omega=rpm * OMEGA,
             cycle=self.engine.layout.strokes * np.pi,
         )
 
-    def _held(self, rpm: float) -> Any:
-        supports = self.engine.supports
+    def _constrained(self, rpm: float) -> Any:
+        supports = self.engine.bearings
         thrust = self.rotor.journals[supports.thrust]
-        return held(self.rotor, rpm * OMEGA, thrust, supports.thrust_stiffness)
+        return constrained_matrices(self.rotor, rpm * OMEGA, thrust, supports.thrust_stiffness)
 
     @cached_property
     def modes_at_rest(self) -> Modes:
         """The lowest elastic modes of the free crank at rest."""
         return natural_modes(self.rotor, min(MODES_SHOWN, self.rotor.size - RIGID))
 
-    def at_speeds(self, rpm: tuple[float, ...]) -> Setting:
+    def at_speeds(self, rpm: tuple[float, ...]) -> RunConfiguration:
         """Return the same setting with other speeds."""
         return replace(self, engine=self.engine.at_speeds(rpm))
 
 
-def setting(
+def configure_run(
     engine: RunningEngine,
     *,
     webs: str = "formula",
@@ -139,10 +146,10 @@ def setting(
     connection: str = "exact",
     steps: int = 720,
     about: str = "orbit",
-    passes: int = 9,
+    iterations: int = 9,
     store: Path | None = None,
     say: Callable[[str], None] = lambda line: None,
-) -> Setting:
+) -> RunConfiguration:
     """Return an engine made ready to run; `say` hears of a file of solved webs that is not believed.
 
     `webs` is the way to the webs' stiffness (see `assembly.WEBS`), `modes` how many are kept beside the
@@ -152,21 +159,23 @@ def setting(
     for name, value, low, high in (
         ("modes", modes, 0, 10_000),
         ("steps", steps, 90, MOST_STEPS),
-        ("passes", passes, 1, 20),
+        ("passes", iterations, 1, 20),
     ):
         checked_whole(value, name, low, high, "see symbalance crankshaft --help")
-    kept = open_store(store, say) if webs in ("solid", "fitted") else None
-    flexibility, used = web_flexibility(webs, kept), []
+    solved_webs = open_store(store, say) if webs in ("solid", "fitted") else None
+    flexibility, compliances = web_flexibility(webs, solved_webs), []
 
-    def recorded(arm: Arm) -> Elastic:
+    def record(arm: Arm) -> WebCompliance:
         web = flexibility(arm)
-        used.append(web if isinstance(web, Elastic) else Elastic(web))
-        return used[-1]
+        compliances.append(web if isinstance(web, WebCompliance) else WebCompliance(web))
+        return compliances[-1]
 
     rotor = assemble(
         engine.crank,
-        webs=recorded,
+        webs=record,
         pin_masses=big_end_masses(engine),
         damping_ratio=engine.operation.damping,
     )
-    return Setting(engine, rotor, webs, modes, connection, steps, about, passes, tuple(used))
+    return RunConfiguration(
+        engine, rotor, webs, modes, connection, steps, about, iterations, tuple(compliances)
+    )

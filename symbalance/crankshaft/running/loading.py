@@ -18,7 +18,7 @@ SPRING = 1e9
 
 
 @dataclass(frozen=True)
-class Loading:
+class RotorLoads:
     """All loads on a rotor but the bearings': F_C at the pins, omega^2 F_M, weight, the load's torque.
 
     The load takes the mean torque of the rods at the flywheel; the big ends' centrifugal force is in
@@ -32,13 +32,13 @@ class Loading:
     def at(self, theta: Array) -> Array:
         """Return the forces (s, n) at crank angles (s,), N and N m."""
         theta = np.asarray(theta, dtype=float)
-        found = np.tile(self._steady, (len(theta), 1))
+        forces = np.tile(self._steady, (len(theta), 1))
         loads = self.pins.at(theta)
         for place, node in enumerate(self.rotor.pins):
-            found[:, DOF * node : DOF * node + DOF] += loads[:, place]
+            forces[:, DOF * node : DOF * node + DOF] += loads[:, place]
         if self.weight:
-            found += gravity(theta)[:, :2] @ self._heaviness
-        return found
+            forces += gravity(theta)[:, :2] @ self._heaviness
+        return forces
 
     @cached_property
     def _steady(self) -> Array:
@@ -60,7 +60,7 @@ def bearing_points(rotor: Rotor) -> Array:
     return points
 
 
-def quasi_static(rotor: Rotor, force: Array, spring: float = SPRING) -> Array:
+def quasi_static_reactions(rotor: Rotor, force: Array, spring: float = SPRING) -> Array:
     """Return (s, b, 2): the shaft's force on each bearing in turning axes, N, for forces (s, n).
 
     (K + sum k B^T B) x = f: the reactions of an elastic crank on equal springs, not of throws cut apart.
@@ -70,10 +70,10 @@ def quasi_static(rotor: Rotor, force: Array, spring: float = SPRING) -> Array:
     own = rotor.stiffness + spring * flat.T @ flat
     for unknown in (DOF * driven_node(rotor) + 5, DOF * rotor.journals[-1] + 2):
         own[unknown, unknown] += spring
-    displaced = np.linalg.solve(own, force.T)
-    return (spring * flat @ displaced).T.reshape(len(force), -1, 2)
+    displacements = np.linalg.solve(own, force.T)
+    return (spring * flat @ displacements).T.reshape(len(force), -1, 2)
 
 
-def stationary(vectors: Array, theta: Array) -> Array:
+def to_stationary_axes(vectors: Array, theta: Array) -> Array:
     """Return (s, b, 2) in stationary axes from turning ones at angles (s,)."""
     return np.einsum("sij,sbj->sbi", rotation(theta), vectors)

@@ -17,7 +17,7 @@ import numpy as np
 
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.bearings.film_tables import film_from_tables, read_film
-from symbalance.crankshaft.bearings.orbits import films as film_states
+from symbalance.crankshaft.bearings.orbits import bearing_films as film_states
 from symbalance.crankshaft.bearings.orbits import journal_orbit
 from symbalance.crankshaft.bearings.short_film import Bearing
 from symbalance.crankshaft.files import RunningEngine
@@ -33,24 +33,24 @@ CLOSEST = 0.98
 
 
 @dataclass(frozen=True)
-class Orbits:
+class OrbitFilms:
     """Journals' places r_0 in their shells at even angles (s,), what their films carry, tangents.
 
-    `force` (s, b, 2) is the shaft's on the films, `shells` z_0 the places of the shells under it.
+    `force` (s, b, 2) is the shaft's on the films, `housing_place` z_0 the places of the shells under it.
     """
 
     theta: Array
     place: Array
     force: Array
-    shells: Array
+    housing_place: Array
     film: Film
 
 
 def table_film(engine: RunningEngine) -> Film | None:
     """Return the films of a file's table, None where there is none."""
-    table = engine.supports.table
+    table = engine.bearings.table
     cycle = engine.layout.strokes * np.pi
-    return None if table is None else read_film(table, len(engine.supports.clearance), cycle)
+    return None if table is None else read_film(table, len(engine.bearings.clearance), cycle)
 
 
 def loaded_places(
@@ -63,47 +63,51 @@ def loaded_places(
     return journal_orbit(plain_bearings(engine), loads(theta), omega, cycle).place
 
 
-def orbits_about(engine: RunningEngine, omega: float, place: Array, housing: Housing | None) -> Orbits:
+def orbits_about(
+    engine: RunningEngine, omega: float, place: Array, housing: Housing | None
+) -> OrbitFilms:
     """Return the films' forces and tangents along given places (s, b, 2) at even angles of a cycle, m.
 
     Places outside `CLOSEST` of the clearance are drawn in to it.
     """
     cycle = engine.layout.strokes * np.pi
     theta = cycle * np.arange(len(place)) / len(place)
-    limit = CLOSEST * np.array(engine.supports.clearance)[:, None]
+    limit = CLOSEST * np.array(engine.bearings.clearance)[:, None]
     size = np.linalg.norm(place, axis=-1, keepdims=True)
     inside = place * np.minimum(1.0, limit / np.maximum(size, 1e-300))
-    velocity = omega * periodic(theta, inside, cycle)(theta, 1)
+    velocity = omega * periodic_spline(theta, inside, cycle)(theta, 1)
     state = film_states(plain_bearings(engine), inside, velocity, omega)
     film = film_from_tables(theta, state.stiffness, state.damping, cycle)
-    return Orbits(theta, inside, state.force, shell_places(state.force, housing, cycle, omega), film)
+    return OrbitFilms(
+        theta, inside, state.force, housing_places(state.force, housing, cycle, omega), film
+    )
 
 
-def shell_places(force: Array, housing: Housing | None, cycle: float, omega: float) -> Array:
+def housing_places(force: Array, housing: Housing | None, cycle: float, omega: float) -> Array:
     """Return z (s, b, 2), K_B z + C_B z' = `force` at even angles of a cycle, solved order by order."""
     if housing is None:
         return np.zeros_like(force)
     spectrum = np.fft.rfft(force, axis=0)
     rates = 2j * np.pi / cycle * omega * np.arange(len(spectrum))
     springs = housing.stiffness + rates[:, None, None, None] * housing.damping
-    shells = np.linalg.solve(springs, spectrum[..., None])[..., 0]
-    return np.fft.irfft(shells, n=len(force), axis=0)
+    places = np.linalg.solve(springs, spectrum[..., None])[..., 0]
+    return np.fft.irfft(places, n=len(force), axis=0)
 
 
-def periodic(theta: Array, values: Array, cycle: float) -> Any:
+def periodic_spline(theta: Array, values: Array, cycle: float) -> Any:
     """Return the periodic cubic spline through values (s, ...): a function (angle, derivative)."""
     try:
         splines = import_module("scipy.interpolate")
     except ImportError:
         rule, remedy = "SciPy is not installed", "pip install 'symbalance[crankshaft]'"
         raise MissingPartError("films", rule, remedy) from None
-    closed = np.concatenate([values, values[:1]])
-    curve = splines.CubicSpline(np.append(theta, theta[0] + cycle), closed, bc_type="periodic")
+    around = np.concatenate([values, values[:1]])
+    curve = splines.CubicSpline(np.append(theta, theta[0] + cycle), around, bc_type="periodic")
     return lambda angle, order=0: curve(np.mod(angle, cycle), order)
 
 
 def plain_bearings(engine: RunningEngine) -> list[Bearing]:
     """Return the main bearings as plain ones."""
-    held = engine.supports
-    rows = zip(held.diameter, held.length, held.clearance, held.viscosity, strict=True)
+    bearings = engine.bearings
+    rows = zip(bearings.diameter, bearings.length, bearings.clearance, bearings.viscosity, strict=True)
     return [Bearing(*row) for row in rows]

@@ -21,7 +21,7 @@ REMEDY = "name a folder you may write to"
 
 
 @dataclass(frozen=True)
-class Outcome:
+class SpeedOutcome:
     """One speed's periodic state at even crank angles `theta` (s,) of a cycle, SI but for `rpm`.
 
     `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
@@ -101,10 +101,10 @@ def harmonic_content(values: Array, cycle: float) -> tuple[Array, Array]:
 
 
 @dataclass(frozen=True)
-class Restored:
+class SavedOutcome:
     """What a folder holds of a speed: its `outcome`, or None and `why` a file there is not believed."""
 
-    outcome: Outcome | None
+    outcome: SpeedOutcome | None
     why: str = ""
 
 
@@ -122,7 +122,7 @@ def file_of(folder: Path, rpm: float) -> Path:
     return folder / f"{speed_text(rpm)}rpm.npz"
 
 
-def save(folder: Path, key: str, outcome: Outcome) -> None:
+def save_outcome(folder: Path, key: str, outcome: SpeedOutcome) -> None:
     """Write an outcome under its key, replacing an older one in one step."""
     path = file_of(folder, outcome.rpm)
     content = io.BytesIO()
@@ -135,26 +135,26 @@ def save(folder: Path, key: str, outcome: Outcome) -> None:
     write_file(path, content.getvalue(), what="--output ", remedy=REMEDY)
 
 
-def restored(folder: Path, key: str, rpm: float) -> Restored:
+def load_outcome(folder: Path, key: str, rpm: float) -> SavedOutcome:
     """Return a speed's outcome if one of the same key is there; else why a file there is not it."""
     path = file_of(folder, rpm)
     if not path.exists():
-        return Restored(None)
+        return SavedOutcome(None)
     try:
         with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
             if str(data["key"]) != key:
-                return Restored(None, "is of another engine, other settings or another program")
-            return Restored(_outcome({f.name: data[f.name] for f in fields(Outcome)}))
+                return SavedOutcome(None, "is of another engine, other settings or another program")
+            return SavedOutcome(_outcome({f.name: data[f.name] for f in fields(SpeedOutcome)}))
     except Exception as problem:  # a damaged file raises anything, from zlib.error to TokenError
-        return Restored(None, f"does not read ({type(problem).__name__})")
+        return SavedOutcome(None, f"does not read ({type(problem).__name__})")
 
 
-def _outcome(values: dict[str, Any]) -> Outcome:
-    for field in fields(Outcome):
+def _outcome(values: dict[str, Any]) -> SpeedOutcome:
+    for field in fields(SpeedOutcome):
         if field.type == "float":
             values[field.name] = float(values[field.name])
         elif field.type == "str":
             values[field.name] = str(values[field.name])
         elif field.type == "tuple[str, ...]":
             values[field.name] = tuple(str(x) for x in values[field.name])
-    return Outcome(**values)
+    return SpeedOutcome(**values)

@@ -19,11 +19,11 @@ REMEDY = "pip install 'symbalance[crankshaft]'"
 EDGES = ((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))
 """gmsh's order of a quadratic tetrahedron's middle nodes."""
 MM = 1e3
-Solid = tuple[int, int]
+Entity = tuple[int, int]
 
 
 @contextmanager
-def session() -> Iterator[Any]:
+def gmsh_session() -> Iterator[Any]:
     """Open gmsh, quietly; close it whatever happens."""
     try:
         import gmsh
@@ -38,13 +38,13 @@ def session() -> Iterator[Any]:
         gmsh.finalize()
 
 
-def meshed(draw: Callable[[Any], Any], size: float) -> Any:
+def mesh_solid(draw: Callable[[Any], Any], size: float) -> Any:
     """Return the scikit-fem mesh (MeshTet2, in m) of what `draw` draws in mm; `size` of elements, m."""
     try:
         import skfem
     except ImportError as err:
         raise MissingPartError("webs = 'solid'", "scikit-fem is not installed", REMEDY) from err
-    with session() as gmsh:
+    with gmsh_session() as gmsh:
         gmsh.option.setNumber("Mesh.MeshSizeMax", size * 1e3)
         gmsh.option.setNumber("Mesh.MeshSizeFromCurvature", 12)
         gmsh.option.setNumber("Mesh.MeshSizeMin", size * 1e3 / 3)
@@ -61,7 +61,7 @@ def meshed(draw: Callable[[Any], Any], size: float) -> Any:
                 "the crank's solid", rule, "check its sizes, or webs = 'fitted'"
             ) from err
         points, tets = _read(gmsh)
-    return _curved(skfem, points, tets)
+    return _quadratic_mesh(skfem, points, tets)
 
 
 def _read(gmsh: Any) -> tuple[Array, Any]:
@@ -72,7 +72,7 @@ def _read(gmsh: Any) -> tuple[Array, Any]:
     return places.reshape(-1, 3) / 1e3, number[nodes.reshape(-1, 10)]
 
 
-def _curved(skfem: Any, points: Array, tets: Any) -> Any:
+def _quadratic_mesh(skfem: Any, points: Array, tets: Any) -> Any:
     """Return the mesh with each edge's middle node where gmsh put it."""
     corners, place = np.unique(tets[:, :4], return_inverse=True)
     flat = skfem.MeshTet(points[corners].T.copy(), place.reshape(-1, 4).T.copy())
@@ -86,14 +86,14 @@ def _curved(skfem: Any, points: Array, tets: Any) -> Any:
 
 
 @dataclass(frozen=True)
-class Pencil:
+class SolidDrawing:
     """The gmsh modeller, where drawing happens."""
 
     occ: Any
 
     def round_bar(
         self, part: Journal | Pin, start: float, stop: float, flares: tuple[bool, bool]
-    ) -> Solid:
+    ) -> Entity:
         """Draw a journal or pin from W = start to stop on its axis, with its fillets where it flares."""
         outer, inner, f = part.diameter / 2 * MM, part.bore / 2 * MM, part.fillet * MM
         z0, z1 = start * MM, stop * MM
@@ -123,7 +123,7 @@ class Pencil:
             curves.append(arc(high, point(outer + rear, 0, z1 - rear), last))
         return [*curves, line(last, inside[0]), line(inside[0], inside[1]), line(inside[1], first)]
 
-    def slab(self, arm: Arm, start: float) -> list[Solid]:
+    def slab(self, arm: Arm, start: float) -> list[Entity]:
         """Draw a web, and its counterweight if it has an outline, with its front face at W = start."""
         half, t = arm.web.width / 2 * MM, arm.web.thickness * MM
         near, far = arm.near_margin * MM, arm.far_margin * MM
@@ -138,7 +138,7 @@ class Pencil:
 
     def _outline(
         self, half: float, near: float, stop: float, radii: tuple[float, float], t: float
-    ) -> Solid:
+    ) -> Entity:
         point, line, arc = self.occ.addPoint, self.occ.addLine, self.occ.addCircleArc
         (a, b), start = radii, -near
         centres = [point(start + a, a - half, 0), point(stop - b, b - half, 0)]
@@ -160,29 +160,29 @@ class Pencil:
         face = self.occ.addPlaneSurface([self.occ.addCurveLoop(curves)])
         return next(e for e in self.occ.extrude([(2, face)], 0, 0, t) if e[0] == 3)
 
-    def _sector(self, outer: float, angle: float, half_angle: float, t: float) -> Solid:
+    def _sector(self, outer: float, angle: float, half_angle: float, t: float) -> Entity:
         solid = self.occ.addCylinder(0, 0, 0, 0, 0, t, outer, angle=2 * half_angle)
         self.occ.rotate([(3, solid)], 0, 0, 0, 0, 0, 1, angle - half_angle)
         return (3, solid)
 
-    def joined(self, solids: list[Solid]) -> list[Solid]:
+    def union(self, solids: list[Entity]) -> list[Entity]:
         """Return the union of solids."""
         return self.occ.fuse(solids[:1], solids[1:])[0]
 
 
-def draw_half_throw(occ: Any, arm: Arm) -> list[Solid]:
+def draw_half_throw(occ: Any, arm: Arm) -> list[Entity]:
     """Draw half the near part, the web and half the far part; front face of the web at 0, arm along U."""
     own = arm.canonical()
-    pencil, t = Pencil(occ), own.web.thickness
+    pencil, t = SolidDrawing(occ), own.web.thickness
     near = pencil.round_bar(own.near, -own.near.length / 2, 0.0, (False, True))
     far = pencil.round_bar(own.far, t, t + own.far.length / 2, (True, False))
-    return pencil.joined([near, *pencil.slab(own, 0.0), far])
+    return pencil.union([near, *pencil.slab(own, 0.0), far])
 
 
-def draw_crank(occ: Any, crank: Crank) -> list[Solid]:
+def draw_crank(occ: Any, crank: Crank) -> list[Entity]:
     """Draw the whole chain, without what sits at its ends."""
-    pencil, webs = Pencil(occ), dict(arms(crank))
-    solids: list[Solid] = []
+    pencil, webs = SolidDrawing(occ), dict(arms(crank))
+    solids: list[Entity] = []
     stations = [*crank.stations()]
     for index, (part, start, stop) in enumerate(stations):
         if isinstance(part, Web):
@@ -190,10 +190,10 @@ def draw_crank(occ: Any, crank: Crank) -> list[Solid]:
             continue
         flares = (index - 1 in webs, index + 1 in webs)
         solids.append(pencil.round_bar(part, start, stop, flares))
-    return pencil.joined(solids)
+    return pencil.union(solids)
 
 
-def halved(occ: Any, solids: list[Solid], axes: list[int], place: float = 0.0) -> list[Solid]:
+def halved(occ: Any, solids: list[Entity], axes: list[int], place: float = 0.0) -> list[Entity]:
     """Return what lies where v > 0 (axis 1) and W < place (axis 2), in mm, for the axes given."""
     big = 1e4
     low = [-big, 0.0 if 1 in axes else -big, -big]

@@ -45,19 +45,19 @@ class Channel:
     outside: tuple[str, ...] = ()
 
 
-def stress_matrix(found: Sequence[Channel]) -> Array:
+def stress_matrix(rows: Sequence[Channel]) -> Array:
     """Return Psi: the channels' rows, (c, n); Psi Phi are the stress modes of the modes Phi."""
-    return np.array([channel.row for channel in found])
+    return np.array([channel.row for channel in rows])
 
 
 def channels(crank: Crank, rotor: Rotor) -> list[Channel]:
     """Return the channels of a crank that became a rotor with `members`."""
-    found: list[Channel] = []
+    rows: list[Channel] = []
     for number, place in enumerate(_places(crank, Pin), 1):
-        found += _pin_channels(crank, rotor, number, place)
+        rows += _pin_channels(crank, rotor, number, place)
     for number, place in enumerate(_places(crank, Web), 1):
-        found += _web_channels(crank, rotor, number, place)
-    return [*found, *_twists(rotor)]
+        rows += _web_channels(crank, rotor, number, place)
+    return [*rows, *_twists(rotor)]
 
 
 def _places(crank: Crank, kind: type) -> list[int]:
@@ -82,7 +82,7 @@ def _section(rotor: Rotor, part: Part, place: int, front: bool | None) -> Array:
     else:
         member = members[0 if front else -1]
         height = rotor.points[member.front if front else member.rear][2]
-    return transmitted(rotor, member, radius * out + np.array([0.0, 0.0, height]))
+    return section_loads(rotor, member, radius * out + np.array([0.0, 0.0, height]))
 
 
 def _pin_channels(crank: Crank, rotor: Rotor, number: int, place: int) -> Iterator[Channel]:
@@ -143,7 +143,7 @@ def _web_nominal(
     members = members_of(rotor, place)
     ends = rotor.points[members[0].front], rotor.points[members[-1].rear]
     middle = out * pin.radius / 2 + np.array([0.0, 0.0, (ends[0][2] + ends[1][2]) / 2])
-    loads = transmitted(rotor, members[len(members) // 2], middle)
+    loads = section_loads(rotor, members[len(members) // 2], middle)
     across = np.array([-out[1], out[0], 0.0])
     opening = -(across @ loads[3:]) * 6 / (web.width * web.thickness**2)
     sign = -1.0 if pin_behind else 1.0
@@ -159,7 +159,7 @@ def _twists(rotor: Rotor) -> Iterator[Channel]:
         yield Channel(f"twist {number}", "degrees", row)
 
 
-def transmitted(rotor: Rotor, member: Member, point: Array) -> Array:
+def section_loads(rotor: Rotor, member: Member, point: Array) -> Array:
     """Return (6, n): what the part in front of a section bears on the part behind it, per displacement.
 
     Forces F and moments M about `point` (3,), all in U, V, W: the loads at the member's front end,
@@ -168,10 +168,10 @@ def transmitted(rotor: Rotor, member: Member, point: Array) -> Array:
 
     A member stretched along W transmits F_w = -N: the part in front pulls forward.
     """
-    carried = rotor.passing(member)
+    loads = rotor.passing(member)
     arm = rotor.points[member.front] - np.asarray(point, dtype=float)
-    carried[3:] += np.cross(arm, carried[:3], axisb=0, axisc=0)
-    return carried
+    loads[3:] += np.cross(arm, loads[:3], axisb=0, axisc=0)
+    return loads
 
 
 def members_of(rotor: Rotor, index: int) -> list[Member]:

@@ -54,7 +54,7 @@ def fillet_factors(journal: Journal, web: Web, pin: Pin) -> FilletFactors:
     [2.74, 1.72, 3.1]
     """
     size = pin.diameter
-    given = {
+    ratios = {
         "s": ((pin.diameter + journal.diameter) / 2 - pin.radius) / size,
         "w": web.thickness / size,
         "b": web.width / size,
@@ -63,16 +63,16 @@ def fillet_factors(journal: Journal, web: Web, pin: Pin) -> FilletFactors:
         "d_G": journal.bore / size,
         "d_H": pin.bore / size,
     }
-    outside = tuple(f"{k} = {v:.4g}" for k, v in given.items() if not _within(k, v))
-    s = max(given["s"], RANGES["s"][0])
-    w, b = given["w"], given["b"]
-    r, r_g = (max(given[k], RANGES[k][0]) for k in ("r", "r_G"))
-    bores = given["d_G"], given["d_H"]
+    outside = tuple(f"{k} = {v:.4g}" for k, v in ratios.items() if not _within(k, v))
+    s = max(ratios["s"], RANGES["s"][0])
+    w, b = ratios["w"], ratios["b"]
+    r, r_g = (max(ratios[k], RANGES[k][0]) for k in ("r", "r_G"))
+    bores = ratios["d_G"], ratios["d_H"]
     return FilletFactors(
         _pin_bending(s, w, b, r, *bores),
         _torsion(s, w, b, r),
         _journal_bending(s, w, b, r_g, *bores),
-        _journal_pressure(s, w, b, r_g, given["d_H"]),
+        _journal_pressure(s, w, b, r_g, ratios["d_H"]),
         _torsion(s, w, b, r_g),
         outside,
     )

@@ -56,9 +56,9 @@ def durability(normal: Array, shear: Array, strength: Strength) -> Durability:
     amplitude = _equivalent(float(np.ptp(normal)) / 2, float(np.ptp(shear)) / 2)
     middle = (normal.max() + normal.min()) / 2, (shear.max() + shear.min()) / 2
     mean = _equivalent(*middle) if middle[0] > 0 else 0.0
-    used = amplitude / strength.endurance + mean / strength.tensile
+    utilisation = amplitude / strength.endurance + mean / strength.tensile
     worst = max(damage(wave, strength) for wave in combinations(normal, shear))
-    return Durability(amplitude, mean, 1 / used if used else float("inf"), worst)
+    return Durability(amplitude, mean, 1 / utilisation if utilisation else float("inf"), worst)
 
 
 def combinations(normal: Array, shear: Array) -> Iterator[Array]:
@@ -82,13 +82,13 @@ def _equivalent(normal: float, shear: float) -> float:
 def damage(stress: Array, strength: Strength) -> float:
     """Return the share of the life that a cycle of a stress (s,) takes; infinite at the strength."""
     start = int(np.argmax(np.abs(stress)))
-    closed = np.concatenate([stress[start:], stress[: start + 1]])  # from its largest value round to it
+    cycle = np.concatenate([stress[start:], stress[: start + 1]])  # from its largest value round to it
     total = 0.0
-    for span, mean, count, *_ in rainflow().extract_cycles(closed):
-        left = 1 - max(mean, 0.0) / strength.tensile
-        if left <= 0:
+    for span, mean, count, *_ in rainflow().extract_cycles(cycle):
+        margin = 1 - max(mean, 0.0) / strength.tensile
+        if margin <= 0:
             return float("inf")
-        ratio = span / 2 / left / strength.endurance
+        ratio = span / 2 / margin / strength.endurance
         total += count * ratio**strength.slope / strength.cycles
     return float(total)
 

@@ -24,7 +24,7 @@ import numpy as np
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Journal, Pin
 from symbalance.crankshaft.rotor.beams import ALONG_W, circular, flexibility, rectangular
-from symbalance.crankshaft.webs.arm import Arm, chained
+from symbalance.crankshaft.webs.arm import Arm, chain_flexibility
 
 INTO = 0.2
 """How far a journal or pin works into the web, in diameters."""
@@ -34,7 +34,7 @@ ALONG_U = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 
 def formula_flexibility(arm: Arm) -> Array:
     """Return the flexibility (6, 6) of the far face by Ker Wilson's lengths; own axes, SI."""
-    return chained([_stub(arm, arm.near), *_clear_web(arm), _stub(arm, arm.far)])
+    return chain_flexibility([_stub(arm, arm.near), *_clear_web(arm), _stub(arm, arm.far)])
 
 
 def _stub(arm: Arm, part: Journal | Pin) -> tuple[Array, Array]:
@@ -89,7 +89,7 @@ def ker_wilson_torsion(journal: Journal, pin: Pin, thickness: float, width: floa
 
 def nominal_flexibility(arm: Arm) -> Array:
     """Return the flexibility (6, 6) of the far face of a web drawn as three beams; own axes, SI."""
-    return chained([stub(arm, near=True), radial(arm), stub(arm, near=False)])
+    return chain_flexibility([stub(arm, near=True), radial_beam(arm), stub(arm, near=False)])
 
 
 def stub(arm: Arm, *, near: bool) -> tuple[Array, Array]:
@@ -99,7 +99,7 @@ def stub(arm: Arm, *, near: bool) -> tuple[Array, Array]:
     return flexibility(section, arm.material, half, ALONG_W), np.array([0.0, 0.0, half])
 
 
-def radial(arm: Arm) -> tuple[Array, Array]:
+def radial_beam(arm: Arm) -> tuple[Array, Array]:
     """Return the flexibility and lever of the web itself from axis to axis."""
     section = rectangular(arm.web.width, arm.web.thickness, arm.material.poisson)
     return flexibility(section, arm.material, arm.reach, ALONG_U), np.array([arm.reach, 0.0, 0.0])

@@ -16,7 +16,7 @@ import numpy as np
 
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.rotor.beams import transfer
-from symbalance.crankshaft.webs.arm import Arm, chained
+from symbalance.crankshaft.webs.arm import Arm, chain_flexibility
 from symbalance.crankshaft.webs.beam_webs import stub
 from symbalance.errors import MissingPartError
 
@@ -45,8 +45,8 @@ def fitted_parameters(arm: Arm, target: Array, *, stubs: bool = False) -> Array:
     scale = 1 / np.sqrt(np.outer(np.diag(target), np.diag(target)))
     columns = np.array([(term * scale).ravel() for term in terms]).T
     size = np.linalg.norm(columns, axis=0)
-    wanted = ((target - constant) * scale).ravel()
-    return nnls(columns / size, wanted)[0] / size
+    side = ((target - constant) * scale).ravel()
+    return nnls(columns / size, side)[0] / size
 
 
 def _parts(arm: Arm, stubs: bool) -> tuple[Array, Array]:
@@ -54,7 +54,7 @@ def _parts(arm: Arm, stubs: bool) -> tuple[Array, Array]:
     rigid = (np.zeros((DOF, DOF)), half)
     ends = [stub(arm, near=True), stub(arm, near=False)] if stubs else [rigid, rigid]
     radial = (np.zeros((DOF, DOF)), np.array([arm.reach, 0.0, 0.0]))
-    return chained([ends[0], radial, ends[1]]), _unit_terms(arm)
+    return chain_flexibility([ends[0], radial, ends[1]]), _unit_terms(arm)
 
 
 def _unit_terms(arm: Arm) -> Array:

@@ -19,30 +19,30 @@ import numpy as np
 
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.crank import WebCounterweight
-from symbalance.crankshaft.rotor.rigid_bodies import Body, ring, turn_about_w
+from symbalance.crankshaft.rotor.rigid_bodies import RigidBody, ring, turn_about_w
 from symbalance.crankshaft.webs.arm import Arm
 from symbalance.crankshaft.webs.sector import sector_plate
 
 
-def near_bodies(arm: Arm) -> list[Body]:
+def near_bodies(arm: Arm) -> list[RigidBody]:
     """Return what hangs on the web's near end, about the near node in U, V, W: half, counterweight."""
-    bodies = [arm.settled(_share(arm, near=True))]
+    bodies = [arm.in_rotor_axes(_half_web(arm, near=True))]
     if (weight := arm.web.counterweight) and weight.mass > 0:
         bodies.append(_counterweight(arm, weight))
     return bodies
 
 
-def near_fillet(arm: Arm) -> list[Body]:
+def near_fillet(arm: Arm) -> list[RigidBody]:
     """Return the near part's fillet, about the near node in U, V, W."""
     fillet = _fillet(arm.near.diameter, arm.near.fillet, -1, arm)
-    return [arm.settled(fillet)] if fillet.mass > 0 else []
+    return [arm.in_rotor_axes(fillet)] if fillet.mass > 0 else []
 
 
-def far_bodies(arm: Arm) -> list[Body]:
+def far_bodies(arm: Arm) -> list[RigidBody]:
     """Return what of the web goes with its far node, in U, V, W: share and fillet."""
-    share = _share(arm, near=False).shifted(-arm.lever)
+    share = _half_web(arm, near=False).shifted(-arm.lever)
     fillet = _fillet(arm.far.diameter, arm.far.fillet, 1, arm)
-    return [arm.settled(body) for body in (share, fillet) if body.mass > 0]
+    return [arm.in_rotor_axes(body) for body in (share, fillet) if body.mass > 0]
 
 
 def half_width(arm: Arm, u: Array) -> Array:
@@ -55,19 +55,19 @@ def half_width(arm: Arm, u: Array) -> Array:
     return np.maximum(half - wide, 0.0)
 
 
-def _share(arm: Arm, *, near: bool) -> Body:
+def _half_web(arm: Arm, *, near: bool) -> RigidBody:
     """Return the web's half at its near or far end, about the near node; own axes."""
     u, steps = _strips(arm)
-    kept = u < arm.reach / 2 if near else u > arm.reach / 2
+    inside = u < arm.reach / 2 if near else u > arm.reach / 2
     half, thick = half_width(arm, u), arm.web.thickness
-    mass = np.where(kept, arm.material.density * thick * 2 * half * steps, 0.0)
+    mass = np.where(inside, arm.material.density * thick * 2 * half * steps, 0.0)
     total = float(mass.sum())
     if total == 0:
-        return Body(0.0, np.zeros(3), np.zeros((3, 3)))
+        return RigidBody(0.0, np.zeros(3), np.zeros((3, 3)))
     centre = float(mass @ u) / total
     along, across, through = mass @ (u - centre) ** 2, mass @ half**2 / 3, total * thick**2 / 12
     inertia = np.diag([across + through, along + through, along + across])
-    return Body(total, np.array([centre, 0.0, thick / 2]), inertia)
+    return RigidBody(total, np.array([centre, 0.0, thick / 2]), inertia)
 
 
 def _strips(arm: Arm) -> tuple[Array, Array]:
@@ -81,14 +81,14 @@ def _strips(arm: Arm) -> tuple[Array, Array]:
     angles, weights = (angles + 1) * pi / 4, weights * pi / 4
     places = [start + near * (1 - np.cos(angles)), stop - far * (1 - np.cos(angles))]
     steps = [near * np.sin(angles) * weights, far * np.sin(angles) * weights]
-    for left, right in pairwise((start + near, arm.reach / 2, stop - far)):
+    for start_of, right in pairwise((start + near, arm.reach / 2, stop - far)):
         points, width = np.polynomial.legendre.leggauss(8)
-        places.append(left + (right - left) * (points + 1) / 2)
-        steps.append(width * (right - left) / 2)
+        places.append(start_of + (right - start_of) * (points + 1) / 2)
+        steps.append(width * (right - start_of) / 2)
     return np.concatenate(places), np.concatenate(steps)
 
 
-def _fillet(diameter: float, radius: float, side: int, arm: Arm) -> Body:
+def _fillet(diameter: float, radius: float, side: int, arm: Arm) -> RigidBody:
     """Return the ring a fillet adds outside the web, on the face before (-1) or behind (1) it.
 
     Area (1 - pi/4) r^2, centroid (10 - 3 pi)/(12 - 3 pi) r from both faces of the corner.
@@ -97,7 +97,7 @@ def _fillet(diameter: float, radius: float, side: int, arm: Arm) -> Body:
     return ring((1 - pi / 4) * radius**2, diameter / 2 + inward, side * inward, arm.material.density)
 
 
-def _counterweight(arm: Arm, weight: WebCounterweight) -> Body:
+def _counterweight(arm: Arm, weight: WebCounterweight) -> RigidBody:
     """Return the counterweight about the near node, a flat piece as thick as the web.
 
     Its inertia about the axis' direction is divided as the drawn sector's is; into halves without one.
@@ -108,7 +108,7 @@ def _counterweight(arm: Arm, weight: WebCounterweight) -> Body:
     thick = weight.mass * arm.web.thickness**2 / 12
     along = _along(arm, weight) * weight.inertia
     own = np.diag([weight.inertia - along + thick, along + thick, weight.inertia])
-    return Body(weight.mass, offset, turn @ own @ turn.T)
+    return RigidBody(weight.mass, offset, turn @ own @ turn.T)
 
 
 def _along(arm: Arm, weight: WebCounterweight) -> float:
