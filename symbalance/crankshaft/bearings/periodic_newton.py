@@ -14,14 +14,14 @@ from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.bearings.short_film import FilmState
 
 MOST, SETTLED, SMALLEST = 40, 1e-10, 1e-3
-"""Newton steps; the change over the clearance that ends them; the share of a step below which it fails."""
+"""Newton steps; the change over the clearance that ends them; the least share of a step."""
 Films = Callable[[Array, Array], FilmState]
 
 
 def periodic_places(
     at: Films, loads: Array, inner: Array, limits: Array, start: tuple[Array, Array]
 ) -> Array | None:
-    """Return the places (N, b, 2) at the steps' starts of the periodic orbit, or None without convergence.
+    """Return the places (N, b, 2) at the steps' starts of the periodic orbit; None without convergence.
 
     `loads` (N, s, b, 2) are the loads at the stages, `inner` (s, s) is h A of a stiffly accurate
     method, `limits` (b, 1) the distance that no journal passes, `start` a guess: places (N, b, 2) and

@@ -3,9 +3,9 @@
 quantities   the symbols, and the polynomial ring that keeps every coefficient in normal form
 rotations    small rotations to the second order: a rotation vector, six Cardan orders
 node         the linear equations of a general node, from its kinetic energy
-published    the paper's equation (1), and how each of its entries fares
+published    the paper's equation (1), compared entry by entry
 bearings     a bearing's stiffness and damping in turning coordinates
-node_document   what is written of it
+node_document   its document
 """
 
 from symbalance.crankshaft.equations.bearings import TurnedBearing, turned_bearing

@@ -1,4 +1,4 @@
-"""What is written of a node's equations: their matrices, the published ones beside them, a bearing's."""
+"""Document of a node's equations: their matrices, the published ones beside them, a bearing's."""
 
 from __future__ import annotations
 

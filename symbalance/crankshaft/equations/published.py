@@ -1,4 +1,4 @@
-"""The published equation of motion of a crankshaft's node, and how each of its entries fares.
+"""The published equation of motion of a crankshaft's node, compared with the derived one entry by entry.
 
 Source: J. Mizuhaya, I. Honda, K. Ota, H. Shimokouchi, T. Tsubota, "Analysis of Dynamic Stress of Engine
 Crankshaft in Operating Condition" (Mitsubishi Heavy Industries), equation (1). Its M, I_u, I_v, I_w are

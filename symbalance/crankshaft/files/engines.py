@@ -1,4 +1,4 @@
-"""An engine file with all that a running crankshaft needs."""
+"""Reading of an engine file with all that a running crankshaft needs."""
 
 from __future__ import annotations
 

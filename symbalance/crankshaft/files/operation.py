@@ -1,4 +1,4 @@
-"""From [running]: bore, speeds, pressure, rods, damping, the material's strength, a measured curve."""
+"""The table [running] of an engine file: bore, speeds, pressure, rods, strength, a measured curve."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ IDEAL = ("heat", "peak_pressure", "intake")
 
 @dataclass(frozen=True)
 class Strength:
-    """What the material bears, Pa: tensile strength, endurance limit at zero mean, and the S-N line.
+    """Strength of the material, Pa: tensile strength, endurance limit at zero mean, and the S-N line.
 
     Amplitudes above the endurance limit last `cycles` (endurance/amplitude)^slope. The defaults are
     estimates for a forged and hardened steel crank; a real assessment needs measured ones.
@@ -123,7 +123,7 @@ def _trace(section: Section, layout: Engine, folder: Path) -> PressureTrace:
 
 
 def _ideal(section: Section, layout: Engine) -> IdealCycle | None:
-    """Return the ideal cycle asked for, None where a pressure trace is given."""
+    """Return the ideal cycle, None where a pressure trace is given."""
     if "pressure" in section:
         return None
     options = {key: section.value(key) for key in IDEAL if key in section}

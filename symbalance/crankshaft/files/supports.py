@@ -1,4 +1,4 @@
-"""From [bearings]: the clearances, the oil, the structure behind the films, the thrust bearing."""
+"""The table [bearings] of an engine file: clearances, oil, structure behind the films, thrust bearing."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ class RodForces:
         """Return F, the piston's load along its axis, away from the crank: gas and inertia, N."""
         total = np.zeros_like(np.asarray(theta, dtype=float))
         if "gas" in self.parts:
-            after, run = theta - self._tops[number], self.engine.operation
+            after, run = theta - self._firing_angles[number], self.engine.operation
             bar = pressures(self._traces[number], after) - run.ambient
             total = total - bar * PASCAL * run.area
         if "inertia" in self.parts:
@@ -86,7 +86,7 @@ class RodForces:
         return {n: c.known_mechanism for n, c in self._cylinders.items()}
 
     @cached_property
-    def _tops(self) -> dict[int, float]:
+    def _firing_angles(self) -> dict[int, float]:
         return firing_crank_angles(self.engine.layout)
 
     @cached_property

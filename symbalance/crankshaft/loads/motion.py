@@ -1,4 +1,7 @@
-"""The closed forms of `symbalance.kinematics.mechanisms` for whole arrays of crank angles, in floats."""
+"""Motion of pistons and rods in closed form for arrays of crank angles, in floating point.
+
+The same closed forms as `symbalance.kinematics.mechanisms` has for single angles.
+"""
 
 from __future__ import annotations
 
@@ -67,5 +70,5 @@ def _pin(mechanism: Mechanism, p: Array) -> tuple[Complex, Complex, Complex]:
 
 
 def link_arm(link: LinkRod) -> complex:
-    """Return L e^(i chi): the link pin seen from the crank pin where the master's rod angle is 0."""
+    """Return L e^(i chi): the link pin from the crank pin where the master's rod angle is 0."""
     return complex(float(link.link_radius) * np.exp(2j * np.pi * float(link.lead)))

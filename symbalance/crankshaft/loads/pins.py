@@ -1,4 +1,4 @@
-"""The loads at the pins' middles in turning coordinates, as the rotor's nodes take them."""
+"""Forces and moments of the rods at the middles of the crank pins, in turning coordinates."""
 
 from __future__ import annotations
 
@@ -70,16 +70,6 @@ def pin_loads(engine: RunningEngine, omega: float, *parts: str) -> PinLoads:
 def big_end_masses(engine: RunningEngine) -> list[float]:
     """Return the rods' rotating mass on every pin, kg: for the rotor's nodes, and not for `pin_loads`."""
     return [engine.operation.big_end_mass * len(pin.cylinders) for pin in engine.crank.pins]
-
-
-def gravity(masses: Array, theta: Array, standard: float = 9.80665) -> Array:
-    """Return (s, n, 2): the weight of masses (n,) in turning coordinates, X up: it turns backward.
-
-    >>> gravity(np.array([1.0]), np.array([np.pi, np.pi / 2])).round(5)[:, 0].max(axis=1).tolist()
-    [9.80665, 9.80665]
-    """
-    down = -standard * np.exp(-1j * theta)[:, None] * masses
-    return np.stack([down.real, down.imag], axis=-1)
 
 
 def _shifts(engine: RunningEngine) -> dict[int, float]:

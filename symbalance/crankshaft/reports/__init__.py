@@ -1,8 +1,7 @@
-"""What a run leaves in its folder: tables in every medium, curves as CSV, pictures.
+"""Reports of a run: its document in every medium, data for programs, curves as CSV, pictures.
 
-summary           the figures that every report prints, a result
-summary_document  what is written of them
-summary_data      the same for other programs
+summary           the figures that every report prints, a result, and its data for programs
+summary_document  its document
 curves            every channel against the crank angle as CSV
 pictures          plots against crank angle, order and speed
 """

@@ -1,4 +1,4 @@
-"""A run's curves for other programs, as CSV."""
+"""Curves of a run over the crank angle as CSV, for other programs."""
 
 from __future__ import annotations
 

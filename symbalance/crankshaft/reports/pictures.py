@@ -1,4 +1,4 @@
-"""A run's pictures: stress against the crank angle, orders, speeds, orbits, bearings, frequencies."""
+"""Pictures of a run: stress against the crank angle, orders, speeds, orbits, bearings, frequencies."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ MOST_TICKS = 12
 JUMP = 1.6
 """A Campbell line that moves further than this times the step of speed turned its whirl: it is cut."""
 HOLD = 1e8
-"""N/m and N m/rad that hold the crank's axial place and its spin in the Campbell diagram."""
+"""N/m and N m/rad on the crank's axial place and its rotation in the Campbell diagram."""
 
 
 def draw_pictures(run: Summary) -> dict[str, bytes]:

@@ -1,4 +1,4 @@
-"""A running crankshaft's figures: what every report of a run prints."""
+"""Figures of a running crankshaft, which every report of a run prints."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ from symbalance.crankshaft.running.configuration import RunConfiguration
 from symbalance.crankshaft.running.measured import Comparison, compare_with_measured
 from symbalance.crankshaft.running.outcome import SpeedOutcome
 from symbalance.crankshaft.stress import Durability, durability
+from symbalance.crankshaft.stress.concentration import FILLET_ASSUMPTION
+from symbalance.crankshaft.webs.beam_webs import WEB_ASSUMPTION
 from symbalance.document.result import Result
 
 if TYPE_CHECKING:
@@ -130,6 +132,11 @@ class Summary(Result):
     def reliable(self) -> tuple[SpeedOutcome, ...]:
         """The speeds whose values are to be relied on."""
         return tuple(o for o in self.outcomes if not o.reason)
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What the figures rest on that was not compared with its source."""
+        return (FILLET_ASSUMPTION, *((WEB_ASSUMPTION,) if self.configuration.webs == "formula" else ()))
 
     @property
     def worst(self) -> PlaceDurability:
@@ -294,6 +301,7 @@ def summary_data(run: Summary) -> dict[str, Any]:
             {"rpm": c.rpm, "channel": c.channel, "rms": c.rms, "peak": c.peak, "span": c.span}
             for c in run.comparisons
         ],
+        "assumptions": list(run.assumptions),
         "notes": list(run.notes),
     }
 

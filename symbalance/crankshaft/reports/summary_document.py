@@ -1,4 +1,4 @@
-"""What is written of a run: what it is worth, speeds, durability, stresses, and how it was computed."""
+"""Document of a run: whether it is valid, speeds, durability, stresses, and how it was computed."""
 
 from __future__ import annotations
 
@@ -58,6 +58,7 @@ def summary_document(run: Summary) -> Document:
             _extremes(run),
             _comparisons(run),
             _frequencies(run),
+            Facts(tuple((line, "") for line in run.assumptions), "Assumptions"),
             Facts(tuple((note, "") for note in run.notes), "Notes") if run.notes else None,
             _how_to_read(run),
             tuple(_figure(name, picture) for name, picture in run.pictures.items()),

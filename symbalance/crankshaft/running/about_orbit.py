@@ -1,8 +1,8 @@
-"""The same equations for what departs from given journal orbits, so that the films may be linear there.
+"""Equations of motion for departures from given journal orbits, about which oil films are linear.
 
 With journals at Q^T (r_0 + z_0) in turning axes, let X_0 = Phi d(theta) bend the crank to them (Phi:
-static shapes, one a bearing direction, spin and axial place held) and x = X_0 + eta. Then eta obeys the
-same equations with the right side
+static shapes, one a bearing direction, rotation and axial place fixed) and x = X_0 + eta. Then eta obeys
+the same equations with the right side
 
     f - B^T Q^T F_0 - (M X_0'' + D X_0' + S X_0),
 
@@ -59,7 +59,7 @@ def system_about_orbit(full: PeriodicSystem, rotor: Rotor, orbits: OrbitFilms) -
 
 
 def static_shapes(rotor: Rotor, flat: Array) -> Array:
-    """Return Phi (n, 2b): the crank bent by one bearing's unit displacement, the others' held at 0."""
+    """Return Phi (n, 2b): the crank bent by one bearing's unit displacement, the others' fixed."""
     size, count = rotor.size, len(flat)
     rows = np.zeros((2, size))
     rows[0, DOF * driven_node(rotor) + 5] = rows[1, DOF * rotor.journals[-1] + 2] = 1.0

@@ -1,4 +1,4 @@
-"""An engine made ready to run: its rotor, its channels and, at a speed, its periodic system."""
+"""Configuration of a run: an engine's rotor, its stress channels and, at a speed, its periodic system."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.assembly import assemble, web_flexibility
 from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads import big_end_masses, pin_loads
-from symbalance.crankshaft.rotor.constraints import constrained_matrices
+from symbalance.crankshaft.rotor.constraints import ConstrainedMatrices, constrained_matrices
 from symbalance.crankshaft.rotor.matrices import Rotor
 from symbalance.crankshaft.rotor.modes import Modes, natural_modes
 from symbalance.crankshaft.running.loading import (
@@ -34,6 +33,7 @@ OMEGA = np.pi / 30
 """rad/s of one rpm."""
 RIGID, MODES_SHOWN = 6, 20
 MOST_STEPS = 46_080
+"""Of a cycle: 64 times the usual 720."""
 Loads = Callable[[Array], Array]
 
 
@@ -42,7 +42,8 @@ class RunConfiguration:
     """An engine, its rotor (webs and big ends in it), and how it is solved.
 
     `about` is what the films are linear about: orbit, the journals' own, or centre, as the paper has it
-    (a table is always about the centre); up to `iterations` times under the loads found.
+    (a table is always about the centre); up to `iterations` times
+    under the loads of the last solution.
     `modes` 0 keeps every unknown; `connection` is exact (a housing state a bearing) or equivalent (the
     paper's K(K + K_B)^-1 K_B as one film); `steps` are those of a cycle.
     """
@@ -60,7 +61,7 @@ class RunConfiguration:
 
     @property
     def solver_options(self) -> tuple[object, ...]:
-        """How it is solved, for a key."""
+        """All that decides how it is solved, for the key of a saved outcome."""
         return self.webs, self.modes, self.connection, self.steps, self.about, self.iterations
 
     @cached_property
@@ -110,11 +111,11 @@ class RunConfiguration:
 
         Without a `film`: the table's, or that of the orbits under the quasi-static loads.
         """
-        constrained = self._constrained(rpm)
+        matrices = self._matrices(rpm)
         return PeriodicSystem(
-            mass=constrained.mass,
-            damping=constrained.damping,
-            stiffness=constrained.stiffness,
+            mass=matrices.mass,
+            damping=matrices.damping,
+            stiffness=matrices.stiffness,
             points=bearing_points(self.rotor),
             film=film or self.table or self.orbits(rpm).film,
             housing=self.housing,
@@ -123,10 +124,10 @@ class RunConfiguration:
             cycle=self.engine.layout.strokes * np.pi,
         )
 
-    def _constrained(self, rpm: float) -> Any:
-        supports = self.engine.bearings
-        thrust = self.rotor.journals[supports.thrust]
-        return constrained_matrices(self.rotor, rpm * OMEGA, thrust, supports.thrust_stiffness)
+    def _matrices(self, rpm: float) -> ConstrainedMatrices:
+        bearings = self.engine.bearings
+        thrust = self.rotor.journals[bearings.thrust]
+        return constrained_matrices(self.rotor, rpm * OMEGA, thrust, bearings.thrust_stiffness)
 
     @cached_property
     def modes_at_rest(self) -> Modes:
@@ -134,7 +135,7 @@ class RunConfiguration:
         return natural_modes(self.rotor, min(MODES_SHOWN, self.rotor.size - RIGID))
 
     def at_speeds(self, rpm: tuple[float, ...]) -> RunConfiguration:
-        """Return the same setting with other speeds."""
+        """Return the same configuration at other speeds."""
         return replace(self, engine=self.engine.at_speeds(rpm))
 
 
@@ -150,9 +151,10 @@ def configure_run(
     store: Path | None = None,
     say: Callable[[str], None] = lambda line: None,
 ) -> RunConfiguration:
-    """Return an engine made ready to run; `say` hears of a file of solved webs that is not believed.
+    """Return the configuration of a run; `say` is called with a line if a file of solved webs is not
+    valid.
 
-    `webs` is the way to the webs' stiffness (see `assembly.WEBS`), `modes` how many are kept beside the
+    `webs` is the model of the webs' stiffness (see `assembly.WEBS`), `modes` how many are kept beside the
     static shapes, 0 for the full model; webs solved by the mesher are kept in the file `store`. Every
     rod's big end turns with its pin's node.
     """

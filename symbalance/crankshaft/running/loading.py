@@ -1,4 +1,4 @@
-"""The right side of the equations in turning coordinates, against the crank angle."""
+"""Loads on the rotor against the crank angle, and the bearing loads of a quasi-static crank."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class RotorLoads:
         for place, node in enumerate(self.rotor.pins):
             forces[:, DOF * node : DOF * node + DOF] += loads[:, place]
         if self.weight:
-            forces += gravity(theta)[:, :2] @ self._heaviness
+            forces += gravity(theta)[:, :2] @ self._mass_across
         return forces
 
     @cached_property
@@ -47,7 +47,7 @@ class RotorLoads:
         return force
 
     @cached_property
-    def _heaviness(self) -> Array:
+    def _mass_across(self) -> Array:
         """Return M times the shifts along U and V, (2, n)."""
         return (self.rotor.mass @ self.rotor.rigid_motions()[:, :2]).T
 
@@ -64,7 +64,8 @@ def quasi_static_reactions(rotor: Rotor, force: Array, spring: float = SPRING) -
     """Return (s, b, 2): the shaft's force on each bearing in turning axes, N, for forces (s, n).
 
     (K + sum k B^T B) x = f: the reactions of an elastic crank on equal springs, not of throws cut apart.
-    The flywheel's spin and the last bearing's axial place are held: they take what torque is left.
+    Springs hold the flywheel's rotation and the last bearing's axial place: they take the torque that
+    the loads do not balance.
     """
     flat = bearing_points(rotor).reshape(-1, rotor.size)
     own = rotor.stiffness + spring * flat.T @ flat

@@ -1,9 +1,9 @@
-"""The oil films of an engine at a speed: tangents along the orbits of its loads, or a file's table.
+"""Oil films of an engine at a speed: linear about the orbits of its journals, or from a file's table.
 
-A tangent says what a departure from its orbit meets. Taken about the orbit r_0(t) (`about` = orbit) the
-film's force is F_0 + K (r - r_0) + C (r' - r_0'), with F_0, K, C those of the film at r_0, r_0': exact to
-first order. Taken as springs about the centre (`about` = centre), K r + C r', as the paper has it, the
-same tangents leave r_0 out, and orbits come out that no bearing has.
+A tangent is the film's stiffness and damping for small departures from an orbit. Taken about the orbit
+r_0(t) (`about` = orbit) the film's force is F_0 + K (r - r_0) + C (r' - r_0'), with F_0, K, C those of
+the film at r_0, r_0': exact to first order. Taken as springs about the centre (`about` = centre), K r + C
+r', as the paper has it, the same tangents leave r_0 out, and orbits come out that no bearing has.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ FEWEST_ANGLES = 720
 in-line four stresses half as large again at one speed).
 """
 CLOSEST = 0.98
-"""The share of the clearance to which a journal's place is drawn in before a film is made of it."""
+"""The share of the clearance to which a journal's place is limited before its film is computed."""
 
 
 @dataclass(frozen=True)
 class OrbitFilms:
-    """Journals' places r_0 in their shells at even angles (s,), what their films carry, tangents.
+    """Journals' places r_0 in their bearings at even angles (s,), their films' forces and tangents.
 
-    `force` (s, b, 2) is the shaft's on the films, `housing_place` z_0 the places of the shells under it.
+    `force` (s, b, 2) is the shaft's on the films, `housing_place` z_0 the housings' displacement.
     """
 
     theta: Array
@@ -56,7 +56,7 @@ def table_film(engine: RunningEngine) -> Film | None:
 def loaded_places(
     engine: RunningEngine, omega: float, loads: Callable[[Array], Array], steps: int
 ) -> Array:
-    """Return the journals' places (s, b, 2) at even angles, going round under their loads, N."""
+    """Return the journals' places (s, b, 2) at even angles, on their periodic orbits under loads, N."""
     cycle = engine.layout.strokes * np.pi
     count = max(steps, FEWEST_ANGLES)
     theta = cycle * np.arange(count) / count
@@ -68,7 +68,7 @@ def orbits_about(
 ) -> OrbitFilms:
     """Return the films' forces and tangents along given places (s, b, 2) at even angles of a cycle, m.
 
-    Places outside `CLOSEST` of the clearance are drawn in to it.
+    Places outside `CLOSEST` of the clearance are moved in to it.
     """
     cycle = engine.layout.strokes * np.pi
     theta = cycle * np.arange(len(place)) / len(place)

@@ -1,4 +1,10 @@
-"""What a speed gives: stresses against the crank angle, orbits, bearing loads, and their orders."""
+"""Outcome of one speed: stresses against the crank angle, orbits, bearing loads, orders; and its file.
+
+A file is one NPZ a speed, whole or not at all, under a key of all that it depends on: a digest of the
+engine (the content of the files it names), of how it is solved, of the webs' compliances and of the
+program. A file under another key, or one that does not read, is not believed: the speed is solved anew,
+and the caller learns why.
+"""
 
 from __future__ import annotations
 
@@ -25,9 +31,9 @@ class SpeedOutcome:
     """One speed's periodic state at even crank angles `theta` (s,) of a cycle, SI but for `rpm`.
 
     `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
-    journals' displacements in their shells and `bearings` (s, b, 2) the shaft's forces on them, vertical
-    and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error`
-    the largest change of a stress when the steps are halved, films kept, over the largest stress;
+    journals' displacements in their bearings and `bearings` (s, b, 2) the shaft's forces on them,
+    vertical and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error`
+    the largest change of a stress when the steps are halved, films unchanged, over the largest stress;
     `seconds` the run time. `departure` is how far, over the clearance, the orbits lie from those the
     films are linear about. A `reason` says why the values are not to be relied on: no report prints them.
     """

@@ -1,4 +1,4 @@
-"""All speeds of an engine, one after the other; what is finished is kept and not done again."""
+"""Sweep over an engine's speeds: each solved once and saved, its oil films iterated until they settle."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem, Trajectory, UnsolvedError
 
 SETTLED = 0.05
-"""The departure, over the clearance, at which films need not be made anew."""
+"""The departure, over the clearance, at which films need not be computed again."""
 FINER = (1, 2, 4)
 """By how much the steps are multiplied, one after the other, until the films settle."""
 Progress = Callable[[str], None]
@@ -38,10 +38,11 @@ Progress = Callable[[str], None]
 def run_speeds(
     configuration: RunConfiguration, folder: Path | None = None, progress: Progress = lambda line: None
 ) -> list[SpeedOutcome]:
-    """Return the outcome of every speed; with a `folder` each is saved at once and found again.
+    """Return the outcome of every speed; with a `folder` each is saved at once and read back by the next
+    run.
 
-    A saved one that is not of this engine, these settings and this program is solved anew, and
-    `progress` is told why; so it is of a damaged one.
+    A saved one that is not of this engine, these settings and this program is solved anew, as is a
+    damaged one; `progress` is called with a line that says why.
     """
     speeds, outcomes = configuration.engine.operation.rpm, []
     for number, rpm in enumerate(speeds, 1):
@@ -74,7 +75,7 @@ def run_speed(
 ) -> SpeedOutcome:
     """Return the outcome of one speed, with a `reason` where it is not to be relied on.
 
-    Films about orbits that do not settle are tried at finer steps, and `progress` is told.
+    Films about orbits that do not settle are tried at finer steps; a line to `progress` says so.
     """
     if configuration.about == "centre" or configuration.table is not None:
         return _solve_about_centre(configuration, rpm)
@@ -98,7 +99,7 @@ def run_speed(
 
 
 def _refinements(configuration: RunConfiguration) -> list[RunConfiguration]:
-    """Return the setting and those of finer steps; a single pass iterates nothing, at any steps."""
+    """Return the configuration and those of finer steps; a single pass iterates nothing, at any steps."""
     factors = FINER if configuration.iterations > 1 else FINER[:1]
     steps = [configuration.steps * factor for factor in factors]
     return [replace(configuration, steps=count) for count in steps if count <= MOST_STEPS]
@@ -119,9 +120,9 @@ def _solve_about_centre(configuration: RunConfiguration, rpm: float) -> SpeedOut
 
 
 def _iterate_films(configuration: RunConfiguration, rpm: float) -> tuple[SpeedOutcome, OrbitFilms | None]:
-    """Return the outcome whose films were made on the orbits nearest its own, and those orbits.
+    """Return the outcome whose films are linear about the orbits nearest its own, and those orbits.
 
-    Films about orbits are made anew for the mean of the loads they were made for and those found, until
+    Films are computed again for the mean of the loads before and those of the solution, until
     orbits and films agree, up to `iterations` times. Loads taken over whole need not converge where a
     film is almost dry, and may grow past all bounds where the steps are too coarse for it: then the
     passes end. The outcome has a `reason` unless films and orbits agree within the clearance.
@@ -168,8 +169,8 @@ def _step_error(
 ) -> float:
     """Return the largest change of a stress when the steps are halved, over the largest stress.
 
-    The films are kept. Not divided by what the method's order promises: pressures and films have kinks,
-    and the error falls with little more than the step. NaN where the halved steps give no motion.
+    The films stay the same. Not divided by what the method's order promises: pressures and films have
+    kinks, and the error falls with little more than the step. NaN where the halved steps give no motion.
     """
     try:
         finer = solve(replace(configuration, steps=2 * configuration.steps))
@@ -182,13 +183,11 @@ def _step_error(
 
 def _no_outcome(configuration: RunConfiguration, rpm: float, reason: str) -> SpeedOutcome:
     """Return the outcome of a speed that has none."""
+    cycle = configuration.engine.layout.strokes * np.pi
     bearings = np.full((configuration.steps, len(configuration.engine.bearings.clearance), 2), np.nan)
     return SpeedOutcome(
         rpm=rpm,
-        theta=configuration.engine.layout.strokes
-        * np.pi
-        * np.arange(configuration.steps)
-        / configuration.steps,
+        theta=cycle * np.arange(configuration.steps) / configuration.steps,
         names=tuple(c.name for c in configuration.channels),
         units=tuple(c.unit for c in configuration.channels),
         values=np.full((configuration.steps, len(configuration.channels)), np.nan),
@@ -256,7 +255,7 @@ def _outcome(
 
 
 def _orbits(configuration: RunConfiguration, full: PeriodicSystem, motion: Trajectory) -> Array:
-    """Return the journals' displacements in their shells, stationary axes (s, b, 2)."""
+    """Return the journals' displacements in their bearings, stationary axes (s, b, 2)."""
     turning = np.einsum("bin,sn->sbi", bearing_points(configuration.rotor), motion.position)
     housings = housing_places(-motion.bearing, full.housing, full.cycle, full.omega)
     return to_stationary_axes(turning, motion.theta) - housings

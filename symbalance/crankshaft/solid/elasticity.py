@@ -34,7 +34,7 @@ class ElasticBody:
         return np.abs(self.places[axis] - value) < NEAR
 
     def zero_at_mirror(self, axis: int, value: float, *, even: bool) -> Any:
-        """Return which unknowns vanish where the body is cut at a mirror plane.
+        """Return which unknowns are zero where the body is cut at a mirror plane.
 
         An `even` motion has none across the plane, an odd one none in it.
         """

@@ -1,12 +1,12 @@
 """The flexibility of half a throw as a solid, and the web's share of it.
 
-Half the journal, the web and half the pin are meshed; the journal's middle section is held, the pin's
+Half the journal, the web and half the pin are meshed; the journal's middle section is clamped, the pin's
 moved as a rigid section by six unit motions. Their reactions are K, and S_half = K^-1. Loads pass along
 the chain unchanged, so flexibilities add, each transferred to the last end:
 
     S_half = T_1 S_journal T_1' + T_2 S_web T_2' + S_pin,
 
-which gives S_web, fillets and the web's hold on the neighbouring sections included. The web's near half,
+which gives S_web, fillets and the stiffening of the neighbouring sections included. The web's near half,
 with heel and counterweight, is loaded too, as its own inertia would load it: S is (12, 12). Where web and
 counterweight are their own mirror image in the throw's plane, half the body is solved twice.
 """
@@ -95,7 +95,7 @@ class _Part:
     share: int
 
     def flexibility(self) -> Array:
-        """Return the flexibility of the far section and the hanging body, the near section held.
+        """Return the flexibility of the far section and the hanging body, the near section clamped.
 
         Inside, u = Y f - X q under unit body loads f, with the far section moved by q; q follows from
         the balance of the far section, k q + B'Y f = p.

@@ -1,4 +1,9 @@
-"""A gmsh session, and its quadratic tetrahedra as a scikit-fem mesh whose edges follow the surface."""
+"""Parts of a crank drawn and meshed by gmsh, as a scikit-fem mesh whose edges follow the surface.
+
+Lengths in mm while drawing, so that the modeller's tolerances fit. Journals and pins are bodies of
+revolution whose profile flares into the fillet at each web; the web is its outline extruded; the
+counterweight a sector from the near axis out to its `outer` radius. A bore ends at the web's faces.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cranks meshed whole: the frequencies every web model is measured against.
+"""Reference cranks meshed whole: the natural frequencies with which every web model is compared.
 
     python -m symbalance.crankshaft.solid.reference derivations/crankshaft/solid_four.json [NAME ...]
 
@@ -10,6 +10,9 @@ minutes. All ends are alike, so that a crank is its own mirror image twice and a
   fillets 4 mm; without and with sectors out to 85 mm over 2 x 60 degrees.
 - short: two throws of radius 40 whose journals, 55, and pins, 47 mm, overlap.
 - slender: two throws of radius 60 with webs 14 mm thick and counterweights out to 85 mm.
+
+A crank that is its own mirror image, in the plane of its throws or front to rear, is cut there and solved
+for even and odd motions; their frequencies together are the whole's.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Solved web flexibilities as data: what one machine has meshed, every other reads.
+"""Store of web flexibilities solved by finite elements: what one machine has meshed, every other reads.
 
 A store is a JSON file {"format": 2, "mesher": digest, "webs": {key: {"web": what it is of, "flexibility":
 144 numbers, "body": 3 numbers}}}. The key is that of the geometry in own axes (sizes to the nanometre),
@@ -6,7 +6,7 @@ Poisson's ratio and, where it is not the usual one, the elements' size; the flex
 not depend on Young's modulus. The package's own store holds the worked cranks'.
 
 `mesher` is a digest of the sources that draw, mesh and solve a web: what other sources have solved is not
-believed but solved anew, and `say` is told.
+believed but solved anew, and a line to `say` tells the user.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ Say = Callable[[str], None]
 
 @dataclass
 class WebStore:
-    """Web flexibilities by geometry; `path` is where those of `new_webs` are kept, if anywhere."""
+    """Web flexibilities by geometry; `path` is the file of the `new_webs`, if there is one."""
 
     webs: dict[str, dict[str, Any]] = field(default_factory=dict)
     path: Path | None = None
@@ -79,7 +79,7 @@ class WebStore:
 
 
 def open_store(path: Path | None = None, say: Say = lambda line: None) -> WebStore:
-    """Return the package's own solved webs, and those kept at `path`; `say` hears what is not believed.
+    """Return the package's own solved webs, and those of the file `path`; `say` hears what is not valid.
 
     >>> open_store().path is None
     True
@@ -178,7 +178,7 @@ def _mm(length: float) -> str:
 
 
 def web_key(arm: Arm, size: float = 0.0) -> str:
-    """Return the name under which a web's flexibility is kept."""
+    """Return the name of a web in the store."""
     return _hash_of(web_description(arm, size))
 
 

@@ -1,4 +1,4 @@
-"""The named stresses and twists of a crank, each a row over the rotor's displacements.
+"""Named stresses and twists of a crank, each linear in the rotor's displacements.
 
     pin k bending           axial stress at pin k's middle, at its line nearest the crank's axis
     pin k sideways          the same at the line that leads, a quarter turn on
@@ -160,11 +160,11 @@ def _twists(rotor: Rotor) -> Iterator[Channel]:
 
 
 def section_loads(rotor: Rotor, member: Member, point: Array) -> Array:
-    """Return (6, n): what the part in front of a section bears on the part behind it, per displacement.
+    """Return (6, n): the load of the part in front of a section on the part behind it, per displacement.
 
     Forces F and moments M about `point` (3,), all in U, V, W: the loads at the member's front end,
-    stiffness times displacements, carried to the point, M = M_front + (front - point) x F. What the
-    member itself weighs between is left out; what hangs on a web counts with the end it hangs on.
+    stiffness times displacements, carried to the point, M = M_front + (front - point) x F. The member's
+    own inertia between is left out; a body attached to a web counts with the end that carries it.
 
     A member stretched along W transmits F_w = -N: the part in front pulls forward.
     """

@@ -26,7 +26,12 @@ RANGES = {
     "d_G": (0.0, 0.8),
     "d_H": (0.0, 0.8),
 }
-"""Where the formulas hold; below the least overlap its formulas are taken at that overlap."""
+"""Where the formulas hold; below the least overlap they are taken at that overlap."""
+FILLET_ASSUMPTION = (
+    "stress concentration factors of the fillets: the formulas of IACS UR M53 from memory, not compared "
+    "with the print"
+)
+"""What a report says of the factors until someone has."""
 
 
 @dataclass(frozen=True)

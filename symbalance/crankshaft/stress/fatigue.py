@@ -1,8 +1,8 @@
-"""What a stress against the crank angle does over time: Goodman's line and rainflow damage.
+"""Fatigue under a stress over the crank angle: Goodman's safety factor and rainflow damage.
 
 Amplitudes and means of a normal stress sigma and a shear stress tau at one place combine to
 sqrt(sigma^2 + 3 tau^2) (von Mises). Goodman's line: sigma_a/sigma_e + sigma_m/sigma_u = 1/n, a mean below
-zero counted as zero. Cycles are those of the equivalent stress that wears most, of
+zero counted as zero. Cycles are those of the equivalent stress with the largest damage, of
 
     sign(sigma) sqrt(sigma^2 + 3 tau^2)   and   sigma cos phi + sqrt(3) tau sin phi,  |phi| <= 90 degrees:
 
@@ -64,7 +64,8 @@ def durability(normal: Array, shear: Array, strength: Strength) -> Durability:
 def combinations(normal: Array, shear: Array) -> Iterator[Array]:
     """Yield the signed root (s,), then sigma cos phi + sqrt(3) tau sin phi at `DIRECTIONS` angles.
 
-    sigma is never turned over. A swing between two angles is missed by less than 0.3 %.
+    Not beyond 90 degrees, where the sign of sigma would turn. A swing between two angles is missed by
+    less than 0.3 %.
     """
     yield np.where(normal < 0, -1.0, 1.0) * np.sqrt(normal**2 + 3 * shear**2)
     if not shear.any():

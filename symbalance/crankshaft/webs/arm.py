@@ -1,4 +1,4 @@
-"""One web in its own axes: the near end's axis at the origin, the far end's along +u, faces 0 and t.
+"""A crank web in axes of its own: near end's axis at the origin, far end's along +u, faces 0 and t.
 
 The near end is the journal's, the far end the pin's; a web between two pins has its front pin near. A web
 that stands pin first is the mirror image, w to -w, of one that stands journal first.
@@ -23,9 +23,9 @@ MIRROR = np.diag([1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
 
 @dataclass(frozen=True)
 class WebCompliance:
-    """A web's give, held at its near face, in own axes: `flexibility` (6, 6) of the far face.
+    """A web's flexibility, clamped at its near face, in own axes: `flexibility` (6, 6) of the far face.
 
-    With `body` (3,), from the near node to the centre of what hangs on the near end (heel and
+    With `body` (3,), from the near node to the centre of the body attached to the near end (heel and
     counterweight), it is (12, 12): far face, then the mean motion of that body under inertia forces.
     """
 

@@ -1,4 +1,4 @@
-"""Webs from published formulas, for use without a mesher: Ker Wilson's equivalent lengths.
+"""Webs as beams, for use without a mesher: of their nominal sizes, or of Ker Wilson's equivalent lengths.
 
 W. Ker Wilson, Practical Solution of Torsional Vibration Problems, vol. 1 (Chapman & Hall, 1956), gives a
 throw the torsional length of journal and pin each lengthened by 0.4 diameters (0.2 into either web), and
@@ -12,6 +12,10 @@ its width. Carter's formula
 
 The bending, axial and shear terms are a beam's of the same clear length and stubs: no published formula
 gives all six. The error of either against the solid is in `derivations/crankshaft-model.md`.
+
+The nominal web is what a beam program gives when every part is drawn as a beam: a radial beam of the
+web's rectangle from axis to axis, with shear and Saint-Venant torsion, between stubs of journal and pin
+that reach to the web's mid-plane. It is too soft by far for stocky webs.
 """
 
 from __future__ import annotations
@@ -28,6 +32,8 @@ from symbalance.crankshaft.webs.arm import Arm, chain_flexibility
 
 INTO = 0.2
 """How far a journal or pin works into the web, in diameters."""
+WEB_ASSUMPTION = "flexibility of the webs: Ker Wilson's lengths from memory, not compared with the print"
+"""What a report says of a run with webs by formula until someone has."""
 ALONG_U = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 """A beam along the arm: its own y is the arm's v (across), its z the arm's w (through the web)."""
 

@@ -1,4 +1,4 @@
-"""The paper's web: a beam whose six flexibilities are fitted to the solid half throw.
+"""Webs as beams whose six flexibilities are fitted to the solid half throw, as in the paper.
 
 The web is the nominal one's chain (stub, radial beam, stub), with the beam's six section flexibilities f
 (stretch, two shears, twist, two bendings) free. A section's loads under a load at the far end are
@@ -34,7 +34,7 @@ def fitted_parameters(arm: Arm, target: Array, *, stubs: bool = False) -> Array:
     """Return the six section flexibilities (1/EA, 1/GA_v, 1/GA_w, 1/GJ, 1/EI_v, 1/EI_w), none negative.
 
     With `stubs` journal and pin are elastic up to the web's mid-plane, as in the nominal web; the default
-    takes them as rigid within the web, so that all of the web's give lies in the six.
+    takes them as rigid within the web, so that all of the web's flexibility lies in the six.
     """
     try:
         from scipy.optimize import nnls

@@ -1,10 +1,10 @@
-"""A web's mass, divided between the nodes at its two faces.
+"""Lumping of a crank web's mass to the nodes at its two faces.
 
 The web is cut midway between its two axes: the half around the near axis, with the counterweight, moves
 with the near node or, in a solved web, as a body of its own; the other half with the far node. Mass,
 mass centre and inertia of the whole are exact. Against a crank meshed whole
 (`derivations/crankshaft-model.md`) this did better than mass divided in proportion to the place between
-the axes: where the web is held by journal or pin it hardly bends.
+the axes: where journal or pin joins the web it hardly bends.
 
 The outline is a rectangle, `width` across, from `heel` behind the near axis to `tip` beyond the far one,
 its corners rounded with the radius min(width/2, heel) at one end, min(width/2, tip) at the other.
@@ -25,7 +25,7 @@ from symbalance.crankshaft.webs.sector import sector_plate
 
 
 def near_bodies(arm: Arm) -> list[RigidBody]:
-    """Return what hangs on the web's near end, about the near node in U, V, W: half, counterweight."""
+    """Return the bodies on the web's near end, about the near node in U, V, W: half, counterweight."""
     bodies = [arm.in_rotor_axes(_half_web(arm, near=True))]
     if (weight := arm.web.counterweight) and weight.mass > 0:
         bodies.append(_counterweight(arm, weight))

@@ -1,4 +1,4 @@
-"""A counterweight from its drawing: a sector about the axis, less what lies within the web."""
+"""Mass and inertia of a drawn counterweight: a sector about the axis, less its part within the web."""
 
 from __future__ import annotations
 
