@@ -18,7 +18,7 @@ MOST_SPEEDS = 1000
 
 
 def run(options: argparse.Namespace) -> int:
-    """Run the engine at every speed; each finished one is kept; 1 if a result is not valid.
+    """Run the engine at every speed, each saved when it is finished; 1 if a result is not valid.
 
     Not valid: films that do not settle, an orbit beyond its clearance, an unstable speed, steps too
     coarse, a safety factor below 1.
@@ -101,7 +101,7 @@ def _write_all(folder: Path, summary: Summary) -> None:
 
 
 def _checked_folder(output: str | None) -> Path | None:
-    """Return the folder, made if it is not there; refused before the long run, not after it."""
+    """Return the folder, created if need be; refused before the long run, not after it."""
     if output is None:
         return None
     folder = Path(output)

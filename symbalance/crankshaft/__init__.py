@@ -15,6 +15,7 @@ natural frequencies, whirl, critical speeds; periodic motion and stability; bear
 
 Axes: X up, Y right seen from the front, Z rearwards; U, V, W turn with the crank and agree with them at
 theta = 0, so that the crank turns by +omega about +W and a throw's angle counts from U towards V. SI.
+"The paper" is that of J. Mizuhaya and others, quoted in `equations.published`.
 """
 
 from symbalance.loading import attach

@@ -22,7 +22,7 @@ import symbalance
 from symbalance.errors import SymbalanceError
 
 LIBRARIES = ("numpy", "scipy")
-"""Their versions count: where films hardly settle, rounding decides which orbit is found."""
+"""Their versions count: where films hardly settle, rounding decides which orbit results."""
 
 
 def digest(*parts: object) -> str:

@@ -77,7 +77,7 @@ def lowest_modes(stiffness: Array, mass: Array, count: int) -> Array:
 
 
 def _load_shapes(loads: Array) -> Array:
-    """Return the shapes (r, n) that loads (s, n) are made of, those below `DEPENDENT` left out."""
+    """Return the shapes (r, n) that span loads (s, n), those below `DEPENDENT` left out."""
     sizes, shapes = np.linalg.svd(loads, full_matrices=False)[1:]
     return shapes[sizes > DEPENDENT * sizes[0]]
 

@@ -1,4 +1,4 @@
-"""A bearing's stiffness and damping in turning coordinates, derived.
+"""Derivation of a bearing's stiffness and damping in coordinates that turn with the crank.
 
 The bearing lives in stationary axes: force on the shaft -K x - C x', x = (vertical, lateral). In turning
 axes x = Q z with Q = R(omega t); the force's components there are those of Q^T. The numbers are those of

@@ -1,6 +1,6 @@
-"""The linear equations of a rigid body at a node of axes that turn with the crank, derived.
+"""Derivation of the linear equations of a rigid body at a node, in axes that turn with the crank.
 
-The kinetic energy of a body of mass m, tensor I about its mass centre, seen from axes that turn at omega:
+The kinetic energy of a body of mass m, tensor I about its mass centre, in axes that turn at omega:
 
     T = m v.v/2 + Omega.I Omega/2,   v = r' + omega w x r,   r = (U, V, W) + (u, v, w) + A e,
     Omega = A^T omega w + (axis of A^T A'),   A a rotation by small theta_u, theta_v, theta_w.

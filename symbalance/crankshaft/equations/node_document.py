@@ -175,7 +175,7 @@ def _forces(equations: NodeEquations) -> Formulas:
 
 
 def _comparison(equations: NodeEquations) -> tuple[Block, ...]:
-    """Return how the entries of the published equation fare."""
+    """Return the published equation beside the derived one, entry by entry."""
     plain = [entry.verdict for entry in compare_with_published(equations.principal())]
     rows = [
         _row(entry)

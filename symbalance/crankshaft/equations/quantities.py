@@ -1,4 +1,4 @@
-"""The symbols of a node's equations, and the polynomials they are derived in.
+"""Symbols of a node's equations, and the polynomial ring in which they are derived.
 
 Everything is a polynomial with rational coefficients: in the mass, the place, the offset, the inertia
 tensor, the six coordinates and their rates. SymPy's sparse rings keep them in normal form, so that a

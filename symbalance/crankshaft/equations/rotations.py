@@ -1,4 +1,4 @@
-"""Small rotations to the second order, in the coordinates in use: a rotation vector, six Cardan orders.
+"""Matrices of small rotations to the second order, for a rotation vector and six orders of Cardan angles.
 
 The first order is the same for all. The second is not, and enters the linear equations wherever a force
 or couple stands at rest: there the choice of coordinates is part of what a coefficient means.

@@ -62,7 +62,7 @@ def _bays(layout: Engine) -> list[list[PinCylinders]]:
 
 def _merge_vee_pins(bays: list[list[PinCylinders]]) -> list[list[PinCylinders]]:
     """Return the bays with neighbouring pins of one throw and different banks, less than half a pitch
-    apart, made one: the rods of a vee side by side.
+    apart, merged: the rods of a vee side by side.
     """
     merged_bays = bays[:1]
     for bay in bays[1:]:

@@ -41,7 +41,7 @@ class RodForces:
         """Return that force in the cylinder's own frame: height + i lateral, N.
 
         A master's holds the lateral force that balances its link rods' moments about the crank pin; the
-        link rods' own forces are theirs.
+        link rods have forces of their own.
         """
         cylinder, motion_ = self._cylinders[number], self._motion(number, theta)
         axial = self.axial(number, theta)

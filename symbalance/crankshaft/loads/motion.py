@@ -37,8 +37,8 @@ def piston_motion(mechanism: Mechanism, p: Array) -> PistonMotion:
 
     y = Re w + l cos phi, sin phi = (Im w - eps)/l, w the place of the rod's pin; over r, r omega, ....
 
-    >>> found = piston_motion(SliderCrank(4), np.array([0.0, np.pi / 2]))
-    >>> found.acceleration.round(9).tolist(), found.angle_rate.round(9).tolist()
+    >>> piston = piston_motion(SliderCrank(4), np.array([0.0, np.pi / 2]))
+    >>> piston.acceleration.round(9).tolist(), piston.angle_rate.round(9).tolist()
     ([-1.25, 0.25819889], [0.25, 0.0])
     """
     place, first, second = _pin(mechanism, p)

@@ -136,7 +136,7 @@ def _orders(run: Summary, outcome: SpeedOutcome) -> Any:
 
 
 def _orbits(outcome: SpeedOutcome) -> Any:
-    """Draw every journal's orbit in its clearance circle, up and right as seen from the front."""
+    """Draw every journal's orbit in its clearance circle, up and right for a viewer in front."""
     count = len(outcome.clearance)
     columns = min(count, 4)
     figure, axes = _figure((count - 1) // columns + 1, columns, width=2.6 * columns, height=2.6)

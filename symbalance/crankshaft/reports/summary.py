@@ -219,13 +219,13 @@ def _places(configuration: RunConfiguration, outcomes: Sequence[SpeedOutcome]) -
 
 
 def _notes(configuration: RunConfiguration, outcomes: Sequence[SpeedOutcome]) -> list[str]:
-    """Return what a reader must know before believing the figures."""
+    """Return what a reader must know before relying on the figures."""
     notes = []
     about = configuration.about == "orbit" and configuration.table is None
     for outcome in outcomes:
         speed = f"{speed_text(outcome.rpm)} rpm"
         if outcome.reason:
-            continue  # said beside the speeds
+            continue  # stands beside the speeds
         if outcome.steps != configuration.steps:
             notes.append(
                 f"{speed}: {outcome.steps} steps a cycle: at {configuration.steps} the films do not "

@@ -5,7 +5,7 @@ shapes, critical speeds, stability, motion under unbalance; each a result with a
 
     parts, beams, rigid_bodies   material and discs; Timoshenko beams; what a turning body adds at a node
     matrices, assembly           the rotor itself, and how pieces become one;  shafts: straight ones
-    rigid_body_mode, constraints the free spin, falsely unstable in linear equations, and what holds it
+    rigid_body_mode, constraints rotation as a whole, falsely unstable in linear equations; springs on it
     modes, torsion               natural frequencies at rest; discs and torsion springs
     stationary, whirling         round rotors on any supports: roots, directions, critical speeds
     campbell_diagram, unbalance  frequencies over the speed; motion under unbalance

@@ -257,7 +257,7 @@ def _match(before: _Whirls, now: _Whirls) -> list[int]:
 
     Shapes are compared, and frequencies with what a whirl's would be (less the change of speed for
     forward whirl, more for backward): a forward whirl looks like the conjugate of a backward one. A
-    frequency may pass through zero, so that both signs are looked at; a motion and its conjugate are one.
+    frequency may pass through zero, so that both signs are compared; a motion and its conjugate are one.
     """
     step = now.speed - before.speed
     frequencies = before.roots.imag + (before.backward_part - before.forward_part) * step

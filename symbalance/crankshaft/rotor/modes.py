@@ -1,4 +1,4 @@
-"""Natural frequencies and shapes of a crankshaft at rest, free or on springs.
+"""Natural frequencies and shapes of a rotor at rest, free or on springs.
 
 Source: K phi = (2 pi f)^2 M phi; the modal assurance criterion, R. J. Allemang and D. L. Brown, IMAC 1
 (1982), 110-116.

@@ -184,8 +184,8 @@ def whirl(rotor: Rotor, supports: Supports, speed: float) -> Whirl:
     >>> from symbalance.crankshaft.rotor.stationary import Support
     >>> light = Material(density=1e-3)
     >>> rotor = shaft([Tube(1.0, 0.09)], {0.5: Disc(20.0, 0.4, 0.2)}, (0.0, 1.0), light)
-    >>> found = whirl(rotor, [Support((1e8, 5e7)), Support(1e8)], 300.0)
-    >>> found.frequencies[:2].round(0)
+    >>> motions = whirl(rotor, [Support((1e8, 5e7)), Support(1e8)], 300.0)
+    >>> motions.frequencies[:2].round(0)
     array([-1126.,  1163.])
     """
     return _whirl(stationary_rotor(rotor), supports, float(speed))

@@ -32,10 +32,11 @@ class SpeedOutcome:
 
     `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
     journals' displacements in their bearings and `bearings` (s, b, 2) the shaft's forces on them,
-    vertical and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error`
-    the largest change of a stress when the steps are halved, films unchanged, over the largest stress;
-    `seconds` the run time. `departure` is how far, over the clearance, the orbits lie from those the
-    films are linear about. A `reason` says why the values are not to be relied on: no report prints them.
+    vertical and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size,
+    `error` the largest change of a stress when the steps are halved, films unchanged, over the largest
+    stress; `seconds` the run time. `departure` is how far, over the clearance, the orbits lie from those
+    the films are linear about. A `reason` says why the values are not to be relied on: no report
+    prints them.
     """
 
     rpm: float
@@ -108,10 +109,10 @@ def harmonic_content(values: Array, cycle: float) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class SavedOutcome:
-    """What a folder holds of a speed: its `outcome`, or None and `why` a file there is not believed."""
+    """A speed in a folder: its `outcome`, or None and the `reason` why a file there is not valid."""
 
     outcome: SpeedOutcome | None
-    why: str = ""
+    reason: str = ""
 
 
 def key_of(*parts: object) -> str:

@@ -48,15 +48,15 @@ def run_speeds(
     for number, rpm in enumerate(speeds, 1):
         key = "" if folder is None else saved_key(configuration, rpm)
         saved = SavedOutcome(None) if folder is None else load_outcome(folder, key, rpm)
-        if folder is not None and saved.why:
-            progress(f"{file_of(folder, rpm)}: {saved.why}: solved anew")
+        if folder is not None and saved.reason:
+            progress(f"{file_of(folder, rpm)}: {saved.reason}: solved anew")
         outcome = saved.outcome
         if outcome is None:
             outcome = run_speed(configuration, rpm, progress)
             if folder is not None:
                 save_outcome(folder, key, outcome)
-        how = outcome.reason or ("found" if saved.outcome else "solved")
-        progress(f"{speed_text(rpm)} rpm ({number} of {len(speeds)}): {how}, {outcome.seconds:.1f} s")
+        result = outcome.reason or ("found" if saved.outcome else "solved")
+        progress(f"{speed_text(rpm)} rpm ({number} of {len(speeds)}): {result}, {outcome.seconds:.1f} s")
         outcomes.append(outcome)
     return outcomes
 
@@ -267,6 +267,6 @@ def speeds_between(low: float, high: float, step: float) -> tuple[float, ...]:
     >>> speeds_between(1000, 2000, 500), speeds_between(1, 1.3, 0.1)
     ((1000.0, 1500.0, 2000.0), (1.0, 1.1, 1.2, 1.3))
     """
-    # As decimals, so that no speed comes out as 1.2000000000000002, in reports and in file names.
+    # As decimals, so that no speed becomes 1.2000000000000002, in reports and in file names.
     first, last, by = (Fraction(repr(float(x))) for x in (low, high, step))
     return tuple(float(first + by * i) for i in range(int((last - first) / by) + 1))

@@ -1,4 +1,4 @@
-"""The flexibility of half a throw as a solid, and the web's share of it.
+"""Flexibility of half a crank throw meshed as a solid, and the web's share of it.
 
 Half the journal, the web and half the pin are meshed; the journal's middle section is clamped, the pin's
 moved as a rigid section by six unit motions. Their reactions are K, and S_half = K^-1. Loads pass along
@@ -95,7 +95,7 @@ class _Part:
     share: int
 
     def flexibility(self) -> Array:
-        """Return the flexibility of the far section and the hanging body, the near section clamped.
+        """Return the flexibility of the far section and the near half, the near section clamped.
 
         Inside, u = Y f - X q under unit body loads f, with the far section moved by q; q follows from
         the balance of the far section, k q + B'Y f = p.

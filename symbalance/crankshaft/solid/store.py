@@ -54,7 +54,7 @@ class WebStore:
     """Those of `webs` that were solved here, not shipped with the package."""
 
     def lookup(self, arm: Arm, size: float = 0.0) -> WebCompliance | None:
-        """Return the web's flexibility in its own axes, or None where nobody has solved it."""
+        """Return the web's flexibility in its own axes, or None where it is not solved yet."""
         entry = self.webs.get(web_key(arm, size))
         if entry is None:
             return None
@@ -209,7 +209,6 @@ def solid_web(arm: Arm, store: WebStore) -> WebCompliance:
     if elastic is None:
         elastic = solve_web(arm)
         store.keep(arm, elastic)
-        # As the store gives it from now on: E S / E is S only but for rounding, and a saved speed's key
-        # holds every digit.
+        # As read back: E S / E differs from S by rounding, and a saved speed's key depends on every digit.
         elastic = store.lookup(arm) or elastic
     return elastic

@@ -31,7 +31,7 @@ FILLET_ASSUMPTION = (
     "stress concentration factors of the fillets: the formulas of IACS UR M53 from memory, not compared "
     "with the print"
 )
-"""What a report says of the factors until someone has."""
+"""What a report of a run says of the factors."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +54,8 @@ def fillet_factors(journal: Journal, web: Web, pin: Pin) -> FilletFactors:
 
     >>> journal = Journal(0.065, 0.03, fillet=0.0035)
     >>> pin = Pin(0.055, 0.036, 0.06, 0.0, (1,), fillet=0.0035)
-    >>> found = fillet_factors(journal, Web(0.022, 0.092, 0.038, 0.042), pin)
-    >>> [round(x, 2) for x in (found.pin_bending, found.pin_torsion, found.journal_bending)]
+    >>> factors = fillet_factors(journal, Web(0.022, 0.092, 0.038, 0.042), pin)
+    >>> [round(x, 2) for x in (factors.pin_bending, factors.pin_torsion, factors.journal_bending)]
     [2.74, 1.72, 3.1]
     """
     size = pin.diameter

@@ -49,8 +49,8 @@ def durability(normal: Array, shear: Array, strength: Strength) -> Durability:
     """Return the durability under a normal and a shear stress (s,) over one cycle, Pa.
 
     >>> wave = 1e8 * np.cos(np.arange(360) * np.pi / 180)
-    >>> found = durability(wave, 0 * wave, Strength(9e8, 4e8, 8.0, 2e6))
-    >>> round(found.safety, 9), bool(abs(found.damage * 2e6 * 4**8 - 1) < 1e-9)
+    >>> result = durability(wave, 0 * wave, Strength(9e8, 4e8, 8.0, 2e6))
+    >>> round(result.safety, 9), bool(abs(result.damage * 2e6 * 4**8 - 1) < 1e-9)
     (4.0, True)
     """
     amplitude = _equivalent(float(np.ptp(normal)) / 2, float(np.ptp(shear)) / 2)

@@ -21,7 +21,7 @@ from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.crank import WebCounterweight
 from symbalance.crankshaft.rotor.rigid_bodies import RigidBody, ring, turn_about_w
 from symbalance.crankshaft.webs.arm import Arm
-from symbalance.crankshaft.webs.sector import sector_plate
+from symbalance.crankshaft.webs.sector import outline_half_width, sector_plate
 
 
 def near_bodies(arm: Arm) -> list[RigidBody]:
@@ -39,7 +39,7 @@ def near_fillet(arm: Arm) -> list[RigidBody]:
 
 
 def far_bodies(arm: Arm) -> list[RigidBody]:
-    """Return what of the web goes with its far node, in U, V, W: share and fillet."""
+    """Return the bodies at the web's far node, in U, V, W: half of the web, fillet."""
     share = _half_web(arm, near=False).shifted(-arm.lever)
     fillet = _fillet(arm.far.diameter, arm.far.fillet, 1, arm)
     return [arm.in_rotor_axes(body) for body in (share, fillet) if body.mass > 0]
@@ -47,12 +47,8 @@ def far_bodies(arm: Arm) -> list[RigidBody]:
 
 def half_width(arm: Arm, u: Array) -> Array:
     """Return half the outline's width at u along the arm."""
-    half, wide = arm.web.width / 2, np.zeros_like(u)
-    for margin, place in ((arm.near_margin, -u), (arm.far_margin, u - arm.reach)):
-        radius = min(half, margin)
-        into = np.clip(place - (margin - radius), 0.0, radius)
-        wide = wide + radius - np.sqrt(np.maximum(radius**2 - into**2, 0.0))
-    return np.maximum(half - wide, 0.0)
+    sizes = (arm.web.width, arm.near_margin, arm.far_margin)
+    return np.maximum(outline_half_width(sizes, u, arm.reach), 0.0)
 
 
 def _half_web(arm: Arm, *, near: bool) -> RigidBody:
@@ -112,7 +108,7 @@ def _counterweight(arm: Arm, weight: WebCounterweight) -> RigidBody:
 
 
 def _along(arm: Arm, weight: WebCounterweight) -> float:
-    """Return the part of a counterweight's inertia that comes of its extent along its own radius."""
+    """Return the share of a counterweight's inertia due to its extent along its own radius."""
     if not weight.outer or arm.axis != (0.0, 0.0):
         return 0.5
     web, turn = arm.web, weight.angle - arm.angle
