@@ -234,7 +234,7 @@ def test_no_damage_to_a_file_gets_through(single, tmp_path):
         path.write_bytes(content[:place] + bytes([content[place] ^ 255]) + content[place + 1 :])
         restored = saved.load_outcome(tmp_path, "key", 2200.0)
         if restored.outcome is None:
-            assert restored.why
+            assert restored.reason
         else:
             assert (restored.outcome.values == outcome.values).all()
 

@@ -209,6 +209,6 @@ def solid_web(arm: Arm, store: WebStore) -> WebCompliance:
     if elastic is None:
         elastic = solve_web(arm)
         store.keep(arm, elastic)
-        # As read back: E S / E differs from S by rounding, and a saved speed's key depends on every digit.
+        # As read back: E S / E differs from S by rounding, and a saved key depends on every digit.
         elastic = store.lookup(arm) or elastic
     return elastic
