@@ -92,6 +92,9 @@ class Cylinder:
         if unknown:
             raise TypeError(f"Cylinder has no {unknown[0]!r}; its own sizes are {', '.join(OWN)}")
         set_field(self, "sizes", own_train(sizes))
+        if link is not None and not isinstance(link, Link):
+            what = f"link of type {type(link).__name__}"
+            raise SymbalanceError(what, "must be a Link", "make it with Link(master, angle, radius)")
         set_field(self, "link", link)
         set_field(self, "crank", checked_whole(crank, "crank", 1, CRANKS, "an engine has one crank"))
         set_field(self, "master", None)

@@ -11,7 +11,15 @@ from symbalance.bench.check_page import page, place_of
 from symbalance.bench.faults import KINDS
 from symbalance.bench.in_sympy import InSympy
 from symbalance.bench.planting import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
-from symbalance.bench.simplifying import DIFFERENT, PROVED, UNDECIDED, Link, decided, links, simplified
+from symbalance.bench.simplifying import (
+    DIFFERENT,
+    PROVED,
+    UNDECIDED,
+    Relation,
+    decided,
+    links,
+    simplified,
+)
 from symbalance.notes.reading import read_expression
 
 HERE = page()
@@ -143,8 +151,8 @@ def test_simplify_is_asked_fairly():
 def test_simplify_is_ended_at_its_limit():
     x = sympy.Symbol("x")
     hard = sympy.Add(*(sympy.cos(x + 2 * sympy.pi * k / 61) ** 7 for k in range(61)))
-    quick = Link(1, 1, sympy.sin(x) ** 2 + sympy.cos(x) ** 2 - 1, True)
-    slow, after = simplified([Link(2, 1, hard, True), quick], limit=2.0)
+    quick = Relation(1, 1, sympy.sin(x) ** 2 + sympy.cos(x) ** 2 - 1, True)
+    slow, after = simplified([Relation(2, 1, hard, True), quick], limit=2.0)
     assert (slow.said, slow.is_right) == (UNDECIDED, False)
     assert (after.said, after.is_right) == (PROVED, True)
 

@@ -19,7 +19,7 @@ from symbalance.crankshaft.running.measured import Comparison
 from symbalance.document.result import Result, to_json
 from symbalance.engine.engine_file import SCHEMA as ENGINE_FILE
 from symbalance.kinematics.conventions import CONVENTIONS
-from symbalance.kinematics.truncation_bounds import UNITS
+from symbalance.kinematics.truncation_table import UNITS
 from symbalance.notes.checking.verdicts import VERDICTS
 from tests import TESTS
 from tests.results import EXAMPLES, UNEVEN, example, result_classes
