@@ -433,6 +433,7 @@ def read(text: str) -> None:
         assert str(refused).startswith(PLACE)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=600, derandomize=True, database=None)
 @given(mutated())
 def test_mutated_engine_files_are_read_or_refused(text: str) -> None:

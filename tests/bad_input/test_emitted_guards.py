@@ -71,6 +71,7 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return emit("c", tmp_path_factory.mktemp("c") / "one.c")
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("standard", STANDARDS)
 @pytest.mark.parametrize("machine", MACHINES)
 def test_c_compiles_for_every_machine_and_standard(source: Path, machine: str, standard: str) -> None:
@@ -83,6 +84,7 @@ def test_c_compiles_for_every_machine_and_standard(source: Path, machine: str, s
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("machine", MACHINES)
 def test_c_tests_itself_on_the_machines_that_this_one_is(source: Path, machine: str) -> None:
     """A processor that lacks the instructions ends the program by a signal, never with a wrong value."""
@@ -96,6 +98,7 @@ def test_c_tests_itself_on_the_machines_that_this_one_is(source: Path, machine: 
     assert done.returncode == 0 or lacking, done.stdout
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     "options",
     [
@@ -172,6 +175,7 @@ def run_self_test(target: str, path: Path) -> int:
     return call(run, path.parent).returncode
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", TARGETS)
 def test_a_self_test_fails_where_a_constant_or_a_true_value_is_spoiled(
     target: str, tmp_path: Path
@@ -185,6 +189,7 @@ def test_a_self_test_fails_where_a_constant_or_a_true_value_is_spoiled(
         assert run_self_test(target, path) != 0, what
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("target", ["numpy", "array-api"])
 @pytest.mark.parametrize(
     ("engine", "outputs"),
@@ -286,6 +291,7 @@ MISTAKES: dict[str, tuple[tuple[str, str], ...]] = {
 """What a careless edit of an emitted source may do, of which every check with one angle knows nothing."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", MISTAKES)
 def test_a_self_test_sees_keywords_blocks_and_single_precision(target: str, tmp_path: Path) -> None:
     path = emit(target, tmp_path / f"one{TARGETS[target]}", "inline-5", BOTH[0])
@@ -297,6 +303,7 @@ def test_a_self_test_sees_keywords_blocks_and_single_precision(target: str, tmp_
         assert run_self_test(target, path) != 0, (right, wrong)
 
 
+@pytest.mark.slow
 def test_javascript_tests_itself_through_a_link_and_without_its_ending(tmp_path: Path) -> None:
     """A module that does not see that it was started says nothing, and ends as if all were well."""
     (tmp_path / "own").mkdir()
@@ -327,6 +334,7 @@ def function(target: str, outputs: tuple[str, ...] = BOTH[:1]) -> Evaluator:
     return sb.to_function(sb.balance(sb.load("inline-5")), outputs=outputs, target=target)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 @pytest.mark.parametrize("far", [0.0, 1e9], ids=["near", "far"])
 @pytest.mark.parametrize("shift", [-20_000, -1, 0, 1, 20_000, 39_999])
@@ -342,6 +350,7 @@ def test_out_may_overlap_theta(target: str, far: float, shift: int) -> None:
     assert (out == want).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 def test_out_may_overlap_theta_in_any_order_and_type(target: str) -> None:
     room = np.arange(80_000.0)
@@ -428,6 +437,7 @@ def test_what_is_no_angle_is_refused(target: str, theta: object) -> None:
         function(target)(theta, **more)
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 @pytest.mark.parametrize("kind", [">f8", ">f4", "f2", "g", "i1", "u8", "?", "matrix"])
 def test_real_numbers_of_every_type_are_angles(target: str, kind: str) -> None:
@@ -439,6 +449,7 @@ def test_real_numbers_of_every_type_are_angles(target: str, kind: str) -> None:
     assert values == pytest.approx(function(target)(plain), abs=1e-6)
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
 @pytest.mark.parametrize("keyword", ["mass", "radius", "omega", "pitch"])
 def test_a_keyword_is_a_real_number(target: str, keyword: str) -> None:
@@ -601,6 +612,7 @@ def agree(values: list[str], ratio: str = "4") -> bool:
     return all(float.fromhex(a) == pytest.approx(float.fromhex(b), rel=1e-13) for a, b in pairs)
 
 
+@pytest.mark.slow
 def test_a_module_is_compiled_once_whatever_it_is_called(tmp_path: Path) -> None:
     """Nor where nothing can import it by the name that it had when it was compiled."""
     (tmp_path / "own").mkdir()
@@ -612,6 +624,7 @@ def test_a_module_is_compiled_once_whatever_it_is_called(tmp_path: Path) -> None
     assert list((tmp_path / "own" / "__pycache__").glob("*.nbi"))
 
 
+@pytest.mark.slow
 def test_code_of_another_text_is_never_believed(tmp_path: Path) -> None:
     """The same name, size and time, as an installer may leave them: older Numbas know no more."""
     path = numba_module(tmp_path / "eight.py", "3.5")
@@ -627,6 +640,7 @@ def test_code_of_another_text_is_never_believed(tmp_path: Path) -> None:
     assert len(names) == 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", ["eight", "memory"])
 def test_where_no_folder_can_be_written_it_compiles_each_time(how: str, tmp_path: Path) -> None:
     """A file in a folder's place stops any user, root too."""
@@ -640,6 +654,7 @@ def test_where_no_folder_can_be_written_it_compiles_each_time(how: str, tmp_path
     assert values[2:] == ["0", "0"]
 
 
+@pytest.mark.slow
 def test_a_function_in_memory_is_compiled_once(tmp_path: Path) -> None:
     first, again = (use("memory", "3.5", tmp_path) for _ in range(2))
     assert agree(first, "3.5")
@@ -659,6 +674,7 @@ DAMAGE: dict[str, tuple[str, Callable[[bytes], bytes]]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("damage", DAMAGE)
 def test_damaged_code_is_compiled_again_and_replaced(damage: str, tmp_path: Path) -> None:
     """Numba reads it at the first call, and raises what unpickling raises."""
@@ -671,6 +687,7 @@ def test_damaged_code_is_compiled_again_and_replaced(damage: str, tmp_path: Path
     assert use("eight", path, tmp_path) == [*first[:2], "1", "1"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "getuid"), reason="a limit on the size of files is POSIX's")
 @pytest.mark.parametrize(("how", "most"), [("eight", 0), ("memory", 20_000)])
 def test_a_disk_that_takes_no_code_costs_no_value(how: str, most: int, tmp_path: Path) -> None:

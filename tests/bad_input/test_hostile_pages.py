@@ -18,6 +18,7 @@ LETTERS = {"theta": "crank angle", "x": "any", "y": "any", "z": "any", "w": "any
 RIGHT = r"$$\sin^2\theta+\cos^2\theta=1$$"
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("expected", EXPECTED, ids=lambda e: e["name"])
 def test_each_file_ends_as_expected(expected, tmp_path):
     path = HOSTILE / expected["name"]
@@ -59,6 +60,7 @@ LARGE = {
 }
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("name", LARGE)
 def test_large_input_is_judged_or_refused_and_the_line_after_it_is_read(name):
     start = time.process_time()

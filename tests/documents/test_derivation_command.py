@@ -219,6 +219,7 @@ def test_the_conventions_agree(quantity: str, order: int) -> None:
             assert all(abs(a - b) < mp.mpf(10) ** -32 for a, b in zip(rows[0], row, strict=True))
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("convention", CONVENTIONS)
 def test_a_long_derivation_lists_the_leading_terms_of_every_coefficient(
@@ -238,6 +239,7 @@ def test_a_long_derivation_lists_the_leading_terms_of_every_coefficient(
             assert abs(number / expected - 1) < mp.mpf(10) ** -30
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("order", ORDERS)
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_the_printed_error_is_a_bound_and_is_reached(quantity: str, order: int) -> None:
@@ -255,6 +257,7 @@ def test_the_printed_error_is_a_bound_and_is_reached(quantity: str, order: int) 
     assert worst > bound * mp.mpf("0.999" if quantity != "velocity" else "0.2")
 
 
+@pytest.mark.spread(12)
 @pytest.mark.parametrize("order", [*range(1, 14), 39, 40, 41, 42, 300, 1000])
 @pytest.mark.parametrize("convention", CONVENTIONS)
 @pytest.mark.parametrize("quantity", QUANTITIES)
@@ -266,6 +269,7 @@ def test_text_stays_within_80_columns(quantity: str, convention: str, order: int
     assert {"l/r": "λ = l/r", "r/l": "ρ = r/l", "l/s": "λ = l/s"}[letter + "".join(under)] in text
 
 
+@pytest.mark.slow
 def test_order_1000_takes_no_time() -> None:
     def printed() -> None:
         to_text(derive("force", 1000))
@@ -288,6 +292,7 @@ def test_golden(name: str, golden) -> None:
     golden(f"derive-{name}.tex", to_latex(d))
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("order", [1, 2, 6, 13, 40, 41, 1000])
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_latex_compiles_within_the_margins(quantity: str, order: int, compile_latex) -> None:

@@ -12,7 +12,7 @@ import pytest
 from symbalance.document.result import to_html
 from tests.results import EXAMPLES, example
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.rare
 
 AXE = """
 const fs = require("fs"), { JSDOM } = require("jsdom"), axe = require("axe-core");

@@ -37,6 +37,7 @@ def test_a_balance_is_as_it_was(golden, name, layout, order):
     golden(f"{name}.txt", sb.to_text(result))
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("name", preset_names())
 def test_every_preset_compiles(compile_latex, name):
     compile_latex(sb.to_latex(sb.balance(sb.load(name)), standalone=True))
@@ -52,6 +53,7 @@ ODD = {"ratio": 4, "firing_intervals": [100, 170, 150, 140, 160]}
 QUARTERS = ["0.25", "90.5", "181.75", "270.25", "45.5", "135.75", "225.25", "300.5"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "layout",
     [
@@ -71,6 +73,7 @@ def test_exact_forms_stay_within_the_margins(compile_latex, layout):
     assert max(map(len, sb.to_text(result).splitlines())) <= 79
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize(
     ("layout", "arguments"),
     [
@@ -131,6 +134,7 @@ def test_upright_words_stand_apart_from_what_is_beside_them():
     assert r"\," not in formula_latex(Upright("amplitude") * cos(Name("n")))
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("command", ["balance {}", "torque {}", "design {}", "tolerances {} --mass 1%%"])
 def test_latex_loses_no_sign_of_an_engine_s_name(command, tmp_path, capsys, compile_latex):
     text = preset_text("inline-2")

@@ -15,7 +15,7 @@ from symbalance.document.result import to_latex
 from symbalance.engine.catalogue import preset_names
 from tests.results import EXAMPLES, example
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.rare
 
 ENGINES = ("pdflatex", "lualatex")
 COMMANDS = (

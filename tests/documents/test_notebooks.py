@@ -13,7 +13,7 @@ from symbalance.document.result import to_html, to_latex, to_markdown
 from tests import ROOT
 from tests.results import EXAMPLES, example
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.rare
 
 
 @pytest.fixture(scope="module")

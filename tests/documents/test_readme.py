@@ -57,6 +57,7 @@ def test_the_picture_and_the_engine_file_are_real(tmp_path, capsys):
     assert re.search("fires +1-3-4-2", capsys.readouterr().out)
 
 
+@pytest.mark.slow
 def test_the_checked_lines_are_what_the_command_prints(capsys):
     command = re.search(r"`symbalance (check derivations/\S+)` says", README)
     assert command

@@ -15,6 +15,7 @@ from tests.results import EXAMPLES, example, result_classes
 VOID = {"meta", "img", "br", "hr", "link"}
 
 
+@pytest.mark.slow
 def test_every_class_of_result_has_an_example() -> None:
     assert {type(example(name)) for name in EXAMPLES} == result_classes()
 

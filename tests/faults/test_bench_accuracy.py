@@ -104,6 +104,7 @@ def test_a_value_that_is_none_shows():
     assert np.isnan(truth(FIVE, 12).error(lost).largest)
 
 
+@pytest.mark.slow
 def test_the_table_has_all_candidates():
     row = speed.timed(SIX, TARGETS, 100, 2, 0.0)
     assert set(row.times) == {
@@ -154,6 +155,7 @@ def test_what_is_lacking_is_said(monkeypatch):
     assert {note.split(":")[0] for note in lacking()} | set(present()) == set(ALTERNATIVES)
 
 
+@pytest.mark.slow
 def test_csv_and_table_agree(points):
     rows = list(csv.DictReader(io.StringIO(as_csv(points))))
     assert [Point(**_read(row)) for row in rows] == points
@@ -169,6 +171,7 @@ def _read(row: dict[str, str]) -> dict[str, object]:
     return {name: float(text) if name in numbers else text for name, text in row.items()}
 
 
+@pytest.mark.slow
 def test_pictures_are_whole(points):
     found = drawn(points)
     assert found[".png"].startswith(b"\x89PNG")
@@ -193,6 +196,7 @@ def test_coefficients_are_held_to_mpmath():
     assert coefficients.worst(values | {8: values[8] * (1 + 2.0**-48)}, ratio) > 10
 
 
+@pytest.mark.slow
 def test_command_writes_points_and_pictures(tiny, tmp_path, capsys):
     name = tmp_path / "here"
     assert run(["bench", "accuracy", "--quick", "-o", str(name)]) == 0

@@ -22,6 +22,8 @@ from symbalance.bench.simplifying import (
 )
 from symbalance.notes.reading import read_expression
 
+pytestmark = pytest.mark.slow
+
 HERE = page()
 
 

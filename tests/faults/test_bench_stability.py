@@ -41,6 +41,7 @@ def numpy_alone(monkeypatch):
     monkeypatch.setattr(engines, "twenty_four", lambda: [(sb.load("v12-60"), "force.vertical")])
 
 
+@pytest.mark.slow
 def test_the_report_has_every_case(numpy_alone):
     report = reporting.report(quick=True)
     text = report.text()
@@ -202,6 +203,7 @@ RULES = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("target", "name", "rule"), RULES)
 def test_rules_of_every_target(target, name, rule):
     if target == "numba":
@@ -269,6 +271,7 @@ def test_a_warning_breaks_a_rule():
     assert rules.wrong(lambda f: int(f(0.0) == 0), noisy) >= 1
 
 
+@pytest.mark.slow
 def test_sums_are_held_to_the_sum_of_cosines(monkeypatch):
     cases = {case.what: case for case in sums.quotients((5, 6))}
     at_poles = cases["sin(Nx)/sin(x) at its poles, h exact"]

@@ -67,6 +67,7 @@ def kinds(old: Path, new: Path) -> set[tuple[str, str]]:
 # What is recorded -------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_what_is_kept_is_what_the_program_says(written, capsys):
     assert run(["balance", "v8-90", "--format", "json"]) == 0
     assert capsys.readouterr().out == (written / "balance/v8-90.json").read_text(encoding="utf-8")
@@ -84,6 +85,7 @@ def test_what_is_kept_is_what_the_program_says(written, capsys):
     assert files == {"manifest.json", *(f for case in cases.values() for f in case["files"])}
 
 
+@pytest.mark.slow
 def test_two_records_of_one_tree_are_the_same_bytes_whatever_the_order_of_sets(written, tmp_path, capsys):
     write(tmp_path / "new", None, Settings(jobs=1, hash_seed=7, only=SELECTED))
     manifest = (tmp_path / "new/manifest.json").read_text(encoding="utf-8")
@@ -142,6 +144,7 @@ def fake(tmp_path) -> Path:
     return tmp_path / "tree"
 
 
+@pytest.mark.slow
 def test_every_way_to_end_is_told_apart(fake, tmp_path):
     words = ["fail", "text", "crash", "endless", "killed", "paths", "files", "state", "other"]
     (tmp_path / "scratch/inputs").mkdir(parents=True)
@@ -210,6 +213,7 @@ def test_a_folder_that_is_no_record_is_left_alone(tmp_path):
     assert (folder / "thesis.tex").read_text() == "everything"
 
 
+@pytest.mark.slow
 def test_a_record_is_replaced_whole_or_not_at_all(fake, tmp_path, monkeypatch):
     monkeypatch.setattr("tests.record.recording.program_tree", lambda _: _given(fake))
     folder = tmp_path / "record"
@@ -242,6 +246,7 @@ class _given:  # noqa: N801 - stands for a function
 # The cases --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_cases_cover_every_command_engine_and_page(capsys):
     def said(*arguments: str) -> str:
         with suppress(SystemExit):  # of --help

@@ -171,6 +171,7 @@ def _keyword(value: object) -> list[Fraction] | None:
     return None if value is None else [Fraction(v) for v in value]  # type: ignore[attr-defined]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", BUILT)
 def test_in_line_engines_from_firing_orders(name: str) -> None:
     build, arguments = BUILT[name]
@@ -216,6 +217,7 @@ BANKED = {
 }
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", BANKED)
 def test_engines_with_several_banks(name: str) -> None:
     banks, cylinders, firing_order, intervals, stagger = BANKED[name]
@@ -252,6 +254,7 @@ def test_a_w_engine_is_what_its_banks_say() -> None:
     assert_agrees(layout, places=[expected[c.number] for c in layout.cylinders])
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize(("angle", "splay"), [(60, 0), (90, 30), ("22.5", "-360/7")])
 def test_a_vee_on_shared_or_splayed_pins(angle: object, splay: object) -> None:
     pins = [0, "360/7", 200, "13.5"]
@@ -285,6 +288,7 @@ LISTED = {
 }
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("name", LISTED)
 def test_listed_cylinders(name: str) -> None:
     rows = LISTED[name]
@@ -399,6 +403,7 @@ def test_coefficients_of_the_rod_angle(measured: tuple) -> None:
         assert abs(cosine) < TOLERANCE
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_series_sum_to_the_harmonics(quantity: str, measured: tuple) -> None:
     """Partial sums in 1/lambda: to all digits at 4 and above, and never past the limit at 1.01."""
@@ -437,6 +442,7 @@ def test_a_series_keeps_just_the_powers_it_says() -> None:
         assert set(rod_angle_series(n, n + 5).terms) == {n, n + 2, n + 4}
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("order", [1, 2, 3, 4, 8, 12])
 def test_the_closed_form_is_the_coefficient(order: int, measured: tuple) -> None:
     ratio, by_quadrature = measured
@@ -483,6 +489,7 @@ def _errors(quantity: str, order: int, ratio: Fraction) -> dict[int, mp.mpf]:
     }
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("quantity", FUNCTIONS)
 @pytest.mark.parametrize("ratio", BOUND_RATIOS, ids=str)
 def test_a_bound_is_never_passed(quantity: str, ratio: Fraction) -> None:
@@ -493,6 +500,7 @@ def test_a_bound_is_never_passed(quantity: str, ratio: Fraction) -> None:
             assert max(errors.values()) <= bound, (order, mp.nstr(bound, 10))
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("quantity", ["displacement", "acceleration", "force", "rod-angle"])
 @pytest.mark.parametrize("ratio", BOUND_RATIOS, ids=str)
 def test_a_bound_is_attained_at_right_angles(quantity: str, ratio: Fraction) -> None:

@@ -62,6 +62,7 @@ def assert_value(node: Formula | str, form: Form, point: formulas.Point) -> None
 # Values -------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=SLOW, max_examples=400)
 @given(trees)
 def test_a_form_has_the_value_of_its_formula(node: Formula) -> None:
@@ -71,6 +72,7 @@ def test_a_form_has_the_value_of_its_formula(node: Formula) -> None:
         assert_value(node, form, point)
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=SLOW)
 @given(trees, st.sampled_from(["theta", "x", "rho", "a"]), st.integers(1, 2))
 def test_a_derivative_has_the_slope_of_its_formula(node: Formula, name: str, order: int) -> None:
@@ -283,6 +285,7 @@ def _has_form(node: Formula) -> bool:
         return False
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=SLOW)
 @given(trees, trees, trees)
 def test_the_laws_of_a_field(a: Formula, b: Formula, c: Formula) -> None:
@@ -297,6 +300,7 @@ def test_the_laws_of_a_field(a: Formula, b: Formula, c: Formula) -> None:
         assume(False)
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=SLOW)
 @given(trees, st.data())
 def test_one_coefficient_changed_is_seen(node: Formula, data: st.DataObject) -> None:

@@ -111,6 +111,7 @@ FOR_SMALL_RHO = [
 CASES = [(text, LARGE) for text in FOR_LARGE_LAMBDA] + [(text, SMALL) for text in FOR_SMALL_RHO]
 
 
+@pytest.mark.spread(12)
 @pytest.mark.parametrize("through", [1, 4, 12])
 @pytest.mark.parametrize(("text", "letter"), CASES)
 def test_the_remainder_is_of_the_next_order(text: str, letter: tuple[str, int], through: int) -> None:
@@ -192,6 +193,7 @@ random_series = st.recursive(
 )
 
 
+@pytest.mark.slow
 @settings(
     deadline=None,
     max_examples=120,

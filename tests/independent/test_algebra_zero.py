@@ -72,6 +72,7 @@ def number_of(parts: list[tuple[Fraction, int, Fraction]]) -> mp.mpf:
         )
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=200)
 @given(terms)
 def test_a_number_is_zero_exactly_where_sixty_digits_are(parts: list) -> None:
@@ -146,6 +147,7 @@ TOO_LARGE = [
 ]
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("text", TOO_LARGE)
 def test_what_is_too_large_is_said_to_be_at_once(text: str) -> None:
     def tried() -> None:

@@ -122,6 +122,7 @@ def test_least_matching_is_the_least(count, seed):
     assert sum(costs[order[j], j] for j in range(count)) == brute
 
 
+@pytest.mark.slow
 def test_many_cylinders_have_a_good_arrangement_and_a_bound():
     layout = sb.load("radial-9")
     sixteen = sb.inline("-".join(map(str, range(1, 17))), ratio=4)

@@ -50,6 +50,7 @@ def assert_ended(design: sb.Design, pistons=rotating_model.like_pistons, gone=GO
 # Designs of catalogue engines and of layouts never seen ------------------------------------------
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("name", preset_names())
 def test_a_preset_balanced_is_smooth_in_the_time_domain(name):
     layout = sb.load(name)
@@ -61,6 +62,7 @@ def test_a_preset_balanced_is_smooth_in_the_time_domain(name):
         assert_ended(design, placed.planar, gone=1e-17, points=64)
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("name", preset_names())
 def test_as_many_shafts_as_signed_orders_and_no_fewer(name):
     layout = sb.load(name)
@@ -99,6 +101,7 @@ def layouts(draw: st.DrawFn, most: int = 24) -> sb.Engine:
     return sb.from_cylinders(cylinders, ratio=ratio, strokes=strokes, crank_train=train)
 
 
+@pytest.mark.slow
 @settings(max_examples=12, deadline=None)
 @given(layouts(), st.sets(st.sampled_from([1, 2, 4, 6]), min_size=1), st.sampled_from(["ends", "even"]))
 def test_any_layout_is_balanced_exactly(layout, remove, spread):
@@ -122,6 +125,7 @@ def test_uneven_firing_and_two_strokes():
         assert_ended(design)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", test_unlike.ENGINES)
 def test_unlike_cylinders_are_balanced_to_their_digits(name):
     layout = test_unlike.ENGINES[name]()
@@ -295,6 +299,7 @@ def test_rotating_parts_balance_in_two_planes_and_more(weights, stations):
             assert total > least * (1 - 1e-14)
 
 
+@pytest.mark.slow
 @given(WEIGHTS, st.sampled_from([["1"], ["3", "-3"], ["4", "2", "-4"]]))
 @settings(max_examples=25, deadline=None)
 def test_what_is_left_of_turning_weights_is_their_sum_in_decimals(weights, stations):
@@ -356,6 +361,7 @@ def test_ends_have_the_least_total_of_all_choices():
             assert abs(front) + abs(middle) + abs(rear) >= least - 1e-12
 
 
+@pytest.mark.slow
 def test_the_cross_plane_crank_with_two_four_six_and_eight_counterweights():
     eight = sb.load("v8-90")
     for stations in (
@@ -377,6 +383,7 @@ def test_one_throw_is_sum_of_masses_times_radii():
 # Overbalance ---------------------------------------------------------------------------------------
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("name", preset_names())
 def test_half_overbalance_leaves_a_circle_turning_against_the_crank(name):
     """Where axes are offset the pistons' first order is not m r/2 each way: the rest is still exact."""
@@ -394,6 +401,7 @@ def test_half_overbalance_leaves_a_circle_turning_against_the_crank(name):
         assert abs(complex(found.terms.get(1, ZERO).evaluated()) - expected) < 1e-12
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("share", [0, "1/4", "1/2", "2/3", 1])
 @pytest.mark.parametrize("degrees", [0, 45, 52, 60, 90, 120])
 def test_the_ellipse_is_what_the_engine_draws(share, degrees):
@@ -408,6 +416,7 @@ def test_the_ellipse_is_what_the_engine_draws(share, degrees):
         assert abs(along - mp.mpf(sympy.N(drawn.major, 25))) < 1e-20
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("aim", ["squares", "largest"])
 @pytest.mark.parametrize(("vertical", "lateral"), [(1, 1), (3, 1), (1, 2), (1, 0)])
 def test_the_best_overbalance_is_the_least_of_all(aim, vertical, lateral):

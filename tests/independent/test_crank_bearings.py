@@ -112,6 +112,7 @@ def test_an_orbit_carries_its_loads_with_its_own_velocity():
     assert off[0] < off[1] / 5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", [300.0, 2000.0, 80000.0])
 def test_the_whole_orbit_at_once_is_the_one_that_marching_finds(size, monkeypatch):
     theta = 4 * np.pi / 240 * np.arange(240)

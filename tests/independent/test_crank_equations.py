@@ -131,6 +131,7 @@ def along(kind, angles, i, now, moment):
     return mp.fsum(a * b for a, b in zip(direction, moment, strict=True))
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(("kind", "seed"), [("vector", 1), ("vector", 2), *((k, 3) for k in CARDAN)])
 def test_the_equations_are_those_of_exact_motion(kind, seed):
     values, rng = body(seed), random.Random(seed + 100)

@@ -131,6 +131,7 @@ def test_derivatives_are_those_of_the_geometry(mechanism):
                 close(value, reference, 28)
 
 
+@pytest.mark.slow
 @every(offset=OFFSET, odd=ODD)
 def test_coefficients_are_the_fourier_integrals(mechanism):
     with mp.workdps(25):
@@ -142,6 +143,7 @@ def test_coefficients_are_the_fourier_integrals(mechanism):
                 close(found[n], total / (2 * mp.pi), 20)
 
 
+@pytest.mark.spread(3)
 @every(**ALL)
 def test_what_is_left_out_is_zero_and_nothing_else_is(mechanism):
     points = 160

@@ -29,6 +29,7 @@ def test_every_unlike_preset_has_a_row_and_every_row_a_preset():
     assert sorted(row["engine"] for row in ROWS) == sorted(unlike)
 
 
+@pytest.mark.spread(6)
 @every_row
 @pytest.mark.parametrize("kind", ["force", "couple"])
 def test_amplitudes(row, kind):

@@ -103,6 +103,7 @@ CROSS = [[1e7, 3e6], [-4e6, 6e6]], [[2e3, 500], [-300, 4e3]]
 FOUR = [sb.Tube(0.3, 0.04, 0.0, 18), sb.Tube(0.5, 0.06, 0.02, 20), sb.Tube(0.2, 0.05, 0.0, 12)]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("omega", [0.0, 300.0, 1500.0])
 @pytest.mark.parametrize(
     ("tubes", "discs", "supports", "within"),

@@ -85,6 +85,7 @@ def test_firing_orders_are_what_trying_every_turn_finds(engine):
     assert evenest(layout) == [f for f, q in zip(found, squares, strict=True) if q == min(squares)]
 
 
+@pytest.mark.slow
 @LAWS
 @given(st.permutations(range(2, 7)), st.lists(st.integers(1, 9), min_size=6, max_size=6))
 def test_every_firing_order_belongs_to_the_crank_built_from_it(rest, weights):
@@ -131,6 +132,7 @@ def test_the_cross_plane_v8_has_eight_and_shares_them_with_its_two_makers():
     assert len(texts(numbered)) == 8
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("name", [preset.name for preset in presets()])
 def test_every_catalogue_engine_fires_as_its_crank_allows(name):
     layout = load(name)

@@ -24,6 +24,7 @@ def value(expression: sympy.Expr, theta: float) -> mp.mpf:
     return mp.mpf(str(sympy.N(expression.subs(symbol("theta"), sympy.Float(theta, 25)), 20)))
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("strokes", [2, 4])
 @pytest.mark.parametrize("count", COUNTS)
 def test_force_and_couple_of_evenly_firing_cylinders(count, strokes):
@@ -36,6 +37,7 @@ def test_force_and_couple_of_evenly_firing_cylinders(count, strokes):
             assert abs(value(inline_couple(count, order, strokes), theta) - couple) < 1e-11
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("count", COUNTS)
 def test_the_symbolic_count_holds_every_count(count):
     N = sympy.Symbol("N", integer=True, positive=True)

@@ -88,6 +88,7 @@ def each(target: str) -> list[tuple[Case, str, float]]:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", DOUBLES)
 def test_double_angles_to_a_million(found: Any, target: str) -> None:
     for case, output, allowed in each(target):
@@ -95,6 +96,7 @@ def test_double_angles_to_a_million(found: Any, target: str) -> None:
         assert np.max(off[FINITE & ~IS_FAR]) <= allowed * U, (case.name, output)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", DOUBLES)
 def test_far_angles(found: Any, target: str) -> None:
     for case, output, allowed in each(target):
@@ -110,6 +112,7 @@ def test_an_angle_that_is_not_finite_is_lost_alone(found: Any, target: str) -> N
         assert np.array_equal(np.isnan(values), ~FINITE), (case.name, output)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", [*DOUBLES, "jax without float64"])
 def test_single_angles(found: Any, target: str) -> None:
     for case, output, allowed in each(target):
@@ -117,6 +120,7 @@ def test_single_angles(found: Any, target: str) -> None:
         assert np.max(off) <= allowed * U32, (case.name, output)
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("target", [*DOUBLES, "jax without float64"])
 def test_grid(found: Any, target: str) -> None:
     unit = U if target in DOUBLES else U32

@@ -345,6 +345,7 @@ def command(capsys, *arguments: str) -> str:
     return out
 
 
+@pytest.mark.slow
 def test_a_file_with_offset_and_rods(tmp_path, capsys, compile_latex) -> None:
     path = tmp_path / "six.toml"
     path.write_text(FILE, encoding="utf-8")

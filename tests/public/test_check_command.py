@@ -540,7 +540,7 @@ def test_japanese_stands_in_a_report_as_it_is(writer):
     assert "度" in printed
 
 
-@pytest.mark.slow
+@pytest.mark.rare
 @pytest.mark.parametrize(("engine", "read"), [("lualatex", "2k = 力 k"), ("pdflatex", "2k = U+529B k")])
 def test_a_report_with_japanese_is_set_by_lualatex_and_spelled_by_pdflatex(engine, read, tmp_path):
     if shutil.which(engine) is None or not _output("kpsewhich", "luatexja.sty", folder=tmp_path):
