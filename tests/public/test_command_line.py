@@ -142,9 +142,8 @@ def test_derive_prints_text_and_latex(capsys):
     )
 
 
-def test_derive_prints_the_equations_of_a_crankshaft_node(capsys):
-    lines = printed(capsys, "derive", "--quantity", "crank-node").splitlines()
-    assert "  ΔK₄₄ = I_ww − Iᵥᵥ + m (V eᵥ + eᵥ² − e_w²)" in lines
+def test_derive_prints_the_equations_of_a_crankshaft_node(capsys, golden):
+    golden("crank-node.txt", printed(capsys, "derive", "--quantity", "crank-node"))
     node = ("derive", "--quantity", "crank-node", "--rotation", "uvw")
     latex = printed(capsys, *node, "--format", "latex", "--standalone")
     assert r"\begin{document}" in latex
