@@ -76,6 +76,8 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     reasons = Counter(report.longrepr[2] for report in skipped)
     for reason, count in sorted(reasons.items()):
         terminalreporter.write_line(f"{count} not run: {reason.removeprefix('Skipped: ')}", yellow=True)
+    if skipped and terminalreporter.config.getoption("--none-skipped"):
+        terminalreporter.write_line("--none-skipped: for this the run fails", red=True)
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
