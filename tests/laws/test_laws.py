@@ -36,15 +36,15 @@ from symbalance.exact.radicals import (
     square_root_form,
     trigonometric_form,
 )
-from symbalance.exact.radicals.forms import _cached_form as exact_form_cache
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.balance_data import balance_data
 from symbalance.forces.resultants import balance
 from symbalance.kinematics.derivation import derive
 from symbalance.kinematics.derivation.bounds import printed_error
-from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics
+from symbalance.kinematics.slider_crank import QUANTITIES, harmonics
 from symbalance.kinematics.truncation import left_out
 from symbalance.text.numbers import exact
+from tests.caches import clear_caches
 
 settings.register_profile("laws", deadline=None, max_examples=60, derandomize=True, database=None)
 settings.load_profile("laws")
@@ -499,8 +499,7 @@ def test_exact_forms_of_fine_angles_are_integer_work() -> None:
 
 def printed_at(digits: int) -> list[object]:
     """Return all that is made with decimals, made anew while the caller works with so many digits."""
-    for cached in (acceleration_series, exact_form_cache):
-        cached.cache_clear()
+    clear_caches()
     lam = Fraction(4)
     with mp.workdps(digits):
         engines = [balance(load(name), order=60) for name in ("v8-90", "v2-45")]

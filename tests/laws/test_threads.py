@@ -5,12 +5,10 @@ Beside them another thread keeps setting mpmath's precision to odd values: they 
 
 from __future__ import annotations
 
-import gc
 import sys
 import threading
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from functools import _lru_cache_wrapper
 
 import pytest
 from mpmath import mp
@@ -22,6 +20,7 @@ from symbalance.kinematics.kinetic import inertia_harmonics
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank, dead_centres, force_harmonics
 from symbalance.kinematics.slider_crank import acceleration_values
 from symbalance.kinematics.truncation import left_out
+from tests.caches import clear_caches
 
 THREADS = 8
 PRECISIONS = (1, 7, 33, 90)
@@ -91,13 +90,6 @@ def impatient() -> Iterator[None]:
     mp.prec = precision
 
 
-def forget() -> None:
-    """Empty every cache of the library."""
-    for cache in [x for x in gc.get_objects() if type(x) is _lru_cache_wrapper]:
-        if cache.__wrapped__.__module__.startswith("symbalance"):
-            cache.cache_clear()
-
-
 def answers_of_threads(asked: dict[str, Callable[[], object]]) -> list[dict[str, object]]:
     """Return what each of `THREADS` threads was answered; each begins with another call."""
     names = list(asked)
@@ -135,13 +127,13 @@ def meddle(stop: threading.Event, changed: list[int]) -> None:
 def test_threads_get_what_one_thread_gets() -> None:
     asked, stop = calls(), threading.Event()
     changed: list[int] = []
-    forget()
+    clear_caches()
     host = threading.Thread(target=meddle, args=(stop, changed))
     host.start()
     found = answers_of_threads(asked)
     stop.set()
     host.join()
-    forget()
+    clear_caches()
     mp.dps = 15
     alone = {name: call() for name, call in asked.items()}
     different = [name for one in found for name, answer in one.items() if answer != alone[name]]
@@ -155,12 +147,12 @@ def test_threads_get_what_one_thread_gets() -> None:
 def test_the_hosts_precision_does_not_count(digits: int) -> None:
     asked, before = calls(), mp.prec
     try:
-        forget()
+        clear_caches()
         mp.dps = digits
         found = {name: call() for name, call in asked.items()}
         assert mp.dps == digits
     finally:
         mp.prec = before
-    forget()
+    clear_caches()
     alone = {name: call() for name, call in asked.items()}
     assert [name for name in asked if found[name] != alone[name]] == []
