@@ -265,6 +265,7 @@ def assert_soundly_compared(left: Formula, right: Formula) -> None:
         assert any(abs(f) > 10**-15 for f in found)
 
 
+@pytest.mark.spread(10)
 @pytest.mark.parametrize(("left", "right"), [law for law in LAWS if "sum" not in law[0]])
 def test_a_law_with_one_number_changed_is_refuted(left: str, right: str) -> None:
     """Changed exponents, denominators and angles too; those left without a form are passed over."""
@@ -325,6 +326,7 @@ def test_one_coefficient_changed_is_seen(node: Formula, data: st.DataObject) -> 
 # Common denominators ------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @settings(suppress_health_check=SLOW)
 @given(trees, trees)
 def test_division_undoes_multiplication(a: Formula, b: Formula) -> None:

@@ -134,6 +134,7 @@ def test_unlike_cylinders_are_balanced_to_their_digits(name):
     assert_ended(design, placed.planar, gone=1e-17, points=64)
 
 
+@pytest.mark.slow
 def test_hung_rods_with_rotating_masses():
     rows = [sb.Cylinder(1, rotating_mass=Fraction(2))]
     rows += [
@@ -468,6 +469,7 @@ def test_without_counter_rotation_half_is_left():
         assert (left.shape, left.major, left.sense) == ("circle", sympy.Rational(1, 2), -1)
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize(("vertical", "lateral"), [(1, 1), (3, 1), (0, 1)])
 @pytest.mark.parametrize("shafts", [0, 1, 2, 3])
 def test_the_shafts_chosen_leave_the_least(shafts, vertical, lateral):

@@ -46,6 +46,7 @@ def test_a_fraction_is_rounded_once(x, n):
     assert (number == x) is (value_of(number) == x)
 
 
+@pytest.mark.slow
 @given(fractions, fractions, digits, digits)
 def test_the_more_precise_number_says_how_many_digits_there_are(x, y, m, n):
     a, b = Real(x, m), Real(y, n)
@@ -123,6 +124,7 @@ def test_larger_functions_against_more_digits(n):
     assert abs(y - z) < Fraction(1, 10 ** (n - 2))
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(fractions, digits), min_size=1, max_size=8))
 def test_a_sum_is_rounded_once(terms):
     values = [Real(x, n) for x, n in terms]

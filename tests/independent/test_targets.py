@@ -168,6 +168,7 @@ def emitted(target: str, folder: Path, case: Case, more: tuple[str, ...] = ()) -
     return path
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("grid", [(), ("--uniform-grid",)], ids=["plain", "with grid"])
 @pytest.mark.parametrize("target", ["numpy", "array-api", *LANGUAGES])
 def test_self_test_passes_and_catches_a_wrong_constant(
@@ -186,6 +187,7 @@ def test_self_test_passes_and_catches_a_wrong_constant(
     assert subprocess.run(run, cwd=tmp_path, capture_output=True, check=False).returncode
 
 
+@pytest.mark.slow
 def test_numba_tests_itself(tmp_path: Path) -> None:
     path = emitted("numba", tmp_path, BY_NAME["v2"])
     for line in self_test("numba", path):

@@ -113,6 +113,7 @@ FULL = {
 TRAIN = sb.CrankTrain(stroke=Fraction(80), rod=Fraction(140), pitch=Fraction(100))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("firing", ["1-3-4-2", "1-2-4-5-3", "vee"])
 def test_no_engine_within_tolerances_passes_the_bound(firing):
     made = sb.vee(60, firing_order="1-2-3-4-5-6") if firing == "vee" else sb.inline(firing)
@@ -139,6 +140,7 @@ def test_no_engine_within_tolerances_passes_the_bound(firing):
         assert worst.attained > tried[key] * 0.98, key
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("name", ENGINES)
 def test_what_is_attained_is_attained(name):
     """The errors told, put into pistons, give the value told: mass, throw, bank and station."""
@@ -185,6 +187,7 @@ def test_without_tolerances_nothing_is_lost():
     assert sb.worst_cases(layout, sb.Tolerances(), 2)[2].nominal == 0  # an exact zero
 
 
+@pytest.mark.slow
 @given(st.integers(0, 40), st.integers(0, 40))
 @settings(max_examples=8, deadline=None)
 def test_wider_tolerances_are_never_better(one, more):

@@ -104,6 +104,7 @@ def test_series_converges_to_the_value(order: int, ratio: Fraction) -> None:
     assert abs(mp.mpf(kept.numerator) / kept.denominator - exact) < mp.mpf(10) ** -15
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("ratio", [*RATIOS, Fraction(1001, 1000)])
 @pytest.mark.parametrize("order", [1, 2, 3, 7])
 def test_bound_on_what_is_left_out(ratio: Fraction, order: int) -> None:

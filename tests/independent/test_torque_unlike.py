@@ -245,6 +245,7 @@ def fired(layout: sb.Engine) -> sb.Engine:
 CYCLE = ideal_cycle(10, heat=20, gamma="1.3")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*ENGINES, "offset twin"])
 def test_a_running_engine_does_the_work_of_its_cycles(name: str) -> None:
     """Mean torque from the swept volumes and the cycle's mean effective pressure; energy; harmonics."""

@@ -54,6 +54,7 @@ def mixed_four() -> sb.Engine:
 ENGINES = {"narrow six": narrow_six, "hung radial": hung_radial, "mixed four": mixed_four}
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", ENGINES)
 @pytest.mark.parametrize("arms", [False, True], ids=["force", "couple"])
 def test_all_orders_together_are_the_pistons(name, arms):
@@ -198,6 +199,7 @@ BOUNDED = {**ENGINES, "near the limit": near_the_limit}
 NOTHING = 1e-12
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-5, 1e-9])
 @pytest.mark.parametrize("name", BOUNDED)
 def test_what_a_tolerance_leaves_out_is_bounded(name, tolerance):
@@ -220,6 +222,7 @@ def test_what_a_tolerance_leaves_out_is_bounded(name, tolerance):
             assert bound < 3 * lost, (output, bound / lost)
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("ratio", ["1.3", "2", "4"])
 @pytest.mark.parametrize("aside", ["0", "1/2", "9/10"])
 @pytest.mark.parametrize("order", [1, 2, 5, 12, 40])

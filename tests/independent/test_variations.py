@@ -200,6 +200,7 @@ def test_sensitivities_of_unlike_cylinders_are_finite_differences_of_balance():
             assert value == pytest.approx((up - down) / float(2 * h), abs=1e-9)
 
 
+@pytest.mark.slow
 def test_link_rods_have_the_sensitivities_that_are_theirs():
     hung = sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)
     train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
@@ -267,6 +268,7 @@ def hung_engine(number=0, name="", steps=0):
     return sb.Engine(rows)
 
 
+@pytest.mark.slow
 def test_sensitivities_of_masters_and_link_rods_are_finite_differences_of_pistons():
     """A master's sizes move what hangs on it, each at its own station; all orders to 5, both vectors."""
     from tests.placed import planar_series
@@ -288,6 +290,7 @@ def test_sensitivities_of_masters_and_link_rods_are_finite_differences_of_piston
                     assert pair == pytest.approx((slope[n], slope[-n]), abs=3e-8), (name, number, n)
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("ratio", ["1.001", "1.05", 4, 1000])
 def test_slopes_obey_the_scale_of_the_mechanism(ratio):
     """r f is homogeneous of degree 1: its derivatives times r, l and e add up to it, at every order."""
@@ -412,6 +415,7 @@ TYPESET = {
 }
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", TYPESET)
 def test_the_formulas_of_a_document_are_those_of_the_order(name):
     """Their terms are ordered and their fractions built anew: numbers put into both agree."""

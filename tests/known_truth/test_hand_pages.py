@@ -25,6 +25,7 @@ def judged(truth: Path) -> tuple[list[dict], dict[tuple[int, int], dict]]:
     return table["link"], found
 
 
+@pytest.mark.spread(6)
 @pytest.mark.parametrize("truth", TRUTHS, ids=lambda p: p.name.split(".")[0])
 def test_every_relation_is_judged_as_its_truth_allows(truth):
     links, found = judged(truth)
@@ -42,6 +43,7 @@ def test_every_relation_is_judged_as_its_truth_allows(truth):
     assert not wrong
 
 
+@pytest.mark.slow
 def test_planted_errors_are_refuted_and_most_are_mended():
     planted = fixed = 0
     for truth in TRUTHS:

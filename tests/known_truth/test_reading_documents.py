@@ -257,6 +257,7 @@ HOSTILE_TEXT = "( ) { } [ $ = () $$ \\ \\[ \\( | ^ _ ` % <!-- = $_ =_"
 HOSTILE = HOSTILE_TEXT.split()
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("unit", HOSTILE)
 def test_a_megabyte_on_one_line_ends_soon(unit: str) -> None:
     text = unit.replace("_", " ") * (999_999 // len(unit))
@@ -270,6 +271,7 @@ def test_a_document_that_is_too_long_is_refused() -> None:
     assert (refusal.line, refusal.column, refusal.remedy) == (1, 1, "split it")
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize(
     "unit",
     [r"\frac", r"\sqrt", r"\sqrt[", r"\sin", "e^", "x^", "|", "(=", "-", "a/", "{",

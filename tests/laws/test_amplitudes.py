@@ -47,6 +47,7 @@ def near(one: Complex, other: Complex) -> bool:
     return abs(one - other) <= CLOSE * (1 + abs(one) + abs(other))
 
 
+@pytest.mark.slow
 @given(amplitudes(), amplitudes())
 def test_sums_and_products_of_any_two_kinds(one, other):
     assert near(value(one + other), value(one) + value(other))
@@ -76,6 +77,7 @@ def test_what_each_kind_does_alone(number, turn, weight):
     assert number.is_zero() is not bool(own)
 
 
+@pytest.mark.slow
 @given(phasors())
 def test_symbols_are_kept_and_have_no_decimals(number):
     moved = number.times(SymbolicPhasor.of({BANK: ONE}))
@@ -88,6 +90,7 @@ def test_symbols_are_kept_and_have_no_decimals(number):
                 refused()
 
 
+@pytest.mark.slow
 @given(phasors().filter(lambda p: not p.is_zero()), st.integers(0, 5))
 def test_what_a_file_holds_of_a_weight_cancels_it(number, count):
     """Files hold 30 digits: a weight that is read again ends what it was designed for, and 20 do not."""

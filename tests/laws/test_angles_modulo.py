@@ -70,6 +70,7 @@ def test_banks_beyond_half_a_turn_in_files_give_the_very_same_answers(capsys, tm
     assert answers(capsys, tmp_path, turned, *errors) == usual
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turns", [1, -1])
 def test_a_radial_may_be_numbered_from_0_to_360(capsys, tmp_path, turns):
     usual = answers(capsys, tmp_path, nine(0), "--mass", "1%")

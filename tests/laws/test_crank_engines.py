@@ -31,6 +31,7 @@ def running_preset(name: str, crankshaft: str = FLYING) -> str:
     return layout + TRAIN + crankshaft + BEARINGS + RUNNING
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "pins", "journals"),
     [
@@ -164,6 +165,7 @@ def _rotation(theta):
     return rotation(theta)
 
 
+@pytest.mark.slow
 def test_a_long_cranks_modes_are_a_reduction(tmp_path):
     """Loads about the orbits of six bearings have more shapes than a short crank's."""
     made = setting(engine(tmp_path, sheet("[layout]\nfiring_order = [1, 2, 4, 5, 3]\n")), webs="nominal")

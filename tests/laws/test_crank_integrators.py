@@ -155,6 +155,7 @@ def balanced(four):
     return harmonic_state(four[0], 120)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("method", "steps", "within"),
     [("radau-iia", 720, 1e-4), ("radau-iia-9", 180, 1e-4), ("newmark", 2880, 1e-3)],
@@ -182,6 +183,7 @@ def test_all_bearings_together_carry_what_acts_on_the_crank(four):
     assert np.abs(total).max() < 1e-4 * np.abs(found.bearing).max()
 
 
+@pytest.mark.slow
 def test_scipys_and_ours_end_at_one_state(four, balanced):
     system, _ = four
     start = balanced.states(np.zeros(1))[0]
@@ -222,6 +224,7 @@ def test_frozen_angles_say_nothing(delta, epsilon, frozen):
     assert (np.abs(factors).max() > 1 + 1e-3) == (not frozen)
 
 
+@pytest.mark.slow
 def test_a_table_too_coarse_limits_every_method(four):
     """Films known every 10 degrees only: more steps do not help."""
     system, _ = four

@@ -223,6 +223,7 @@ def test_every_cosine_and_sine_of_a_modulus(modulus: int) -> None:
                 assert close(exact_form(number), wave(mp.mpf(2 * k) / modulus))
 
 
+@pytest.mark.slow
 @given(phasors())
 def test_a_square_root_is_the_root_of_the_square(number: Phasor) -> None:
     assume(not number.is_zero())
@@ -485,6 +486,7 @@ def timed(work: Callable[[], object]) -> float:
     return time.perf_counter() - start
 
 
+@pytest.mark.slow
 def test_exact_forms_of_fine_angles_are_integer_work() -> None:
     """An in-line eight in quarter degrees to order 24, beside 200,000 sums of fractions."""
     throws = ["0.25", "90.5", "181.75", "270.25", "45.5", "135.75", "225.25", "300.5"]
@@ -514,6 +516,7 @@ def printed_at(digits: int) -> list[object]:
         ]
 
 
+@pytest.mark.slow
 def test_results_do_not_depend_on_the_callers_precision() -> None:
     assert printed_at(4) == printed_at(50)
 

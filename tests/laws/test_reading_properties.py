@@ -145,6 +145,7 @@ junk = st.lists(
 ).map("".join)
 
 
+@pytest.mark.slow
 @UNHURRIED
 @given(trees)
 def test_a_rendered_tree_reads_back_with_the_same_value(tree: Formula) -> None:

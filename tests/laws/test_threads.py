@@ -123,6 +123,7 @@ def meddle(stop: threading.Event, changed: list[int]) -> None:
                 changed.append(digits)
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("impatient")
 def test_threads_get_what_one_thread_gets() -> None:
     asked, stop = calls(), threading.Event()
@@ -143,6 +144,7 @@ def test_threads_get_what_one_thread_gets() -> None:
     assert mp.dps == 15
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("digits", PRECISIONS)
 def test_the_hosts_precision_does_not_count(digits: int) -> None:
     asked, before = calls(), mp.prec

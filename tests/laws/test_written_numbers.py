@@ -146,6 +146,7 @@ COMMANDS = [
 ]
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("text", [LIKE, LIKE + BALANCERS, TWELVE, TWELVE + BALANCERS], ids="abcd")
 def test_engines_of_17_digits_go_through_every_command(capsys, tmp_path, text):
     path = tmp_path / "engine.toml"

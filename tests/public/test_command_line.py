@@ -70,6 +70,7 @@ def test_v12_table_fits_a_terminal_and_holds_one_family(capsys):
     assert "none, to order 12" in out
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("engine", preset_names())
 def test_every_table_fits_a_terminal(capsys, engine):
     out = printed(capsys, "balance", engine, "--order", "40")
@@ -361,6 +362,7 @@ def test_a_link_stays_a_link(capsys, tmp_path):
     assert target.read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_a_closed_pipe_ends_silently():
     command = f"{sys.executable} -m symbalance balance inline-4 --order 900 | head -1"
     done = subprocess.run(["bash", "-c", command], capture_output=True, encoding="utf-8", check=False)

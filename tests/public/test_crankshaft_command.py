@@ -30,6 +30,7 @@ def single(tmp_path: Path) -> str:
     return str(written(tmp_path, sheet()))
 
 
+@pytest.mark.slow
 def test_a_run_leaves_reports_curves_and_pictures(single, tmp_path, capsys, compile_latex):
     out = tmp_path / "out"
     assert run(["crankshaft", single, "--rpm", "1000:2000:500", *QUICK, "-o", str(out)]) in (0, 1)
@@ -75,6 +76,7 @@ def test_a_run_leaves_reports_curves_and_pictures(single, tmp_path, capsys, comp
     assert [s["rpm"] for s in found["speeds"]] == [1000, 1500, 2000]
 
 
+@pytest.mark.slow
 def test_a_second_run_takes_up_what_is_finished(single, tmp_path, capsys):
     options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(tmp_path / "out")]
     run([*options, "--rpm", "1500"])
@@ -122,6 +124,7 @@ def saved_anew(path, out, capsys, change):
     return anew
 
 
+@pytest.mark.slow
 def test_a_film_table_counts_by_its_content(tmp_path, capsys):
     """The same name, ten times the film: not found; another folder, the same content: found."""
     film = tmp_path / "film.csv"
@@ -141,6 +144,7 @@ def test_a_film_table_counts_by_its_content(tmp_path, capsys):
     assert "1500 rpm (1 of 1): found" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_pressure_trace_counts_by_its_content(single, tmp_path, capsys):
     trace = tmp_path / "trace.csv"
 
@@ -150,6 +154,7 @@ def test_a_pressure_trace_counts_by_its_content(single, tmp_path, capsys):
     assert saved_anew(single, tmp_path / "out", capsys, raise_pressure)
 
 
+@pytest.mark.slow
 def test_a_cylinders_own_sizes_count(tmp_path, capsys):
     path = written(tmp_path, UNLIKE + sheet("").replace("[layout]\n", ""))
 
@@ -160,6 +165,7 @@ def test_a_cylinders_own_sizes_count(tmp_path, capsys):
     assert saved_anew(path, tmp_path / "out", capsys, weigh)
 
 
+@pytest.mark.slow
 def test_the_program_counts(single, tmp_path, capsys, monkeypatch):
     def update():
         monkeypatch.setattr(saved, "program_digest", lambda: "of another version")
@@ -167,6 +173,7 @@ def test_the_program_counts(single, tmp_path, capsys, monkeypatch):
     assert saved_anew(single, tmp_path / "out", capsys, update)
 
 
+@pytest.mark.slow
 def test_the_webs_compliance_counts_not_only_its_name(single, tmp_path, capsys, monkeypatch):
     real = assembly.nominal_flexibility
 
@@ -176,6 +183,7 @@ def test_the_webs_compliance_counts_not_only_its_name(single, tmp_path, capsys, 
     assert saved_anew(single, tmp_path / "out", capsys, soften)
 
 
+@pytest.mark.slow
 def test_a_measured_curve_solves_nothing_anew(tmp_path, capsys):
     rows = "".join(f"{a},{a / 10}\n" for a in range(0, 720, 60))
     (tmp_path / "gauge.csv").write_text(rows, encoding="utf-8")
@@ -188,6 +196,7 @@ def test_a_measured_curve_solves_nothing_anew(tmp_path, capsys):
     assert not saved_anew(path, tmp_path / "out", capsys, measure)
 
 
+@pytest.mark.slow
 def test_speeds_close_together_keep_their_own_files(single, tmp_path, capsys):
     out = tmp_path / "out"
     options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out)]
@@ -205,6 +214,7 @@ def test_speeds_close_together_keep_their_own_files(single, tmp_path, capsys):
     assert "rpm = 2200.001: is named twice" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_damaged_file_is_said_and_solved_anew(single, tmp_path, capsys):
     options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(tmp_path / "out"), "--rpm", "1500"]
     run(options)
@@ -222,6 +232,7 @@ def test_a_damaged_file_is_said_and_solved_anew(single, tmp_path, capsys):
     assert again["channels"] == json.loads(first)["channels"]
 
 
+@pytest.mark.slow
 def test_no_damage_to_a_file_gets_through(single, tmp_path):
     """Bytes changed one at a time: the whole outcome, or none and why."""
     made = setting(read_running_engine(single), webs="nominal", steps=90, about="centre")
@@ -238,6 +249,7 @@ def test_no_damage_to_a_file_gets_through(single, tmp_path):
             assert (restored.outcome.values == outcome.values).all()
 
 
+@pytest.mark.slow
 def test_an_interrupt_loses_nothing_finished(single, tmp_path, capsys, monkeypatch):
     out, real = tmp_path / "out", sweep.run
 
@@ -260,6 +272,7 @@ def test_an_interrupt_loses_nothing_finished(single, tmp_path, capsys, monkeypat
     assert "1000 rpm (1 of 2): solved" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_measured_curve_is_compared(tmp_path, capsys):
     rows = "".join(f"{a},{10 * np.cos(np.radians(a)):.4f}\n" for a in range(0, 720, 10))
     (tmp_path / "gauge.csv").write_text("angle,MPa\n" + rows, encoding="utf-8")
@@ -450,6 +463,7 @@ def test_the_readmes_tables_are_read(tmp_path):
     assert weighted == [1, 3, 13, 15]
 
 
+@pytest.mark.slow
 def test_the_other_commands_counterweights_are_said_to_take_no_part(single, capsys):
     table = '\n[[counterweight]]\nthrow = 1\noverbalance = "1/2"\n'
     text = Path(single).read_text(encoding="utf-8")
@@ -465,6 +479,7 @@ def grows(*_):
     raise UnsolvedError("the motion", "grows", "more steps")
 
 
+@pytest.mark.slow
 def test_films_that_do_not_settle_are_tried_at_finer_steps(single, tmp_path, capsys, monkeypatch):
     """The result is that of a run at the finer steps, and every place says so."""
     plain = ["crankshaft", single, "--rpm", "1500", "--webs", "nominal", "--no-plots"]
@@ -489,6 +504,7 @@ def test_films_that_do_not_settle_are_tried_at_finer_steps(single, tmp_path, cap
     assert (speed["steps"], speed["reason"]) == (240, None)
 
 
+@pytest.mark.slow
 def test_a_speed_whose_films_do_not_settle_has_no_stresses(single, tmp_path, capsys):
     """One pass leaves orbits half a clearance off their films: said everywhere, printed nowhere."""
     out = tmp_path / "out"
@@ -521,6 +537,7 @@ def test_a_speed_whose_films_do_not_settle_has_no_stresses(single, tmp_path, cap
     assert [p.name for p in out.glob("*.png")] == ["frequencies.png"]
 
 
+@pytest.mark.slow
 def test_other_speeds_keep_their_stresses(single, tmp_path, capsys, monkeypatch):
     real = sweep._about
 
@@ -554,6 +571,7 @@ def test_films_about_the_centre_may_give_no_motion(single, capsys, monkeypatch):
     assert speed["reason"] == "no steady state: the motion: grows; more steps"
 
 
+@pytest.mark.slow
 def test_a_journal_beyond_its_clearance_has_not_settled(single, monkeypatch):
     """However near the orbits lie to those of their films: no journal leaves its shell."""
     real = sweep._about
@@ -568,6 +586,7 @@ def test_a_journal_beyond_its_clearance_has_not_settled(single, monkeypatch):
     assert re.search(r"journals at 1\.\d\d of it", outcome.reason)
 
 
+@pytest.mark.slow
 def test_the_step_error_is_what_halved_steps_change(single):
     """The films kept; and it falls with the steps."""
     engine = read_running_engine(single)
@@ -589,12 +608,14 @@ def test_the_step_error_is_what_halved_steps_change(single):
     assert errors[1] < errors[0] / 2
 
 
+@pytest.mark.slow
 def test_steps_too_coarse_are_said_and_are_exit_1(single, capsys, monkeypatch):
     monkeypatch.setattr(import_module("symbalance.crankshaft.reports.summary"), "COARSE", 1e-9)
     assert run(["crankshaft", single, "--rpm", "1500", "--webs", "nominal", "--steps", "120"]) == 1
     assert re.search(r"1500 rpm: halved steps change a stress by .* %", capsys.readouterr().out)
 
 
+@pytest.mark.slow
 def test_files_of_earlier_runs_are_said_to_be_no_part(single, tmp_path, capsys):
     out = tmp_path / "out"
     options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out)]
@@ -612,6 +633,7 @@ def test_finished_speeds_are_as_readable_as_their_folder(single, tmp_path):
     assert kept.stat().st_mode & 0o666 == folder.stat().st_mode & 0o666
 
 
+@pytest.mark.slow
 def test_a_curve_of_a_speed_that_did_not_run_is_said_to_wait(tmp_path, capsys):
     curve = "".join(f"{a},{a / 10}\n" for a in range(0, 720, 60))
     (tmp_path / "gauge.csv").write_text(curve, encoding="utf-8")

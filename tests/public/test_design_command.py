@@ -144,6 +144,7 @@ def test_latex_holds_together(capsys):
     assert r"\cos" in sb.to_latex(symbolic)
 
 
+@pytest.mark.slow
 def test_a_picture_is_drawn(capsys, tmp_path):
     pytest.importorskip("matplotlib")
     path = tmp_path / "left.png"
@@ -155,6 +156,7 @@ def test_a_picture_is_drawn(capsys, tmp_path):
 # The balanced engine as a file ------------------------------------------------------------------------
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("name", preset_names())
 def test_the_balanced_engine_goes_through_every_command(name, capsys, tmp_path):
     path = tmp_path / "smooth.toml"
@@ -280,6 +282,7 @@ def test_the_file_that_cannot_be_written_is_the_one_named(tmp_path, capsys):
         assert f"symbalance: file {path}: cannot be written" in capsys.readouterr().err
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("ending", ["txt", "tex", "html", "md", "json"])
 def test_a_report_and_the_engine_are_both_written_or_neither(ending, tmp_path, capsys):
     engine, report = tmp_path / "smooth.toml", tmp_path / f"report.{ending}"

@@ -418,6 +418,7 @@ def line_of(lines: dict[Path, int], path: Path) -> int:
     return lines[path]
 
 
+@pytest.mark.spread(25)
 @each_key
 @pytest.mark.parametrize(
     "values",
@@ -433,6 +434,7 @@ def test_a_wrong_value_is_refused_on_its_line(
         assert not holds(text), text_of(value)
 
 
+@pytest.mark.spread(15)
 @each_key
 def test_a_misspelt_key_is_refused_on_its_line_with_the_key_it_is_near(
     name: str, path: Path, key: Key, folder: File
@@ -557,6 +559,7 @@ scalars = (
 )
 
 
+@pytest.mark.spread(6)
 @pytest.mark.parametrize("kind", KINDS, ids=lambda text: text[:60])
 @settings(max_examples=60, deadline=None)
 @given(

@@ -194,6 +194,7 @@ def test_what_is_written_fits_its_schema_and_every_key_is_described(name: str) -
     checker(closed(schema)).validate(written(name))
 
 
+@pytest.mark.slow
 def test_no_key_is_described_that_no_result_has() -> None:
     described = {
         _anywhere(kind, place)

@@ -126,6 +126,7 @@ def test_refusals(engine, arguments, words, capsys):
     assert err.count("\n") == 1
 
 
+@pytest.mark.slow
 def test_a_preset_runs_with_stroke_and_mass_said(capsys):
     """A radial's catalogue entry has no mass: it is said, and does what an engine file's would do."""
     options = ("--compression", "6.4", "--bore", "155.6", "--rpm", "2300", "--format", "json")

@@ -583,6 +583,7 @@ def test_a_very_thin_web_is_meshed_within_reach():
     assert fine(arm) >= arm.web.width / 15
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not MESHER, reason="gmsh and scikit-fem are optional")
 def test_a_meshed_web_is_symmetric_positive_and_converges():
     from symbalance.crankshaft.solid.half_throw import solved_web

@@ -127,6 +127,7 @@ def test_whirl_in_damped_bearings():
         assert found.real.max() < 0
 
 
+@pytest.mark.slow
 def test_uneven_bearings_by_floquet():
     """Bearings of 1 and 0.8 MN/m turn against the shaft: multipliers of a turn are exp(i nu T)."""
     published = np.array([82.33, 86.86, 239.64, 287.25, 583.49, 806.89])
