@@ -32,8 +32,20 @@ GOLDEN = Path(__file__).parent / "golden"
 _FAULT = re.compile(r"^!.*|^Overfull \\hbox \(([\d.]+)pt.*|^LaTeX Warning: Reference.*", re.MULTILINE)
 
 
-SLOW_DOCUMENTS = frozenset({"tolerances.md"})
-"""Documents and modules whose doctests take seconds: none of them can carry a mark."""
+SLOW_DOCUMENTS = frozenset(
+    f"{name}.md"
+    for name in (
+        "balance-tables",
+        "balancing",
+        "crankshaft-equations",
+        "crankshaft-running",
+        "crankshaft-solution",
+        "offset",
+        "radials",
+        "tolerances",
+    )
+)
+"""Derivations whose formulas take more than a second to compute: a document cannot carry a mark."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

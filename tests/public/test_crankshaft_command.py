@@ -284,6 +284,7 @@ def test_a_measured_curve_is_compared(tmp_path, capsys):
     assert shown["rms"] > 0
 
 
+@pytest.mark.slow
 def test_formats_and_exit_codes(tmp_path, capsys):
     """0 where all is valid, 1 where a place is not safe."""
     calm = str(written(tmp_path, sheet()))

@@ -173,6 +173,7 @@ def twice(made):
     return {way: WAYS[way](made) for way in ("pickle 2", "pickle 5", "deepcopy")}.values()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["inline-4", "vw-vr6", "v8-90"])
 def test_torque_says_the_same_after_pickle(name):
     engine, warm = sb.load(name), torque_report(sb.load(name), 4)

@@ -162,7 +162,7 @@ def test_every_class_that_users_construct_is_among_them():
             assert value in ARGUMENTS or name in by_functions, name
 
 
-@pytest.mark.spread(4)
+@pytest.mark.spread(10)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_a_pickled_result_says_the_same(name):
     result = example(name)

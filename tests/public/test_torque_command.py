@@ -55,6 +55,7 @@ def test_a_running_engine_has_mean_swing_and_flywheel(engine, capsys):
     assert "flywheel" in printed(capsys, engine, *options)
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("ending", ["txt", "tex", "html", "md", "json"])
 def test_the_running_engine_is_part_of_the_one_document(engine, ending, tmp_path, capsys):
     """In every medium: orders of inertia, then mean, extremes, energy and flywheel, to 6 digits."""

@@ -125,6 +125,7 @@ def test_surviving_orders(row: Row) -> None:
     assert [o.order for o in left.orders if not o.couple.is_zero()] == row["couple_orders"]
 
 
+@pytest.mark.spread(12)
 @every_row
 def test_amplitudes(row: Row) -> None:
     for kind in KINDS:
