@@ -365,6 +365,7 @@ def test_out_may_overlap_theta_in_any_order_and_type(target: str) -> None:
     assert all((values[name] == right[name]).all() for name in BOTH)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 def test_outputs_that_share_memory_are_refused(target: str) -> None:
     room, other = np.zeros(9), np.zeros(5)
@@ -702,6 +703,7 @@ def test_a_disk_that_takes_no_code_costs_no_value(how: str, most: int, tmp_path:
     assert use(how, path, tmp_path) == [*first[:2], "1", "1"]
 
 
+@pytest.mark.slow
 def test_processes_at_once_do_not_disturb_one_another(tmp_path: Path) -> None:
     with ThreadPoolExecutor(2) as pool:
         found = list(pool.map(lambda _: use("memory", "3.5", tmp_path), range(2)))

@@ -18,7 +18,7 @@ LETTERS = {"theta": "crank angle", "x": "any", "y": "any", "z": "any", "w": "any
 RIGHT = r"$$\sin^2\theta+\cos^2\theta=1$$"
 
 
-@pytest.mark.spread(4)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("expected", EXPECTED, ids=lambda e: e["name"])
 def test_each_file_ends_as_expected(expected, tmp_path):
     path = HOSTILE / expected["name"]

@@ -33,6 +33,7 @@ def test_the_exit_codes_are_those_agreed():
     assert (DONE, FAILED, REFUSED, FAULT, INTERRUPTED) == (0, 1, 2, 3, 130)
 
 
+@pytest.mark.spread(2)
 @needs_full
 @pytest.mark.parametrize(
     "arguments",
@@ -68,6 +69,7 @@ def test_a_closed_stdout_does_not_matter_to_a_file(tmp_path):
     assert (tmp_path / "table").read_text(encoding="utf-8").startswith("v12-60: ")
 
 
+@pytest.mark.slow
 @needs_full
 @pytest.mark.parametrize("gone", ["2>&-", "2>/dev/full"])
 def test_without_stderr_the_exit_code_speaks(gone):
@@ -89,6 +91,7 @@ def test_progress_that_nobody_reads_stops_nothing(tmp_path):
     assert shell(command).stdout.split() == ["result", "0"]
 
 
+@pytest.mark.spread(1)
 @needs_shell
 @pytest.mark.parametrize(
     ("arguments", "code"),

@@ -31,6 +31,7 @@ for letter in itertools.cycle("ab"):
 """
 
 
+@pytest.mark.slow
 @posix
 def test_a_writer_that_is_killed_leaves_the_old_file_or_the_new_one_whole(tmp_path: Path) -> None:
     path = tmp_path / "result"

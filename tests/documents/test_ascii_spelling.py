@@ -126,6 +126,7 @@ def tables(text: str) -> list[list[str]]:
     return found
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("name", preset_names())
 def test_columns_stay_in_line_and_amplitudes_keep_their_value(name, capsys):
     text = as_encodable(printed(capsys, "balance", name), "ascii")
@@ -153,6 +154,7 @@ def test_columns_stay_in_line_and_amplitudes_keep_their_value(name, capsys):
                                for c in ("vertical", "lateral"))  # fmt: skip
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("environment", [{"PYTHONIOENCODING": e} for e in ENCODINGS], ids=ENCODINGS)
 def test_a_stream_of_another_encoding_loses_nothing(environment):
     encoding = environment["PYTHONIOENCODING"]
@@ -167,6 +169,7 @@ def test_a_stream_of_another_encoding_loses_nothing(environment):
     assert f"--ratio {ratio}" in program("balance", "--help", **environment).decode(encoding)
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("environment", [C_LOCALE, {}, {"PYTHONIOENCODING": "latin-1"}, {"LC_ALL": "C"}])
 def test_an_engine_file_printed_is_one_that_is_read(environment, tmp_path, capsys):
     own = tmp_path / "mine.toml"
@@ -177,6 +180,7 @@ def test_an_engine_file_printed_is_one_that_is_read(environment, tmp_path, capsy
         printed(capsys, "balance", str(own))
 
 
+@pytest.mark.slow
 def test_other_things_for_programs_are_utf8_too(tmp_path):
     notes = tmp_path / "notes.md"
     notes.write_text("$$θ = a$$\n", encoding="utf-8")
@@ -188,6 +192,7 @@ def test_other_things_for_programs_are_utf8_too(tmp_path):
         assert program(*arguments, PYTHONIOENCODING="ascii") == program(*arguments)
 
 
+@pytest.mark.slow
 def test_a_pipe_in_the_c_locale_gets_utf8():
     assert program("balance", "v12-60", **C_LOCALE) == program("balance", "v12-60", LC_ALL="C.UTF-8")
     assert "6√3" in program("balance", "v12-60", **C_LOCALE).decode("utf-8")
@@ -263,6 +268,7 @@ def folder(tmp_path):
     return tmp_path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "environment"), NAMES)
 def test_a_file_keeps_its_name_wherever_it_is_printed(name, environment, folder):
     shown = NAMES[name, environment]
@@ -282,6 +288,7 @@ def test_a_file_keeps_its_name_wherever_it_is_printed(name, environment, folder)
     assert err.startswith(f"symbalance: {shown}gone.md: cannot be read")
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("environment", [C, "UTF-8"])
 @pytest.mark.parametrize("form", ["text", "json", "latex"])
 def test_an_engine_is_named_by_its_file_whatever_that_is_called(form, environment, folder):

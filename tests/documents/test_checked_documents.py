@@ -26,6 +26,7 @@ def written():
     return DOCUMENTS()
 
 
+@pytest.mark.slow
 def test_the_checked_documents_are_what_the_command_writes(written):
     for path, text in written.items():
         assert path.read_text(encoding="utf-8") == text, f"run {CHECKED.name}/regenerate.py"

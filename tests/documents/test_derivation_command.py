@@ -163,6 +163,7 @@ def has_dots(formula: f.Formula) -> bool:
     return f.Dots() in f.children(formula) or f.Negative(f.Dots()) in f.children(formula)
 
 
+@pytest.mark.spread(20)
 @pytest.mark.parametrize("order", ORDERS)
 @pytest.mark.parametrize("convention", CONVENTIONS)
 @pytest.mark.parametrize("quantity", QUANTITIES)
@@ -206,6 +207,7 @@ def test_the_harmonics_are_those_of_the_exact_motion(quantity: str, order: int) 
             assert abs(found - mp.mpf(printed.numerator) / printed.denominator) <= slack
 
 
+@pytest.mark.spread(6)
 @pytest.mark.parametrize("order", [*ORDERS, 50])
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_the_conventions_agree(quantity: str, order: int) -> None:

@@ -154,6 +154,7 @@ def test_a_result_is_shown_in_a_line_and_in_a_notebook(name: str) -> None:
     assert result._repr_markdown_() == to_markdown(result)
 
 
+@pytest.mark.spread(10)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_records_are_rows_of_plain_values_with_one_set_of_keys(name: str) -> None:
     rows = example(name).records()

@@ -79,6 +79,7 @@ def test_angles_reach_a_million_radians_and_dead_centres():
     assert (np.abs(angles) < 4 * np.pi).sum() > 150
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*TARGETS, *present()])
 def test_everyone_is_held_to_the_same_truth(name):
     one = ours(FIVE, name) if name in TARGETS else alternative(FIVE, name)
@@ -205,6 +206,7 @@ def test_command_writes_points_and_pictures(tiny, tmp_path, capsys):
     assert name.with_suffix(".csv").read_text(encoding="utf-8") == as_csv(tiny.points)
 
 
+@pytest.mark.slow
 def test_a_missed_target_is_exit_code_1(tiny, monkeypatch, capsys):
     missed = Measurement("one", 1.0, "other", 1.5, "at least twice", False)
     late = AccuracyReport(tiny.head, tiny.tables, Report("wanted", [("A", [missed])]), tiny.points)

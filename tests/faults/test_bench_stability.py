@@ -218,6 +218,7 @@ def test_a_product_that_overflows_is_no_number():
         assert rules.wrong(rule, rules.function_of(output, "numpy")) == 0, output
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("target", [t for t in IN_MEMORY if t in ("numpy", "numba")])
 def test_nan_stands_alone(target):
     """The rule itself, by hand: one angle lost among others, at both ends, in float64 and float32."""

@@ -342,6 +342,7 @@ PLANTED = [
 ]
 
 
+@pytest.mark.spread(20)
 @pytest.mark.parametrize(
     ("name", "text", "old", "new", "kind"), PLANTED, ids=[f"{row[4]}-{row[3][:12]!r}" for row in PLANTED]
 )
@@ -421,6 +422,7 @@ def test_equal_numbers_are_equal_however_they_are_written(old, new, equal):
 # Folders ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_planted_in_a_record_each_is_listed(written, planted, capsys):
     cases = json.loads((planted / "manifest.json").read_text(encoding="utf-8"))
     replace_in(planted / "balance/v8-90.json", '"sqrt(10)"', '"sqrt(11)"')

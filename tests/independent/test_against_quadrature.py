@@ -267,6 +267,7 @@ def test_a_vee_on_shared_or_splayed_pins(angle: object, splay: object) -> None:
     assert_agrees(layout, places=[expected[c.number] for c in layout.cylinders], order=6)
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("count", [3, 5, 7, 9])
 @pytest.mark.parametrize("strokes", [2, 4])
 def test_radials_turn_one_vector_with_the_crank(count: int, strokes: int) -> None:
@@ -312,6 +313,7 @@ ANGLES = (
 )
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("seed", range(8))
 def test_random_listed_cylinders(seed: int) -> None:
     draw = random.Random(seed)

@@ -157,6 +157,7 @@ def test_what_is_too_large_is_said_to_be_at_once(text: str) -> None:
     assert effort(tried) < MOST
 
 
+@pytest.mark.spread(6)
 @pytest.mark.parametrize("kind", ["negative", "root", "fraction", "square", "sine", "tower"])
 @pytest.mark.parametrize("depth", [3, 12, 60, 140, 400, 20_000])
 def test_depth_never_hangs(kind: str, depth: int) -> None:

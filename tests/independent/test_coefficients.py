@@ -75,6 +75,7 @@ def test_either_way_to_the_highest_orders(order: int, beside: float) -> None:
     assert max(off(found[n], true(n, ratio)) for n in {2, order // 4 * 2 or 2, order}) < WORST
 
 
+@pytest.mark.spread(8)
 @pytest.mark.parametrize("order", [2, 6, 40, 1000])
 @pytest.mark.parametrize("rho", [*RHOS, 0.6, 0.75, 0.86, 0.95, 0.999, 1 - 1e-13])
 def test_what_is_rounded(monkeypatch: pytest.MonkeyPatch, order: int, rho: float) -> None:

@@ -398,6 +398,7 @@ def test_a_stiff_rotor_diverges_at_the_rate_stated():
 # --- the page, the faults ---------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_the_page_is_as_it_was_and_compiles(golden, compile_latex):
     golden("crank-node.tex", sb.to_latex(node_equations()))
     compile_latex(sb.to_latex(node_equations(), standalone=True))

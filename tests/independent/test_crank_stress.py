@@ -198,6 +198,7 @@ def test_on_equal_constant_springs_the_motion_is_a_sum_of_harmonics(tmp_path):
     assert carried == pytest.approx(missing, abs=5e-3 * np.abs(missing).max())
 
 
+@pytest.mark.slow
 def test_films_about_the_orbit_carry_the_nonlinear_films_own_force(tmp_path):
     """After some passes the journals go where the short bearing itself carries what they bear."""
     from symbalance.crankshaft.bearings.short_film import film_states
@@ -215,6 +216,7 @@ def test_films_about_the_orbit_carry_the_nonlinear_films_own_force(tmp_path):
     assert off.max() < 0.05
 
 
+@pytest.mark.slow
 def test_the_mean_torque_leaves_through_the_flywheel():
     """The mean torsion of the last journal is the engine's mean torque, of the first none."""
     made = setting(read_running_engine(WORKED / "inline-4.toml"), webs="nominal", steps=240, passes=1)

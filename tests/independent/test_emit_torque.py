@@ -47,6 +47,7 @@ def terms_at(terms, theta: float) -> float:
         return float(mp.fsum(c * mp.cos(a) + s * mp.sin(a) for a, c, s in angles))
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", ["inline-1", "inline-4", "v6-90", "radial-9", "inline-5"])
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 def test_all_orders_are_the_kinetic_energys(name: str, target: str) -> None:
@@ -104,6 +105,7 @@ def _excess(layout: sb.Engine) -> float:
     return float(rod.excess) * 1e-6 if rod else 0.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
 def test_gas_and_inertia_add_up_to_the_whole(target: str) -> None:
     made = running()
@@ -161,6 +163,7 @@ RUN = ("--compression", "10", "--bore", "81", "--rpm", "3000")
 OUTPUTS = "torque.gas,torque.total,torque.inertia,torque.rod,torque.frame,force.vertical"
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("target", ["numpy", "numba", "array-api", "c", "javascript", "octave"])
 def test_every_language_writes_a_source_that_tests_itself(target: str, tmp_path: Path) -> None:
     """Half orders, six outputs of five units, over a grid of two turns."""

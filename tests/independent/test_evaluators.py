@@ -61,6 +61,7 @@ def worst(values, exact, amplitude: float) -> float:
         )
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("name", preset_names())
 def test_all_orders_of_every_preset_against_its_pistons(name):
     """Within 4 u of the amplitude to 10^6 rad, 5 with all orders there; 0 where every order cancels."""
@@ -99,6 +100,7 @@ def test_displacement_keeps_its_own_digits_near_every_dead_centre(lam):
             assert abs(value - exact) <= 4 * np.spacing(float(exact)), theta
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize(("lam", "order"), [("1.2", 12), ("1.05", 24), ("1.001", 100), ("1.00001", 240)])
 @pytest.mark.parametrize("name", ["inline-1", "inline-4", "v2-90", "radial-5"])
 def test_truncated_sums_near_rho_1_keep_their_stated_bound(name, lam, order):
@@ -116,6 +118,7 @@ def test_truncated_sums_near_rho_1_keep_their_stated_bound(name, lam, order):
     )
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-7, 1e-11])
 @pytest.mark.parametrize(("name", "output"), [("inline-1", 0), ("inline-5", 2), ("v8-90-flat", 1)])
 def test_a_tolerance_is_met_with_the_fewest_orders(name, output, tolerance):
@@ -216,6 +219,7 @@ def test_arrays_of_every_kind(target):
         made(plain + 1j)
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 def test_what_is_not_finite_gives_nan_there_alone(target):
     made = sb.to_function(sb.balance(sb.load("v8-90")), outputs=OUTPUTS, target=target, tolerance=0)

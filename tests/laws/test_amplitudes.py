@@ -57,6 +57,7 @@ def test_sums_and_products_of_any_two_kinds(one, other):
     assert (one - one).is_zero()
 
 
+@pytest.mark.slow
 @given(amplitudes(), turns, weights)
 def test_what_each_kind_does_alone(number, turn, weight):
     own, kind = value(number), type(number)

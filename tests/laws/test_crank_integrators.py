@@ -171,6 +171,7 @@ def test_shooting_finds_what_harmonic_balance_finds(four, balanced, method, step
     assert np.abs(found.bearing - carried).max() < 20 * within * np.abs(carried).max()
 
 
+@pytest.mark.slow
 def test_all_bearings_together_carry_what_acts_on_the_crank(four):
     """Over a cycle the mean force on the shaft, stationary axes, is nil: bearings against loads."""
     system, _ = four
