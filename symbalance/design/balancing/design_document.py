@@ -28,10 +28,10 @@ from symbalance.document.nodes import (
     Words,
     blocks,
 )
-from symbalance.engine.balancer_facts import direction, rounded, signed
+from symbalance.engine.balance_mass_facts import direction, rounded, signed
 from symbalance.engine.engine_document import engine_words
 from symbalance.forces.balance_document import conventions, resultant_blocks
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 
 VERDICTS = {
     "absent": "none before",

@@ -1,4 +1,4 @@
-"""What tables say of an engine's counterweights and balance shafts, one line each."""
+"""Counterweights and balance shafts in words, one line each, for every document about an engine."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal
 from symbalance.document.nodes import Words
 from symbalance.document.text_writer import formula_text
-from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
+from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import Component
@@ -28,14 +28,14 @@ def balancer_facts(engine: Engine) -> list[Words]:
     >>> plain_words(balancer_facts(single)[0])
     'shaft at −1 times the crank: share 1/2 at 180°, station 0'
     """
-    found = engine.balancers
-    facts: list[Words] = [_counterweight(c) for c in found.counterweights]
+    balancers = engine.balancers
+    facts: list[Words] = [_counterweight(c) for c in balancers.counterweights]
     if not facts:
         if any(c.rotating_mass for c in engine.cylinders):
             facts.append("rotating masses are taken as balanced, throw by throw")
         if engine.has_link_pin_masses:
             facts.append("but for what link pins move those on them beside the crank pins")
-    return facts + [_shaft(s) for s in found.shafts]
+    return facts + [_shaft(s) for s in balancers.shafts]
 
 
 def _counterweight(counterweight: Counterweight) -> Words:
@@ -48,8 +48,8 @@ def _counterweight(counterweight: Counterweight) -> Words:
     if counterweight.weight is None:
         share = counterweight.overbalance or 0
         tail = f" from opposite the pin, by {counterweight.angle.as_text()} degrees"
-        turned = tail if counterweight.angle.turns or counterweight.angle.symbols else ""
-        return f"{head}for its rotating mass and {share} of its reciprocating mass{turned}"
+        direction = tail if counterweight.angle.turns or counterweight.angle.symbols else ""
+        return f"{head}for its rotating mass and {share} of its reciprocating mass{direction}"
     return (head, *_size(counterweight.weight.vector, counterweight.weight.in_kg_mm), opposite)
 
 
@@ -109,9 +109,9 @@ def direction(vector: Amplitude) -> tuple[Any, ...]:
     import sympy
 
     phase = Component(vector).phase
-    turned = phase * 180 / sympy.pi
-    if turned.is_Rational:
-        return (formula_of(turned), "°")
+    degrees_exact = phase * 180 / sympy.pi
+    if degrees_exact.is_Rational:
+        return (formula_of(degrees_exact), "°")
     if vector.has_symbols:
         return (formula_of(phase),)
     near = vector.evaluated()
