@@ -43,7 +43,7 @@ def _counterweight(counterweight: Counterweight) -> Words:
     where += [f"web {counterweight.web}"] if counterweight.web else []
     opposite = ", from opposite its pin" if where else ""
     if counterweight.station is not None or not where:
-        where.append(f"station {signed(counterweight.station or 0)}")
+        where.append(f"station {with_minus(counterweight.station or 0)}")
     head = f"counterweight on {', '.join(where)}: "
     if counterweight.weight is None:
         share = counterweight.overbalance or 0
@@ -66,7 +66,7 @@ def _shaft(shaft: BalanceShaft) -> Words:
 
 
 def _weight(weight: Weight) -> tuple[Any, ...]:
-    return (*_size(weight.vector, weight.in_kg_mm), f", station {signed(weight.station)}")
+    return (*_size(weight.vector, weight.in_kg_mm), f", station {with_minus(weight.station)}")
 
 
 def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
@@ -79,7 +79,7 @@ def size(vector: Amplitude) -> tuple[Any, ...]:
     exact = formula_of(Component(vector).amplitude)
     if vector.has_symbols or (not vector.is_decimal and len(formula_text(exact)) <= LONGEST):
         return (exact,)
-    return ("≈ ", Decimal(rounded(vector.size())))
+    return ("≈ ", Decimal(five_digits(vector.size())))
 
 
 def nearly(vector: Amplitude) -> Words:
@@ -87,11 +87,11 @@ def nearly(vector: Amplitude) -> Words:
     first, *more = size(vector)
     if vector.has_symbols or more:
         return ""
-    near = rounded(vector.size()).removesuffix(".0")
+    near = five_digits(vector.size()).removesuffix(".0")
     return "" if near == formula_text(first) else Decimal(near)
 
 
-def rounded(value: Any) -> str:
+def five_digits(value: Any) -> str:
     """Return a decimal to five digits."""
     return nstr(value, 5)
 
@@ -116,9 +116,9 @@ def direction(vector: Amplitude) -> tuple[Any, ...]:
         return (formula_of(phase),)
     near = vector.evaluated()
     degrees = atan2(near.imag, near.real) * 180 / pi()
-    return ("≈ ", Decimal(rounded(degrees)), "°")
+    return ("≈ ", Decimal(five_digits(degrees)), "°")
 
 
-def signed(number: Fraction | int) -> str:
+def with_minus(number: Fraction | int) -> str:
     """Return a number with a minus sign of its own."""
     return str(number).replace("-", "−")

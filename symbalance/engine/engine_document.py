@@ -1,4 +1,4 @@
-"""An engine in words: title, banks, firing order, crank angle zero, table of unlike cylinders, letters."""
+"""An engine in words: title, banks, firing order, zero of the crank angle, unlike cylinders, letters."""
 
 from __future__ import annotations
 
