@@ -13,9 +13,7 @@ Map = Callable[[Array], Array]
 
 
 def solved(apply: Map, side: Array, tolerance: float = 1e-11, most: int = 400) -> Array:
-    """Return x with apply(x) = side, by GMRES without restarts.
-
-    Source: Y. Saad and M. H. Schultz, SIAM J. Sci. Stat. Comput. 7 (1986), 856-869.
+    """Return x with apply(x) = side, by GMRES without restarts (Saad and Schultz 1986, from memory).
 
     >>> solved(lambda x: np.array([2 * x[0], x[1] - x[0]]), np.array([2.0, 3.0])).round(9)
     array([1., 4.])
