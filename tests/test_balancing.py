@@ -20,7 +20,7 @@ from symbalance.design.balancing.bounded import bounded
 from symbalance.design.balancing.overbalancing import amplitudes, first_order
 from symbalance.design.balancing.planes import in_planes
 from symbalance.engine.catalogue import preset_names
-from symbalance.engine.trains import CrankTrain, Link
+from symbalance.engine.crank_train import CrankTrain, Link
 from symbalance.exact.angles import Angle
 from symbalance.exact.arithmetic import total
 from symbalance.exact.phasor import ZERO, Phasor

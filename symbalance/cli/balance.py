@@ -13,7 +13,7 @@ def run(options: argparse.Namespace) -> int:
     power = None if options.power is None else whole_number(options.power, "power")
 
     from symbalance.engine.catalogue import load
-    from symbalance.forces.resultants import balance
+    from symbalance.forces.free_forces import balance
 
     show(balance(load(options.engine), order, ratio=options.ratio, power=power), options)
     return 0

@@ -21,7 +21,7 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.codegen import planned_for
     from symbalance.codegen.targets import FILES, files, identifier
     from symbalance.engine.catalogue import load
-    from symbalance.forces.resultants import balance
+    from symbalance.forces.free_forces import balance
     from symbalance.kinematics.slider_crank import checked_ratio
 
     path = _path(options.output, FILES[options.target], options.target)

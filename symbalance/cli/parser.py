@@ -99,11 +99,11 @@ def _add_check(commands: argparse._SubParsersAction) -> None:
 
 def _add_engines(commands: argparse._SubParsersAction) -> None:
     parser = command(commands, "engines", "The preset engines, with their sources.")
-    shown = parser.add_mutually_exclusive_group()
-    shown.add_argument(
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument(
         "--show", metavar="NAME", help="print a preset's engine file, to start your own from"
     )
-    shown.add_argument(
+    what.add_argument(
         "--schema", action="store_true", help="print the JSON Schema of engine files, for editors"
     )
     add_output(parser)

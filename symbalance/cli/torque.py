@@ -69,14 +69,14 @@ def _is_running(options: argparse.Namespace, whole: bool) -> bool:
 
 def _sizes(options: argparse.Namespace, first: Any, whole: bool) -> dict[str, object]:
     """Return stroke and mass as far as they are said, or needed and known to do no harm."""
-    found: dict[str, object] = {}
+    sizes: dict[str, object] = {}
     for option, name, harmless in (("stroke", "stroke", 1), ("mass", "reciprocating_mass", 0)):
-        said, known = getattr(options, option), getattr(first, name)
-        if said is not None:
-            found[name] = said
+        words, known = getattr(options, option), getattr(first, name)
+        if words is not None:
+            sizes[name] = words
         elif known is None and not whole:
-            found[name] = harmless
+            sizes[name] = harmless
         elif known is None:
             remedy = f"give --{option}, or {name} in an engine file"
             raise SymbalanceError(name, "is needed, and the engine does not give it", remedy)
-    return found
+    return sizes

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from symbalance.document.formula import Equation
-from symbalance.document.line_breaking import Medium, broken_equation
+from symbalance.document.line_breaking import Medium, break_equation
 
 
 class DisplayedLine(NamedTuple):
@@ -17,7 +17,7 @@ class DisplayedLine(NamedTuple):
     printed: str
 
 
-def displayed(
+def display_lines(
     equations: Sequence[Equation], writer: Medium, room: float, indent: float, column: float = 0
 ) -> Iterator[DisplayedLine]:
     """Yield the lines of equations that share one left column, none wider than `room` where that can be.
@@ -29,5 +29,5 @@ def displayed(
     names = [writer.write(each.left) for each in equations]
     left = max(column, *map(writer.width, names)) + space
     for name, each in zip(names, equations, strict=True):
-        for place, line in enumerate(broken_equation(each, writer, room - left, indent)):
+        for place, line in enumerate(break_equation(each, writer, room - left, indent)):
             yield DisplayedLine("" if place else name, line.depth, line.printed)

@@ -62,18 +62,18 @@ class Fitted:
         return tuple(all(map(is_number, self.cells(i))) for i in range(len(self.columns)))
 
 
-def fitted(table: Table, width: Callable[[Words], float], room: float, gap: float) -> Fitted:
+def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: float) -> Fitted:
     """Return a table with the exact cells that fit into `room`; `gap` lies between two columns.
 
     The widest column gives way first, its short cells last.
     """
-    kept = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in table.rows)]
-    columns = tuple(table.columns[i] for i in kept)
-    cells = [tuple(_readable(row[i]) for i in kept) for row in table.rows]
+    filled = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in table.rows)]
+    columns = tuple(table.columns[i] for i in filled)
+    cells = [tuple(_readable(row[i]) for i in filled) for row in table.rows]
     unread = sum(
         cell is not row[i]
-        for row, own in zip(table.rows, cells, strict=True)
-        for i, cell in zip(kept, own, strict=True)
+        for row, row_cells in zip(table.rows, cells, strict=True)
+        for i, cell in zip(filled, row_cells, strict=True)
     )
     longest: dict[int, int] = {}  # by column: how long an exact form may be
 
@@ -90,7 +90,7 @@ def fitted(table: Table, width: Callable[[Words], float], room: float, gap: floa
             longest[widest] = limit
             sizes[widest] = width_of(widest)
     rows = tuple(tuple(_chosen(c, longest.get(i)) for i, c in enumerate(row)) for row in cells)
-    keys = sum(i < table.keys for i in kept)
+    keys = sum(i < table.keys for i in filled)
     return Fitted(columns, rows, _left_out(keys, columns, cells, longest), _remark(unread))
 
 

@@ -64,7 +64,7 @@ class Line:
     width: float
 
 
-def broken(relation: str, right: Formula, medium: Medium, room: float, indent: float) -> list[Line]:
+def break_link(relation: str, right: Formula, medium: Medium, room: float, indent: float) -> list[Line]:
     """Return `relation right` in lines no wider than `room` where that can be.
 
     Each bracket a line continues takes up `indent` of its room.
@@ -72,76 +72,76 @@ def broken(relation: str, right: Formula, medium: Medium, room: float, indent: f
     >>> from symbalance.document.text_writer import TextWriter
     >>> from symbalance.document.formula import Name
     >>> a, b, c = map(Name, "abc")
-    >>> [line.printed for line in broken("=", a * (a + b * (a + b) - c), TextWriter(), 14, 2)]
+    >>> [line.printed for line in break_link("=", a * (a + b * (a + b) - c), TextWriter(), 14, 2)]
     ['= a [a', '+ b (a + b)', '− c]']
     """
     piece = _glued(_piece(right, medium), f"{medium.relation(relation)} ", "", medium)
-    return filled((piece,), room, indent)
+    return fill_lines((piece,), room, indent)
 
 
-def broken_equation(equation: Equation, medium: Medium, room: float, indent: float) -> list[Line]:
+def break_equation(equation: Equation, medium: Medium, room: float, indent: float) -> list[Line]:
     """Return what stands right of an equation's left side, in lines: short links together on one.
 
     >>> from symbalance.document.text_writer import TextWriter
     >>> from symbalance.document.formula import Name, equal
     >>> a, b, c = map(Name, "abc")
-    >>> [line.printed for line in broken_equation(equal(a, b, c, a + b + c), TextWriter(), 9, 2)]
+    >>> [line.printed for line in break_equation(equal(a, b, c, a + b + c), TextWriter(), 9, 2)]
     ['= b = c', '= a + b', '+ c']
     """
     lines: list[Line] = []
-    space, held = medium.width(" "), False
+    space, may_run_on = medium.width(" "), False
     for sign, right in equation.links:
-        link = broken(sign, right, medium, room, indent)
+        link = break_link(sign, right, medium, room, indent)
         head = link[0]
-        if held and len(link) == 1 and lines[-1].width + space + head.width <= room:
+        if may_run_on and len(link) == 1 and lines[-1].width + space + head.width <= room:
             lines[-1] = Line(
                 0, f"{lines[-1].printed} {head.printed}", lines[-1].width + space + head.width
             )
             continue
         lines += link
-        held = len(link) == 1
+        may_run_on = len(link) == 1
     return lines
 
 
-def broken_sum(value: Formula, medium: Medium, room: float, first: float, indent: float) -> list[Line]:
+def break_sum(value: Formula, medium: Medium, room: float, first: float, indent: float) -> list[Line]:
     """Return a formula in lines of which the first has `first` of the room, the others all but `indent`.
 
     >>> from symbalance.document.text_writer import TextWriter
     >>> from symbalance.document.formula import Name
     >>> a, b, c = map(Name, "abc")
-    >>> [line.printed for line in broken_sum(a + b - c, TextWriter(), 10, 3, 2)]
+    >>> [line.printed for line in break_sum(a + b - c, TextWriter(), 10, 3, 2)]
     ['a', '+ b − c']
     """
     piece = _piece(value, medium)
-    lines = filled(piece.inside or (piece,), room, indent, taken=room - first, depth=1)
+    lines = fill_lines(piece.inside or (piece,), room, indent, used=room - first, depth=1)
     # Whole on one line it has brackets that grow, which the pieces of a broken one cannot have.
     return lines if len(lines) > 1 else [Line(0, medium.write(value), lines[0].width)]
 
 
-def filled(
-    pieces: Iterable[Piece], room: float, indent: float, taken: float = 0, depth: int = 0
+def fill_lines(
+    pieces: Iterable[Piece], room: float, indent: float, used: float = 0, depth: int = 0
 ) -> list[Line]:
-    """Return pieces in lines no wider than `room` where that can be; `taken` is gone from the first.
+    """Return pieces in lines no wider than `room` where that can be; `used` is gone from the first.
 
     Lines after the first are `depth` brackets deep.
     """
-    done = [Line(0, "", taken)]
-    _fill(pieces, done, room, indent, depth)
-    return done
+    lines = [Line(0, "", used)]
+    _fill(pieces, lines, room, indent, depth)
+    return lines
 
 
-def _fill(pieces: Iterable[Piece], done: list[Line], room: float, indent: float, depth: int) -> None:
+def _fill(pieces: Iterable[Piece], lines: list[Line], room: float, indent: float, depth: int) -> None:
     for piece in pieces:
-        fresh = not done[-1].printed
-        if done[-1].width + piece.width <= room or (fresh and not piece.inside):
-            done[-1].printed += piece.printed.lstrip() if fresh else piece.printed
-            done[-1].width += piece.width
+        fresh = not lines[-1].printed
+        if lines[-1].width + piece.width <= room or (fresh and not piece.inside):
+            lines[-1].printed += piece.printed.lstrip() if fresh else piece.printed
+            lines[-1].width += piece.width
         elif not piece.inside or (not fresh and depth * indent + piece.width <= room):
-            done.append(Line(depth, piece.printed.lstrip(), depth * indent + piece.width))
+            lines.append(Line(depth, piece.printed.lstrip(), depth * indent + piece.width))
         else:
             if not fresh:
-                done.append(Line(depth, "", depth * indent))
-            _fill(piece.inside, done, room, indent, depth + 1)
+                lines.append(Line(depth, "", depth * indent))
+            _fill(piece.inside, lines, room, indent, depth + 1)
 
 
 def _piece(value: Formula, medium: Medium) -> Piece:

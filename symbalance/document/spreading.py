@@ -17,7 +17,7 @@ from symbalance.document.formula import (
 )
 
 
-def spread(value: Formula) -> tuple[int, Formula]:
+def expand_radicals(value: Formula) -> tuple[int, Formula]:
     """Return (power, formula) such that value^power is the formula, a sum without a bar or root over it.
 
     The power is 2 for a root, whose sign the square does not tell, else 1. What is neither stays.
@@ -25,9 +25,9 @@ def spread(value: Formula) -> tuple[int, Formula]:
     >>> from symbalance.document.formula import Name, sqrt
     >>> from symbalance.document.text_writer import formula_text
     >>> a, b = Name("a"), Name("b")
-    >>> formula_text(spread((a - 3 * b) / 2)[1])
+    >>> formula_text(expand_radicals((a - 3 * b) / 2)[1])
     'a/2 − 3b/2'
-    >>> power, square = spread(sqrt((a + b) / 2) / 3)
+    >>> power, square = expand_radicals(sqrt((a + b) / 2) / 3)
     >>> power, formula_text(square)
     (2, 'a/18 + b/18')
     """
@@ -59,8 +59,8 @@ def _scaled(value: Formula, factor: Fraction) -> Formula:
 
 
 def _term(term: Formula, factor: Fraction) -> Formula:
-    own, rest = _factor(term)
-    whole = own * factor
+    coefficient, rest = _factor(term)
+    whole = coefficient * factor
     if isinstance(rest, Number):
         whole, rest = whole * rest.value, number(1)
     size = monomial(abs(whole), rest, 0 if rest == number(1) else 1)

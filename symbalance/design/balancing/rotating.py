@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.balancing.planes import in_planes
 from symbalance.document.result import Result
-from symbalance.engine.balancers import Counterweight, Weight
+from symbalance.engine.balance_masses import Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.amplitude import Amplitude
@@ -137,7 +137,7 @@ def rotating_weights(layout: Engine) -> list[Weight]:
     """Return the rotating masses of an engine, in kg mm if its sizes are known, else in shares.
 
     >>> from symbalance.engine.builders import inline
-    >>> from symbalance.engine.trains import CrankTrain
+    >>> from symbalance.engine.crank_train import CrankTrain
     >>> train = CrankTrain(reciprocating_mass=Fraction(1, 2), rotating_mass=Fraction(3, 4))
     >>> [w.vector.rational() for w in rotating_weights(inline("1-2", crank_train=train))]
     [Fraction(3, 2), Fraction(3, 2)]
