@@ -19,7 +19,7 @@ CITATION = re.compile(r"\bSources?(?: of the idea)?: [A-Za-z]")
 """A docstring that names its source."""
 TEXTS = (".py", ".pyi", ".md", ".toml")
 UNSAID = {"concentration.py", "krylov.py"}
-"""The one was looked up (docs/sources.md), its docstring has yet to say so; the other gives way to SciPy."""
+"""One was looked up (docs/sources.md), which its docstring has yet to say; one gives way to SciPy."""
 
 
 def texts_in(*folders):
