@@ -6,7 +6,7 @@ Im(conj(p) u e^(i n theta)) for a vector u at n times the crank's speed: exact h
 shafts at +-2 that take 2 F_2 each of an in-line four, the one that turns with the crank h above the
 other, have the moment -2 (h/r) A_2 sin 2 theta in m r^2 omega^2; the pistons leave -4 t_2 sin 2 theta.
 With t_2 = -1/2 and A_2 = r/l to leading order, h = l, one rod length, ends force and roll moment at once;
-Mitsubishi's silent shafts take a part of that height (Nakamura, SAE 760111, 1976, from memory).
+Gas torque asks for another height, so one that is built is a compromise: derivations/balancing.md.
 """
 
 from __future__ import annotations

@@ -3,8 +3,8 @@ r"""The ellipse that one order of a force or couple draws, from its two rotating
 forward e^(i n theta) + backward e^(-i n theta) draws an ellipse with semi-axes |forward| + |backward| and
 ||forward| - |backward||, the long one at half the sum of the parts' directions. It is a circle where one
 part is 0 and a straight line where both are equal; it is run through with the crank where the forward
-part is the larger. (Two counter-rotating vectors: Den Hartog, Mechanical Vibrations, section 5.2, from
-memory.)
+part is the larger. (Both follow from where the
+two counter-rotating vectors stand in line.)
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@ r"""Rotating parts: sum of m_i r_i, the force and couple they leave, and the cou
 
 A part of mass m at radius r and angle a has the unbalance m r e^(i a); a crank is in static balance where
 their sum is 0, in dynamic balance where the sum of station * m r e^(i a) is 0 too. For one throw that is
-the second equation of a founding document, sum of m_i r_i = m_4 r_4. For a crank two planes always do
-(Den Hartog, Mechanical Vibrations, section 6.2, from memory); `symbalance.design.balancing.planes`
+the second equation of a founding document, sum of m_i r_i = m_4 r_4. For a crank two planes always do:
+w_1 + w_2 = force and z_1 w_1 + z_2 w_2 = couple have one solution; `symbalance.design.balancing.planes`
 shares the weights out over more.
 """
 
