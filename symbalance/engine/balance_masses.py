@@ -118,8 +118,8 @@ class Counterweight:
         set_field, known = object.__setattr__, overbalance is None
         set_field(self, "angle", _direction(angle))
         set_field(self, "station", None if station is None else exact(station, "station"))
-        made = Weight(0, self.angle, share=share, unbalance=unbalance) if known else None
-        set_field(self, "weight", made)
+        weight = Weight(0, self.angle, share=share, unbalance=unbalance) if known else None
+        set_field(self, "weight", weight)
         set_field(self, "overbalance", None if known else exact(overbalance, "overbalance"))
         for name, value in (("throw", throw), ("web", web)):
             checked = None if value is None else checked_whole(value, name, 1, 2000, "count from 1")
