@@ -17,10 +17,9 @@ from symbalance.document import formula as f
 from symbalance.document.expressions import formula_of
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
 from symbalance.document.letters import letter_parts, lowered, raised
-from symbalance.document.line_breaking import break_equation, break_link, break_sum
+from symbalance.document.line_breaking import break_equation, break_link, break_sum, expand_radicals
 from symbalance.document.mathml_writer import formula_mathml
 from symbalance.document.nodes import Paragraph
-from symbalance.document.spreading import expand_radicals
 from symbalance.document.symbols import symbol
 from symbalance.document.sympy_writer import formula_sympy
 from symbalance.document.text_writer import TextWriter, formula_text
