@@ -28,7 +28,7 @@ from symbalance.cli import run as command
 from symbalance.codegen import planned_for, to_function
 from symbalance.codegen.plans import Plan
 from symbalance.engine.catalogue import load
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 from tests import kinematics
 
 U, U32 = 2.0**-53, 2.0**-24

@@ -12,7 +12,7 @@ import pytest
 
 import symbalance as sb
 from symbalance.engine.catalogue import preset_names
-from symbalance.engine.tops import firing_dead_centres
+from symbalance.engine.dead_centres import firing_dead_centres
 from tests import placed
 
 ROWS: list[dict[str, Any]] = tomllib.loads(

@@ -25,7 +25,7 @@ from symbalance.cli import run as command
 from symbalance.codegen import to_function
 from symbalance.engine.catalogue import load
 from symbalance.errors import SymbalanceError
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 from tests.targets import (
     BY_NAME,
     CASES,

@@ -11,7 +11,7 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine.trains import CrankTrain, Link
+from symbalance.engine.crank_train import CrankTrain, Link
 from tests.placed import component, planar, planar_series
 
 SHARED = CrankTrain(stroke=Fraction(90), rod=Fraction(164))

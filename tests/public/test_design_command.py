@@ -14,7 +14,7 @@ import sympy
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.engine.catalogue import preset_names
-from symbalance.engine.trains import CrankTrain
+from symbalance.engine.crank_train import CrankTrain
 from tests.independent import test_unlike
 
 SIZES = CrankTrain(
