@@ -2,7 +2,7 @@
 
 from symbalance.notes.reading.document import read_document, read_equation, read_expression
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
-from symbalance.notes.reading.naming import canonical_name
+from symbalance.notes.reading.letter_names import canonical_name
 
 __all__ = [
     "ReadingError",
