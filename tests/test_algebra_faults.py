@@ -16,7 +16,7 @@ from test_algebra import DisagreementError, assert_soundly_compared, assert_valu
 from test_algebra_series import LARGE, SMALL, RemainderError, assert_good, series_of
 
 from symbalance.exact.phasor import Phasor
-from symbalance.notes.algebra import derivatives, functions, named, polynomials, zero
+from symbalance.notes.algebra import derivatives, functions, polynomials, zero
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import unit
 from symbalance.notes.algebra.series import Expansion, Series
@@ -38,7 +38,7 @@ def expanded(text: str, letter: tuple[str, int], through: int) -> Comparison:
 
 
 def flipped_sine(patch: Patch) -> None:
-    patch.setitem(named._CIRCULAR, "sin", lambda x: functions.sine(x).scaled(-1))
+    patch.setitem(functions._CIRCULAR, "sin", lambda x: functions.sine(x).scaled(-1))
 
 
 def half_angle_lost(patch: Patch) -> None:

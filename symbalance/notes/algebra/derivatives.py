@@ -16,12 +16,12 @@ from symbalance.notes.algebra.roots import root, unit
 Rates = Mapping[int, Polynomial]
 
 
-def differentiated(form: Form, rates: Rates) -> Form:
+def differentiate(form: Form, rates: Rates) -> Form:
     """Return the rate of change, given the rates of the letters that change; the others are constant.
 
     >>> domain = Domain()
     >>> s = Form.letter(domain, "s")
-    >>> differentiated(s.times(s), {domain.symbol("s"): {(): Fraction(1)}}).equals(s.scaled(2))
+    >>> differentiate(s.times(s), {domain.symbol("s"): {(): Fraction(1)}}).equals(s.scaled(2))
     True
     """
     return _Differentiation(form.domain, rates).of(form)

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from symbalance.document import formula
-from symbalance.notes.algebra import functions, named
-from symbalance.notes.algebra.derivatives import differentiated
+from symbalance.notes.algebra import functions
+from symbalance.notes.algebra.derivatives import differentiate
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.polynomials import MOST_WORK
@@ -87,13 +87,13 @@ class Evaluator:
 
     def rates(self, variable: str) -> dict[int, Polynomial]:
         """Return the letters that change with `variable`, and their rates."""
-        own: dict[int, Polynomial] = {self.domain.symbol(variable): {(): Fraction(1)}}
+        rates_by_number: dict[int, Polynomial] = {self.domain.symbol(variable): {(): Fraction(1)}}
         for name, rate in self.meaning.rates.get(variable, {}).items():
             form = self.form(rate)
             if not form.is_polynomial:
                 raise NoFormError("a rate that is a quotient")
-            own[self.domain.symbol(name)] = form.numerator
-        return own
+            rates_by_number[self.domain.symbol(name)] = form.numerator
+        return rates_by_number
 
 
 def _number(evaluator: Evaluator, node: formula.Number) -> Form:
@@ -149,7 +149,7 @@ def _power(evaluator: Evaluator, node: formula.Power) -> Form:
     if phase is not None:
         functions.assume_whole(exponent, base)
         return functions.exponential(exponent.times(phase))
-    return functions.exponential(exponent.times(named.logarithm(base)))
+    return functions.exponential(exponent.times(functions.logarithm(base)))
 
 
 def rational_power(base: Form, exponent: Fraction) -> Form:
@@ -169,7 +169,7 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
 
 def _call(evaluator: Evaluator, node: formula.Call) -> Form:
     argument = evaluator.form(node.argument)
-    return named.apply(node.function, argument)
+    return functions.apply(node.function, argument)
 
 
 def _derivative(evaluator: Evaluator, node: formula.Derivative) -> Form:
@@ -184,7 +184,7 @@ def _derivative(evaluator: Evaluator, node: formula.Derivative) -> Form:
         return _by_chain_rule(evaluator, evaluator.form(inner), node)
     form, rates = evaluator.form(inner), evaluator.rates(variable)
     for _ in range(node.order):
-        form = differentiated(form, rates)
+        form = differentiate(form, rates)
     return form
 
 
@@ -192,9 +192,9 @@ def _by_chain_rule(evaluator: Evaluator, form: Form, node: formula.Derivative) -
     """Return df/dx = (df/dt)/(dx/dt) where x itself is a motion."""
     time = next(iter(evaluator.meaning.rates))
     rates = evaluator.rates(time)
-    below = differentiated(evaluator.letter(node.variable.name), rates)
+    below = differentiate(evaluator.letter(node.variable.name), rates)
     for _ in range(node.order):
-        form = differentiated(form, rates).over(below)
+        form = differentiate(form, rates).over(below)
     return form
 
 

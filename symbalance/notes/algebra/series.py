@@ -33,8 +33,8 @@ class Series:
 
     def cut(self, through: int) -> Series:
         """Return the series known only through a lower order, zeros dropped."""
-        kept = {k: f for k, f in self.terms.items() if k <= through and f.is_zero() is not True}
-        return Series(self.domain, kept, min(through, self.through))
+        terms = {k: f for k, f in self.terms.items() if k <= through and f.is_zero() is not True}
+        return Series(self.domain, terms, min(through, self.through))
 
     def settled(self) -> Series:
         """Return the series without the terms that are zero."""

@@ -24,23 +24,23 @@ def context() -> Any:
 
 def letters(form: Form) -> list[str]:
     """Return the letters a form depends on, those inside roots, angles and functions included."""
-    found: dict[str, None] = {}
-    _collect(form.domain, form.numerator, found)
-    _collect(form.domain, form.denominator, found)
-    return [name for name in found if name not in ("pi", "e")]
+    names: dict[str, None] = {}
+    _collect(form.domain, form.numerator, names)
+    _collect(form.domain, form.denominator, names)
+    return [name for name in names if name not in ("pi", "e")]
 
 
-def _collect(domain: Domain, polynomial: Polynomial, found: dict[str, None]) -> None:
+def _collect(domain: Domain, polynomial: Polynomial, names: dict[str, None]) -> None:
     for number in sorted({g for monomial in polynomial for g, _ in monomial}):
         generator = domain.generators[number]
         if generator.kind == "symbol":
-            found[generator.content] = None
+            names[generator.content] = None
         elif generator.kind in ("exponential", "growth"):
-            _collect(domain, {generator.content: Fraction(1)}, found)
+            _collect(domain, {generator.content: Fraction(1)}, names)
         elif generator.kind == "radical":
-            _collect(domain, generator.content, found)
+            _collect(domain, generator.content, names)
         elif generator.kind == "opaque":
-            found |= dict.fromkeys(letters(generator.content[1]))
+            names |= dict.fromkeys(letters(generator.content[1]))
 
 
 def random_point(names: list[str], domain: Domain, seed: int) -> Point:
@@ -82,12 +82,12 @@ class Valuation:
         return self.polynomial(form.numerator) / below
 
     def _check_assumptions(self) -> None:
-        waiting = self.domain.positive_polynomials[self._checked :]
-        self._checked += len(waiting)
-        for polynomial in waiting:
-            found: dict[str, None] = {}
-            _collect(self.domain, polynomial, found)
-            if found.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
+        unchecked = self.domain.positive_polynomials[self._checked :]
+        self._checked += len(unchecked)
+        for polynomial in unchecked:
+            names: dict[str, None] = {}
+            _collect(self.domain, polynomial, names)
+            if names.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
                 raise NoFormError("a denominator under a root is negative at this point")
 
     def polynomial(self, polynomial: Polynomial) -> Any:
@@ -159,14 +159,14 @@ class Valuation:
 def sample(forms: list[Form], tries: int = 24) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all forms are defined and real, with their values."""
     names = sorted({name for form in forms for name in letters(form)})
-    found = []
+    samples = []
     for seed in range(tries):
         point = random_point(names, forms[0].domain, seed)
         valuation = Valuation(forms[0].domain, point)
         try:
-            found.append((point, [valuation.of(form) for form in forms]))
+            samples.append((point, [valuation.of(form) for form in forms]))
         except (NoFormError, KeyError, ZeroDivisionError, TypeError, OverflowError):
             continue
-        if len(found) == 3:
+        if len(samples) == 3:
             break
-    return found
+    return samples

@@ -24,7 +24,7 @@ from symbalance.document.formula import (
     Quotient,
     Sum,
 )
-from symbalance.notes.checking.meanings import by_meaning
+from symbalance.notes.checking.symbol_roles import letters_by_role
 
 
 def two() -> Number:
@@ -102,7 +102,7 @@ class Geometry:
 
 def geometry(symbols: Mapping[str, str], convention: str = "") -> Geometry:
     """Return the slider-crank in the letters of a document; `convention` says what its λ or ρ means."""
-    letters = by_meaning(symbols)
+    letters = letters_by_role(symbols)
 
     def first(*meanings: str) -> Formula | None:
         return next((Name(letters[m][0]) for m in meanings if m in letters), None)

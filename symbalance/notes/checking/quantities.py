@@ -23,11 +23,11 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.errors import SymbalanceError
-from symbalance.notes.algebra.numbers import rational_node
+from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.engines import Engines, KnownCylinder, KnownEngine, Sources
 from symbalance.notes.checking.geometry import Geometry
-from symbalance.notes.checking.letters import far_power, series_node
-from symbalance.notes.checking.sidecar import Bind
+from symbalance.notes.checking.sidecar import Binding
+from symbalance.notes.checking.symbols import far_power, series_node
 
 UNITS = ("", "F", "F_n")
 
@@ -48,7 +48,7 @@ OF_AN_ENGINE = (
 QUANTITIES = (*ONE_CYLINDER, *OF_AN_ENGINE[1:], "coefficient", "harmonic", "value")
 
 
-def quantity(bind: Bind, crank: Geometry, sources: Sources, in_numbers: bool) -> Formula:
+def quantity(bind: Binding, crank: Geometry, sources: Sources, in_numbers: bool) -> Formula:
     """Return what a bound line claims to be; `in_numbers` puts in the engine's own rod ratio."""
     if bind.quantity not in QUANTITIES:
         raise _refusal(bind, "quantity", bind.quantity, "known are " + ", ".join(QUANTITIES))
@@ -77,11 +77,11 @@ def quantity(bind: Bind, crank: Geometry, sources: Sources, in_numbers: bool) ->
     return Product(tuple(parts))
 
 
-def _refusal(bind: Bind, key: str, value: object, remedy: str) -> SymbalanceError:
+def _refusal(bind: Binding, key: str, value: object, remedy: str) -> SymbalanceError:
     return SymbalanceError(f"{key} = {value}", "is not usable here", remedy, f"{bind.place}: bind")
 
 
-def _engine(bind: Bind, sources: Sources) -> KnownEngine:
+def _engine(bind: Binding, sources: Sources) -> KnownEngine:
     try:
         return sources.engines.engine(bind.engine, sources.folder)
     except SymbalanceError as problem:
@@ -89,7 +89,7 @@ def _engine(bind: Bind, sources: Sources) -> KnownEngine:
 
 
 def _coefficient(
-    bind: Bind, crank: Geometry, engine: KnownEngine | None, in_numbers: bool, engines: Engines
+    bind: Binding, crank: Geometry, engine: KnownEngine | None, in_numbers: bool, engines: Engines
 ) -> Formula:
     """Return A_n as a series in the document's letter, or its value for the engine's rod ratio."""
     order = bind.order or 1
@@ -103,7 +103,7 @@ def _coefficient(
     return series_node(engines.coefficient_terms(order, power), crank.ratio)
 
 
-def geometry(bind: Bind, engine: KnownEngine, theta: Formula) -> Formula:
+def geometry(bind: Binding, engine: KnownEngine, theta: Formula) -> Formula:
     """Return the sum over the bound cylinders of weight cos n(θ + delay)."""
     kind, component, function = (*bind.quantity.split("."), "", "")[:3]
     chosen = [c for c in engine.cylinders if _is_meant(bind, c, engine)]
@@ -122,7 +122,7 @@ def geometry(bind: Bind, engine: KnownEngine, theta: Formula) -> Formula:
     return Sum(tuple(terms))
 
 
-def _is_meant(bind: Bind, cylinder: KnownCylinder, engine: KnownEngine) -> bool:
+def _is_meant(bind: Binding, cylinder: KnownCylinder, engine: KnownEngine) -> bool:
     if bind.cylinder is not None:
         return cylinder.number == bind.cylinder
     if bind.bank is not None:

@@ -13,8 +13,8 @@ def report_data(checked: Checked) -> dict[str, Any]:
     entries = [entry for v in checked.verdicts for entry in (verdict_data(v), *continuations(v))]
     return {
         "document": checked.derivation.name,
-        "seen": checked.seen,
-        "counts": dict.fromkeys(VERDICTS, 0) | checked.counted(),
+        "seen": checked.relation_count,
+        "counts": dict.fromkeys(VERDICTS, 0) | checked.counts(),
         "links": sorted(entries, key=lambda entry: entry["line"]),
     }
 

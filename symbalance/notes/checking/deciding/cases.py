@@ -14,17 +14,17 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
 from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.deciding.changing import substituted
+from symbalance.notes.checking.deciding.equality import PROVED, Decision, equal
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.orders import Small, summed
-from symbalance.notes.checking.deciding.steps import PROVED, Answer, equal
+from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain
 
 HIGHEST = 8
 
 
-def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) -> Answer | None:
+def numbers_put_in(chain: Chain, k: int, refuted: Decision, knowledge: Knowledge) -> Decision | None:
     """Return the answer for a refuted relation that only puts numbers in, or states a condition."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if names(right) or not names(left) or refuted.left is None:
@@ -35,11 +35,11 @@ def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) 
     if free & knowledge.angles:
         alone = k == 0 and len(chain.relations) == 1
         simple = alone and (is_simple(left) or _is_product(left, right, knowledge))
-        return Answer(DEFINITION, "a condition") if simple else None
+        return Decision(DEFINITION, "a condition") if simple else None
     if right == Number(Fraction(0)):
         return None
     known = {n for n, d in knowledge.definitions.items() if d.numeric}
-    return None if names(left) <= known else Answer(DEFINITION, "numbers put in")
+    return None if names(left) <= known else Decision(DEFINITION, "numbers put in")
 
 
 def states_a_case(chain: Chain) -> bool:
@@ -53,7 +53,7 @@ def states_a_case(chain: Chain) -> bool:
     return isinstance(left, Name) or (isinstance(left, Call) and isinstance(left.argument, Name))
 
 
-def with_ratio_put_in(left: Formula, right: Formula, knowledge: Knowledge) -> Answer | None:
+def with_ratio_put_in(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
     """Return the answer for a ≈ r ω²(cos θ + ¼ cos 2θ) after λ = 4: cut off at an order, then put in.
 
     None unless the ratio has a number, does not stand on the right, and some order agrees.
@@ -67,11 +67,11 @@ def with_ratio_put_in(left: Formula, right: Formula, knowledge: Knowledge) -> An
     try:
         exact = Expansion(evaluator.domain, *small, HIGHEST).of(evaluator.form(left))
         for order in range(HIGHEST + 1):
-            cut_off = summed(exact.cut(order), Small(*small, order))
-            node = substituted(polynomial_node(evaluator.domain, cut_off.numerator), small[0], known.node)
+            cut_off = truncated_sum(exact.cut(order), SmallLetter(*small, order))
+            node = substitute(polynomial_node(evaluator.domain, cut_off.numerator), small[0], known.node)
             if equal(node, right, knowledge).proved:
-                name = Small(*small, order).text
-                return Answer(
+                name = SmallLetter(*small, order).text
+                return Decision(
                     PROVED, f"with {formula_text(Name(small[0]), plain=True)} of line {known.line}", name
                 )
     except (NoFormError, TooLargeError):

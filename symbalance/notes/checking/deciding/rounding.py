@@ -17,7 +17,7 @@ from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import Components, components
 from symbalance.notes.algebra.values import Valuation, context, letters
-from symbalance.notes.checking.deciding.changing import replaced
+from symbalance.notes.checking.deciding.substitution import replace_part
 
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
@@ -46,7 +46,7 @@ def agrees_as_printed(
             (right, second, first, left),
             (left, first, second, right),
         ):
-            lone = _lone(node, generous) if decimals(node) or decimals(other) else None
+            lone = _lone_decimal(node, generous) if decimals(node) or decimals(other) else None
             if lone is not None:
                 numbers = _number(value), _number(exact)
                 unit = _unit(node, lone, numbers[0], form_of)
@@ -63,16 +63,16 @@ def _as_printed(number: Number, generous: bool) -> Number | None:
     return Number(number.value, Fraction(10**zeros))
 
 
-def _lone(node: Formula, generous: bool) -> Number | None:
+def _lone_decimal(node: Formula, generous: bool) -> Number | None:
     """Return the decimal a side consists of, up to its sign and a factor without decimals."""
     if isinstance(node, Negative):
-        return _lone(node.operand, generous)
+        return _lone_decimal(node.operand, generous)
     if isinstance(node, Number):
         return node if node.last_place is not None else _as_printed(node, generous)
-    found = decimals(node)
-    if not isinstance(node, formula.Product) or len(found) != 1 or formula.names(node):
+    printed = decimals(node)
+    if not isinstance(node, formula.Product) or len(printed) != 1 or formula.names(node):
         return None
-    return found[0] if found[0] in node.factors else None
+    return printed[0] if printed[0] in node.factors else None
 
 
 def _number(form: Form) -> Any:
@@ -84,7 +84,7 @@ def _unit(node: Formula, lone: Number, value: Any, form_of: Callable[[Formula], 
     assert lone.last_place is not None
     if lone.value:
         return abs(value) * float(lone.last_place / abs(lone.value))
-    return abs(_number(form_of(replaced(node, lone, Number(lone.last_place)))))
+    return abs(_number(form_of(replace_part(node, lone, Number(lone.last_place)))))
 
 
 def _is_rounded(
@@ -118,7 +118,7 @@ def _coefficients_agree(
         for number in decimals(side):
             assert number.last_place is not None
             moved = Number(number.value + number.last_place / 2, number.last_place)
-            shifted = _parts(form_of(replaced(side, number, moved)))
+            shifted = _parts(form_of(replace_part(side, number, moved)))
             for place in {*own, *shifted}:
                 change = poly.minus(shifted.get(place, {}), own.get(place, {}))
                 room[place] = room.get(place, 0) + abs(Valuation(domain, {}).polynomial(change))

@@ -11,10 +11,10 @@ from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator
 from symbalance.notes.algebra.forms import Form
-from symbalance.notes.algebra.harmonics import Components, Place, components, polynomial_node
-from symbalance.notes.checking.deciding.changing import replaced
+from symbalance.notes.algebra.harmonics import Components, HarmonicKey, components, polynomial_node
+from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.steps import Answer
+from symbalance.notes.checking.deciding.substitution import replace_part
 
 Changes = tuple[tuple[Formula, Formula], ...]
 MOST_TERMS = 80
@@ -31,9 +31,11 @@ class Leaf:
     own: Form | None = None
 
 
-def repaired(node: Formula, answer: Answer, knowledge: Knowledge) -> tuple[Formula, Changes] | None:
+def correct_terms(
+    node: Formula, decision: Decision, knowledge: Knowledge
+) -> tuple[Formula, Changes] | None:
     """Return the side with its wrong terms corrected, and the pairs (old, new), or None."""
-    left, right, level = answer.left, answer.right, answer.level
+    left, right, level = decision.left, decision.right, decision.level
     if left is None or right is None or level is None:
         return None
     difference = left.minus(right)
@@ -45,8 +47,8 @@ def repaired(node: Formula, answer: Answer, knowledge: Knowledge) -> tuple[Formu
     if not 0 < len(leaves) <= MOST_TERMS:
         return None
     usual = knowledge.crank.small if knowledge.crank else None
-    extra = _handed_out(difference, leaves, left.domain.symbol(usual[0]) if usual else None)
-    return _rebuilt(node, leaves, extra, left)
+    extra = _assign_difference(difference, leaves, left.domain.symbol(usual[0]) if usual else None)
+    return _rebuild(node, leaves, extra, left)
 
 
 def _leaves(node: Formula, multiplier: Form, evaluator: Evaluator) -> list[Leaf]:
@@ -83,7 +85,7 @@ def _holds_sum(node: Formula) -> bool:
     return isinstance(node, Sum) or _one_sum(node)[0] is not None
 
 
-def _handed_out(difference: Form, leaves: list[Leaf], small: int | None) -> Polynomial:
+def _assign_difference(difference: Form, leaves: list[Leaf], small: int | None) -> Polynomial:
     """Give each part of the difference to the term it belongs to; return what belongs to none."""
     domain = difference.domain
     extra: Polynomial = {}
@@ -97,7 +99,7 @@ def _handed_out(difference: Form, leaves: list[Leaf], small: int | None) -> Poly
     return extra
 
 
-def _likeness(place: Place, leaf: Leaf, small: int | None) -> float:
+def _likeness(place: HarmonicKey, leaf: Leaf, small: int | None) -> float:
     """Return how well a place fits a term: same harmonic and letters best, 0 where nothing fits."""
     best = 0.0
     for own in leaf.places:
@@ -117,7 +119,7 @@ def _likeness(place: Place, leaf: Leaf, small: int | None) -> float:
     return best / (1 + 0.05 * (len(leaf.places) - 1))
 
 
-def _as_polynomial(form: Form, place: Place, number: Polynomial) -> Polynomial:
+def _as_polynomial(form: Form, place: HarmonicKey, number: Polynomial) -> Polynomial:
     """Return number times place as a polynomial again."""
     domain = form.domain
     letters: Polynomial = {place.letters: Fraction(1)}
@@ -136,7 +138,7 @@ def _as_polynomial(form: Form, place: Place, number: Polynomial) -> Polynomial:
     return poly.times(domain, poly.times(domain, number, letters), wave)
 
 
-def _rebuilt(
+def _rebuild(
     node: Formula, leaves: list[Leaf], extra: Polynomial, left: Form
 ) -> tuple[Formula, Changes] | None:
     changes: list[tuple[Formula, Formula]] = []
@@ -151,7 +153,7 @@ def _rebuilt(
             changes.append((leaf.node, polynomial_node(left.domain, right_value.numerator)))
     changed = node
     for old_node, new_node in changes:
-        changed = replaced(changed, old_node, new_node)
+        changed = replace_part(changed, old_node, new_node)
     changed = _without_zeros(changed)
     if extra:
         added = polynomial_node(left.domain, extra)
@@ -170,17 +172,17 @@ def _ratio(old: Polynomial, new: Polynomial) -> Fraction | None:
     return None if poly.minus(new, poly.scaled(old, ratio)) else ratio
 
 
-def kinds(changes: Changes) -> str:
+def slip_kinds(changes: Changes) -> str:
     """Return in words what kinds of slip a set of changed terms is.
 
     >>> from symbalance.document.formula import Name
-    >>> kinds(((Name("s"), Negative(Name("s"))), (Number(Fraction(0)), Name("r"))))
+    >>> slip_kinds(((Name("s"), Negative(Name("s"))), (Number(Fraction(0)), Name("r"))))
     'sign; term missing'
     """
-    return "; ".join(dict.fromkeys(kind(old, new) for old, new in changes))
+    return "; ".join(dict.fromkeys(slip_kind(old, new) for old, new in changes))
 
 
-def kind(old: Formula, new: Formula) -> str:
+def slip_kind(old: Formula, new: Formula) -> str:
     """Return what kind of slip one changed term is."""
     zero = Number(Fraction(0))
     if zero in (old, new):
@@ -202,8 +204,8 @@ def _without_zeros(node: Formula) -> Formula:
     """Return a formula whose sums have no terms 0."""
     parts = tuple(_without_zeros(part) for part in formula.children(node))
     if isinstance(node, Sum):
-        kept = tuple(p for p in parts if p != Number(Fraction(0)))
-        return kept[0] if len(kept) == 1 else Sum(kept or parts[:1], span=node.span)
+        terms = tuple(p for p in parts if p != Number(Fraction(0)))
+        return terms[0] if len(terms) == 1 else Sum(terms or parts[:1], span=node.span)
     same = all(a is b for a, b in zip(parts, formula.children(node), strict=True))
     return node if same else formula.with_children(node, parts)
 

@@ -17,10 +17,10 @@ from fractions import Fraction
 from symbalance.document import formula
 from symbalance.document.formula import Dots, Formula, Name, Negative, Sum, Summation, names
 from symbalance.notes.algebra.domain import NoFormError
-from symbalance.notes.algebra.numbers import rational_node
-from symbalance.notes.checking.deciding.changing import replaced, substituted
+from symbalance.notes.algebra.number_formulas import rational_node
+from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision, equal
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.steps import PROVED, UNDECIDED, Answer, equal
+from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +50,9 @@ def _of_summation(part: Summation) -> Iterator[Progression]:
     assert part.upper
     for letter in sorted(names(part.upper)):
         gap = Sum((Name(letter), Negative(part.upper), part.lower))  # N - U(N) + a
-        first = substituted(part.body, part.index.name, part.lower)
+        first = substitute(part.body, part.index.name, part.lower)
         yield Progression(
-            part, letter, gap, first, None, substituted(part.body, part.index.name, part.upper)
+            part, letter, gap, first, None, substitute(part.body, part.index.name, part.upper)
         )
 
 
@@ -68,44 +68,46 @@ def _of_dots(part: Sum) -> Iterator[Progression]:
         )
 
 
-def by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Answer | None:
+def by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
     """Decide left = right where one side holds one sum with open bounds; None if there is none."""
     try:
         return _by_induction(left, right, knowledge)
     except NoFormError as problem:
-        return Answer(UNDECIDED, str(problem))
+        return Decision(UNDECIDED, str(problem))
 
 
-def _by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Answer | None:
-    left, right = _spelled_out(left, knowledge), _spelled_out(right, knowledge)
-    found = list(progressions(left))
-    if not found:
-        found, left, right = list(progressions(right)), right, left
-    if not found:
+def _by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
+    left, right = _with_sums_written_out(left, knowledge), _with_sums_written_out(right, knowledge)
+    sums = list(progressions(left))
+    if not sums:
+        sums, left, right = list(progressions(right)), right, left
+    if not sums:
         return None
-    for progression in found:
-        if _proved(progression, left, right, _without(knowledge, progression.letter)):
-            return Answer(PROVED, f"by induction over {progression.letter}")
-    return Answer(UNDECIDED, "the sum was not brought to that form by induction")
+    for progression in sums:
+        if _is_proved(progression, left, right, _without(knowledge, progression.letter)):
+            return Decision(PROVED, f"by induction over {progression.letter}")
+    return Decision(UNDECIDED, "the sum was not brought to that form by induction")
 
 
-def _spelled_out(node: Formula, knowledge: Knowledge) -> Formula:
+def _with_sums_written_out(node: Formula, knowledge: Knowledge) -> Formula:
     """Return a formula with the letters that stand for sums replaced by those."""
     for name in names(node):
         known = knowledge.definitions.get(name)
         if known is not None and next(progressions(known.node), None) is not None:
-            node = substituted(node, name, known.node)
+            node = substitute(node, name, known.node)
     return node
 
 
 def _without(knowledge: Knowledge, letter: str) -> Knowledge:
-    kept = {n: d for n, d in knowledge.definitions.items() if letter not in names(d.node) and n != letter}
-    return replace(knowledge, definitions=kept)
+    definitions = {
+        n: d for n, d in knowledge.definitions.items() if letter not in names(d.node) and n != letter
+    }
+    return replace(knowledge, definitions=definitions)
 
 
-def _proved(p: Progression, left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+def _is_proved(p: Progression, left: Formula, right: Formula, knowledge: Knowledge) -> bool:
     before = Sum((Name(p.letter), Negative(rational_node(Fraction(1)))))
-    around = lambda term: replaced(left, p.part, term)  # noqa: E731
+    around = lambda term: replace_part(left, p.part, term)  # noqa: E731
     if p.letter in names(around(rational_node(Fraction(0)))):
         return False
     if isinstance(p.part, Sum):
@@ -113,11 +115,11 @@ def _proved(p: Progression, left: Formula, right: Formula, knowledge: Knowledge)
             if (
                 term is not None
                 and not equal(
-                    substituted(p.last, p.letter, rational_node(Fraction(k))), term, knowledge
+                    substitute(p.last, p.letter, rational_node(Fraction(k))), term, knowledge
                 ).proved
             ):
                 return False
-    start = equal(around(p.first), substituted(right, p.letter, p.first_value), knowledge)
-    difference = Sum((right, Negative(substituted(right, p.letter, before))))
+    start = equal(around(p.first), substitute(right, p.letter, p.first_value), knowledge)
+    difference = Sum((right, Negative(substitute(right, p.letter, before))))
     added = Sum((around(p.last), Negative(around(rational_node(Fraction(0))))))
     return start.proved and equal(added, difference, knowledge).proved

@@ -82,10 +82,10 @@ UNITS = (
 )
 
 
-def plain_meaning(text: str) -> str:
+def role_of(text: str) -> str:
     """Return the known meaning a declaration states, or its text.
 
-    >>> plain_meaning("Crank radius, half the stroke")
+    >>> role_of("Crank radius, half the stroke")
     'crank radius'
     """
     head = text.split(",", maxsplit=1)[0].strip()
@@ -94,9 +94,9 @@ def plain_meaning(text: str) -> str:
     return lowered if lowered in KNOWN else head
 
 
-def by_meaning(symbols: Mapping[str, str]) -> dict[str, list[str]]:
+def letters_by_role(symbols: Mapping[str, str]) -> dict[str, list[str]]:
     """Return the letters of each meaning."""
-    found: dict[str, list[str]] = {}
+    letters: dict[str, list[str]] = {}
     for name, text in symbols.items():
-        found.setdefault(plain_meaning(text), []).append(name)
-    return found
+        letters.setdefault(role_of(text), []).append(name)
+    return letters

@@ -12,31 +12,30 @@ from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import components
+from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECIDED, Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.relations import judged
+from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
-from symbalance.notes.checking.deciding.steps import PROVED, REFUTED, UNDECIDED, Answer
-from symbalance.notes.checking.describing import lines_of, word_for
-from symbalance.notes.checking.differences import differences, exact_value
+from symbalance.notes.checking.descriptions import differences, exact_value, lines_of, word_for
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.quantities import quantity
-from symbalance.notes.checking.repair.mending import mended, repaired
-from symbalance.notes.checking.sidecar import Bind
+from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
+from symbalance.notes.checking.sidecar import Binding
 from symbalance.notes.checking.verdicts import UNREADABLE, Verdict
 from symbalance.notes.reading import ReadingError, read_expression
 from symbalance.notes.reading.equations import Chain, Document, Side
 
 
-def by_line(binds: Iterable[Bind]) -> dict[int, list[Bind]]:
+def by_line(binds: Iterable[Binding]) -> dict[int, list[Binding]]:
     """Return the binds of whole lines, by line."""
-    found: dict[int, list[Bind]] = defaultdict(list)
+    result: dict[int, list[Binding]] = defaultdict(list)
     for bind in binds:
         if not bind.text:
-            found[bind.line].append(bind)
-    return found
+            result[bind.line].append(bind)
+    return result
 
 
-def side_of(document: Document, chain: Chain, bind: Bind) -> int:
+def side_of(document: Document, chain: Chain, bind: Binding) -> int:
     """Return which side of a chain a bind means: the last that stands on its line."""
     touching = [
         k
@@ -50,7 +49,7 @@ def side(
     document: Document,
     chain: Chain,
     index: int,
-    bind: Bind,
+    bind: Binding,
     knowledge: Knowledge,
     sources: Sources,
     step: Verdict | None,
@@ -59,12 +58,12 @@ def side(
     """Return the verdict on a bound side; where its relation was judged too, the claim decides."""
     claimed = chain.sides[index]
     line = chain.relations[index - 1].line if index else document.line_of(claimed.span[0])
-    answer = answered(claimed, bind, knowledge, sources)
+    decision = decide_assertion(claimed, bind, knowledge, sources)
     base = Verdict(
         line=line,
         link=1,
         source=document.source(claimed.span).strip(),
-        verdict=word_for(answer),
+        verdict=word_for(decision),
         lines=lines_of(document, claimed, line),
         column=document.column_of(claimed.span[0]),
         notes=chain.notes,
@@ -74,18 +73,18 @@ def side(
         claimed=formula_text(claimed.node, plain=True),
         node=claimed.node,
     )
-    if answer.status == REFUTED and knowledge.crank is not None and bind.quantity != "harmonic":
-        base = _mended(base, document, claimed, answer, bind, knowledge, sources)
+    if decision.status == REFUTED and knowledge.crank is not None and bind.quantity != "harmonic":
+        base = _add_fix(base, document, claimed, decision, bind, knowledge, sources)
     reason = ""
-    if step is not None and step.verdict == REFUTED and answer.proved and not excused:
+    if step is not None and step.verdict == REFUTED and decision.proved and not excused:
         return replace(
             step, bind=bind.title, reason="the right side is what it claims to be, the left is not"
         )
-    if step is not None and step.verdict == REFUTED and answer.proved:
+    if step is not None and step.verdict == REFUTED and decision.proved:
         reason = "right as it stands, though it does not follow from the side before"
     elif step is not None and step.fix is not None and base.fix is not None:
         base = replace(base, notes=(*base.notes, f"as a step: {step.fix.kind}, {step.fix.text}"))
-    return with_fault_of(step, with_answer(base, answer, bind, reason))
+    return with_fault_of(step, with_answer(base, decision, bind, reason))
 
 
 def with_fault_of(step: Verdict | None, claim: Verdict) -> Verdict:
@@ -104,51 +103,53 @@ def with_fault_of(step: Verdict | None, claim: Verdict) -> Verdict:
     )
 
 
-def _mended(
+def _add_fix(
     base: Verdict,
     document: Document,
     claimed: Side,
-    answer: Answer,
-    bind: Bind,
+    decision: Decision,
+    bind: Binding,
     knowledge: Knowledge,
     sources: Sources,
 ) -> Verdict:
     def proves(node: Formula) -> bool:
-        return repaired(answered(Side((node,), claimed.span), bind, knowledge, sources), answer)
+        return is_proved_as_far(
+            decide_assertion(Side((node,), claimed.span), bind, knowledge, sources), decision
+        )
 
-    return mended(base, document, claimed, answer, knowledge, proves)
+    return add_fix(base, document, claimed, decision, knowledge, proves)
 
 
-def with_answer(base: Verdict, answer: Answer, bind: Bind, reason: str = "") -> Verdict:
+def with_answer(base: Verdict, decision: Decision, bind: Binding, reason: str = "") -> Verdict:
     """Return a verdict filled from the answer of a claim."""
-    bad = not answer.proved
-    exact, exact_node = exact_value(answer) if bad else ("", None)
+    bad = not decision.proved
+    exact, exact_node = exact_value(decision) if bad else ("", None)
     return replace(
         base,
-        verdict=word_for(answer),
+        verdict=word_for(decision),
         bind=bind.title,
-        reason=reason or answer.reason,
-        order=answer.order if answer.proved else "",
-        assumption=", ".join(answer.assumptions) if answer.proved else "",
+        reason=reason or decision.reason,
+        order=decision.order if decision.proved else "",
+        assumption=", ".join(decision.assumptions) if decision.proved else "",
         exact=exact,
         exact_node=exact_node,
-        witness=answer.witness if bad else {},
-        differences=differences(answer) if bad else (),
+        witness=decision.witness if bad else {},
+        differences=differences(decision) if bad else (),
     )
 
 
-def answered(claimed: Side, bind: Bind, knowledge: Knowledge, sources: Sources) -> Answer:
+def decide_assertion(claimed: Side, bind: Binding, knowledge: Knowledge, sources: Sources) -> Decision:
     """Decide whether a side is the quantity it is bound to."""
     if bind.quantity == "harmonic":
         return _harmonic(claimed, bind, knowledge)
     if knowledge.crank is None:
-        return Answer(UNDECIDED, "no geometry")
+        return Decision(UNDECIDED, "no geometry")
     exact = expected(claimed.node, bind, knowledge, sources)
     plain = decimals(claimed.node) or not names(claimed.node)
-    return judged(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, bind.through)
+    return decide(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, bind.through)
 
 
-def expected(claimed: Formula, bind: Bind, knowledge: Knowledge, sources: Sources) -> Formula:
+def expected(claimed: Formula, bind: Binding, knowledge: Knowledge, sources: Sources) -> Formula:
     """Return what a bound side ought to be, in the document's letters."""
     assert knowledge.crank is not None
     exact = quantity(bind, knowledge.crank, sources, bool(decimals(claimed)) and not names(claimed))
@@ -163,27 +164,27 @@ def expected(claimed: Formula, bind: Bind, knowledge: Knowledge, sources: Source
     return exact
 
 
-def _harmonic(claimed: Side, bind: Bind, knowledge: Knowledge) -> Answer:
+def _harmonic(claimed: Side, bind: Binding, knowledge: Knowledge) -> Decision:
     """Decide whether a side holds the bound order only."""
     order = Fraction(bind.order or 1)
     for level in list(knowledge.levels(claimed.node))[-1:]:
         try:
             form = knowledge.evaluator(level).form(claimed.node)
         except (NoFormError, TooLargeError) as problem:
-            return Answer(UNDECIDED, str(problem))
-        found = {
+            return Decision(UNDECIDED, str(problem))
+        orders = {
             max((abs(e) for _, e in place.angle), default=0)
             for place in components(form.domain, form.numerator)
         }
-        if found == {order}:
-            return Answer(PROVED, "", "", (), level, form, form)
-        has = ", ".join(str(n) for n in sorted(found)) or "none"
-        return Answer(REFUTED, f"holds order {has}, not {order}", level=level)
-    return Answer(UNDECIDED, "nothing known")
+        if orders == {order}:
+            return Decision(PROVED, "", "", (), level, form, form)
+        has = ", ".join(str(n) for n in sorted(orders)) or "none"
+        return Decision(REFUTED, f"holds order {has}, not {order}", level=level)
+    return Decision(UNDECIDED, "nothing known")
 
 
 def piece(
-    document: Document, bind: Bind, knowledge: Knowledge, letters: frozenset[str], sources: Sources
+    document: Document, bind: Binding, knowledge: Knowledge, letters: frozenset[str], sources: Sources
 ) -> Verdict:
     """Return the verdict on a piece of a line: a table's cell, or a number in prose."""
     span = span_of(document, bind)
@@ -203,16 +204,19 @@ def piece(
     except ReadingError as problem:
         return replace(base, reason=f"{problem.what}; {problem.remedy}", bind=bind.title)
     claimed = Side(readings, span)
-    answer = answered(claimed, bind, knowledge, sources)
+    decision = decide_assertion(claimed, bind, knowledge, sources)
     base = replace(
-        base, claimed=formula_text(claimed.node, plain=True), node=claimed.node, verdict=word_for(answer)
+        base,
+        claimed=formula_text(claimed.node, plain=True),
+        node=claimed.node,
+        verdict=word_for(decision),
     )
-    if answer.status == REFUTED and bind.quantity != "harmonic":
-        base = _mended(base, document, claimed, answer, bind, knowledge, sources)
-    return with_answer(base, answer, bind)
+    if decision.status == REFUTED and bind.quantity != "harmonic":
+        base = _add_fix(base, document, claimed, decision, bind, knowledge, sources)
+    return with_answer(base, decision, bind)
 
 
-def span_of(document: Document, bind: Bind) -> Span:
+def span_of(document: Document, bind: Binding) -> Span:
     """Return where the piece of a line stands that a bind means."""
     start = _line_start(document, bind)
     line_text = document.text[start:].split("\n", 1)[0]
@@ -227,7 +231,7 @@ def span_of(document: Document, bind: Bind) -> Span:
     return start + at, start + at + len(bind.text)
 
 
-def _line_start(document: Document, bind: Bind) -> int:
+def _line_start(document: Document, bind: Binding) -> int:
     starts = [0] + [k + 1 for k, c in enumerate(document.text) if c == "\n"]
     if bind.line > len(starts):
         raise SymbalanceError(
@@ -236,7 +240,7 @@ def _line_start(document: Document, bind: Bind) -> int:
     return starts[bind.line - 1]
 
 
-def name_unread(found: list[Verdict], document: Document, bind: Bind) -> bool:
+def name_unreadable(verdicts: list[Verdict], document: Document, bind: Binding) -> bool:
     """Say of what could not be read on a bind's line what it claims to be; tell whether there is any.
 
     It is the last that stands on the line, as with what could be read, and is counted once.
@@ -245,16 +249,16 @@ def name_unread(found: list[Verdict], document: Document, bind: Bind) -> bool:
     def stands_on(span: Span) -> bool:
         return document.line_of(span[0]) <= bind.line <= document.line_of(max(span[1] - 1, span[0]))
 
-    touching = [k for k, v in enumerate(found) if v.verdict == UNREADABLE and stands_on(v.span)]
+    touching = [k for k, v in enumerate(verdicts) if v.verdict == UNREADABLE and stands_on(v.span)]
     if not touching:
         return False
-    unread = found[touching[-1]]
-    titles = f"{unread.bind}; {bind.title}" if unread.bind else bind.title
-    found[touching[-1]] = replace(unread, bind=titles)
+    last = verdicts[touching[-1]]
+    titles = f"{last.bind}; {bind.title}" if last.bind else bind.title
+    verdicts[touching[-1]] = replace(last, bind=titles)
     return True
 
 
-def unfound(document: Document, bind: Bind) -> Verdict:
+def missing_equation(document: Document, bind: Binding) -> Verdict:
     """Return the verdict on a bind whose line holds no equation."""
     start = _line_start(document, bind)
     source = document.text[start:].split("\n", 1)[0].strip()

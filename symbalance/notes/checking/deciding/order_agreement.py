@@ -19,18 +19,18 @@ from symbalance.notes.algebra.evaluation import Evaluator
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components
 from symbalance.notes.algebra.series import Expansion, Series
-from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
-from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
-from symbalance.notes.checking.deciding.steps import (
+from symbalance.notes.checking.deciding.equality import (
     PROVED,
     REFUTED,
     UNDECIDED,
-    Answer,
+    Decision,
+    decimal_text,
     digits,
     equal,
-    text,
     without_dots,
 )
+from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
 
 HIGHEST = 40
 HIGHEST_SHOWN = 26
@@ -39,22 +39,22 @@ ROUGH = Fraction(1, 20)
 
 
 @dataclass(frozen=True, slots=True)
-class Small:
+class SmallLetter:
     """A letter to expand in: `sign` -1 where it is large, and the order a line keeps of it."""
 
     letter: str
     sign: int
-    kept: int
+    order: int
 
     @property
     def text(self) -> str:
         """The order kept, as a power of the letter."""
-        if not self.kept:
+        if not self.order:
             return "leading term"
-        if self.kept > HIGHEST_SHOWN:
+        if self.order > HIGHEST_SHOWN:
             return "all powers written"
         return formula_text(Name(self.letter), plain=True) + raised(
-            str(self.sign * self.kept).replace("-", "−")
+            str(self.sign * self.order).replace("-", "−")
         )
 
 
@@ -65,7 +65,7 @@ def agree(
     *,
     through: int | None = None,
     loose: bool = False,
-) -> Answer:
+) -> Decision:
     """Decide whether two sides agree through the order the right one keeps.
 
     `through` overrides that order. `loose` leaves out harmonics above the highest that the right side
@@ -78,76 +78,80 @@ def agree(
         return exact
     best = exact
     for level in knowledge.levels(left, right):
-        found = _at_level(left, right, knowledge, level, through, loose or dots or cut)
-        if found.proved:
-            return found
-        best = found
+        decision = _at_level(left, right, knowledge, level, through, loose or dots or cut)
+        if decision.proved:
+            return decision
+        best = decision
     return exact if best.reason == NO_LETTER and exact.status == REFUTED else best
 
 
 def _at_level(
     left: Formula, right: Formula, knowledge: Knowledge, level: Level, through: int | None, loose: bool
-) -> Answer:
+) -> Decision:
     evaluator = knowledge.evaluator(level)
     try:
         first, second = evaluator.form(left), evaluator.form(right)
         if not values.letters(first) and not values.letters(second):
             return _as_numbers(left, right, evaluator, (first, second), level)
     except (NoFormError, TooLargeError) as problem:
-        return Answer(UNDECIDED, f"no normal form: {problem}", level=level)
-    best = Answer(
+        return Decision(UNDECIDED, f"no normal form: {problem}", level=level)
+    best = Decision(
         UNDECIDED, "no letter in which one side is a cut-off series", "", (), level, first, second
     )
     for small in _candidates(first, second, knowledge, through):
         try:
-            found = _through(first, second, small, level, loose)
+            decision = _through(first, second, small, level, loose)
         except (NoFormError, TooLargeError) as problem:
-            found = Answer(UNDECIDED, f"no power series in {small.letter}: {problem}", level=level)
-        if found.proved:
-            return found
-        best = found if best.status != REFUTED else best
+            decision = Decision(UNDECIDED, f"no power series in {small.letter}: {problem}", level=level)
+        if decision.proved:
+            return decision
+        best = decision if best.status != REFUTED else best
     return best
 
 
 def _as_numbers(
     left: Formula, right: Formula, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
-) -> Answer:
+) -> Decision:
     """Compare two numbers: to the digits printed where there are any, else saying how closely."""
     first, second = forms
     points = values.sample([first, second])
     if not points:
-        return Answer(UNDECIDED, "no value", level=level)
-    one, other = points[0][1]
-    apart = abs(one - other) / max(abs(one), abs(other), values.context().mpf(10) ** -300)
+        return Decision(UNDECIDED, "no value", level=level)
+    left_value, right_value = points[0][1]
+    relative_error = abs(left_value - right_value) / max(
+        abs(left_value), abs(right_value), values.context().mpf(10) ** -300
+    )
     if decimals(left) or decimals(right):
         fits, order = agrees_as_printed(left, right, evaluator.form, generous=True), "the digits printed"
     else:
-        fits, order = apart <= float(ROUGH), f"relative error {digits(apart, 2)}"
+        fits, order = relative_error <= float(ROUGH), f"relative error {digits(relative_error, 2)}"
     if fits:
-        return Answer(PROVED, "", order, level.assumptions, level, first, second)
-    witness = {"left": digits(one), "right": digits(other)}
-    return Answer(REFUTED, "", "", (), level, first, second, witness)
+        return Decision(PROVED, "", order, level.assumptions, level, first, second)
+    witness = {"left": digits(left_value), "right": digits(right_value)}
+    return Decision(REFUTED, "", "", (), level, first, second, witness)
 
 
-def _candidates(first: Form, second: Form, knowledge: Knowledge, through: int | None) -> Iterator[Small]:
+def _candidates(
+    first: Form, second: Form, knowledge: Knowledge, through: int | None
+) -> Iterator[SmallLetter]:
     known = values.letters(first) + values.letters(second)
     usual = knowledge.crank.small if knowledge.crank else None
     if usual is not None and usual[0] in known:
-        kept = _kept(first, second, *usual)
-        if kept is not None or through is not None:
-            yield Small(*usual, kept if through is None else through)  # type: ignore[arg-type]
+        order = _order_kept(first, second, *usual)
+        if order is not None or through is not None:
+            yield SmallLetter(*usual, order if through is None else through)  # type: ignore[arg-type]
     for letter in dict.fromkeys(known):
         for sign in (1, -1):
-            kept = _kept(first, second, letter, sign)
-            if kept and (usual is None or letter != usual[0]):
-                yield Small(letter, sign, kept)
+            order = _order_kept(first, second, letter, sign)
+            if order and (usual is None or letter != usual[0]):
+                yield SmallLetter(letter, sign, order)
 
 
-def _kept(first: Form, second: Form, letter: str, sign: int) -> int | None:
+def _order_kept(first: Form, second: Form, letter: str, sign: int) -> int | None:
     """Return the order kept: the degree of the side that is a polynomial in the letter."""
     degrees = [degree(form, letter, sign) for form in (first, second) if form.numerator]
-    found = [d for d in degrees if d is not None]
-    return min(found) if found and min(found) <= HIGHEST else None
+    whole_degrees = [d for d in degrees if d is not None]
+    return min(whole_degrees) if whole_degrees and min(whole_degrees) <= HIGHEST else None
 
 
 def degree(form: Form, letter: str, sign: int) -> int | None:
@@ -167,33 +171,37 @@ def degree(form: Form, letter: str, sign: int) -> int | None:
     return int(top) if top.denominator == 1 else None
 
 
-def _through(first: Form, second: Form, small: Small, level: Level, loose: bool) -> Answer:
-    expansion = Expansion(first.domain, small.letter, small.sign, small.kept)
-    left = expansion.of(first).cut(small.kept)
-    right = expansion.of(second).cut(small.kept)
-    if min(left.through, right.through) < small.kept:
+def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose: bool) -> Decision:
+    expansion = Expansion(first.domain, small.letter, small.sign, small.order)
+    left = expansion.of(first).cut(small.order)
+    right = expansion.of(second).cut(small.order)
+    if min(left.through, right.through) < small.order:
         raise NoFormError("the series does not reach that order")
     if not left.terms and not right.terms:
         raise NoFormError("nothing of either side is kept")
     difference = left.plus(right.scaled(Form.number(first.domain, -1)))
     if not difference.terms:
-        return Answer(PROVED, "", small.text, level.assumptions, level, first, second, kept=small.kept)
-    kept_left, kept_right = summed(left, small), summed(right, small)
-    if loose and _only_higher(kept_left, kept_right):
-        order = f"{small.text}, harmonics to {_highest(kept_right)}"
-        return Answer(PROVED, "", order, level.assumptions, level, kept_left, kept_right, kept=small.kept)
+        return Decision(
+            PROVED, "", small.text, level.assumptions, level, first, second, through=small.order
+        )
+    left_form, right_form = truncated_sum(left, small), truncated_sum(right, small)
+    if loose and _only_higher(left_form, right_form):
+        order = f"{small.text}, harmonics to {_highest(right_form)}"
+        return Decision(
+            PROVED, "", order, level.assumptions, level, left_form, right_form, through=small.order
+        )
     order = f"{small.text}"
-    points = values.sample([kept_left, kept_right])
+    points = values.sample([left_form, right_form])
     witness: dict[str, str] = {}
     if points:
         point, pair = points[0]
-        witness = {n: text(v) for n, v in point.items()}
+        witness = {n: decimal_text(v) for n, v in point.items()}
         witness |= {"left": digits(pair[0]), "right": digits(pair[1])}
-    further = tuple(summed(expansion.of(first).cut(small.kept + n), small) for n in (1, 2))
-    return Answer(REFUTED, "", order, (), level, kept_left, kept_right, witness, small.kept, further)
+    further = tuple(truncated_sum(expansion.of(first).cut(small.order + n), small) for n in (1, 2))
+    return Decision(REFUTED, "", order, (), level, left_form, right_form, witness, small.order, further)
 
 
-def summed(series: Series, small: Small) -> Form:
+def truncated_sum(series: Series, small: SmallLetter) -> Form:
     """Return a series as a form again, cut off at its order."""
     number = series.domain.symbol(small.letter)
     total = Form.number(series.domain, 0)

@@ -18,25 +18,25 @@ MOST_TERMS = 2000
 
 def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
     """Return the letters a formula comes down to once all that have values are replaced."""
-    found: dict[str, None] = {}
-    seen: set[str] = set()
+    letters: dict[str, None] = {}
+    names: set[str] = set()
     waiting = [node]
     while waiting:
         for name in sorted(formula.names(waiting.pop())):
-            if name in values and name not in seen:
+            if name in values and name not in names:
                 waiting.append(values[name])
             elif name not in values:
-                found[name] = None
-            seen.add(name)
-    return list(found)
+                letters[name] = None
+            names.add(name)
+    return list(letters)
 
 
 def sample_trees(
-    nodes: list[Formula], meaning: Meaning, wanted: int = 3, tries: int = 24
+    nodes: list[Formula], meaning: Meaning, count: int = 3, tries: int = 24
 ) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all formulas are real, with their values to `DIGITS` digits."""
     names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
-    found: list[tuple[Point, list[Any]]] = []
+    samples: list[tuple[Point, list[Any]]] = []
     for seed in range(tries):
         point = random_point(names, meaning.domain(), seed)
         at = TreeValues(meaning, point)
@@ -53,10 +53,10 @@ def sample_trees(
         ):
             continue
         if all(abs(v.imag) <= abs(v) * context().mpf(10) ** (-DIGITS // 2) for v in row):
-            found.append((point, row))
-        if len(found) == wanted:
+            samples.append((point, row))
+        if len(samples) == count:
             break
-    return found
+    return samples
 
 
 class TreeValues:
