@@ -59,13 +59,13 @@ def gauss_sum_of_a_wrong_residue(patch: Patch) -> None:
 
 
 def wrong_binomial_coefficient(patch: Patch) -> None:
-    right = Expansion._composed
+    right = Expansion._compose
 
     def composed(self: Expansion, coefficients: list[Fraction], inner: Series) -> Series:
         wrong = [c * Fraction(1001, 1000) if k == 3 else c for k, c in enumerate(coefficients)]
         return right(self, wrong, inner)
 
-    patch.setattr(Expansion, "_composed", composed)
+    patch.setattr(Expansion, "_compose", composed)
 
 
 def products_claiming_the_limit(patch: Patch) -> None:

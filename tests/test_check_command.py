@@ -147,7 +147,7 @@ def test_a_step_that_was_not_mended_is_told_of_beside_its_claim(tmp_path, capsys
     ("broken", "verdicts"),
     [
         ("assertions.side_of", ["undecided", "undecided", "holds"]),
-        ("assertions.side", ["holds", "undecided", "holds"]),
+        ("assertions.side_verdict", ["holds", "undecided", "holds"]),
         ("Definitions.use", ["holds", "refuted", "holds"]),
     ],
 )
@@ -157,10 +157,10 @@ def test_no_fault_in_judging_a_chain_loses_the_report(broken, verdicts, tmp_path
     links = reported(capsys, path)
     assert [link["verdict"] for link in links] == verdicts
     told = [link for link in links if "fault of symbalance" in f"{link['reason']} {link.get('notes')}"]
-    assert len(told) == (2 if broken != "assertions.side" else 1)
+    assert len(told) == (2 if broken != "assertions.side_verdict" else 1)
 
 
-@pytest.mark.parametrize("broken", ["missing_equation", "span_of", "piece"])
+@pytest.mark.parametrize("broken", ["missing_equation", "span_of", "piece_verdict"])
 def test_no_fault_in_placing_a_bind_loses_the_report(broken, tmp_path, capsys, monkeypatch):
     text = "" if broken == "missing_equation" else 'text = "2k"\n'
     bind = SIDECAR + f'[[bind]]\nline = 4\nquantity = "displacement"\n{text}'

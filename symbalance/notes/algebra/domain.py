@@ -1,4 +1,4 @@
-"""The generators of one calculation: what a hand-written formula is a Laurent polynomial in.
+"""Generators of an exact algebra of harmonics: letters, phases e^(iθ), roots, and roots of unity.
 
 A formula becomes a quotient of two Laurent polynomials with rational coefficients in generators:
 
@@ -65,7 +65,7 @@ class Generator:
 
 
 class Domain:
-    """The generators of one calculation, numbered as they come up; it also gathers assumptions.
+    """The generators of one calculation, numbered as they come up; it also collects assumptions.
 
     >>> domain = Domain()
     >>> half_turn = ((TURN, HALF),)
@@ -172,8 +172,8 @@ class Domain:
         factor: Fraction | int = 1
         if not self._special.isdisjoint(exponents):
             for generator in self._special & exponents.keys():
-                part, reduced = self._reduced_power(generator, exponents[generator])
-                exponents[generator] = plain(reduced)
+                part, rest = self._reduced_power(generator, exponents[generator])
+                exponents[generator] = plain(rest)
                 factor *= part
         return factor, tuple(sorted(item for item in exponents.items() if item[1]))
 

@@ -1,4 +1,4 @@
-"""From a formula's tree to its form, with letters replaced by what they stand for."""
+"""Formula trees brought to normal form, with letters replaced by what they stand for."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Evaluator:
 
     def __init__(self, domain: Domain, meaning: Meaning | None = None) -> None:
         self.domain, self.meaning = domain, meaning or Meaning()
-        self._known: dict[str, Form] = {}
+        self._forms: dict[str, Form] = {}
         self._open: list[str] = []
         self._depth = 0
 
@@ -68,21 +68,21 @@ class Evaluator:
         """Return what a letter stands for, or the letter itself."""
         if name not in self.meaning.values or name in self._open:
             return Form.letter(self.domain, name)
-        if name not in self._known:
+        if name not in self._forms:
             if len(self._open) > DEEPEST:
                 raise NoFormError("definitions nested too deep")
             self._open.append(name)
             try:
-                self._known[name] = self.form(self.meaning.values[name])
+                self._forms[name] = self.form(self.meaning.values[name])
             finally:
                 self._open.pop()
-        return self._known[name]
+        return self._forms[name]
 
     def replacing(self, name: str, value: formula.Formula) -> Evaluator:
         """Return an evaluator to which one more letter stands for a value: the index of a sum."""
         values = dict(self.meaning.values) | {name: value}
         inner = Evaluator(self.domain, replace(self.meaning, values=values))
-        inner._open, inner._depth = [known for known in self._open if known != name], self._depth
+        inner._open, inner._depth = [letter for letter in self._open if letter != name], self._depth
         return inner
 
     def rates(self, variable: str) -> dict[int, Polynomial]:
@@ -114,8 +114,8 @@ def _constant(evaluator: Evaluator, node: formula.Constant) -> Form:
 
 def _sum(evaluator: Evaluator, node: formula.Sum) -> Form:
     total = Form.number(evaluator.domain, 0)
-    written = [term for term in node.terms if not isinstance(term, formula.Dots)]
-    for term in written or node.terms:  # of dots alone: not the number 0
+    terms = [term for term in node.terms if not isinstance(term, formula.Dots)]
+    for term in terms or node.terms:  # of dots alone: not the number 0
         total = total.plus(evaluator.form(term))
     return total
 
@@ -143,8 +143,8 @@ def _power(evaluator: Evaluator, node: formula.Power) -> Form:
     if value is not None:
         return rational_power(base, value)
     if base.rational() == -1:
-        turned = unit(evaluator.domain).times(exponent)
-        return functions.exponential(turned.times(Form.letter(evaluator.domain, "pi")))
+        phase_exponent = unit(evaluator.domain).times(exponent)
+        return functions.exponential(phase_exponent.times(Form.letter(evaluator.domain, "pi")))
     phase = functions.exponent_of(base)
     if phase is not None:
         functions.assume_whole(exponent, base)
@@ -163,8 +163,8 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
     ((monomial, coefficient),) = base.numerator.items()
     if coefficient != 1 or any(not base.domain.generators[g].positive for g, _ in monomial):
         raise NoFormError("a root that is no square root")
-    factor, raised = base.domain.raised(monomial, exponent)
-    return Form.of(base.domain, {raised: Fraction(factor)})
+    factor, power = base.domain.raised(monomial, exponent)
+    return Form.of(base.domain, {power: Fraction(factor)})
 
 
 def _call(evaluator: Evaluator, node: formula.Call) -> Form:
@@ -175,8 +175,8 @@ def _call(evaluator: Evaluator, node: formula.Call) -> Form:
 def _derivative(evaluator: Evaluator, node: formula.Derivative) -> Form:
     inner, variable = node.expression, node.variable.name
     meaning = evaluator.meaning
-    known = {*meaning.values, *meaning.rates.get(variable, ()), variable}
-    if isinstance(inner, formula.Name) and inner.name not in known:
+    dependent = {*meaning.values, *meaning.rates.get(variable, ()), variable}
+    if isinstance(inner, formula.Name) and inner.name not in dependent:
         if inner.name in meaning.positive and meaning.rates:  # a size, such as ω: constant
             return Form.number(evaluator.domain, 0)
         return Form.letter(evaluator.domain, derivative_name(node))

@@ -1,4 +1,4 @@
-"""Forms: quotients of Laurent polynomials, the normal form in which equations are decided."""
+"""Quotients of Laurent polynomials: the normal form in which equations are decided."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class Form:
 
     def scaled(self, factor: Fraction | int) -> Form:
         """Return the form times a rational."""
-        return Form(self.domain, poly.scaled(self.numerator, factor), self.denominator)
+        return Form(self.domain, poly.scale(self.numerator, factor), self.denominator)
 
     def minus(self, other: Form) -> Form:
         """Return the difference."""

@@ -1,4 +1,4 @@
-"""Functions of forms: exponentials, circular and hyperbolic functions, logarithms, and their inverses.
+"""Functions of normal forms: exponentials, circular and hyperbolic functions, logarithms, inverses.
 
 cos x and sin x are (e^(ix) ± e^(-ix))/2: an argument is split into monomials, each with its own
 generator e^(i m), and multiples of pi become turns. e^(i asin v) = √(1-v²) + i v, and the like.
@@ -49,8 +49,8 @@ def _phase(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
     if inverse is not None and coefficient.denominator == 1:
         return _phase_of_inverse(*inverse, int(coefficient))
     generator = domain.exponential(monomial)
-    factor, raised = domain.raised(((generator, 1),), coefficient)
-    return Form.of(domain, {raised: Fraction(factor)})
+    factor, phase = domain.raised(((generator, 1),), coefficient)
+    return Form.of(domain, {phase: Fraction(factor)})
 
 
 def exponent_of(form: Form) -> Form | None:
@@ -102,35 +102,35 @@ def _phase_of_inverse(function: str, value: Form, multiple: int) -> Form:
         cosine = one.over(root(one.plus(value.times(value))))
         sine = value.times(cosine)
     else:
-        other = root(one.minus(value.times(value)))
-        cosine, sine = (other, value) if function == "asin" else (value, other)
+        complement = root(one.minus(value.times(value)))
+        cosine, sine = (complement, value) if function == "asin" else (value, complement)
     sign = 1 if multiple >= 0 else -1
     return cosine.plus(unit(value.domain).times(sine).scaled(sign)).raised(abs(multiple))
 
 
 def cosine(argument: Form) -> Form:
     """Return cos x = (e^(ix) + e^(-ix))/2."""
-    forward, backward = _both_ways(argument)
+    forward, backward = _both_exponentials(argument)
     return forward.plus(backward).scaled(HALF)
 
 
 def sine(argument: Form) -> Form:
     """Return sin x = (e^(ix) - e^(-ix))/(2i)."""
-    forward, backward = _both_ways(argument)
+    forward, backward = _both_exponentials(argument)
     return forward.minus(backward).times(unit(argument.domain)).scaled(-HALF)
 
 
-def _both_ways(argument: Form) -> tuple[Form, Form]:
-    turned = unit(argument.domain).times(argument)
-    return exponential(turned), exponential(turned.scaled(-1))
+def _both_exponentials(argument: Form) -> tuple[Form, Form]:
+    rotation = unit(argument.domain).times(argument)
+    return exponential(rotation), exponential(rotation.scaled(-1))
 
 
 def opaque(function: str, argument: Form) -> Form:
     """Return a function that has no rule here, as a generator; equal arguments share one."""
     domain = argument.domain
     for number in domain.opaque:
-        name, known = domain.generators[number].content
-        if name == function and known.equals(argument):
+        name, content = domain.generators[number].content
+        if name == function and content.equals(argument):
             return Form.of(domain, {((number, 1),): Fraction(1)})
     number = domain.opaque_function((function, argument))
     return Form.of(domain, {((number, 1),): Fraction(1)})
@@ -166,7 +166,7 @@ def _over(first: Callable[[Form], Form], second: Callable[[Form], Form]) -> Call
     return lambda x: first(x).over(second(x))
 
 
-def _one(argument: Form) -> Form:
+def _unity(argument: Form) -> Form:
     return Form.number(argument.domain, 1)
 
 
@@ -183,8 +183,8 @@ _CIRCULAR: dict[str, Callable[[Form], Form]] = {
     "cos": cosine,
     "tan": _over(sine, cosine),
     "cot": _over(cosine, sine),
-    "sec": _over(_one, cosine),
-    "csc": _over(_one, sine),
+    "sec": _over(_unity, cosine),
+    "csc": _over(_unity, sine),
     "sinh": _growing(-1),
     "cosh": _growing(1),
     "tanh": _over(_growing(-1), _growing(1)),

@@ -1,4 +1,4 @@
-"""Polynomials sorted into harmonics: what stands before cos nθ, sin nθ and each product of letters.
+"""Coefficients of cos nθ, sin nθ and products of letters in a polynomial, and formulas written from them.
 
 C cos x + S sin x = c_+ e^(ix) + c_- e^(-ix) with C = c_+ + c_- and S = i (c_+ - c_-). The numbers C and S
 are polynomials in turns and primes only.
@@ -41,7 +41,7 @@ def components(domain: Domain, polynomial: Polynomial) -> Components:
         pair[backward] = poly.plus(pair[backward], {number: coefficient})
     result: Components = {}
     for (angle, letters), (ahead, back) in pairs.items():
-        parts = {"cos": poly.plus(ahead, back), "sin": _turned(domain, poly.minus(ahead, back))}
+        parts = {"cos": poly.plus(ahead, back), "sin": _times_i(domain, poly.minus(ahead, back))}
         if not angle:
             parts = {"1": ahead}
         for function, number in parts.items():
@@ -62,7 +62,7 @@ def split(domain: Domain, monomial: Monomial) -> tuple[Monomial, Monomial, Monom
     return tuple(number), tuple(angle), tuple(letters)
 
 
-def _turned(domain: Domain, polynomial: Polynomial) -> Polynomial:
+def _times_i(domain: Domain, polynomial: Polynomial) -> Polynomial:
     return poly.times(domain, polynomial, {((TURN, QUARTER),): Fraction(1)})
 
 
@@ -100,8 +100,8 @@ def _power(domain: Domain, number: int, exponent: int | Fraction) -> formula.For
     generator = domain.generators[number]
     base: formula.Formula
     if generator.kind == "symbol":
-        known = generator.content in ("pi", "e")
-        base = formula.Constant(generator.content) if known else formula.Name(generator.content)
+        is_constant = generator.content in ("pi", "e")
+        base = formula.Constant(generator.content) if is_constant else formula.Name(generator.content)
     elif generator.kind == "radical":
         base = formula.Call("sqrt", polynomial_node(domain, generator.content))
     elif generator.kind == "prime":

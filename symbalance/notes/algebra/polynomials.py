@@ -56,14 +56,14 @@ def _add(total: Polynomial, more: Polynomial) -> None:
             del total[monomial]
 
 
-def scaled(polynomial: Polynomial, factor: Fraction | int) -> Polynomial:
+def scale(polynomial: Polynomial, factor: Fraction | int) -> Polynomial:
     """Return the polynomial times a rational."""
     return {m: c * factor for m, c in polynomial.items()} if factor else {}
 
 
 def minus(left: Polynomial, right: Polynomial) -> Polynomial:
     """Return the difference."""
-    return plus(left, scaled(right, -1))
+    return plus(left, scale(right, -1))
 
 
 def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
@@ -222,9 +222,9 @@ def common_multiple(
     domain: Domain, left: Polynomial, right: Polynomial
 ) -> tuple[Polynomial, Polynomial, Polynomial]:
     """Return (a, b, c) with c = a left = b right: one of the two where the other divides it."""
-    swapped = len(left) < len(right)
-    large, small = (right, left) if swapped else (left, right)
+    is_swapped = len(left) < len(right)
+    large, small = (right, left) if is_swapped else (left, right)
     factor = quotient(domain, large, small)
     if factor is None:
         return right, left, times(domain, left, right)
-    return (factor, UNIT, large) if swapped else (UNIT, factor, large)
+    return (factor, UNIT, large) if is_swapped else (UNIT, factor, large)

@@ -1,4 +1,4 @@
-"""Square roots of forms, and the unit i: what stays under a root, and what leaves it."""
+"""Square roots of normal forms, and the unit i: which factors stay under a root, and which leave it."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ def root(form: Form) -> Form:
     if form.is_polynomial:
         return _root_of_polynomial(domain, form.numerator)
     below, sign = form.denominator, 1
-    if is_never_negative(domain, poly.scaled(below, -1)):
-        below, sign = poly.scaled(below, -1), -1
+    if is_never_negative(domain, poly.scale(below, -1)):
+        below, sign = poly.scale(below, -1), -1
     elif not is_never_negative(domain, below):
         domain.assume_positive(below)
-    product = poly.scaled(poly.times(domain, form.numerator, below), sign)
+    product = poly.scale(poly.times(domain, form.numerator, below), sign)
     return _root_of_polynomial(domain, product).over(Form.of(domain, below))
 
 
@@ -71,13 +71,13 @@ def _leading(domain: Domain, square: Polynomial) -> tuple[Monomial, Fraction]:
     terms = [(m, c) for m, c in square.items() if c > 0 and all(_is_letter(domain, g) for g, _ in m)]
     if len(square) == len(terms) == 1:
         return terms[0]
-    shared = _shared_squares(domain, square)
+    squares = _shared_squares(domain, square)
     if not terms:
-        return shared, Fraction(1)
+        return squares, Fraction(1)
     positive = [term for term in terms if term[0] == _positive_part(domain, term[0])]
     letters = sorted({g for monomial, _ in terms for g, _ in monomial})
     lead, coefficient = max(positive or terms, key=lambda t: [dict(t[0]).get(g, 0) for g in letters])
-    return domain.times(_positive_part(domain, lead), shared)[1], coefficient
+    return domain.times(_positive_part(domain, lead), squares)[1], coefficient
 
 
 def _is_letter(domain: Domain, number: int) -> bool:
@@ -91,12 +91,12 @@ def _positive_part(domain: Domain, monomial: Monomial) -> Monomial:
 def _shared_squares(domain: Domain, square: Polynomial) -> Monomial:
     """Return the largest even powers of letters of unknown sign that divide every term."""
     exponents = [dict(monomial) for monomial in square]
-    shared = []
+    squares = []
     for number in sorted({g for monomial in square for g, _ in monomial}):
         if domain.generators[number].kind == "symbol" and not domain.generators[number].positive:
-            lowest = min(own.get(number, 0) for own in exponents)
-            shared.append((number, lowest // 2 * 2))
-    return tuple((g, e) for g, e in shared if e)
+            lowest = min(powers.get(number, 0) for powers in exponents)
+            squares.append((number, lowest // 2 * 2))
+    return tuple((g, e) for g, e in squares if e)
 
 
 def _assume_not_negative(domain: Domain, monomial: Monomial) -> None:
@@ -109,8 +109,8 @@ def _assume_not_negative(domain: Domain, monomial: Monomial) -> None:
 
 
 def _root_of_term(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
-    _, halved = domain.raised(monomial, HALF)
-    return root_of_rational(domain, coefficient).times(Form.of(domain, {halved: Fraction(1)}))
+    _, half_power = domain.raised(monomial, HALF)
+    return root_of_rational(domain, coefficient).times(Form.of(domain, {half_power: Fraction(1)}))
 
 
 def root_of_rational(domain: Domain, value: Fraction) -> Form:

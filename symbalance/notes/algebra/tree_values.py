@@ -1,4 +1,4 @@
-"""Formulas in numbers straight from their trees: where there is no normal form, or it is too large."""
+"""Numerical values of formulas straight from their trees, where the normal form is missing or too large."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class TreeValues:
 
     def __init__(self, meaning: Meaning, point: Point) -> None:
         self.meaning, self.point, self.mp = meaning, point, context()
-        self._known: dict[str, Any] = {}
+        self._values: dict[str, Any] = {}
         self._depth = 0
         self.terms = 0
 
@@ -74,17 +74,17 @@ class TreeValues:
 
     def letter(self, name: str) -> Any:
         """Return a letter's value."""
-        if name not in self._known:
+        if name not in self._values:
             if name in self.meaning.values:
                 self._depth += 1
                 if self._depth > DEEPEST:
                     raise NoFormError("definitions nested too deep")
-                self._known[name] = self.value(self.meaning.values[name])
+                self._values[name] = self.value(self.meaning.values[name])
                 self._depth -= 1
             else:
                 exact = self.point[name]
-                self._known[name] = self.mp.mpf(exact.numerator) / exact.denominator
-        return self._known[name]
+                self._values[name] = self.mp.mpf(exact.numerator) / exact.denominator
+        return self._values[name]
 
     def derivative(self, node: Formula) -> Any:
         """Return the value of a derivative, by way of its form."""
@@ -103,8 +103,8 @@ def _constant(at: TreeValues, node: formula.Constant) -> Any:
 
 
 def _sum(at: TreeValues, node: formula.Sum) -> Any:
-    written = [t for t in node.terms if not isinstance(t, formula.Dots)]
-    return at.mp.fsum(at.value(t) for t in written or node.terms)  # of dots alone: not the number 0
+    terms = [t for t in node.terms if not isinstance(t, formula.Dots)]
+    return at.mp.fsum(at.value(t) for t in terms or node.terms)  # of dots alone: not the number 0
 
 
 def _product(at: TreeValues, node: formula.Product) -> Any:

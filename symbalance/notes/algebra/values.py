@@ -1,4 +1,4 @@
-"""Forms in numbers: witnesses of a difference, at random exact points and with many digits."""
+"""Numerical values of normal forms at random exact points: witnesses that two formulas differ."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _RANGES = {"lambda": (300, 500), "rho": (15, 40), "theta": (10, 620), "phi": (10
 
 
 def context() -> Any:
-    """Return this thread's own mpmath context: nobody else's precision counts, nor ours for others."""
+    """Return this thread's own mpmath context: the precision of others does not count, nor changes."""
     return own_context(DIGITS)
 
 
@@ -53,9 +53,9 @@ def random_point(names: list[str], domain: Domain, seed: int) -> Point:
             continue
         low, high = domain.ranges.get(name) or _RANGES.get(name, (50, 300))
         value = Fraction(chance.randint(low, high), 100)
-        signed = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
-        assumed = f"{name} ≥ 0" in domain.assumptions
-        point[name] = -value if signed and not assumed else value
+        may_be_negative = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
+        is_positive = f"{name} ≥ 0" in domain.assumptions
+        point[name] = -value if may_be_negative and not is_positive else value
     return point
 
 
@@ -65,13 +65,13 @@ def value(form: Form, point: Mapping[str, Fraction]) -> Any:
 
 
 class Valuation:
-    """The values of forms at one point, each generator found once."""
+    """The values of forms at one point, each generator evaluated once."""
 
     def __init__(self, domain: Domain, point: Mapping[str, Fraction]) -> None:
         self.domain, self.point, self.mp = domain, point, context()
         self._powers: dict[tuple[int, int | Fraction], Any] = {}
         self._values: dict[int, Any] = {}
-        self._checked = 0
+        self._check_count = 0
 
     def of(self, form: Form) -> Any:
         """Return the value of a form."""
@@ -82,8 +82,8 @@ class Valuation:
         return self.polynomial(form.numerator) / below
 
     def _check_assumptions(self) -> None:
-        unchecked = self.domain.positive_polynomials[self._checked :]
-        self._checked += len(unchecked)
+        unchecked = self.domain.positive_polynomials[self._check_count :]
+        self._check_count += len(unchecked)
         for polynomial in unchecked:
             names: dict[str, None] = {}
             _collect(self.domain, polynomial, names)

@@ -1,4 +1,4 @@
-"""Claims: lines, and pieces of lines, bound to a quantity the library knows."""
+"""Lines, and pieces of lines, that a sidecar binds to a quantity, compared with that quantity."""
 
 from __future__ import annotations
 
@@ -26,39 +26,39 @@ from symbalance.notes.reading import ReadingError, read_expression
 from symbalance.notes.reading.equations import Chain, Document, Side
 
 
-def by_line(binds: Iterable[Binding]) -> dict[int, list[Binding]]:
-    """Return the binds of whole lines, by line."""
+def by_line(bindings: Iterable[Binding]) -> dict[int, list[Binding]]:
+    """Return the bindings of whole lines, by line."""
     result: dict[int, list[Binding]] = defaultdict(list)
-    for bind in binds:
-        if not bind.text:
-            result[bind.line].append(bind)
+    for binding in bindings:
+        if not binding.text:
+            result[binding.line].append(binding)
     return result
 
 
-def side_of(document: Document, chain: Chain, bind: Binding) -> int:
-    """Return which side of a chain a bind means: the last that stands on its line."""
+def side_of(document: Document, chain: Chain, binding: Binding) -> int:
+    """Return which side of a chain a binding means: the last that stands on its line."""
     touching = [
         k
         for k, side in enumerate(chain.sides)
-        if document.line_of(side.span[0]) <= bind.line <= document.line_of(max(side.span[1] - 1, 0))
+        if document.line_of(side.span[0]) <= binding.line <= document.line_of(max(side.span[1] - 1, 0))
     ]
     return touching[-1] if touching else len(chain.sides) - 1
 
 
-def side(
+def side_verdict(
     document: Document,
     chain: Chain,
     index: int,
-    bind: Binding,
+    binding: Binding,
     knowledge: Knowledge,
     sources: Sources,
     step: Verdict | None,
-    excused: bool = False,
+    is_excused: bool = False,
 ) -> Verdict:
-    """Return the verdict on a bound side; where its relation was judged too, the claim decides."""
+    """Return the verdict on a bound side; where its relation was judged too, the binding decides."""
     claimed = chain.sides[index]
     line = chain.relations[index - 1].line if index else document.line_of(claimed.span[0])
-    decision = decide_assertion(claimed, bind, knowledge, sources)
+    decision = decide_assertion(claimed, binding, knowledge, sources)
     base = Verdict(
         line=line,
         link=1,
@@ -73,33 +73,33 @@ def side(
         claimed=formula_text(claimed.node, plain=True),
         node=claimed.node,
     )
-    if decision.status == REFUTED and knowledge.crank is not None and bind.quantity != "harmonic":
-        base = _add_fix(base, document, claimed, decision, bind, knowledge, sources)
+    if decision.status == REFUTED and knowledge.crank is not None and binding.quantity != "harmonic":
+        base = _add_fix(base, document, claimed, decision, binding, knowledge, sources)
     reason = ""
-    if step is not None and step.verdict == REFUTED and decision.proved and not excused:
+    if step is not None and step.verdict == REFUTED and decision.proved and not is_excused:
         return replace(
-            step, bind=bind.title, reason="the right side is what it claims to be, the left is not"
+            step, bind=binding.title, reason="the right side is what it claims to be, the left is not"
         )
     if step is not None and step.verdict == REFUTED and decision.proved:
         reason = "right as it stands, though it does not follow from the side before"
     elif step is not None and step.fix is not None and base.fix is not None:
         base = replace(base, notes=(*base.notes, f"as a step: {step.fix.kind}, {step.fix.text}"))
-    return with_fault_of(step, with_answer(base, decision, bind, reason))
+    return with_fault_of(step, with_decision(base, decision, binding, reason))
 
 
-def with_fault_of(step: Verdict | None, claim: Verdict) -> Verdict:
-    """Return the verdict on a claim, and in it the fault of symbalance that its relation's step met.
+def with_fault_of(step: Verdict | None, assertion: Verdict) -> Verdict:
+    """Return an assertion's verdict with the fault of symbalance that its relation's step met.
 
-    The claim decides, but the step was not judged, or not mended: that must not be lost with it.
+    The assertion decides, but the step was not judged, or not corrected: that must not be lost with it.
     """
-    if step is None or not step.fault or step.fault == claim.fault:
-        return claim
+    if step is None or not step.fault or step.fault == assertion.fault:
+        return assertion
     note = step.reason if step.verdict == UNDECIDED else step.notes[-1]
     return replace(
-        claim,
-        notes=(*claim.notes, f"as a step: {note}"),
-        fault=claim.fault or step.fault,
-        traceback=claim.traceback + step.traceback,
+        assertion,
+        notes=(*assertion.notes, f"as a step: {note}"),
+        fault=assertion.fault or step.fault,
+        traceback=assertion.traceback + step.traceback,
     )
 
 
@@ -108,26 +108,26 @@ def _add_fix(
     document: Document,
     claimed: Side,
     decision: Decision,
-    bind: Binding,
+    binding: Binding,
     knowledge: Knowledge,
     sources: Sources,
 ) -> Verdict:
     def proves(node: Formula) -> bool:
         return is_proved_as_far(
-            decide_assertion(Side((node,), claimed.span), bind, knowledge, sources), decision
+            decide_assertion(Side((node,), claimed.span), binding, knowledge, sources), decision
         )
 
     return add_fix(base, document, claimed, decision, knowledge, proves)
 
 
-def with_answer(base: Verdict, decision: Decision, bind: Binding, reason: str = "") -> Verdict:
-    """Return a verdict filled from the answer of a claim."""
+def with_decision(base: Verdict, decision: Decision, binding: Binding, reason: str = "") -> Verdict:
+    """Return a verdict filled from the decision on an assertion."""
     bad = not decision.proved
     exact, exact_node = exact_value(decision) if bad else ("", None)
     return replace(
         base,
         verdict=word_for(decision),
-        bind=bind.title,
+        bind=binding.title,
         reason=reason or decision.reason,
         order=decision.order if decision.proved else "",
         assumption=", ".join(decision.assumptions) if decision.proved else "",
@@ -138,35 +138,35 @@ def with_answer(base: Verdict, decision: Decision, bind: Binding, reason: str = 
     )
 
 
-def decide_assertion(claimed: Side, bind: Binding, knowledge: Knowledge, sources: Sources) -> Decision:
+def decide_assertion(claimed: Side, binding: Binding, knowledge: Knowledge, sources: Sources) -> Decision:
     """Decide whether a side is the quantity it is bound to."""
-    if bind.quantity == "harmonic":
-        return _harmonic(claimed, bind, knowledge)
+    if binding.quantity == "harmonic":
+        return _decide_harmonic(claimed, binding, knowledge)
     if knowledge.crank is None:
         return Decision(UNDECIDED, "no geometry")
-    exact = expected(claimed.node, bind, knowledge, sources)
+    exact = expected_value(claimed.node, binding, knowledge, sources)
     plain = decimals(claimed.node) or not names(claimed.node)
-    return decide(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, bind.through)
+    return decide(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, binding.through)
 
 
-def expected(claimed: Formula, bind: Binding, knowledge: Knowledge, sources: Sources) -> Formula:
+def expected_value(claimed: Formula, binding: Binding, knowledge: Knowledge, sources: Sources) -> Formula:
     """Return what a bound side ought to be, in the document's letters."""
     assert knowledge.crank is not None
-    exact = quantity(bind, knowledge.crank, sources, bool(decimals(claimed)) and not names(claimed))
-    if bind.scale:
+    exact = quantity(binding, knowledge.crank, sources, bool(decimals(claimed)) and not names(claimed))
+    if binding.scale:
         try:
-            scale = read_expression(bind.scale, knowledge.letters)[0]
+            scale = read_expression(binding.scale, knowledge.letters)[0]
         except ReadingError as problem:
             raise SymbalanceError(
-                f"scale = {bind.scale}", problem.what, problem.remedy, f"{bind.place}: bind"
+                f"scale = {binding.scale}", problem.what, problem.remedy, f"{binding.place}: bind"
             ) from None
         exact = Product((scale, exact))
     return exact
 
 
-def _harmonic(claimed: Side, bind: Binding, knowledge: Knowledge) -> Decision:
+def _decide_harmonic(claimed: Side, binding: Binding, knowledge: Knowledge) -> Decision:
     """Decide whether a side holds the bound order only."""
-    order = Fraction(bind.order or 1)
+    order = Fraction(binding.order or 1)
     for level in list(knowledge.levels(claimed.node))[-1:]:
         try:
             form = knowledge.evaluator(level).form(claimed.node)
@@ -183,86 +183,96 @@ def _harmonic(claimed: Side, bind: Binding, knowledge: Knowledge) -> Decision:
     return Decision(UNDECIDED, "nothing known")
 
 
-def piece(
-    document: Document, bind: Binding, knowledge: Knowledge, letters: frozenset[str], sources: Sources
+def piece_verdict(
+    document: Document, binding: Binding, knowledge: Knowledge, letters: frozenset[str], sources: Sources
 ) -> Verdict:
     """Return the verdict on a piece of a line: a table's cell, or a number in prose."""
-    span = span_of(document, bind)
+    span = span_of(document, binding)
     base = Verdict(
-        bind.line,
+        binding.line,
         1,
-        bind.text,
+        binding.text,
         UNREADABLE,
-        lines=(bind.line,),
+        lines=(binding.line,),
         column=document.column_of(span[0]),
         piece=True,
         span=span,
-        claimed=bind.text,
+        claimed=binding.text,
     )
     try:
-        readings = read_expression(bind.text, letters, span[0])
+        readings = read_expression(binding.text, letters, span[0])
     except ReadingError as problem:
-        return replace(base, reason=f"{problem.what}; {problem.remedy}", bind=bind.title)
+        return replace(base, reason=f"{problem.what}; {problem.remedy}", bind=binding.title)
     claimed = Side(readings, span)
-    decision = decide_assertion(claimed, bind, knowledge, sources)
+    decision = decide_assertion(claimed, binding, knowledge, sources)
     base = replace(
         base,
         claimed=formula_text(claimed.node, plain=True),
         node=claimed.node,
         verdict=word_for(decision),
     )
-    if decision.status == REFUTED and bind.quantity != "harmonic":
-        base = _add_fix(base, document, claimed, decision, bind, knowledge, sources)
-    return with_answer(base, decision, bind)
+    if decision.status == REFUTED and binding.quantity != "harmonic":
+        base = _add_fix(base, document, claimed, decision, binding, knowledge, sources)
+    return with_decision(base, decision, binding)
 
 
-def span_of(document: Document, bind: Binding) -> Span:
-    """Return where the piece of a line stands that a bind means."""
-    start = _line_start(document, bind)
+def span_of(document: Document, binding: Binding) -> Span:
+    """Return where the piece of a line stands that a binding means."""
+    start = _line_start(document, binding)
     line_text = document.text[start:].split("\n", 1)[0]
-    at = (bind.column - 1) if bind.column else line_text.find(bind.text)
-    if at < 0 or not line_text.startswith(bind.text, at):
+    at = (binding.column - 1) if binding.column else line_text.find(binding.text)
+    if at < 0 or not line_text.startswith(binding.text, at):
         raise SymbalanceError(
-            f"text = {bind.text}",
-            f"does not stand on line {bind.line}",
+            f"text = {binding.text}",
+            f"does not stand on line {binding.line}",
             "copy it from the line",
-            bind.place,
+            binding.place,
         )
-    return start + at, start + at + len(bind.text)
+    return start + at, start + at + len(binding.text)
 
 
-def _line_start(document: Document, bind: Binding) -> int:
+def _line_start(document: Document, binding: Binding) -> int:
     starts = [0] + [k + 1 for k, c in enumerate(document.text) if c == "\n"]
-    if bind.line > len(starts):
+    if binding.line > len(starts):
         raise SymbalanceError(
-            f"line = {bind.line}", f"the document has {len(starts)} lines", "name one of them", bind.place
+            f"line = {binding.line}",
+            f"the document has {len(starts)} lines",
+            "name one of them",
+            binding.place,
         )
-    return starts[bind.line - 1]
+    return starts[binding.line - 1]
 
 
-def name_unreadable(verdicts: list[Verdict], document: Document, bind: Binding) -> bool:
-    """Say of what could not be read on a bind's line what it claims to be; tell whether there is any.
+def name_unreadable(verdicts: list[Verdict], document: Document, binding: Binding) -> bool:
+    """Say of what could not be read on a binding's line what it claims to be; tell whether there is any.
 
     It is the last that stands on the line, as with what could be read, and is counted once.
     """
 
     def stands_on(span: Span) -> bool:
-        return document.line_of(span[0]) <= bind.line <= document.line_of(max(span[1] - 1, span[0]))
+        return document.line_of(span[0]) <= binding.line <= document.line_of(max(span[1] - 1, span[0]))
 
     touching = [k for k, v in enumerate(verdicts) if v.verdict == UNREADABLE and stands_on(v.span)]
     if not touching:
         return False
     last = verdicts[touching[-1]]
-    titles = f"{last.bind}; {bind.title}" if last.bind else bind.title
+    titles = f"{last.bind}; {binding.title}" if last.bind else binding.title
     verdicts[touching[-1]] = replace(last, bind=titles)
     return True
 
 
-def missing_equation(document: Document, bind: Binding) -> Verdict:
-    """Return the verdict on a bind whose line holds no equation."""
-    start = _line_start(document, bind)
+def missing_equation(document: Document, binding: Binding) -> Verdict:
+    """Return the verdict on a binding whose line holds no equation."""
+    start = _line_start(document, binding)
     source = document.text[start:].split("\n", 1)[0].strip()
     reason = "no equation was found on this line; bind a piece of it with text"
     return Verdict(
-        bind.line, 1, source, UNREADABLE, reason, lines=(bind.line,), bind=bind.title, span=(start, start)
+        binding.line,
+        1,
+        source,
+        UNREADABLE,
+        reason,
+        lines=(binding.line,),
+        bind=binding.title,
+        span=(start, start),
     )

@@ -1,4 +1,4 @@
-"""Premises: relations that state something rather than follow, such as l sin β = r sin θ.
+"""Relations that state something rather than follow, such as l sin β = r sin θ, solved for a letter.
 
 A relation fixes a letter if the letter is new in the document, stands in it once, and can be reached by
 undoing sums, products, powers and functions. Both sides must hold letters of their own: in
@@ -43,7 +43,7 @@ _INVERSE = {
 
 @dataclass(frozen=True, slots=True)
 class Constraint:
-    """A letter and the formula a premise gives it."""
+    """A letter and the formula that a relation gives it."""
 
     name: str
     node: Formula
@@ -74,11 +74,11 @@ def constraint_of(
         pairs = [(set(first), left, right)]  # tan δ = 1/3
     else:
         return None
-    for own_letters, node, other in pairs:
+    for own_letters, node, other_side in pairs:
         for name in sorted(own_letters):
             is_new = not (name in earlier or knowledge.has_meaning(name))
             if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
-                value = solve_for(node, other, name)
+                value = solve_for(node, other_side, name)
                 if value is not None:
                     return Constraint(name, value)
     derivative = _lone_derivative(left, right, knowledge)
@@ -113,8 +113,8 @@ def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str
     if not (isinstance(left, Derivative) and isinstance(left.expression, Name)):
         return ""
     name = left.expression.name
-    known = knowledge.has_meaning(name) or name in formula.names(right)
-    return "" if known else derivative_name(left)
+    is_known = knowledge.has_meaning(name) or name in formula.names(right)
+    return "" if is_known else derivative_name(left)
 
 
 def solve(left: Formula, right: Formula) -> tuple[str, Formula] | None:

@@ -1,4 +1,4 @@
-"""What a document has defined so far: letters with their values, each as far as its scope reaches."""
+"""Letters that a document has defined so far, with their values, each as far as its scope reaches."""
 
 from __future__ import annotations
 
@@ -27,24 +27,24 @@ class Definitions:
     """The letters a document has given values, and those it has used at all."""
 
     declarations: Declarations
-    known: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
+    values: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
     letters_in_use: set[str] = field(default_factory=set)
     conditions: dict[int, frozenset[str]] = field(default_factory=dict)
     """Lines that set two known quantities equal, with the letters these come down to."""
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
-        here, owner = set(self.declarations.scope_at(line)), self.declarations.owner
+        scopes_here, owner = set(self.declarations.scope_at(line)), self.declarations.owner
         return {
             name: definition
-            for name, (definition, scopes) in self.known.items()
-            if set(scopes) <= here and owner(name, definition.line) == owner(name, line)
+            for name, (definition, scopes) in self.values.items()
+            if set(scopes) <= scopes_here and owner(name, definition.line) == owner(name, line)
         }
 
     def define(self, name: str, node: Formula, line: int) -> None:
-        """Keep a letter's value from here on."""
+        """Define a letter's value from here on."""
         scopes = self.declarations.scope_at(line)
-        self.known[name] = (Definition(node, line, not names(node)), scopes)
+        self.values[name] = (Definition(node, line, not names(node)), scopes)
 
     def use(self, chain: Chain) -> None:
         """Note the letters of a chain."""
@@ -55,29 +55,33 @@ class Definitions:
         if decision.left is None or decision.right is None:
             return None
         own_letters = {*letters(decision.left), *letters(decision.right)}
-        lines = [n for n, others in self.conditions.items() if n < line and len(own_letters & others) > 1]
+        lines = [
+            n
+            for n, condition_letters in self.conditions.items()
+            if n < line and len(own_letters & condition_letters) > 1
+        ]
         return lines[-1] if lines else None
 
     def define_by(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
-        """Return the answer for a relation that gives a letter its value, after learning it."""
-        pair = self._letter(chain, k)
+        """Return the decision on a relation that gives a letter its value, after defining it."""
+        pair = self._letter_defined(chain, k)
         if pair is None or knowledge.assumes(pair[0]):
             return None
         name, value = pair
         line = chain.lines[0]
         if name in knowledge.meaning.values:
-            return self._size(name, value, line, knowledge)
+            return self._define_size(name, value, line, knowledge)
         if knowledge.measures(name) and name in _letters_of(value, knowledge):
             return None  # λ = 2l/r: it says something of the geometry, and may be wrong
         if name in knowledge.definitions:
-            return self._again(name, value, chain.relations[k].sign, line, knowledge)
+            return self._redefine(name, value, chain.relations[k].sign, line, knowledge)
         self.define(name, without_dots(value)[0], line)
         return Decision(DEFINITION)
 
-    def _again(
+    def _redefine(
         self, name: str, value: Formula, sign: str, line: int, knowledge: Knowledge
     ) -> Decision | None:
-        """Return the answer for another value of a defined letter: a new case, a condition, or None."""
+        """Return the decision on another value of a defined letter: a new case, a condition, or None."""
         earlier = knowledge.definitions[name]
         if not _new_case(earlier, value, sign, knowledge):
             return None
@@ -87,8 +91,8 @@ class Definitions:
         self.define(name, without_dots(value)[0], line)
         return Decision(DEFINITION, f"a new case: line {earlier.line} had another value")
 
-    def _size(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> Decision | None:
-        """Return the answer for a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
+    def _define_size(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
         if knowledge.crank is None or knowledge.crank.small is None or name in knowledge.moving:
             return None
         base = _solve_for_one_letter(knowledge.meaning.values[name], value)
@@ -109,7 +113,7 @@ class Definitions:
         self.define(small, rational_node(number), line)
         return Decision(DEFINITION, f"a case: {formula_text(Name(small), plain=True)} = {number}")
 
-    def _letter(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
+    def _letter_defined(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
         """Return the letter a relation may define, and its value."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         if k == 0 and isinstance(left, Name) and left.name not in names(right):
@@ -166,5 +170,5 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     points = sample_trees([earlier.node, value], Meaning(), 1)
     if not points:
         return True
-    one, other = points[0][1]
-    return abs(one - other) > NEARLY * max(abs(one), abs(other))
+    old_value, new_value = points[0][1]
+    return abs(old_value - new_value) > NEARLY * max(abs(old_value), abs(new_value))

@@ -1,7 +1,7 @@
 """Verdicts made from decisions: the word, the place, and the texts that go with it.
 
-Where two sides differ, the difference is told coefficient by coefficient: of which term, what is claimed,
-what is exact.
+Where two sides differ, the difference is given coefficient by coefficient: of which term, what is
+claimed, what is exact.
 """
 
 from __future__ import annotations
@@ -137,7 +137,7 @@ def unreadable_verdict(document: Document, part: Unreadable) -> Verdict:
 
 
 def exact_value(decision: Decision) -> tuple[str, Formula | None]:
-    """Return the left side of an answer as a sum of harmonics, as text and as a formula.
+    """Return the left side of a decision as a sum of harmonics, as text and as a formula.
 
     ("", None) if it has no normal form or is too long to be read.
     """
@@ -146,13 +146,13 @@ def exact_value(decision: Decision) -> tuple[str, Formula | None]:
         return "", None
     try:
         above = polynomial_node(form.domain, form.numerator)
-        printed, node = formula_text(above, plain=True), above
+        text, node = formula_text(above, plain=True), above
         if not form.is_polynomial:
             below = polynomial_node(form.domain, form.denominator)
-            printed, node = f"({printed})/({formula_text(below, plain=True)})", Quotient(above, below)
+            text, node = f"({text})/({formula_text(below, plain=True)})", Quotient(above, below)
     except (NoFormError, TooLargeError):
         return "", None
-    return (printed, node) if len(printed) <= LONGEST else ("", None)
+    return (text, node) if len(text) <= LONGEST else ("", None)
 
 
 def differences(decision: Decision) -> tuple[Difference, ...]:
@@ -165,10 +165,13 @@ def differences(decision: Decision) -> tuple[Difference, ...]:
     if left.rational() is not None and right.rational() is not None:
         return ()  # two numbers: the witness says it
     domain = left.domain
-    exact, claimed = components(domain, left.numerator), components(domain, right.numerator)
+    exact_numbers, claimed_numbers = (
+        components(domain, left.numerator),
+        components(domain, right.numerator),
+    )
     result: list[Difference] = []
-    for place in sort_keys({**exact, **claimed}):
-        exact_number, claimed_number = exact.get(place, {}), claimed.get(place, {})
+    for place in sort_keys({**exact_numbers, **claimed_numbers}):
+        exact_number, claimed_number = exact_numbers.get(place, {}), claimed_numbers.get(place, {})
         if is_zero(domain, poly.minus(exact_number, claimed_number)) is not True:
             node = key_node(domain, place)
             term = "constant" if node is None else formula_text(node, plain=True)
@@ -186,21 +189,21 @@ def number_text(domain: Domain, number: Polynomial) -> tuple[str, Formula]:
         isinstance(part, Number) and max(part.value.numerator, part.value.denominator) > 10**9
         for part in walk(node)
     )
-    printed = formula_text(node, plain=True)
-    if long or (len(printed) > 40 and not poly.is_rational(number)):
-        printed = digits(Valuation(domain, {}).polynomial(number))
-        return printed, rounded_number(printed)
-    return printed, node
+    text = formula_text(node, plain=True)
+    if long or (len(text) > 40 and not poly.is_rational(number)):
+        text = digits(Valuation(domain, {}).polynomial(number))
+        return text, rounded_number(text)
+    return text, node
 
 
-def rounded_number(printed: str) -> Formula:
+def rounded_number(text: str) -> Formula:
     """Return a number printed in decimals as a formula; a complex one stays as it is printed.
 
     >>> rounded_number("0.25").text, type(rounded_number("(1.0 + 2.0j)")).__name__
     ('0.25', 'Upright')
     """
     try:
-        float(printed)
+        float(text)
     except ValueError:
-        return Upright(printed)
-    return Decimal(printed)
+        return Upright(text)
+    return Decimal(text)

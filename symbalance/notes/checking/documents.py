@@ -1,4 +1,4 @@
-"""A document checked as a whole: from a file or a text, with its sidecar or a mapping of letters.
+"""Checking of a whole document, a file or a text, with the declarations of its letters.
 
 `sidecar_draft` writes the sidecar a document still needs: its undeclared letters, to be given meanings.
 """
@@ -17,7 +17,7 @@ from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.sidecar import (
     Declarations,
-    declared,
+    declarations_in,
     parse_sidecar,
     read_sidecar,
     without_header,
@@ -65,22 +65,22 @@ def declarations_of(
     document: str | Path, symbols: Mapping[str, Any] | str | Path | None, text: str, name: str
 ) -> tuple[Declarations, str]:
     """Return what is declared about a document, and its text without a header that declared it."""
-    apart = _declarations_apart(symbols, None if name == "text" else Path(document))
+    declarations = _declarations_apart(symbols, None if name == "text" else Path(document))
     body, header = without_header(text, Path(name).suffix)
-    if apart is not None:
-        return apart, text
+    if declarations is not None:
+        return declarations, text
     return (parse_sidecar(header, name), body) if header else (Declarations(), text)
 
 
 def _letters_by_line(declarations: Declarations) -> Any:
     """Return the letters declared for a line, each set of scopes looked up once."""
-    known: dict[tuple[int, ...], frozenset[str]] = {}
+    cache: dict[tuple[int, ...], frozenset[str]] = {}
 
     def names_at(line: int) -> frozenset[str]:
         key = declarations.scope_at(line)
-        if key not in known:
-            known[key] = frozenset(declarations.symbols_at(line))
-        return known[key]
+        if key not in cache:
+            cache[key] = frozenset(declarations.symbols_at(line))
+        return cache[key]
 
     return names_at
 
@@ -107,7 +107,7 @@ def _declarations_apart(
 ) -> Declarations | None:
     """Return what is declared apart from the document; None where it may have a header of its own."""
     if isinstance(symbols, Mapping):
-        return declared(symbols)
+        return declarations_in(symbols)
     if symbols is not None:
         return read_sidecar(symbols)
     if path is not None:
@@ -132,18 +132,18 @@ def sidecar_draft(document: str | Path, symbols: Mapping[str, Any] | str | Path 
 
     `symbols` declares some already, as it does for `check`.
     """
-    letters = undeclared(document, symbols)
+    letters = undeclared_letters(document, symbols)
     lines = ["[symbols]"]
     for name, line in sorted(letters.items(), key=lambda pair: pair[1]):
         lines.append(f'"{formula_text(Name(name), plain=True)}" = ""{"":12}# line {line}')
-    known = "\n".join(f"#   {meaning}" for meaning in KNOWN)
+    meanings = "\n".join(f"#   {meaning}" for meaning in KNOWN)
     return (
         "\n".join(lines)
-        + f"\n\n# meanings the checker knows; any other text is just a letter:\n{known}\n"
+        + f"\n\n# meanings the checker knows; any other text is just a letter:\n{meanings}\n"
     )
 
 
-def undeclared(
+def undeclared_letters(
     document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None
 ) -> dict[str, int]:
     """Return the letters of a document that are not declared, and where each is first missed.
@@ -159,8 +159,8 @@ def undeclared(
         return {*declarations.symbols_at(line), *letters}
 
     for _ in range(MOST_ROUNDS):
-        read = read_document(text, name, names_at)
-        missing = [(_UNDECLARED.search(u.what), u.line) for u in read.unreadable]
+        page = read_document(text, name, names_at)
+        missing = [(_UNDECLARED.search(u.what), u.line) for u in page.unreadable]
         new_letters = {m[1]: line for m, line in reversed(missing) if m and m[1] not in letters}
         if not new_letters:
             break

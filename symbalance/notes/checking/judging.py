@@ -44,7 +44,7 @@ UNIVERSAL = (
 
 @dataclass
 class Judge:
-    """Judges one document; what it has learnt so far is its state."""
+    """Judges one document; the letters defined so far are its state."""
 
     document: Document
     declarations: Declarations
@@ -55,22 +55,22 @@ class Judge:
 
     def check(self) -> Checked:
         """Return the document with its verdicts."""
-        binds = assertions.by_line(self.declarations.binds)
+        bindings = assertions.by_line(self.declarations.bindings)
         verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
         for chain in sorted(self.document.chains, key=lambda c: (c.lines[0], not states_a_case(c))):
-            own = [b for line in chain.lines for b in binds.pop(line, [])]
-            verdicts += self.chain(chain, own)
-        for bind in (b for rest in binds.values() for b in rest):
-            if not assertions.name_unreadable(verdicts, self.document, bind):
-                missing_equation = partial(assertions.missing_equation, self.document, bind)
-                verdicts.append(self.guard(missing_equation, (0, 0), bind.line))
-        for bind in self.declarations.binds:
-            if bind.text:
-                verdicts.append(self.guard(partial(self.piece, bind), (0, 0), bind.line))
+            chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
+            verdicts += self.chain(chain, chain_binds)
+        for binding in (b for rest in bindings.values() for b in rest):
+            if not assertions.name_unreadable(verdicts, self.document, binding):
+                missing_equation = partial(assertions.missing_equation, self.document, binding)
+                verdicts.append(self.guard(missing_equation, (0, 0), binding.line))
+        for binding in self.declarations.bindings:
+            if binding.text:
+                verdicts.append(self.guard(partial(self.piece, binding), (0, 0), binding.line))
         return Checked(self.document, tuple(number_verdicts(verdicts)))
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
-        """Return a verdict; a fault of ours leaves its relation undecided, and the report whole."""
+        """Return a verdict; a fault of the checker leaves its relation undecided, the report whole."""
         try:
             return verdict()
         except SymbalanceError:
@@ -80,15 +80,15 @@ class Judge:
                 self.document, span, line or self.document.line_of(span[0]), problem
             )
 
-    def piece(self, bind: Binding) -> Verdict:
+    def piece(self, binding: Binding) -> Verdict:
         """Return the verdict on a piece of a line that is bound to a quantity."""
-        span = assertions.span_of(self.document, bind)
-        return self.guard(partial(self._piece, bind), span, bind.line)
+        span = assertions.span_of(self.document, binding)
+        return self.guard(partial(self._piece, binding), span, binding.line)
 
-    def _piece(self, bind: Binding) -> Verdict:
-        known = self.knowledge(bind.line, bind.convention)
-        names_here = frozenset(self.declarations.symbols_at(bind.line))
-        return assertions.piece(self.document, bind, known, names_here, self.sources)
+    def _piece(self, binding: Binding) -> Verdict:
+        knowledge = self.knowledge(binding.line, binding.convention)
+        names_here = frozenset(self.declarations.symbols_at(binding.line))
+        return assertions.piece_verdict(self.document, binding, knowledge, names_here, self.sources)
 
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
@@ -99,79 +99,81 @@ class Judge:
         universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
-        declared = frozenset(symbols)
+        letters_declared = frozenset(symbols)
         return Knowledge(
             meaning,
             crank,
             definitions,
-            self.assumptions(line, declared),
-            declared,
+            self.assumptions(line, letters_declared),
+            letters_declared,
             moving,
             angles,
             universal,
         )
 
-    def assumptions(self, line: int, known: frozenset[str]) -> tuple[Assumption, ...]:
+    def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""
         return tuple(
-            read_assumption(text, known, self.declarations.place)
+            read_assumption(text, letters, self.declarations.place)
             for text in self.declarations.assumptions_at(line)
         )
 
-    def chain(self, chain: Chain, binds: list[Binding]) -> list[Verdict]:
-        """Return the verdicts on a chain's relations, in order; none is lost by a fault of ours."""
+    def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
+        """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
         verdicts: list[Verdict] = []
         try:
-            self._judge(chain, binds, verdicts)
+            self._judge(chain, bindings, verdicts)
         except SymbalanceError:
             raise  # a declaration that cannot be used
         except Exception as problem:
             return with_fault(self.document, chain, verdicts, problem)
         return verdicts
 
-    def _judge(self, chain: Chain, binds: list[Binding], verdicts: list[Verdict]) -> None:
-        """Add the verdicts on a chain's relations, and learn its letters."""
+    def _judge(self, chain: Chain, bindings: list[Binding], verdicts: list[Verdict]) -> None:
+        """Add the verdicts on a chain's relations, and define its letters."""
         sound, bad = 0, False
-        bound = self._bound(chain, binds)
+        bound = self._bound(chain, bindings)
         if not chain.relations:
-            verdicts += [self.claim(chain, 0, b, None) for b in bound.values()]
+            verdicts += [self.assertion(chain, 0, b, None) for b in bound.values()]
             return
         for k, relation in enumerate(chain.relations):
             if k == 0 and 0 in bound:
-                verdicts.append(self.claim(chain, 0, bound[0], None))
+                verdicts.append(self.assertion(chain, 0, bound[0], None))
             span = chain.sides[k + 1].span
             verdict = self.guard(partial(self.link, chain, k, sound, bad), span, relation.line)
             if k + 1 in bound:
-                excused = bad or isinstance(chain.sides[k].node, Name)
-                verdict = self.claim(chain, k + 1, bound[k + 1], verdict, excused)
+                is_excused = bad or isinstance(chain.sides[k].node, Name)
+                verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
         self.definitions.use(chain)
 
-    def _bound(self, chain: Chain, binds: list[Binding]) -> dict[int, Binding]:
-        """Return what each side is bound to; two claims for one are refused, as one would go unjudged."""
+    def _bound(self, chain: Chain, bindings: list[Binding]) -> dict[int, Binding]:
+        """Return what each side is bound to; two bindings of one are refused: one would go unjudged."""
         bound: dict[int, Binding] = {}
-        for bind in (b for b in binds if not b.text):
-            other = bound.setdefault(assertions.side_of(self.document, chain, bind), bind)
-            if other is not bind:
-                rule = f"is bound twice, as {other.title} and as {bind.title}"
+        for binding in (b for b in bindings if not b.text):
+            earlier = bound.setdefault(assertions.side_of(self.document, chain, binding), binding)
+            if earlier is not binding:
+                rule = f"is bound twice, as {earlier.title} and as {binding.title}"
                 remedy = "keep one, or bind a piece of the line with text"
-                raise SymbalanceError(f"line = {bind.line}", rule, remedy, f"{bind.place}: bind")
+                raise SymbalanceError(f"line = {binding.line}", rule, remedy, f"{binding.place}: bind")
         return bound
 
-    def claim(
-        self, chain: Chain, index: int, bind: Binding, step: Verdict | None, excused: bool = False
+    def assertion(
+        self, chain: Chain, index: int, binding: Binding, step: Verdict | None, is_excused: bool = False
     ) -> Verdict:
         """Return the verdict on a side that is bound to a quantity; `step` is that of its relation.
 
-        `excused` tells that the side before is known to be wrong, or only a name.
+        `is_excused` tells that the side before is known to be wrong, or only a name.
         """
 
         def verdict() -> Verdict:
-            known = self.knowledge(chain.lines[0], bind.convention)
-            return assertions.side(self.document, chain, index, bind, known, self.sources, step, excused)
+            knowledge = self.knowledge(chain.lines[0], binding.convention)
+            return assertions.side_verdict(
+                self.document, chain, index, binding, knowledge, self.sources, step, is_excused
+            )
 
         line = chain.relations[index - 1].line if index else 0
         return self.guard(verdict, chain.sides[index].span, line)
@@ -183,19 +185,19 @@ class Judge:
         left, right = chain.sides[k], chain.sides[k + 1]
         if relation.sign in ("<", ">", "≤", "≥", "≠"):
             return describe(self.document, chain, k, ordering(chain, k, knowledge))
-        defined = self.definitions.define_by(chain, k, knowledge)
-        if defined is not None:
-            return describe(self.document, chain, k, defined)
+        definition = self.definitions.define_by(chain, k, knowledge)
+        if definition is not None:
+            return describe(self.document, chain, k, definition)
         decision, against = decide(left, right, relation.sign, knowledge), left
         if bad and not decision.proved:
-            other = decide(chain.sides[sound], right, relation.sign, knowledge)
-            if other.proved or decision.status == REFUTED:
-                decision, against = other, chain.sides[sound]
+            from_sound = decide(chain.sides[sound], right, relation.sign, knowledge)
+            if from_sound.proved or decision.status == REFUTED:
+                decision, against = from_sound, chain.sides[sound]
         elif bad:
             decision = replace(decision, reason=FOLLOWS)
         head = chain.sides[0].node
-        valued = k and isinstance(head, Name) and head.name in knowledge.meaning.values
-        if valued and (relation.sign == "≈" or not decision.proved):
+        has_value = k and isinstance(head, Name) and head.name in knowledge.meaning.values
+        if has_value and (relation.sign == "≈" or not decision.proved):
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
         if decision.status in (REFUTED, UNDECIDED):
             constraint = constraints.constraint_of(chain, k, self.definitions.letters_in_use, knowledge)
@@ -245,10 +247,10 @@ def number_verdicts(verdicts: list[Verdict]) -> Iterator[Verdict]:
         yield replace(verdict, link=count)
 
 
-def read_assumption(text: str, known: frozenset[str], place: str) -> Assumption:
+def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumption:
     """Return an assumption of the sidecar, solved for a letter."""
     try:
-        chain = read_equation(text, known)
+        chain = read_equation(text, letters)
     except ReadingError as problem:
         raise SymbalanceError(f"given = {text}", problem.what, problem.remedy, place) from None
     if len(chain.sides) == 2 and chain.relations[0].sign == "=":

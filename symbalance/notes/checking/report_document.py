@@ -1,4 +1,4 @@
-"""What is written of checked notes: how many relations hold, then each with its verdict and reasons."""
+"""The report on a checked derivation: counts, then each relation with its verdict and reasons."""
 
 from __future__ import annotations
 
@@ -85,9 +85,9 @@ def summary(checked: Checked) -> str:
     counts = checked.counts()
     if not checked.relation_count:
         return "No relation was seen: nothing is checked."
-    listed = ", ".join(f"{count} {_TITLES[name].lower()}" for name, count in counts.items())
+    kinds = ", ".join(f"{count} {_TITLES[name].lower()}" for name, count in counts.items())
     count = checked.relation_count
-    return f"{count} {'relation' if count == 1 else 'relations'} seen: {listed}."
+    return f"{count} {'relation' if count == 1 else 'relations'} seen: {kinds}."
 
 
 def verdict_summary(verdict: Verdict) -> str:
@@ -103,8 +103,8 @@ def verdict_summary(verdict: Verdict) -> str:
 def verdict_words(verdict: Verdict) -> str:
     """Return the verdict as it is read: with its order or its assumption."""
     title = _TITLES[verdict.verdict]
-    named = {HOLDS_TO_ORDER: verdict.order, CONDITIONAL: verdict.assumption}
-    return f"{title} {named[verdict.verdict]}" if verdict.verdict in named else title
+    supplements = {HOLDS_TO_ORDER: verdict.order, CONDITIONAL: verdict.assumption}
+    return f"{title} {supplements[verdict.verdict]}" if verdict.verdict in supplements else title
 
 
 def place(verdict: Verdict) -> str:
@@ -118,8 +118,8 @@ def one_line(source: str, limit: int) -> str:
     >>> one_line("\\displaystyle x\n  = 1 + 2", 7)
     'x = 1 …'
     """
-    joined = " ".join(source.replace("\\displaystyle", " ").split())
-    return joined if len(joined) <= limit else joined[: limit - 1] + "…"
+    line = " ".join(source.replace("\\displaystyle", " ").split())
+    return line if len(line) <= limit else line[: limit - 1] + "…"
 
 
 def _line(verdict: Verdict) -> SourceLine:
@@ -196,9 +196,9 @@ def _is_readable(node: Formula) -> bool:
 
 def _legend(verdicts: tuple[Verdict, ...]) -> Facts:
     """Return what the verdicts that occur mean, and how places and corrections are written."""
-    there = {verdict.verdict for verdict in verdicts}
+    kinds = {verdict.verdict for verdict in verdicts}
     entries: list[tuple[Words, Words]] = [
-        (_TITLES[word], _MEANINGS[word]) for word in VERDICTS if word in there
+        (_TITLES[word], _MEANINGS[word]) for word in VERDICTS if word in kinds
     ]
     second = next((place(verdict) for verdict in verdicts if verdict.link == 2), None)
     if second:

@@ -1,12 +1,12 @@
-"""The sidecar of a document: what its letters mean, where, and what its lines claim to be.
+"""The sidecar file of a document: what its letters mean, where, and what its lines claim to be.
 
     [symbols]                        letter -> meaning or unit
-    [[scope]]                        lines = [a, b] with symbols and given equalities of their own
+    [[scope]]                        lines = [a, b] with symbols and equalities of their own
     [[bind]]                         line, quantity, engine, order, ...: what a line claims to be
 
 Unknown keys are errors; every refusal names the file and the line.
 
-They may stand at the head of the document itself instead, as a comment that is the first thing in it:
+The declarations may stand at the head of the document itself instead, as a comment that is the first thing in it:
 
     <!-- [symbols]                   % [symbols]                    # [symbols]
     r = "crank radius"               % r = "crank radius"           # r = "crank radius"
@@ -139,7 +139,7 @@ class Declarations:
 
     symbols: Mapping[str, str] = field(default_factory=dict)
     scopes: tuple[Scope, ...] = ()
-    binds: tuple[Binding, ...] = ()
+    bindings: tuple[Binding, ...] = ()
     place: str = "symbols"
 
     def symbols_at(self, line: int) -> dict[str, str]:
@@ -175,7 +175,7 @@ def parse_sidecar(text: str, place: str) -> Declarations:
     return _declarations(read_sections(text, place, SIDECAR, remedy))
 
 
-def declared(symbols: Mapping[str, Any]) -> Declarations:
+def declarations_in(symbols: Mapping[str, Any]) -> Declarations:
     """Return the declarations in a Python mapping: letters to meanings, or a sidecar's whole table."""
     table = dict(symbols)
     if any(isinstance(value, str) for value in table.values()) or not set(table) <= set(SIDECAR.by_name):
@@ -185,8 +185,8 @@ def declared(symbols: Mapping[str, Any]) -> Declarations:
 
 def _declarations(file: Section) -> Declarations:
     scopes = tuple(_scope(table) for table in file.sections("scope"))
-    binds = tuple(Binding(**table.values(), place=table.place()) for table in file.sections("bind"))
-    return Declarations(_symbols(file.section("symbols")), scopes, binds, file.source.place)
+    bindings = tuple(Binding(**table.values(), place=table.place()) for table in file.sections("bind"))
+    return Declarations(_symbols(file.section("symbols")), scopes, bindings, file.source.place)
 
 
 def _symbols(table: Section) -> dict[str, str]:

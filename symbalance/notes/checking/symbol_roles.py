@@ -1,4 +1,4 @@
-"""The meanings a letter may be declared with that the checker knows, and how they may be written."""
+"""Roles a letter may be declared with, such as crank radius, and the ways they may be written."""
 
 from __future__ import annotations
 
@@ -89,9 +89,9 @@ def role_of(text: str) -> str:
     'crank radius'
     """
     head = text.split(",", maxsplit=1)[0].strip()
-    lowered = " ".join(head.lower().split())
-    lowered = ALIASES.get(lowered, lowered)
-    return lowered if lowered in KNOWN else head
+    role = " ".join(head.lower().split())
+    role = ALIASES.get(role, role)
+    return role if role in KNOWN else head
 
 
 def letters_by_role(symbols: Mapping[str, str]) -> dict[str, list[str]]:

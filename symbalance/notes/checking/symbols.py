@@ -1,4 +1,4 @@
-"""What declared letters stand for: r = s/2, l = λ r, sin β = sin θ/λ, x(θ), A_2(λ)."""
+"""Formulas that declared letters stand for, such as r = s/2, l = λ r and sin β = sin θ/λ."""
 
 from __future__ import annotations
 
@@ -80,9 +80,9 @@ def meaning_of(
                 values[name] = node
     for name in [n for m in MOVING for n in letters.get(m, ())]:
         for order in (1, 2):
-            primed = name + "'" * order
-            if primed not in symbols and isinstance(crank.theta, Name):
-                values[primed] = Derivative(Name(name), crank.theta, order)
+            derivative = name + "'" * order
+            if derivative not in symbols and isinstance(crank.theta, Name):
+                values[derivative] = Derivative(Name(name), crank.theta, order)
     rates: dict[str, Mapping[str, Formula]] = {}
     if isinstance(crank.theta, Name):
         rates[crank.time] = {crank.theta.name: crank.omega}
@@ -102,7 +102,7 @@ def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Formula:
 
 
 def far_power(order: int) -> int:
-    """Return the power of r/l through which A_n is taken where nobody says."""
+    """Return the power of r/l through which A_n is taken where no power is named."""
     return max(SAME_POWER, order + 7)
 
 

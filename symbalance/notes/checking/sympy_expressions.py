@@ -1,4 +1,4 @@
-"""SymPy expressions through the same decisions: `check_equal`."""
+"""Equality of two SymPy expressions, decided as the equations of hand derivations are."""
 
 from __future__ import annotations
 

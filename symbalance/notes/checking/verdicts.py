@@ -1,4 +1,4 @@
-"""Verdicts: what is said of each relation of a document, in one vocabulary."""
+"""Verdicts on the relations of a document, with witnesses, differences and corrections."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ class Fix:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Verdict(Result):
-    """What is said of one relation, or of a piece of a line bound to a quantity."""
+    """The verdict on one relation, or of a piece of a line bound to a quantity."""
 
     kind: ClassVar[str] = "verdict"
 
@@ -98,7 +98,7 @@ class Verdict(Result):
     exact_node: Formula | None = None
     """`exact` as a formula."""
     fault: str = ""
-    """A fault of symbalance that kept the relation from being judged or mended."""
+    """A fault of symbalance that kept the relation from being judged or corrected."""
     traceback: str = ""
 
     @property

@@ -1,4 +1,4 @@
-"""Documents, equations and expressions, from their text to chains of formulas.
+"""Reading of documents, equations and expressions, from their text to chains of formulas.
 
 A chain a = b = c may go over several lines and past a little prose. A letter that stands alone on the
 left of a chain declares itself, and is a letter from there on. What cannot be read is reported with its
@@ -17,7 +17,7 @@ from symbalance.notes.reading.equations import Chain, Document, Relation, Side, 
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import CLOSER, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import read_tokens
-from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation, narrowed
+from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation, to_half_width
 from symbalance.notes.reading.signs import relation_at_start
 
 LONGEST_DOCUMENT = 1_000_000
@@ -35,18 +35,18 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
     if len(text) > LONGEST_DOCUMENT:
         what = f"a document of more than {LONGEST_DOCUMENT} characters"
         return Document(name, text, (), (Unreadable(1, 1, what, "split it", (0, 0)),))
-    known: dict[int, frozenset[str]] = {}
+    cache: dict[int, frozenset[str]] = {}
 
     def names(line: int) -> frozenset[str]:
-        if line not in known:
-            known[line] = frozenset(names_at(line))
-        return known[line]
+        if line not in cache:
+            cache[line] = frozenset(names_at(line))
+        return cache[line]
 
     assembler = Assembler(ItemFinder(text, PurePath(name).suffix.lower(), names), names)
     assembler.run()
     chains = sorted(assembler.chains, key=lambda chain: chain.sides[0].span)
-    refused = sorted(assembler.unreadable, key=lambda one: (one.line, one.column))
-    return Document(name, text, tuple(chains), tuple(refused))
+    unreadable = sorted(assembler.unreadable, key=lambda part: (part.line, part.column))
+    return Document(name, text, tuple(chains), tuple(unreadable))
 
 
 def read_expression(text: str, names: Collection[str], offset: int = 0) -> tuple[Formula, ...]:
@@ -65,7 +65,7 @@ def read_equation(text: str, names: Collection[str], offset: int = 0) -> Chain:
     """Return one chain a = b = c; a lone undeclared letter on the left declares itself."""
     item = Item(0, len(text), "display", True, 1, 1 + text.count("\n"))
     draft = Draft(item, set(names))
-    source = narrowed(text)
+    source = to_half_width(text)
     try:
         draft.add(item, without_aside(lex(source, 0, len(text), names)))
         draft.finish_alone()
@@ -76,23 +76,23 @@ def read_equation(text: str, names: Collection[str], offset: int = 0) -> Chain:
 
 
 def _chain(draft: Draft, source: str, names: Collection[str], offset: int) -> Chain:
-    known = frozenset(names) | draft.own_letter()
+    letters = frozenset(names) | draft.own_letter()
     sides: list[Side] = []
     for tokens in draft.sides:
-        moved = [token.moved(offset) for token in tokens]
-        readings, notes = _read(moved, known, offset, "\\" in source)
+        in_place = [token.moved(offset) for token in tokens]
+        readings, notes = _read_side(in_place, letters, offset, "\\" in source)
         draft.notes.extend(note for note in notes if note not in draft.notes)
-        sides.append(Side(readings, (moved[0].start, moved[-1].end)))
+        sides.append(Side(readings, (in_place[0].start, in_place[-1].end)))
     relations = tuple(Relation(t.value, source.count("\n", 0, t.start) + 1) for t in draft.signs)
     lines = tuple(range(1, draft.item.last_line + 1))
     return Chain(tuple(sides), relations, lines, notes=tuple(draft.notes))
 
 
-def _read(
-    tokens: list[Token], known: frozenset[str], offset: int, latex: bool
+def _read_side(
+    tokens: list[Token], letters: frozenset[str], offset: int, latex: bool
 ) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
     try:
-        return read_tokens(tokens, known, tokens[-1].end, latex)
+        return read_tokens(tokens, letters, tokens[-1].end, latex)
     except ReadingError as failure:
         failure.offset -= offset
         raise
@@ -104,11 +104,11 @@ class Assembler:
     def __init__(self, finder: ItemFinder, names_at: Callable[[int], Collection[str]]) -> None:
         self.finder, self.names_at = finder, names_at
         self.text = finder.text
-        self.defined: set[str] = set()
+        self.defined_letters: set[str] = set()
         self.chains: list[Chain] = []
         self.unreadable: list[Unreadable] = []
         self.draft: Draft | None = None
-        self._refused: Item | None = None
+        self._refused_item: Item | None = None
 
     def run(self) -> None:
         """Fill `chains` and `unreadable`."""
@@ -119,13 +119,13 @@ class Assembler:
             self._report(failure, (failure.offset, failure.offset + 1))
 
     def _item(self, item: Item) -> None:
-        names = frozenset(self.names_at(item.first_line)) | self.defined
+        names = frozenset(self.names_at(item.first_line)) | self.defined_letters
         if self.draft:
             names |= self.draft.own_letter()
         try:
             tokens = without_aside(lex(self.text, item.start, item.end, names))
         except ReadingError as failure:
-            self._unlexed(item, failure)
+            self._give_up_item(item, failure)
             return
         if not tokens:
             return
@@ -141,17 +141,17 @@ class Assembler:
 
     def _follows_refused(self, item: Item, tokens: list[Token]) -> bool:
         """Tell whether `= c` continues an equation that could not be read; c then starts a chain."""
-        before, self._refused = self._refused, None
+        before, self._refused_item = self._refused_item, None
         return tokens[0].kind == "rel" and before is not None and self._is_near(before, item)
 
-    def _unlexed(self, item: Item, failure: ReadingError) -> None:
+    def _give_up_item(self, item: Item, failure: ReadingError) -> None:
         source = self.text[item.start : item.end].lstrip(" \n\t&")
         if self._continues_unlexed(item, source, failure):
             return
         lone = item.kind == "inline" and not any(sign in source for sign in "=<>≈≤≥")
         if not item.strict or lone:
             return
-        before, self._refused = self._refused, item
+        before, self._refused_item = self._refused_item, item
         goes_on = source[:1] == "=" or self._is_term(source)
         if not (before and before.block == item.block >= 0 and goes_on):
             self._finish()
@@ -183,8 +183,8 @@ class Assembler:
             return False
         if "\\" in self.text[item.start : item.end]:
             return len(tokens) > 1
-        declared = any(token.kind == "name" and token.value in names for token in tokens)
-        return declared and any(t.kind in ("function", "sup") or t.is_op("+*/") for t in tokens)
+        has_letter = any(token.kind == "name" and token.value in names for token in tokens)
+        return has_letter and any(t.kind in ("function", "sup") or t.is_op("+*/") for t in tokens)
 
     def _continues(self, item: Item, tokens: list[Token]) -> bool:
         draft = self.draft
@@ -196,8 +196,8 @@ class Assembler:
         if draft.last.kind in ("inline", "prose") or not self._is_next(item):
             return False
         if first.is_op("+-"):
-            closed = -1 not in (item.block, draft.last.block) and item.block != draft.last.block
-            return not closed and not has_own_relation(tokens)
+            is_other_block = -1 not in (item.block, draft.last.block) and item.block != draft.last.block
+            return not is_other_block and not has_own_relation(tokens)
         if not draft.is_unfinished or item.block != draft.last.block:
             return False
         return not (draft.open_brackets and is_equation(tokens))
@@ -240,12 +240,12 @@ class Assembler:
         if draft is None:
             return
         draft.finish()
-        own = draft.own_letter()
-        names = frozenset(draft.names) | own
+        own_letter = draft.own_letter()
+        names = frozenset(draft.names) | own_letter
         sides = self._sides(draft, names)
         self._store_chain(draft, sides, names)
         if sum(side is not None for side in sides) > 1 and sides[0] is not None:
-            self.defined |= own
+            self.defined_letters |= own_letter
 
     def _sides(self, draft: Draft, names: frozenset[str]) -> list[Side | None]:
         sides: list[Side | None] = []
@@ -294,13 +294,15 @@ class Assembler:
         letters = {failure.letter for failure in wrong if isinstance(failure, UndeclaredError)}
         if len(letters) != 1 or not all(isinstance(failure, UndeclaredError) for failure in wrong):
             return
-        known = any(t.kind == "name" and t.value in names for side in draft.sides for t in side)
+        has_known_letter = any(
+            t.kind == "name" and t.value in names for side in draft.sides for t in side
+        )
         try:
             for tokens in draft.sides:
                 read_tokens(tokens, names | letters, tokens[-1].end)
         except ReadingError:
             return
-        if known:
+        if has_known_letter:
             self._report(wrong[0], (draft.item.start, draft.last.end))
 
     def _report(self, failure: ReadingError, span: tuple[int, int]) -> None:
@@ -509,9 +511,9 @@ def _is_letter(head: Sequence[Token]) -> bool:
     letters = [token for token in head if token.kind == "name"]
     if len(letters) != 1 or letters[0].value == "pi":
         return False
-    dotted = head[0].is_cmd(*TIME_DOTS)
-    rest = [token for token in head[dotted:] if token.kind != "name"]
-    return not rest or (dotted and [t.value for t in rest] == ["{", "}"])
+    has_dots = head[0].is_cmd(*TIME_DOTS)
+    rest = [token for token in head[has_dots:] if token.kind != "name"]
+    return not rest or (has_dots and [t.value for t in rest] == ["{", "}"])
 
 
 def is_variable(inside: Sequence[Token]) -> bool:

@@ -1,4 +1,4 @@
-"""One name for each letter, however it is written: θ, \\theta and theta are `theta`."""
+"""One canonical name for each letter, however it is written: θ, \\theta and theta are `theta`."""
 
 from __future__ import annotations
 
@@ -107,11 +107,11 @@ def subscript_at(
     text: str, start: int, end: int, base: str = "", names: Collection[str] | None = None
 ) -> tuple[str, int] | None:
     """Return the subscript that begins at `start` (spaces allowed) and where it ends, or None."""
-    lowered = start
-    while lowered < end and text[lowered] in LOWERED:
-        lowered += 1
-    if lowered > start:
-        return "".join(LOWERED[c] for c in text[start:lowered]), lowered
+    stop_ = start
+    while stop_ < end and text[stop_] in LOWERED:
+        stop_ += 1
+    if stop_ > start:
+        return "".join(LOWERED[c] for c in text[start:stop_]), stop_
     match = re.compile(r"\s*_\s*").match(text, start, end)
     if not match or match.end() >= end:
         return None
@@ -133,8 +133,8 @@ def _bare_subscript(
         run = match.group()[:LONGEST_SUBSCRIPT]
         lengths = range(len(run), 0, -1) if names is not None else ()
         whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
-        known = next((n for n in whole if f"{base}_{run[:n]}" in (names or ())), len(run))
-        return run[:known], start + known
+        length = next((n for n in whole if f"{base}_{run[:n]}" in (names or ())), len(run))
+        return run[:length], start + length
     return subscript_name(text[start], start), start + 1
 
 

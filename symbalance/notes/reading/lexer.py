@@ -1,4 +1,4 @@
-"""The lexer: the text of one formula, LaTeX or plain, cut into tokens.
+"""The lexer of hand-written formulas, LaTeX or plain text: one formula cut into tokens.
 
 Letters are looked up among the declared ones, so that `mr` may be two letters and `Lh` one.
 """
@@ -123,12 +123,12 @@ class Lexer:
             raise ReadingError(self.place, what, "write it in parts")
         spaced = False
         while self.place < self.end:
-            known, space = len(self.tokens), _SPACE.match(self.text, self.place, self.end)
+            count, space = len(self.tokens), _SPACE.match(self.text, self.place, self.end)
             self._next_token()
-            if len(self.tokens) == known:
+            if len(self.tokens) == count:
                 spaced = spaced or space is not None
             elif spaced:
-                self.tokens[known] = replace(self.tokens[known], spaced=True)
+                self.tokens[count] = replace(self.tokens[count], spaced=True)
                 spaced = False
         return _with_three_dots(_without_braces(self.tokens))
 
@@ -183,7 +183,7 @@ class Lexer:
         elif sign == "_":
             self._underscore()
         elif sign in RAISED:
-            self._raised()
+            self._superscript()
         elif sign in VULGAR:
             self._vulgar(sign)
         elif sign in ("√", "∂", "∞", "Σ", "∑"):
@@ -221,15 +221,15 @@ class Lexer:
             return
         raise ReadingError(self.place, "a subscript without its letter", "write the letter before it")
 
-    def _raised(self) -> None:
+    def _superscript(self) -> None:
         first = self.place
         self._add("sup", "^", first)
         self._add("open", "{", first)
         while self.place < self.end and (plain := RAISED.get(self.text[self.place])):
-            self._raised_sign(plain)
+            self._superscript_sign(plain)
         self._add("close", "}", self.place)
 
-    def _raised_sign(self, plain: str) -> None:
+    def _superscript_sign(self, plain: str) -> None:
         if plain.isdecimal():
             stop = self.place
             while stop < self.end and RAISED.get(self.text[stop], " ").isdecimal():
@@ -308,8 +308,8 @@ class Lexer:
         return last is not None and (last.kind in ("sup", "under") or last.is_cmd("frac", "sqrt"))
 
     def _letter(self, base: str, stop: int) -> None:
-        known = self.words.names
-        name, stop = (base, stop) if "_" in base else with_scripts(self.text, base, stop, self.end, known)
+        names = self.words.names
+        name, stop = (base, stop) if "_" in base else with_scripts(self.text, base, stop, self.end, names)
         if "_" in base:
             while stop < self.end and self.text[stop] in "'′’":
                 name, stop = name + "'", stop + 1
@@ -330,13 +330,13 @@ class Lexer:
             kind = "open" if bracket.group(1) in "([" else "close"
             self._add(kind, bracket.group(1), bracket.end())
         elif match := _LEFT_RIGHT.match(self.text, self.place, self.end):
-            self._sized(match)
+            self._sized_bracket(match)
         elif match := _COMMAND.match(self.text, self.place, self.end):
             self._command(match.group(1), match.end())
         else:
-            self._escaped(self.text[self.place + 1 : self.place + 2])
+            self._escape(self.text[self.place + 1 : self.place + 2])
 
-    def _sized(self, match: re.Match[str]) -> None:
+    def _sized_bracket(self, match: re.Match[str]) -> None:
         side, delimiter = match.group(1), match.group(2)
         if delimiter == ".":
             raise ReadingError(self.place, "a bracket with one side only", "write both sides")
@@ -345,7 +345,7 @@ class Lexer:
         else:
             self._add("open" if delimiter == "\\{" else "close", delimiter, match.end())
 
-    def _escaped(self, sign: str) -> None:
+    def _escape(self, sign: str) -> None:
         if sign in ("{", "}"):
             self._add("open" if sign == "{" else "close", "\\" + sign, self.place + 2)
         elif sign == "|":
@@ -466,27 +466,31 @@ class Lexer:
         """Tell whether \\frac12\\mathrm{m}v^2 goes on after a declared letter: it is no unit there."""
         after = self.text[stop : min(stop + 8, self.end)].lstrip()
         goes_on = after[:1].isalnum() or after[:1] == "(" or after.startswith(("\\left", "\\frac"))
-        apart = is_set_apart(self.text, self.place)
-        return letter in self.words.names and goes_on and not apart
+        is_apart = is_set_apart(self.text, self.place)
+        return letter in self.words.names and goes_on and not is_apart
 
-    def _may_be_unit(self, command: str, word: str, known: bool) -> bool:
+    def _may_be_unit(self, command: str, word: str, is_known_unit: bool) -> bool:
         """Tell whether upright letters are a unit: behind a number; behind a letter if set apart."""
         names = frozenset() if command in _WORD_FONTS else self.words.names
-        apart = is_set_apart(self.text, self.place)
+        is_apart = is_set_apart(self.text, self.place)
         if word in FUNCTION_WORDS or (word in names and (len(word) > 1 or not self.is_behind_number())):
             return False
         if self.is_behind_number():
             foreign = word.isalpha() and len(word) > 1 and word[0] != "d"
-            return known or (foreign and (apart or not all(sign in names for sign in word)))
-        return known and bool(self.tokens) and (command in _WORD_FONTS or (apart and len(word) > 1))
+            return is_known_unit or (foreign and (is_apart or not all(sign in names for sign in word)))
+        return (
+            is_known_unit
+            and bool(self.tokens)
+            and (command in _WORD_FONTS or (is_apart and len(word) > 1))
+        )
 
     def is_behind_number(self) -> bool:
         """Tell whether a number, π or a bracket stands before the place."""
         if not self.tokens:
             return False
         last, pi = self.tokens[-1], "pi" not in self.words.names
-        raised = last.kind == "number" and len(self.tokens) > 1 and self.tokens[-2].kind == "sup"
-        if raised and not is_set_apart(self.text, self.place):
+        is_exponent = last.kind == "number" and len(self.tokens) > 1 and self.tokens[-2].kind == "sup"
+        if is_exponent and not is_set_apart(self.text, self.place):
             return False
         return last.kind in ("number", "close", "vulgar") or (pi and last.value == "pi")
 

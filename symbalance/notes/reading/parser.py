@@ -1,4 +1,4 @@
-"""The parser: one formula's tokens to all the trees it may mean, by recursive descent.
+"""The recursive-descent parser of hand-written formulas: tokens to every tree they may mean.
 
 The argument of a function without brackets is the product that follows: sin 2θ cos θ = sin(2θ)·cos θ,
 cos n(θ + h) = cos(n(θ + h)). After a whole angle such as θ a bracket or fraction stands outside. A sum
@@ -56,12 +56,12 @@ def read_tokens(
     tokens: Sequence[Token], names: Collection[str], end: int, latex: bool = False
 ) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
     """Return the readings of one expression and the remarks on the usual one."""
-    first, readings, refusal = _read(tokens, names, (), latex, end)
+    first, readings, refusal = _parse(tokens, names, (), latex, end)
     waiting, trials, notes = deque(_other_decisions(first, ())), 0, first.notes
     while waiting and len(readings) < MOST_READINGS and trials < _MOST_TRIALS:
         decisions = waiting.popleft()
         trials += 1
-        parser, trees, _ = _read(tokens, names, decisions, latex, end)
+        parser, trees, _ = _parse(tokens, names, decisions, latex, end)
         notes = notes if readings else parser.notes
         readings.extend(node for node in trees if node not in readings)
         if len(waiting) < _MOST_TRIALS:
@@ -71,7 +71,7 @@ def read_tokens(
     return tuple(readings), tuple(notes)
 
 
-def _read(
+def _parse(
     tokens: Sequence[Token], names: Collection[str], decisions: Sequence[int], latex: bool, end: int
 ) -> tuple[Parser, list[Formula], ReadingError | None]:
     """Return the tree that a list of decisions leads to, in a list that is empty on a refusal."""
@@ -79,7 +79,7 @@ def _read(
     try:
         node = parser.contents()
         if parser.current is not None:
-            raise parser.unexpected()
+            raise parser.unexpected_token()
         if _is_too_deep(node):
             raise ReadingError(node.span[0], "a formula nested too deeply", "write it in parts")
     except ReadingError as refusal:
@@ -191,10 +191,10 @@ class Parser:
         if token is None:
             raise ReadingError(opener.start, f"bracket {opener.value} is never closed", "close it")
         if token.kind not in ("close", "bar") or token.value != CLOSER[opener.value]:
-            raise self.unexpected()
+            raise self.unexpected_token()
         return self.take()
 
-    def unexpected(self) -> ReadingError:
+    def unexpected_token(self) -> ReadingError:
         """Return the refusal of the token at the place."""
         token = self.current
         if token is None:
@@ -305,8 +305,8 @@ class Parser:
         return product_of(factors)
 
     def _join(self, factors: list[Formula], run: Formula) -> None:
-        bracketed = self.tokens[self.place - 1].kind == "close" and run.span[1] == self._last_end()
-        whole = isinstance(run, Product) and not (bracketed and self._opens(run))
+        is_bracketed = self.tokens[self.place - 1].kind == "close" and run.span[1] == self._last_end()
+        whole = isinstance(run, Product) and not (is_bracketed and self._opens(run))
         if whole and isinstance(run, Product) and not self._is_degrees(run):
             factors.extend(run.factors)
         else:
@@ -336,7 +336,7 @@ class Parser:
     def run_of_factors(self) -> Formula:
         """Read factors side by side; a slash divides all of the run before it by one factor."""
         if not self.starts_factor():
-            raise self.unexpected()
+            raise self.unexpected_token()
         factors: list[Formula] = [self.factor()]
         slashes = 0
         while self.current is not None:
@@ -372,7 +372,7 @@ class Parser:
             bottom = self.factor()
             return Negative(bottom, span=self.span_since(first)) if sign.value == "-" else bottom
         if not self.starts_factor():
-            raise self.unexpected()
+            raise self.unexpected_token()
         digits = self.at("number")
         factors = [self.factor()]
         if self.place != first + 1 and isinstance(factors[0], Number):
@@ -428,7 +428,7 @@ class Parser:
         """Read one number, letter, bracket or command."""
         token = self.current
         if token is None:
-            raise self.unexpected()
+            raise self.unexpected_token()
         if token.kind == "number":
             return self.number(self.take())
         if token.kind == "vulgar":
@@ -459,7 +459,7 @@ class Parser:
             last = self.take()
             self.open_bars -= 1
             return Call("abs", inside, span=(opener.start, last.end))
-        raise self.unexpected()
+        raise self.unexpected_token()
 
     def _name(self, token: Token) -> Formula:
         if (derivative := self.derivative_in_line()) is not None:
@@ -485,24 +485,24 @@ class Parser:
             "surd": self._root,
             "sum": self.summation,
             "infty": self._infinity,
-            "boxed": self._boxed,
+            "boxed": self._box,
         }
-        readers |= dict.fromkeys(TIME_DOTS, self._dotted) | dict.fromkeys(ACCENTS, self._accented)
+        readers |= dict.fromkeys(TIME_DOTS, self._time_derivative) | dict.fromkeys(ACCENTS, self._accent)
         return readers.get(token.value, self._operator)()
 
     def _operator(self) -> Formula:
         if (derivative := self.derivative_in_line()) is not None:
             return derivative
-        raise self.unexpected()
+        raise self.unexpected_token()
 
     def _infinity(self) -> Formula:
         token = self.take()
         return Constant("infinity", span=(token.start, token.end))
 
-    def _boxed(self) -> Formula:
+    def _box(self) -> Formula:
         self.take()
         if not self.at("open"):
-            raise self.unexpected()
+            raise self.unexpected_token()
         return self.group()
 
     def _fraction(self) -> Formula:
@@ -540,14 +540,14 @@ class Parser:
             inside, Quotient(Number(Fraction(1), span=index.span), index, span=index.span), span=span
         )
 
-    def _dotted(self) -> Formula:
+    def _time_derivative(self) -> Formula:
         first = self.place
         order = TIME_DOTS[self.take().value]
         name = self._bare_name()
         span = self.span_since(first)
         return Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
 
-    def _accented(self) -> Formula:
+    def _accent(self) -> Formula:
         first = self.place
         accent = ACCENTS[self.take().value]
         bare = self._bare_name()
@@ -560,13 +560,13 @@ class Parser:
     def _bare_name(self) -> str:
         """Read the letter under an accent and the subscript that follows the accent."""
         token = self.take()
-        braced = token.kind == "open" and token.value == "{"
-        inner = self.take() if braced else token
-        if inner.kind != "name" or (braced and not self.at("close", "}")):
+        is_braced = token.kind == "open" and token.value == "{"
+        inner = self.take() if is_braced else token
+        if inner.kind != "name" or (is_braced and not self.at("close", "}")):
             raise ReadingError(
                 inner.start, "an accent over more than one letter", "write one letter under it"
             )
-        if braced:
+        if is_braced:
             self.take()
         scripts = self.take().value if self.at("sub") else ""
         return f"{inner.value}_{scripts}" if scripts else inner.value
@@ -602,9 +602,9 @@ class Parser:
     def _is_power_and_multiple(self, token: Token) -> bool:
         """Tell sin^22θ, which is sin²(2θ), from sin^10θ and sin^22 θ."""
         following = self.peek(1)
-        touched = following is not None and following.kind == "name" and self.is_tight(1)
+        touches_letter = following is not None and following.kind == "name" and self.is_tight(1)
         digits = token.kind == "number" and token.value.isdecimal() and len(token.value) > 1
-        return digits and touched and token.value[0] in "23456789" and token.value[1] != "0"
+        return digits and touches_letter and token.value[0] in "23456789" and token.value[1] != "0"
 
     def _inverse(self, function: str) -> str:
         if function not in _INVERSE:
@@ -690,11 +690,11 @@ class Parser:
         self.place += 2
         order, body = self._top_of_derivative("{")
         if not self.at("close", "}"):
-            raise self.unexpected()
+            raise self.unexpected_token()
         self.place += 2
         variable = self._bottom_of_derivative(order)
         if not self.at("close", "}"):
-            raise self.unexpected()
+            raise self.unexpected_token()
         self.take()
         return self._derivative_of(first, order, body, variable)
 
@@ -707,10 +707,10 @@ class Parser:
             depth += {"open": 1, "close": -1}.get(token.kind, 0)
             steps += 1
         after = self.peek(steps)
-        braced = after is not None and after.kind == "open" and after.value == "{"
+        is_braced = after is not None and after.kind == "open" and after.value == "{"
         variable = self.peek(steps + 2)
-        named = braced and variable is not None and variable.kind in ("name", "cmd")
-        return self.peek(2), self.peek(steps + 1) if named else None
+        has_letter = is_braced and variable is not None and variable.kind in ("name", "cmd")
+        return self.peek(2), self.peek(steps + 1) if has_letter else None
 
     def derivative_in_line(self) -> Formula | None:
         """Read dx/dt, d^2x/dt^2 or d/dt if it begins at the place, without spaces."""
@@ -737,8 +737,8 @@ class Parser:
         letter = self.peek(steps + 2)
         if slash is None or not (slash.is_op("/") or slash.is_cmd("over")):
             return False
-        named = _is_d(self.peek(steps + 1)) and letter is not None and letter.kind == "name"
-        return named and (slash.is_cmd("over") or self._all_tight(steps + 2))
+        has_letter = _is_d(self.peek(steps + 1)) and letter is not None and letter.kind == "name"
+        return has_letter and (slash.is_cmd("over") or self._all_tight(steps + 2))
 
     def _all_tight(self, steps: int) -> bool:
         return all(self.is_tight(step) for step in range(1, steps + 1))
@@ -751,12 +751,12 @@ class Parser:
         """Read d^n f; f may be missing."""
         self.take()
         order = self._derivative_order()
-        ended = (
+        is_at_end = (
             self.at("close", "}")
             if stop == "{"
             else bool(self.current and (self.current.is_op("/") or self.current.is_cmd("over")))
         )
-        if ended:
+        if is_at_end:
             return order, None
         if stop == "/":
             token = self.take()
@@ -822,8 +822,8 @@ class Parser:
 
     def _lower_bound(self) -> tuple[Name, Formula | None]:
         self.take()
-        braced = self.at("open", "{")
-        opener = self.take() if braced else None
+        is_braced = self.at("open", "{")
+        opener = self.take() if is_braced else None
         token = self.take()
         if token.kind != "name":
             raise ReadingError(token.start, "a sum without an index", "write \\sum_{k=0}^{n}")
@@ -888,7 +888,7 @@ class Parser:
         """
         token = self.current
         if token is None:
-            raise self.unexpected()
+            raise self.unexpected_token()
         if token.kind == "open":
             return self.group()
         if token.kind == "number":
@@ -901,7 +901,7 @@ class Parser:
         if token.kind in ("cmd", "vulgar", "function"):
             with self.nested():
                 return self.factor()
-        raise self.unexpected()
+        raise self.unexpected_token()
 
     def split_digit(self, token: Token) -> None:
         """Cut a run of digits after its first, as TeX does."""

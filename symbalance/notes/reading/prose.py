@@ -1,4 +1,4 @@
-"""Equations within prose: where a line's mathematics begins and ends."""
+"""Where mathematics begins and ends in a line of prose."""
 
 from __future__ import annotations
 
@@ -165,12 +165,12 @@ def _consists_of_letters(word: str, words: Vocabulary, longest: int) -> bool:
     place, unknown, whole = 0, 0, False
     while place < len(word):
         entry = words.longest(word, place, len(word))
-        known = len(entry[1]) if entry else 0
-        whole = whole or known > 1
+        length = len(entry[1]) if entry else 0
+        whole = whole or length > 1
         unknown += not (
-            known or word[place].isdecimal() or word[place] == "i" or (word[0] == "d" and not place)
+            length or word[place].isdecimal() or word[place] == "i" or (word[0] == "d" and not place)
         )
-        place += known or 1
+        place += length or 1
     if unknown:
         return unknown == 1 and _is_factor_before_function(word)
     return whole or len(word) <= longest
@@ -181,7 +181,7 @@ def _is_factor_before_function(word: str) -> bool:
     return word[1:] in FUNCTION_WORDS and word not in FUNCTION_WORDS
 
 
-def trimmed_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[int, int]:
+def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[int, int]:
     """Return a segment without articles, bullets and brackets that belong to the prose around it."""
     while start < end and (text[start].isspace() or text[start] in ",;.'′~&"):
         start += 1
@@ -225,17 +225,17 @@ def _longest_between(places: Collection[int], start: int, end: int) -> tuple[int
 
 
 def _lone_brackets(text: str, start: int, end: int) -> set[int]:
-    opened: list[int] = []
+    open_brackets: list[int] = []
     lone: set[int] = set()
     for place in range(start, end):
         if text[place] in "([{":
-            opened.append(place)
+            open_brackets.append(place)
         elif text[place] in ")]}":
-            if opened:
-                opened.pop()
+            if open_brackets:
+                open_brackets.pop()
             else:
                 lone.add(place)
-    return lone | set(opened)
+    return lone | set(open_brackets)
 
 
 def _is_enclosed(text: str, start: int, end: int) -> bool:

@@ -1,4 +1,4 @@
-"""Segmentation: a whole document to the stretches of text that may be equations, in order.
+"""The stretches of a document that may be equations, in order.
 
 What is no mathematics (comments, code, addresses) is blanked, so that every offset stays that of the
 document. Then delimited mathematics ($ $, \\( \\), \\[ \\], environments) is cut into rows and these at
@@ -17,7 +17,7 @@ from symbalance.document.letters import WORDS
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading.failures import ReadingError
 from symbalance.notes.reading.lexer import Vocabulary, vocabulary
-from symbalance.notes.reading.prose import line_rules, segments, trimmed_segment
+from symbalance.notes.reading.prose import line_rules, segments, trim_segment
 from symbalance.notes.reading.signs import ENVIRONMENTS, RELATION
 from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
 
@@ -56,7 +56,7 @@ class ItemFinder:
     def __init__(self, text: str, suffix: str, names_at: Callable[[int], Collection[str]]) -> None:
         self.suffix, self.names_at = suffix, names_at
         self.fences: list[tuple[int, int]] = []
-        narrow = narrowed(text)
+        narrow = to_half_width(text)
         if suffix == ".tex":
             self.text = mask_tex(narrow)
         elif suffix == ".md":
@@ -149,8 +149,10 @@ class ItemFinder:
         command = _COMMAND.search(self.text, start, end)
         lenient = self._is_lenient(start, end)
         spans = segments(self.text, start, end, line_rules(self.text, start, end, words, lenient))
-        marked = self.text.startswith("\\displaystyle", start) and not _CJK.search(self.text, start, end)
-        if whole and (marked or (len(spans) == 1 and self._covers(spans[0], start, end))):
+        is_display = self.text.startswith("\\displaystyle", start) and not _CJK.search(
+            self.text, start, end
+        )
+        if whole and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end))):
             yield from self._bare(start, end, line, command is not None)
             return
         for span in spans:
@@ -200,12 +202,12 @@ class ItemFinder:
         display = self.text.find("\\displaystyle", *span)
         if display >= 0:
             span = (display, span[1])
-        start, end = trimmed_segment(self.text, *span, words)
+        start, end = trim_segment(self.text, *span, words)
         if not has_relation(self.text, start, end):
             return
         for piece in pieces_of(self.text, start, end):
             if has_relation(self.text, piece.start, piece.end):
-                inner = trimmed_segment(self.text, piece.start, piece.end, words)
+                inner = trim_segment(self.text, piece.start, piece.end, words)
                 yield Item(*inner, "prose", display >= 0, line, line, piece.tag)
 
 
@@ -226,27 +228,27 @@ _BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*
 _CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
 
 
-def blanked(text: str) -> str:
+def blank(text: str) -> str:
     """Return as many spaces, with the line ends where they were."""
     return "".join("\n" if c == "\n" else " " for c in text) if "\n" in text else " " * len(text)
 
 
-def narrowed(text: str) -> str:
+def to_half_width(text: str) -> str:
     """Return the text with full-width signs as plain ones, of the same length."""
     return text.translate(_WIDE)
 
 
 def mask_tex(text: str) -> str:
     """Blank comments, verbatim, the preamble and what follows the end."""
-    text = _COMMENT.sub(lambda m: m.group()[: m.start(1) - m.start()] + blanked(m.group(1)), text)
+    text = _COMMENT.sub(lambda m: m.group()[: m.start(1) - m.start()] + blank(m.group(1)), text)
     text = _without_environments(text)
-    text = _VERB.sub(lambda m: blanked(m.group()), text)
+    text = _VERB.sub(lambda m: blank(m.group()), text)
     begin = text.find("\\begin{document}")
     if begin >= 0:
         begin += len("\\begin{document}")
-        text = blanked(text[:begin]) + text[begin:]
+        text = blank(text[:begin]) + text[begin:]
     end = text.find("\\end{document}")
-    return text if end < 0 else text[:end] + blanked(text[end:])
+    return text if end < 0 else text[:end] + blank(text[end:])
 
 
 def _without_environments(text: str) -> str:
@@ -256,14 +258,14 @@ def _without_environments(text: str) -> str:
         closer = f"\\end{{{match.group(1)}}}"
         end = text.find(closer, match.end())
         end = len(text) if end < 0 else end + len(closer)
-        pieces += [text[place : match.start()], blanked(text[match.start() : end])]
+        pieces += [text[place : match.start()], blank(text[match.start() : end])]
         place = end
     return "".join([*pieces, text[place:]])
 
 
 def mask_plain(text: str) -> str:
     """Blank addresses of the net and of mail."""
-    return _ADDRESS.sub(lambda m: blanked(m.group()), text)
+    return _ADDRESS.sub(lambda m: blank(m.group()), text)
 
 
 def mask_markdown(text: str) -> tuple[str, list[tuple[int, int]]]:
@@ -275,16 +277,16 @@ def mask_markdown(text: str) -> tuple[str, list[tuple[int, int]]]:
     for offset, line in _lines(text):
         match = _FENCE.match(line)
         if fence:
-            closed = match is not None and match.group(1).startswith(fence)
-            if closed and language == "math":
+            is_closing = match is not None and match.group(1).startswith(fence)
+            if is_closing and language == "math":
                 spans.append((begin, offset))
-            lines.append(blanked(line) if closed or language != "math" else line)
-            fence = "" if closed else fence
+            lines.append(blank(line) if is_closing or language != "math" else line)
+            fence = "" if is_closing else fence
         elif match:
             fence, language, begin = match.group(1), match.group(2).lower(), offset + len(line)
-            lines.append(blanked(line))
+            lines.append(blank(line))
         else:
-            without = _CODE.sub(lambda m: blanked(m.group()), line)
+            without = _CODE.sub(lambda m: blank(m.group()), line)
             lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", without))
     return mask_plain("".join(lines)), spans
 
@@ -304,7 +306,7 @@ def _without_comments(text: str) -> str:
     while (start := text.find("<!--", place)) >= 0:
         end = text.find("-->", start)
         end = len(text) if end < 0 else end + 3
-        pieces += [text[place:start], blanked(text[start:end])]
+        pieces += [text[place:start], blank(text[start:end])]
         place = end
     return "".join([*pieces, text[place:]])
 
@@ -441,7 +443,7 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pi
     pieces: list[Piece] = []
     for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
         last, tag = without_tag(text, first, end_of_row)
-        spans = [_unboxed(text, *trimmed(text, *span)) for span in _separate(text, first, last)]
+        spans = [_without_box(text, *trim(text, *span)) for span in _separate(text, first, last)]
         spans = [span for span in spans if span[0] < span[1]]
         if len(spans) > 1:
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
@@ -450,31 +452,31 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pi
     return pieces
 
 
-def _unboxed(text: str, start: int, end: int) -> tuple[int, int]:
+def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
     """Return what stands in a frame, \\boxed{...}, where that is the whole span."""
     match = _BOXED.match(text, start, end)
     if not match or text[end - 1] != "}" or _after_words(text, match.end() - 1, end) != end:
         return start, end
-    return trimmed(text, match.end(), end - 1)
+    return trim(text, match.end(), end - 1)
 
 
 def _rows(text: str, start: int, end: int, environment: str) -> list[tuple[int, int]]:
     rows: list[tuple[int, int]] = []
     cells, first, depth = [start], start, 0
-    aligned = environment in _ALIGNED
+    is_aligned = environment in _ALIGNED
     for match in [*_ROW.finditer(text, start, end), None]:
         sign = match.group() if match else "\\\\"
         if sign.startswith("\\\\") and (depth <= 0 or not match):
             stop = match.start() if match else end
-            rows.extend(_cells(cells, stop) if aligned else [(first, stop)])
+            rows.extend(_cells(cells, stop) if is_aligned else [(first, stop)])
             first = match.end() if match else end
             cells, depth = [first], 0
         elif sign == "&" and depth <= 0 and match:
             cells.append(match.end())
         elif match and match.group(1):
-            known = match.group(2) in ENVIRONMENTS
-            aligned = aligned or match.group(2) in _ALIGNED
-            depth += 0 if known else (1 if match.group(1) == "begin" else -1)
+            is_transparent = match.group(2) in ENVIRONMENTS
+            is_aligned = is_aligned or match.group(2) in _ALIGNED
+            depth += 0 if is_transparent else (1 if match.group(1) == "begin" else -1)
         else:
             depth += {"{": 1, "}": -1}.get(sign, 0)
     return rows
@@ -504,7 +506,7 @@ def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
             last = cuts[-1] if cuts else (start, start, True)
             introduces = sign in _ARROWS and last[2] and not text[last[1] : match.start()].strip(" \t\n&")
             cuts.append((match.start(), match.end(), introduces))
-    return _joined(text, start, end, cuts)
+    return _join_spans(text, start, end, cuts)
 
 
 def _unit_at(text: str, start: int, place: int, end: int) -> int:
@@ -524,7 +526,9 @@ def _after_words(text: str, place: int, end: int) -> int:
     return end
 
 
-def _joined(text: str, start: int, end: int, cuts: list[tuple[int, int, bool]]) -> list[tuple[int, int]]:
+def _join_spans(
+    text: str, start: int, end: int, cuts: list[tuple[int, int, bool]]
+) -> list[tuple[int, int]]:
     """Cut where what follows is an equation of its own; a label before a wide space is dropped."""
     spans: list[tuple[int, int]] = []
     first, before, cut = start, start, start
@@ -592,7 +596,7 @@ def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
     return stop, tag
 
 
-def trimmed(text: str, start: int, end: int) -> tuple[int, int]:
+def trim(text: str, start: int, end: int) -> tuple[int, int]:
     """Return a span without the space and punctuation at its edges."""
     while start < end and (text[start].isspace() or text[start] in "、。,;"):
         start += 1

@@ -1,4 +1,4 @@
-"""What each sign and LaTeX command of a formula stands for: tables of relations, operators, brackets."""
+"""Tables of what each sign and LaTeX command of a formula stands for."""
 
 from __future__ import annotations
 

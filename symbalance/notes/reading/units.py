@@ -1,4 +1,4 @@
-"""Units behind numbers: 40 mm is 40·(1/1000), 6000 rpm is 6000·(π/30), 3 N is 3."""
+"""Units behind numbers, read as factors: 40 mm is 40·(1/1000), 6000 rpm is 6000·(π/30), 3 N is 3."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tu
         return None
     word = match.group("plain")
     words = re.findall("[A-Za-z]+", word)
-    if any(one in names for one in words) or len(word) == 1 or words[0] == "us":
+    if any(word_part in names for word_part in words) or len(word) == 1 or words[0] == "us":
         return None
     sure = words[0] in _PLAIN_SURE or not all(letter in names for letter in words[0])
     return (word, match.end()) if sure else None

@@ -1,4 +1,4 @@
-"""One step of a chain: are two sides equal, exactly or through an order? Proved, refuted or undecided."""
+"""Decisions whether two formulas are equal: proved, refuted with a witness, or undecided."""
 
 from __future__ import annotations
 
@@ -107,16 +107,16 @@ def _by_numbers(
             UNDECIDED, "no point where both sides are real", "", level.assumptions, level, first, second
         )
     same = [_close(*pair) for _, pair in points]
-    if all(same) and (signed := _same_square(left, right, first, second)) is not None:
-        return Decision(PROVED, "", "", (*level.assumptions, *signed), level, first, second)
+    if all(same) and (assumptions := _same_square(left, right, first, second)) is not None:
+        return Decision(PROVED, "", "", (*level.assumptions, *assumptions), level, first, second)
     if agrees_as_printed(left, right, evaluator.form):
         order = "the digits printed"
         return Decision(PROVED, "", order, level.assumptions, level, first, second)
     if all(same):
         return Decision(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
-    signed = _up_to_sign(left, right, first, second) if any(same) else ""
-    if signed:
-        return Decision(PROVED, "", "", (*level.assumptions, signed), level, first, second)
+    assumption = _up_to_sign(left, right, first, second) if any(same) else ""
+    if assumption:
+        return Decision(PROVED, "", "", (*level.assumptions, assumption), level, first, second)
     point, pair = points[same.index(False)]
     witness = _witness(point, pair)
     return Decision(REFUTED, "", "", (), level, first, second, witness)
@@ -186,9 +186,9 @@ def without_dots(node: Formula) -> tuple[Formula, bool]:
         if not terms and node.terms:  # dots alone are no number: a sum of no terms would be 0
             return node.terms[0], True
         parts = [without_dots(t) for t in terms]
-        is_cut = len(terms) < len(node.terms) or any(cut for _, cut in parts)
+        is_cut = len(terms) < len(node.terms) or any(is_cut for _, is_cut in parts)
         return replace(node, terms=tuple(p for p, _ in parts)), is_cut
     pairs = [without_dots(part) for part in formula.children(node)]
-    if not any(cut for _, cut in pairs):
+    if not any(is_cut for _, is_cut in pairs):
         return node, False
     return formula.with_children(node, tuple(p for p, _ in pairs)), True

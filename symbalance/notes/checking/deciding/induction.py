@@ -1,4 +1,4 @@
-"""Sums with a letter in their bounds, proved by induction.
+"""Proofs by induction of sums with a letter in their bounds.
 
 To show that T(1) + T(2) + ⋯ + T(N) equals C(N), with T(N) the last term as written, it suffices that
 
@@ -61,10 +61,10 @@ def _of_dots(part: Sum) -> Iterator[Progression]:
     before, after = part.terms[:place], part.terms[place + 1 :]
     if not before or len(after) != 1:
         return
-    first, *others = before
+    first, *further = before
     for letter in sorted(names(after[0]) - names(first)):
         yield Progression(
-            part, letter, rational_node(Fraction(1)), first, others[0] if others else None, after[0]
+            part, letter, rational_node(Fraction(1)), first, further[0] if further else None, after[0]
         )
 
 
@@ -92,9 +92,9 @@ def _by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Decisi
 def _with_sums_written_out(node: Formula, knowledge: Knowledge) -> Formula:
     """Return a formula with the letters that stand for sums replaced by those."""
     for name in names(node):
-        known = knowledge.definitions.get(name)
-        if known is not None and next(progressions(known.node), None) is not None:
-            node = substitute(node, name, known.node)
+        definition = knowledge.definitions.get(name)
+        if definition is not None and next(progressions(definition.node), None) is not None:
+            node = substitute(node, name, definition.node)
     return node
 
 
@@ -105,21 +105,24 @@ def _without(knowledge: Knowledge, letter: str) -> Knowledge:
     return replace(knowledge, definitions=definitions)
 
 
-def _is_proved(p: Progression, left: Formula, right: Formula, knowledge: Knowledge) -> bool:
-    before = Sum((Name(p.letter), Negative(rational_node(Fraction(1)))))
-    around = lambda term: replace_part(left, p.part, term)  # noqa: E731
-    if p.letter in names(around(rational_node(Fraction(0)))):
+def _is_proved(part: Progression, left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    def in_place(term: Formula) -> Formula:
+        """Return the left side with a term in the place of the sum."""
+        return replace_part(left, part.part, term)
+
+    def at(value: Formula, side: Formula) -> Formula:
+        return substitute(side, part.letter, value)
+
+    nothing = rational_node(Fraction(0))
+    if part.letter in names(in_place(nothing)):
         return False
-    if isinstance(p.part, Sum):
-        for k, term in ((1, p.first), (2, p.second)):
-            if (
-                term is not None
-                and not equal(
-                    substitute(p.last, p.letter, rational_node(Fraction(k))), term, knowledge
-                ).proved
-            ):
+    if isinstance(part.part, Sum):
+        for k, term in ((1, part.first), (2, part.second)):
+            written = at(rational_node(Fraction(k)), part.last)
+            if term is not None and not equal(written, term, knowledge).proved:
                 return False
-    start = equal(around(p.first), substitute(right, p.letter, p.first_value), knowledge)
-    difference = Sum((right, Negative(substitute(right, p.letter, before))))
-    added = Sum((around(p.last), Negative(around(rational_node(Fraction(0))))))
-    return start.proved and equal(added, difference, knowledge).proved
+    start = equal(in_place(part.first), at(part.first_value, right), knowledge)
+    previous = Sum((Name(part.letter), Negative(rational_node(Fraction(1)))))
+    difference = Sum((right, Negative(at(previous, right))))
+    last_term = Sum((in_place(part.last), Negative(in_place(nothing))))
+    return start.proved and equal(last_term, difference, knowledge).proved

@@ -1,4 +1,4 @@
-"""What is known at a line: meanings of letters, the document's own definitions, and the assumptions."""
+"""What a step may use at its line: meanings of letters, the document's definitions, and assumptions."""
 
 from __future__ import annotations
 
@@ -55,24 +55,24 @@ class Knowledge:
         """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""
         yield Level({})
         number = any(not names(node) for node in nodes)
-        own = {
+        defined_values = {
             name: d.node
             for name, d in self.definitions.items()
             if not (d.numeric and name in self.universal and not number)
         }
-        values = {**own, **self.meaning.values}
+        values = {**defined_values, **self.meaning.values}
         if number:  # a numeric example: the numbers of the letters in which the geometry is written
             values |= {name: d.node for name, d in self.definitions.items() if d.numeric}
         light = {name: node for name, node in values.items() if name not in self.moving}
-        if own and len(light) < len(values):
+        if defined_values and len(light) < len(values):
             yield Level(light)
         if values:
             yield Level(values)
         for assumption in self.assumptions:
             yield Level({**values, assumption.name: assumption.node}, (assumption.text,))
         if len(self.assumptions) > 1:
-            together = {assumption.name: assumption.node for assumption in self.assumptions}
-            yield Level({**values, **together}, tuple(a.text for a in self.assumptions))
+            all_values = {assumption.name: assumption.node for assumption in self.assumptions}
+            yield Level({**values, **all_values}, tuple(a.text for a in self.assumptions))
 
     def evaluator(self, level: Level) -> Evaluator:
         """Return an evaluator in a fresh domain for a level."""

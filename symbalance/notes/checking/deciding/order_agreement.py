@@ -1,4 +1,4 @@
-"""Agreement through an order: what ≈, and a sum that ends in dots, claim.
+"""Decisions whether two sides agree through an order, as ≈ and dots at the end of a sum state.
 
 The small letter is the rod ratio where it occurs (ρ small, λ large), else a letter in which the line is
 a polynomial. The order a line keeps is the highest power of it there; both sides must agree through it.
@@ -71,14 +71,14 @@ def agree(
     `through` overrides that order. `loose` leaves out harmonics above the highest that the right side
     has: what dots after the last harmonic stand for.
     """
-    left, cut = without_dots(left)
-    right, dots = without_dots(right)
+    left, left_is_cut = without_dots(left)
+    right, right_is_cut = without_dots(right)
     exact = equal(left, right, knowledge)
     if exact.proved and through is None:
         return exact
     best = exact
     for level in knowledge.levels(left, right):
-        decision = _at_level(left, right, knowledge, level, through, loose or dots or cut)
+        decision = _at_level(left, right, knowledge, level, through, loose or right_is_cut or left_is_cut)
         if decision.proved:
             return decision
         best = decision
@@ -134,13 +134,13 @@ def _as_numbers(
 def _candidates(
     first: Form, second: Form, knowledge: Knowledge, through: int | None
 ) -> Iterator[SmallLetter]:
-    known = values.letters(first) + values.letters(second)
+    letters = values.letters(first) + values.letters(second)
     usual = knowledge.crank.small if knowledge.crank else None
-    if usual is not None and usual[0] in known:
+    if usual is not None and usual[0] in letters:
         order = _order_kept(first, second, *usual)
         if order is not None or through is not None:
             yield SmallLetter(*usual, order if through is None else through)  # type: ignore[arg-type]
-    for letter in dict.fromkeys(known):
+    for letter in dict.fromkeys(letters):
         for sign in (1, -1):
             order = _order_kept(first, second, letter, sign)
             if order and (usual is None or letter != usual[0]):

@@ -1,4 +1,4 @@
-"""One relation between two sides, each of which may be read in more than one way."""
+"""Decisions on one relation between two sides, each of which may be read in more than one way."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def decide(
     """Decide a relation = or ≈ in the first pair of readings that proves it; else in the usual ones."""
     first: Decision | None = None
     pairs = list(product(left.readings, right.readings))[:MOST_READINGS]
-    for one, other in pairs:
-        decision = decide_reading(one, other, sign, knowledge, through)
+    for left_node, right_node in pairs:
+        decision = decide_reading(left_node, right_node, sign, knowledge, through)
         if decision.proved:
             return decision
         first = first or decision
@@ -47,9 +47,9 @@ def decide_reading(
     by_steps = by_induction(left, right, knowledge)
     if by_steps is not None:
         return by_steps
-    (bare_left, cut), (bare_right, dots) = without_dots(left), without_dots(right)
-    if sign == "≈" or cut or dots or through is not None:
-        return agree(left, right, knowledge, through=through, loose=cut or dots)
+    (bare_left, left_is_cut), (bare_right, right_is_cut) = without_dots(left), without_dots(right)
+    if sign == "≈" or left_is_cut or right_is_cut or through is not None:
+        return agree(left, right, knowledge, through=through, loose=left_is_cut or right_is_cut)
     decision = equal(bare_left, bare_right, knowledge)
     if decision.status == REFUTED and _is_cut_off(left, decision, knowledge):
         return agree(left, right, knowledge)
@@ -69,8 +69,8 @@ def _is_cut_off(node: Formula, decision: Decision, knowledge: Knowledge) -> bool
     ):
         return False
     letter, sign = knowledge.crank.small
-    known = isinstance(node, Name) and node.name in knowledge.meaning.values
-    exact = known or degree(decision.left, letter, sign) is None
+    has_meaning = isinstance(node, Name) and node.name in knowledge.meaning.values
+    exact = has_meaning or degree(decision.left, letter, sign) is None
     return exact and degree(decision.right, letter, sign) is not None
 
 

@@ -1,4 +1,4 @@
-"""Rounded numbers: does a printed decimal agree with what it stands for, to the digits it shows?
+"""Agreement of printed decimals with exact values, to the digits they show.
 
 A lone decimal is the result of what stands on the other side, whose own numbers count as exact. Among
 letters every coefficient is compared for itself, and may be off by what half a unit in the last place of
@@ -42,15 +42,15 @@ def agrees_as_printed(
         return False
     first, second = form_of(left), form_of(right)
     if not letters(first) and not letters(second):
-        for node, value, exact, other in (
+        for node, value, exact, other_side in (
             (right, second, first, left),
             (left, first, second, right),
         ):
-            lone = _lone_decimal(node, generous) if decimals(node) or decimals(other) else None
+            lone = _lone_decimal(node, generous) if decimals(node) or decimals(other_side) else None
             if lone is not None:
                 numbers = _number(value), _number(exact)
                 unit = _unit(node, lone, numbers[0], form_of)
-                return _is_rounded(lone, unit, *numbers, decimals(other), generous)
+                return _is_rounded(lone, unit, *numbers, decimals(other_side), generous)
     return _coefficients_agree(left, right, first, second, form_of)
 
 
@@ -69,10 +69,10 @@ def _lone_decimal(node: Formula, generous: bool) -> Number | None:
         return _lone_decimal(node.operand, generous)
     if isinstance(node, Number):
         return node if node.last_place is not None else _as_printed(node, generous)
-    printed = decimals(node)
-    if not isinstance(node, formula.Product) or len(printed) != 1 or formula.names(node):
+    numbers = decimals(node)
+    if not isinstance(node, formula.Product) or len(numbers) != 1 or formula.names(node):
         return None
-    return printed[0] if printed[0] in node.factors else None
+    return numbers[0] if numbers[0] in node.factors else None
 
 
 def _number(form: Form) -> Any:
@@ -91,9 +91,9 @@ def _is_rounded(
     lone: Number, unit: Any, value: Any, exact: Any, others: list[Number], generous: bool
 ) -> bool:
     """Tell whether a value is the exact one, rounded; a printed 0.000 stands for half a unit at most."""
-    wide = any(significant(number) >= LONG for number in others)
-    wide = wide or (generous and abs(value) <= abs(exact))
-    return abs(value - exact) <= unit * (1 if wide and lone.value else 0.5) * (1 + 1e-12)
+    is_loose = any(significant(number) >= LONG for number in others)
+    is_loose = is_loose or (generous and abs(value) <= abs(exact))
+    return abs(value - exact) <= unit * (1 if is_loose and lone.value else 0.5) * (1 + 1e-12)
 
 
 def significant(number: Number) -> int:
@@ -112,19 +112,22 @@ def _coefficients_agree(
     if not (first.is_polynomial and second.is_polynomial):
         return False
     domain = first.domain
-    exact, claimed = _parts(first), _parts(second)
-    room: dict[Any, Any] = {}
-    for side, own in ((left, exact), (right, claimed)):
+    exact, printed = _parts(first), _parts(second)
+    margins: dict[Any, Any] = {}
+    for side, parts in ((left, exact), (right, printed)):
         for number in decimals(side):
             assert number.last_place is not None
-            moved = Number(number.value + number.last_place / 2, number.last_place)
-            shifted = _parts(form_of(replace_part(side, number, moved)))
-            for place in {*own, *shifted}:
-                change = poly.minus(shifted.get(place, {}), own.get(place, {}))
-                room[place] = room.get(place, 0) + abs(Valuation(domain, {}).polynomial(change))
-    for place in {*exact, *claimed}:
-        apart = poly.minus(exact.get(place, {}), claimed.get(place, {}))
-        if abs(Valuation(domain, {}).polynomial(apart)) > room.get(place, 0) * (1 + 1e-12) + _tiny():
+            off_by_half = Number(number.value + number.last_place / 2, number.last_place)
+            parts_off = _parts(form_of(replace_part(side, number, off_by_half)))
+            for place in {*parts, *parts_off}:
+                change = poly.minus(parts_off.get(place, {}), parts.get(place, {}))
+                margins[place] = margins.get(place, 0) + abs(Valuation(domain, {}).polynomial(change))
+    for place in {*exact, *printed}:
+        difference = poly.minus(exact.get(place, {}), printed.get(place, {}))
+        if (
+            abs(Valuation(domain, {}).polynomial(difference))
+            > margins.get(place, 0) * (1 + 1e-12) + _tiny()
+        ):
             return False
     return True
 

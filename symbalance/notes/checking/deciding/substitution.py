@@ -1,4 +1,4 @@
-"""Changed copies of formulas: a letter, or one part, replaced."""
+"""Changed copies of formulas: a letter, or one part, replaced by another formula."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ def substitute(node: Formula, name: str, value: Formula) -> Formula:
             node, **{key: part and substitute(part, name, value) for key, part in bounds.items()}
         )
     parts = formula.children(node)
-    changed = tuple(substitute(part, name, value) for part in parts)
+    new_parts = tuple(substitute(part, name, value) for part in parts)
     return (
         node
-        if all(a is b for a, b in zip(parts, changed, strict=True))
-        else formula.with_children(node, changed)
+        if all(a is b for a, b in zip(parts, new_parts, strict=True))
+        else formula.with_children(node, new_parts)
     )
 
 
@@ -38,11 +38,11 @@ def replace_part(node: Formula, old: Formula, new: Formula) -> Formula:
     if node is old:
         return new
     parts = formula.children(node)
-    changed = tuple(replace_part(part, old, new) for part in parts)
+    new_parts = tuple(replace_part(part, old, new) for part in parts)
     return (
         node
-        if all(a is b for a, b in zip(parts, changed, strict=True))
-        else formula.with_children(node, changed)
+        if all(a is b for a, b in zip(parts, new_parts, strict=True))
+        else formula.with_children(node, new_parts)
     )
 
 
@@ -62,12 +62,12 @@ def without_stacked_fractions(node: Formula) -> Formula:
     if not isinstance(node, Quotient):
         return node
     factors = node.denominator.factors if isinstance(node.denominator, Product) else (node.denominator,)
-    raised = [f.denominator for f in factors if isinstance(f, Quotient)]
-    if not raised:
+    factors_above = [f.denominator for f in factors if isinstance(f, Quotient)]
+    if not factors_above:
         return node
     below = [f.numerator if isinstance(f, Quotient) else f for f in factors]
-    above, under = _product([node.numerator, *raised]), _product(below)
-    return above if under == Number(Fraction(1)) else Quotient(above, under)
+    above, denominator = _product([node.numerator, *factors_above]), _product(below)
+    return above if denominator == Number(Fraction(1)) else Quotient(above, denominator)
 
 
 def _product(factors: list[Formula]) -> Formula:

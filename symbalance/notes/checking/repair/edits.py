@@ -1,4 +1,4 @@
-"""Single changes to a formula, from the slips people make; each with its kind and its cost.
+"""Single changes to a formula that undo the slips people make, each with its kind and its cost.
 
 A change names the part it replaces, so that the report can point at it. Nothing here is proved:
 `fixes` reports a change only if the changed line is.
@@ -78,31 +78,31 @@ def parts(node: Formula, role: str = "side") -> Iterator[tuple[Formula, str]]:
 
 
 def _role(node: Formula, part: Formula, role: str) -> str:
-    inherited = role if role in ("argument", "angle term", "phase", "exponent") else ""
+    outer_role = role if role in ("argument", "angle term", "phase", "exponent") else ""
     if isinstance(node, Sum):
         angle = "angle term" if formula.names(part) else "phase"
-        return angle if inherited else "term"
+        return angle if outer_role else "term"
     if isinstance(node, Power):
-        return "exponent" if part is node.exponent else inherited or "operand"
+        return "exponent" if part is node.exponent else outer_role or "operand"
     if isinstance(node, Call):
         return "argument"
-    if inherited:
-        return inherited
+    if outer_role:
+        return outer_role
     return "factor" if isinstance(node, Product | Quotient) else "operand"
 
 
 def edits(node: Formula, letters: Iterable[str], variables: Iterable[str]) -> Iterator[Edit]:
     """Yield the single changes of a formula; `letters` may be put in, `variables` differentiated by."""
-    known = list(letters)[:MOST_LETTERS]
+    known_letters = list(letters)[:MOST_LETTERS]
     yield from _all_functions(node)
     for part, role in parts(node):
         yield from _signs(part, role)
         yield from _functions(part)
         yield from _exponents(part, role)
-        yield from _letters(part, known)
+        yield from _letters(part, known_letters)
         yield from phases(part)
         yield from multiples(part, role)
-        yield from _missing(part, role, known)
+        yield from _missing(part, role, known_letters)
         if isinstance(part, Derivative):
             for name in variables:
                 if name != part.variable.name:
@@ -138,9 +138,9 @@ def _functions(part: Formula) -> Iterator[Edit]:
 
 
 def _all_functions(node: Formula) -> Iterator[Edit]:
-    exchanged = _with_functions_swapped(node)
-    if exchanged != node:
-        yield Edit("sine and cosine exchanged", 1.05, node, exchanged)
+    swapped_node = _with_functions_swapped(node)
+    if swapped_node != node:
+        yield Edit("sine and cosine exchanged", 1.05, node, swapped_node)
 
 
 def _with_functions_swapped(node: Formula) -> Formula:

@@ -1,4 +1,4 @@
-"""The smallest change that makes a refuted line true: looked for, proved, and pointed at.
+"""Search for the smallest change that makes a refuted line true, with a proof and its place in the text.
 
 First single changes of what is written (`edits`), filtered in floats and proved exactly, cheapest first;
 then integers solved for; then a common factor; then every wrong term by its exact value. A change that is
@@ -84,8 +84,8 @@ def _with_fix(
     repair = diagnose(Case(side.node, decision, knowledge, proves))
     where, title = side, ""
     if other is not None and (repair is None or repair.cost > 1.0 + OTHER_SIDE):
-        turned = replace(decision, left=decision.right, right=decision.left)
-        rival = diagnose(Case(other[0].node, turned, knowledge, other[1]))
+        mirrored = replace(decision, left=decision.right, right=decision.left)
+        rival = diagnose(Case(other[0].node, mirrored, knowledge, other[1]))
         if (
             rival is not None
             and rival.cost < MOST_OTHER
@@ -97,13 +97,13 @@ def _with_fix(
     return replace(verdict, fix=fix_of(repair, document, where, title))
 
 
-def is_proved_as_far(changed: Decision, refuted: Decision) -> bool:
+def is_proved_as_far(decision: Decision, refutation: Decision) -> bool:
     """Tell whether a changed line is proved, and as much as it was to say: through no lower an order."""
-    if not changed.proved:
+    if not decision.proved:
         return False
-    if refuted.through is None:
-        return changed.through is None
-    return changed.through is None or changed.through >= refuted.through
+    if refutation.through is None:
+        return decision.through is None
+    return decision.through is None or decision.through >= refutation.through
 
 
 def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> Fix:
@@ -145,20 +145,20 @@ class Repair:
 
 def diagnose(case: Case) -> Repair | None:
     """Return the cheapest change that is proved, or None."""
-    rounded = _rounded(case)
-    if rounded is not None:
-        return rounded
+    rounding = _round_exact_value(case)
+    if rounding is not None:
+        return rounding
     target_and_filter = filter_of(case)
     if target_and_filter is not None:
         targets, numeric = target_and_filter
-        for edit in _passing(case, numeric, targets):
-            changed = edit.applied(parents_of(case.node))
-            if case.proves(changed):
-                return Repair(edit.kind, changed, ((edit.old, edit.new),), edit.cost)
+        for edit in _edits_that_fit(case, numeric, targets):
+            node = edit.applied(parents_of(case.node))
+            if case.proves(node):
+                return Repair(edit.kind, node, ((edit.old, edit.new),), edit.cost)
     return _by_factor(case) or _by_terms(case)
 
 
-def _rounded(case: Case) -> Repair | None:
+def _round_exact_value(case: Case) -> Repair | None:
     """Return the exact value rounded as the side is, where that is one decimal number."""
     place = case.node.last_place if isinstance(case.node, Number) else None
     points = values.sample([case.decision.left]) if place and case.decision.left is not None else []
@@ -173,7 +173,7 @@ def _rounded(case: Case) -> Repair | None:
     return Repair("value", number, ((case.node, number),), 1.0) if case.proves(number) else None
 
 
-def _passing(case: Case, numeric: NumericFilter, targets: list[Values]) -> list[Edit]:
+def _edits_that_fit(case: Case, numeric: NumericFilter, targets: list[Values]) -> list[Edit]:
     """Return the changes whose values fit, cheapest first."""
     parents = parents_of(case.node)
     passing: list[Edit] = list(_integers(case, numeric, targets, parents))
@@ -207,11 +207,13 @@ def _integers(
         ):
             continue
         try:
-            here = numeric.values(case.node)
-            doubled = numeric.values(Edit("", 0, part, rational_node(part.value * 2)).applied(parents))
+            value_now = numeric.values(case.node)
+            value_doubled = numeric.values(
+                Edit("", 0, part, rational_node(part.value * 2)).applied(parents)
+            )
         except NoValueError:
             continue
-        for value, inverse in _solutions(here[0], doubled[0], targets[0][0], part.value):
+        for value, inverse in _solutions(value_now[0], value_doubled[0], targets[0][0], part.value):
             if value != part.value and abs(value) <= LARGEST:
                 new = rational_node(Fraction(value))
                 if fits(Edit("", 0, part, new).applied(parents), numeric, targets):
@@ -224,13 +226,13 @@ def _integers(
 
 
 def _solutions(
-    here: complex, doubled: complex, target: complex, value: Fraction
+    value_now: complex, value_doubled: complex, target: complex, value: Fraction
 ) -> Iterator[tuple[Fraction, bool]]:
     for inverse in (False, True):
-        step = doubled - here if not inverse else -2 * (doubled - here)
-        if abs(step) < 1e-14 * max(abs(here), 1e-30):
+        step = value_doubled - value_now if not inverse else -2 * (value_doubled - value_now)
+        if abs(step) < 1e-14 * max(abs(value_now), 1e-30):
             continue
-        ratio = 1 + (target - here) / step
+        ratio = 1 + (target - value_now) / step
         if not isfinite(ratio):
             continue
         if abs(ratio.imag) > 1e-7 * max(1, abs(ratio.real)) or abs(ratio) < 1e-9:
@@ -267,12 +269,12 @@ def _conventions(case: Case, numeric: NumericFilter, targets: list[Values]) -> I
         ),
     ):
         try:
-            changed = without_stacked_fractions(substitute(case.node, small[0], new))
+            node = without_stacked_fractions(substitute(case.node, small[0], new))
         except NoFormError:  # a derivative by it
             continue
-        if fits(changed, numeric, targets):
+        if fits(node, numeric, targets):
             once = letter_counts(case.node)[small[0]] == 1 and "inverted" not in title
-            yield Edit(title, 1.15 if once else 0.95, case.node, changed)
+            yield Edit(title, 1.15 if once else 0.95, case.node, node)
 
 
 def _by_factor(case: Case) -> Repair | None:
@@ -292,8 +294,8 @@ def _by_factor(case: Case) -> Repair | None:
         factor = polynomial_node(ratio.domain, ratio.numerator)
     except (NoFormError, TooLargeError):
         return None
-    changed = Product((factor, case.node))
-    return Repair("factor", changed, ((case.node, changed),), 2.0) if case.proves(changed) else None
+    node = Product((factor, case.node))
+    return Repair("factor", node, ((case.node, node),), 2.0) if case.proves(node) else None
 
 
 def _is_simple(number: int) -> bool:
@@ -305,12 +307,12 @@ def _is_simple(number: int) -> bool:
 def _by_terms(case: Case) -> Repair | None:
     """Return the side with each wrong term replaced by its exact value."""
     try:
-        corrected = correct_terms(case.node, case.decision, case.knowledge)
+        pair = correct_terms(case.node, case.decision, case.knowledge)
     except (NoFormError, TooLargeError):
         return None
-    if corrected is None:
+    if pair is None:
         return None
-    changed, changes = corrected
-    if not case.proves(changed):
+    node, changes = pair
+    if not case.proves(node):
         return None
-    return Repair(slip_kinds(changes), changed, changes, 2.0 + len(changes))
+    return Repair(slip_kinds(changes), node, changes, 2.0 + len(changes))

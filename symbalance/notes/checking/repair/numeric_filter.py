@@ -43,7 +43,7 @@ _CONSTANTS = {"pi": complex(math.pi), "e": complex(math.e), "i": 1j}
 
 @dataclass(frozen=True)
 class Case:
-    """A refuted side: the formula, the answer that refuted it, and how a changed one is proved."""
+    """A refuted side: the formula, the decision that refuted it, and how a changed one is proved."""
 
     node: Formula
     decision: Decision
@@ -52,7 +52,7 @@ class Case:
 
 
 def filter_of(case: Case) -> tuple[list[Values], NumericFilter] | None:
-    """Return the values the side should have at a few points, and a sieve for its changed copies."""
+    """Return the values the side should have at a few points, and a filter for its changed copies."""
     decision, knowledge = case.decision, case.knowledge
     if decision.left is None or decision.right is None or decision.level is None:
         return None
@@ -82,12 +82,14 @@ def filter_of(case: Case) -> tuple[list[Values], NumericFilter] | None:
 
 def letters_of(case: Case) -> list[str]:
     """Return the letters that stand in the side or may be put into it."""
-    known = dict.fromkeys(sorted(formula.names(case.node)))
-    extra = [n for n in sorted(case.knowledge.letters) if n not in known][:30]
+    letters_in_side = dict.fromkeys(sorted(formula.names(case.node)))
+    extra = [n for n in sorted(case.knowledge.letters) if n not in letters_in_side][:30]
     return [
-        *known,
+        *letters_in_side,
         *extra,
-        *[n for n in sorted(case.knowledge.definitions) if n not in known and n not in extra][:20],
+        *[n for n in sorted(case.knowledge.definitions) if n not in letters_in_side and n not in extra][
+            :20
+        ],
     ]
 
 
@@ -128,7 +130,7 @@ class NoValueError(Exception):
 
 
 class NumericFilter:
-    """Values of one formula and of its changed copies: parts they share are found once.
+    """Values of one formula and of its changed copies: parts they share are evaluated once.
 
     `letters` gives the letters' values, one a point; `known` may give the values of whole parts (of
     derivatives, which are not evaluated here).
@@ -151,15 +153,15 @@ class NumericFilter:
         return row
 
     def set_values(self, node: Formula, values: Values) -> None:
-        """Keep the values of a part that were found elsewhere."""
+        """Take the values of a part as they are."""
         self._values[id(node)] = values
         self._alive.append(node)
 
     def values(self, node: Formula) -> Values:
         """Return a formula's values at the points."""
-        known = self._values.get(id(node))
-        if known is not None:
-            return known
+        cached = self._values.get(id(node))
+        if cached is not None:
+            return cached
         try:
             return self._evaluate(node)
         except (ZeroDivisionError, OverflowError, ValueError, KeyError) as problem:

@@ -1,4 +1,4 @@
-"""Wrong terms by their exact values: the difference of two sides, handed out to its terms."""
+"""Correction of a sum's wrong terms: the difference of two sides shared out among its terms."""
 
 from __future__ import annotations
 
@@ -68,11 +68,11 @@ def _leaves(node: Formula, multiplier: Form, evaluator: Evaluator) -> list[Leaf]
 
 def _one_sum(node: Formula) -> tuple[Formula | None, Formula | None]:
     """Return (the sum within a term, what multiplies it) if the term holds one sum as a factor."""
-    one = Number(Fraction(1))
+    unity = Number(Fraction(1))
     if isinstance(node, Negative) and _holds_sum(node.operand):
-        return node.operand, Negative(one)
+        return node.operand, Negative(unity)
     if isinstance(node, Quotient) and _holds_sum(node.numerator):
-        return node.numerator, Quotient(one, node.denominator)
+        return node.numerator, Quotient(unity, node.denominator)
     if isinstance(node, Product):
         sums = [f for f in node.factors if _holds_sum(f)]
         if len(sums) == 1:
@@ -91,7 +91,7 @@ def _assign_difference(difference: Form, leaves: list[Leaf], small: int | None) 
     extra: Polynomial = {}
     for place, number in components(domain, difference.numerator).items():
         part = _as_polynomial(difference, place, number)
-        leaf = max(leaves, key=lambda one: _likeness(place, one, small))
+        leaf = max(leaves, key=lambda leaf: _likeness(place, leaf, small))
         if _likeness(place, leaf, small) > 0:
             leaf.missing = poly.plus(leaf.missing, part)
         else:
@@ -102,19 +102,19 @@ def _assign_difference(difference: Form, leaves: list[Leaf], small: int | None) 
 def _likeness(place: HarmonicKey, leaf: Leaf, small: int | None) -> float:
     """Return how well a place fits a term: same harmonic and letters best, 0 where nothing fits."""
     best = 0.0
-    for own in leaf.places:
-        same = (own.function == place.function, own.angle == place.angle, own.letters == place.letters)
-        shared = len({*own.letters} & {*place.letters}) / (1 + len({*own.letters} | {*place.letters}))
+    for key in leaf.places:
+        same = (key.function == place.function, key.angle == place.angle, key.letters == place.letters)
+        overlap = len({*key.letters} & {*place.letters}) / (1 + len({*key.letters} | {*place.letters}))
         if all(same):
             best = max(best, 8.0)
         elif same[1] and same[2]:
             best = max(best, 6.0)
-        elif same[1] and shared > 0:
-            power = small is not None and dict(own.letters).get(small, 0) == dict(place.letters).get(
+        elif same[1] and overlap > 0:
+            power = small is not None and dict(key.letters).get(small, 0) == dict(place.letters).get(
                 small, 0
             )
-            best = max(best, 3.0 + shared + same[0] + 1.5 * power)
-        elif same[2] and place.letters and place.angle and own.angle:
+            best = max(best, 3.0 + overlap + same[0] + 1.5 * power)
+        elif same[2] and place.letters and place.angle and key.angle:
             best = max(best, 2.0)
     return best / (1 + 0.05 * (len(leaf.places) - 1))
 
@@ -151,16 +151,19 @@ def _rebuild(
             if right_value is None:
                 return None
             changes.append((leaf.node, polynomial_node(left.domain, right_value.numerator)))
-    changed = node
+    result = node
     for old_node, new_node in changes:
-        changed = replace_part(changed, old_node, new_node)
-    changed = _without_zeros(changed)
+        result = replace_part(result, old_node, new_node)
+    result = _without_zeros(result)
     if extra:
-        added = polynomial_node(left.domain, extra)
-        own = changed.terms if isinstance(changed, Sum) else (changed,)
-        changed = Sum((*own, *(added.terms if isinstance(added, Sum) else (added,))), span=node.span)
-        changes.append((Number(Fraction(0)), added))
-    return (changed, tuple(changes)) if changes else None
+        extra_node = polynomial_node(left.domain, extra)
+        terms = result.terms if isinstance(result, Sum) else (result,)
+        result = Sum(
+            (*terms, *(extra_node.terms if isinstance(extra_node, Sum) else (extra_node,))),
+            span=node.span,
+        )
+        changes.append((Number(Fraction(0)), extra_node))
+    return (result, tuple(changes)) if changes else None
 
 
 def _ratio(old: Polynomial, new: Polynomial) -> Fraction | None:
@@ -169,7 +172,7 @@ def _ratio(old: Polynomial, new: Polynomial) -> Fraction | None:
     if first is None or first not in new:
         return None
     ratio = new[first] / old[first]
-    return None if poly.minus(new, poly.scaled(old, ratio)) else ratio
+    return None if poly.minus(new, poly.scale(old, ratio)) else ratio
 
 
 def slip_kinds(changes: Changes) -> str:
