@@ -15,7 +15,9 @@ from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
 
 DEEPEST = 40
+"""Definitions that use definitions, one in the other."""
 DEEPEST_TREE = 150
+"""Levels of one formula, its definitions put in: well below Python's limit of recursion."""
 LONGEST_SUM = 400
 
 
@@ -32,7 +34,7 @@ class Meaning:
     positive: frozenset[str] = frozenset()
     integer: frozenset[str] = frozenset()
     ranges: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    """Where a letter's values are tried, in hundredths: a rod ratio l/r from 300 to 500."""
+    """Range of a letter's values at random points, in hundredths: a rod ratio l/r from 300 to 500."""
 
     def domain(self) -> Domain:
         """Return a fresh domain for formulas of this meaning."""

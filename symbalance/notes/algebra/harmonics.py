@@ -19,7 +19,7 @@ from symbalance.notes.algebra.zero import is_zero
 
 @dataclass(frozen=True, slots=True)
 class HarmonicKey:
-    """Where a number stands: before `function` of an angle, and before a product of letters."""
+    """The harmonic a number belongs to: `function` of an angle, times a product of letters."""
 
     function: str
     angle: Monomial
@@ -30,7 +30,7 @@ Components = dict[HarmonicKey, Polynomial]
 
 
 def components(domain: Domain, polynomial: Polynomial) -> Components:
-    """Return the numbers of a polynomial by their places; those that are zero are left out."""
+    """Return the numbers of a polynomial by their harmonics; those that are zero are left out."""
     pairs: dict[tuple[Monomial, Monomial], list[Polynomial]] = defaultdict(lambda: [{}, {}])
     for monomial, coefficient in polynomial.items():
         number, angle, letters = split(domain, monomial)
@@ -67,7 +67,7 @@ def _times_i(domain: Domain, polynomial: Polynomial) -> Polynomial:
 
 
 def key_node(domain: Domain, key: HarmonicKey) -> formula.Formula | None:
-    """Return the product of letters and the function of the angle; None for the constant place."""
+    """Return the product of letters and the function of the angle; None for the constant."""
     factors = letter_nodes(domain, key.letters)
     if key.function != "1":
         factors.append(formula.Call(key.function, angle_node(domain, key.angle)))
@@ -130,7 +130,7 @@ def _function_node(function: str, inside: formula.Formula) -> formula.Formula:
 
 
 def polynomial_node(domain: Domain, polynomial: Polynomial) -> formula.Formula:
-    """Return a polynomial as a sum over its places, lowest harmonics first."""
+    """Return a polynomial as a sum over its harmonics, the lowest first."""
     numbers = components(domain, polynomial)
     terms = [term_node(domain, key, numbers[key]) for key in sort_keys(numbers)]
     if not terms:
@@ -139,7 +139,7 @@ def polynomial_node(domain: Domain, polynomial: Polynomial) -> formula.Formula:
 
 
 def sort_keys(numbers: Components) -> list[HarmonicKey]:
-    """Return the places by harmonic, then by letters."""
+    """Return the keys by harmonic, then by letters."""
     return sorted(
         numbers,
         key=lambda p: ([abs(e) for _, e in p.angle], p.function, [(g, abs(e)) for g, e in p.letters]),
@@ -147,7 +147,7 @@ def sort_keys(numbers: Components) -> list[HarmonicKey]:
 
 
 def term_node(domain: Domain, key: HarmonicKey, number: Polynomial) -> formula.Formula:
-    """Return number times place, the sign outside and whole denominators below."""
+    """Return number times harmonic, the sign outside and whole denominators below."""
     coefficient, rest = number_node(domain, number), key_node(domain, key)
     if rest is None:
         return coefficient

@@ -12,7 +12,7 @@ from symbalance.notes.algebra.values import Valuation, context
 from symbalance.notes.algebra.zero import is_zero
 
 _ROOTS = (1, 2, 3, 5, 6, 7, 10, 11, 13, 14, 15)
-_LARGEST_DENOMINATOR = 10**7
+_LARGEST_DENOMINATOR = 10**7  # of a guess, which is proved before it is used
 
 
 def number_node(domain: Domain, number: Polynomial) -> formula.Formula:

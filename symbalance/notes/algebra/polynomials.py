@@ -23,6 +23,7 @@ MOST_WORK = 150_000
 """Products of two terms a domain may form: about a second's work."""
 LARGEST_EXPONENT = 400
 LARGEST_BITS = 20_000
+"""Of a coefficient: `MOST_WORK` counts products of terms, and would not see numbers that grow."""
 UNIT: Polynomial = {ONE: Fraction(1)}
 Exponents = tuple[Exponent, ...]
 """The exponents of one monomial, for a fixed row of generators."""

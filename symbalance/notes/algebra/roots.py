@@ -22,6 +22,7 @@ from symbalance.notes.algebra.domain import (
 from symbalance.notes.algebra.forms import Form
 
 LARGEST_FACTORED = 10**12
+"""A root of a larger number raises TooLargeError: its primes are not searched for."""
 
 
 def unit(domain: Domain) -> Form:

@@ -16,6 +16,7 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import root, unit
 
 SLACK = 6
+"""Orders computed beyond the one wanted: a quotient whose denominator begins late loses some."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""Numerical values of formulas straight from their trees, where the normal form is missing or too large."""
+"""Numerical values of formulas straight from their trees, where a normal form is missing or too large."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from symbalance.notes.algebra.evaluation import Evaluator, Meaning
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
 
 DEEPEST = 40
+"""Definitions that use definitions, one in the other."""
 MOST_TERMS = 2000
+"""Of all sums of one formula together, nested ones too."""
 
 
 def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:

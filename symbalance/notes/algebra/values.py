@@ -12,6 +12,7 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.text.reals import own_context
 
 DIGITS = 40
+"""Of every value. Half of them decide: what differs beyond 20 digits differs, less is rounding."""
 Point = dict[str, Fraction]
 
 _RANGES = {"lambda": (300, 500), "rho": (15, 40), "theta": (10, 620), "phi": (10, 150), "beta": (5, 40)}

@@ -65,6 +65,7 @@ def _is_clearly_not_zero(domain: Domain, terms: list[tuple[Monomial, Fraction]])
     except OverflowError:
         return False
     size = sum(abs(part) for part in parts)
+    # Floats carry 16 digits and sums here have at most thousands of terms: 1e-9 is no rounding.
     return isfinite(size) and abs(sum(parts)) > 1e-9 * size
 
 

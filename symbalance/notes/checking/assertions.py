@@ -173,8 +173,8 @@ def _decide_harmonic(claimed: Side, binding: Binding, knowledge: Knowledge) -> D
         except (NoFormError, TooLargeError) as problem:
             return Decision(UNDECIDED, str(problem))
         orders = {
-            max((abs(e) for _, e in place.angle), default=0)
-            for place in components(form.domain, form.numerator)
+            max((abs(e) for _, e in key.angle), default=0)
+            for key in components(form.domain, form.numerator)
         }
         if orders == {order}:
             return Decision(PROVED, "", "", (), level, form, form)

@@ -20,6 +20,7 @@ from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain, Side
 
 NEARLY = 0.1
+"""Relative difference: a second value closer to the first is a slip, not a new case."""
 
 
 @dataclass
@@ -129,8 +130,8 @@ def _solve_for_one_letter(node: Formula, value: Formula) -> tuple[str, Formula] 
     if names(value) or list(counts.values()) != [1]:
         return None
     (letter,) = counts
-    solve = solve_for(node, value, letter)
-    return None if solve is None else (letter, solve)
+    solution = solve_for(node, value, letter)
+    return None if solution is None else (letter, solution)
 
 
 def _letters_behind(nodes: list[Formula], knowledge: Knowledge) -> list[str]:

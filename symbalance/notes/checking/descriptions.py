@@ -32,8 +32,9 @@ from symbalance.notes.checking.verdicts import (
 )
 from symbalance.notes.reading.equations import Chain, Document, Side, Unreadable
 
-MOST = 12
-LONGEST = 600
+MOST_DIFFERENCES = 12
+LONGEST_VALUE = 600
+"""Characters of an exact value; a longer one is left out of the report."""
 
 
 def describe(document: Document, chain: Chain, k: int, decision: Decision) -> Verdict:
@@ -152,7 +153,7 @@ def exact_value(decision: Decision) -> tuple[str, Formula | None]:
             text, node = f"({text})/({formula_text(below, plain=True)})", Quotient(above, below)
     except (NoFormError, TooLargeError):
         return "", None
-    return (text, node) if len(text) <= LONGEST else ("", None)
+    return (text, node) if len(text) <= LONGEST_VALUE else ("", None)
 
 
 def differences(decision: Decision) -> tuple[Difference, ...]:
@@ -170,16 +171,16 @@ def differences(decision: Decision) -> tuple[Difference, ...]:
         components(domain, right.numerator),
     )
     result: list[Difference] = []
-    for place in sort_keys({**exact_numbers, **claimed_numbers}):
-        exact_number, claimed_number = exact_numbers.get(place, {}), claimed_numbers.get(place, {})
+    for key in sort_keys({**exact_numbers, **claimed_numbers}):
+        exact_number, claimed_number = exact_numbers.get(key, {}), claimed_numbers.get(key, {})
         if is_zero(domain, poly.minus(exact_number, claimed_number)) is not True:
-            node = key_node(domain, place)
+            node = key_node(domain, key)
             term = "constant" if node is None else formula_text(node, plain=True)
             (claimed_text, claimed_node), (exact_text, exact_node) = (
                 number_text(domain, number) for number in (claimed_number, exact_number)
             )
             result.append(Difference(term, claimed_text, exact_text, node, claimed_node, exact_node))
-    return tuple(result[:MOST])
+    return tuple(result[:MOST_DIFFERENCES])
 
 
 def number_text(domain: Domain, number: Polynomial) -> tuple[str, Formula]:

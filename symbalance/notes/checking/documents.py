@@ -30,6 +30,7 @@ from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 SUFFIXES = (".tex", ".md", ".txt", ".text")
 _UNDECLARED = re.compile(r"letter (\S+) is not declared$")
 MOST_ROUNDS = 60
+"""Each round of reading finds the first undeclared letter of every equation."""
 
 
 def check(
@@ -148,7 +149,7 @@ def undeclared_letters(
 ) -> dict[str, int]:
     """Return the letters of a document that are not declared, and where each is first missed.
 
-    >>> undeclared("$$E = m c^2$$")
+    >>> undeclared_letters("$$E = m c^2$$")
     {'m': 1, 'c': 1}
     """
     text, name, _ = text_of(document)

@@ -254,9 +254,9 @@ def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumptio
     except ReadingError as problem:
         raise SymbalanceError(f"given = {text}", problem.what, problem.remedy, place) from None
     if len(chain.sides) == 2 and chain.relations[0].sign == "=":
-        solve = constraints.solve(chain.sides[0].node, chain.sides[1].node)
-        if solve is not None:
-            return Assumption(text, *solve)
+        solution = constraints.solve(chain.sides[0].node, chain.sides[1].node)
+        if solution is not None:
+            return Assumption(text, *solution)
     raise SymbalanceError(
         f"given = {text}", "must be an equality that fixes a letter", 'write "α = π/6"', place
     )

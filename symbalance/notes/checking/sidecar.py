@@ -6,7 +6,7 @@
 
 Unknown keys are errors; every refusal names the file and the line.
 
-The declarations may stand at the head of the document itself instead, as a comment that is the first thing in it:
+The declarations may stand at the head of the document itself instead, as a comment that comes first:
 
     <!-- [symbols]                   % [symbols]                    # [symbols]
     r = "crank radius"               % r = "crank radius"           # r = "crank radius"

@@ -62,7 +62,7 @@ RANGES = {
     "crank radius": (60, 100),
     "stroke": (120, 200),
 }
-"""Where letters are tried, in hundredths: such that a rod is longer than its crank."""
+"""Ranges of values at random points, in hundredths: such that a rod is longer than its crank."""
 UNITS = (
     "m",
     "mm",

@@ -20,8 +20,8 @@ from symbalance.notes.reading.parser import read_tokens
 from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation, to_half_width
 from symbalance.notes.reading.signs import relation_at_start
 
-LONGEST_DOCUMENT = 1_000_000
-MOST_LINES_OF_PROSE = 2
+LONGEST_DOCUMENT = 1_000_000  # characters
+MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
 EQUALITIES = ("=", "≈", "≡")
 
 

@@ -13,6 +13,7 @@ _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")
 _CANONICAL = re.compile(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+'*")
 _PRIMES = re.compile(r"(?:['′’″]|\^\s*\{?\s*(?:\\prime\s*)+\}?)+")
 LONGEST_SUBSCRIPT = 80
+"""Longer runs of letters are no subscript; the limit keeps the search for a declared one short."""
 
 
 def canonical_name(text: str) -> str:

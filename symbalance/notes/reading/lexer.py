@@ -36,6 +36,8 @@ from symbalance.notes.reading.units import (
 )
 
 LONGEST_EQUATION = 20_000
+"""Characters of one equation: text that is no derivation must not cost minutes."""
+
 _DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])")
 _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
@@ -44,7 +46,7 @@ _ARROW = re.compile(r"-+>|=+>|<-+|<=+>")
 _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
 _DIGITS = re.compile(r"[0-9]+")
-_LONGEST_ANNOTATED = 2000
+_LONGEST_ANNOTATED = 2000  # characters under one \underbrace
 _COMMAND = re.compile(r"\\([A-Za-z]+)\*?")
 _FONT_WORD = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}")
 _LEFT_RIGHT = re.compile(r"\\(left|right|[bB]igg?[lr])\s*(\\[{}|]|\\[lr]?vert(?![A-Za-z])|[|.])")
@@ -54,18 +56,12 @@ _ENVIRONMENT = re.compile(r"\s*\{([A-Za-z]+)\*?\}(?:\s*\{\s*[0-9]+\s*\}|\[[a-z]\
 _WORD_FONTS = ("text", "textrm", "mbox")
 _UNIT_COMMANDS = ("mathrm", "unit", "si", *_WORD_FONTS)
 
-MOST_DIGITS = 400
-_THOUSANDS = re.compile(r"[0-9]{1,3}(?:(?:\\,|\{,\}|\u2009|\u202f)[0-9]{3})+(?![0-9])(?:\.[0-9]+)?")
-_DECIMAL_COMMA = re.compile(r"[0-9]+\{,\}[0-9]+")
-_PLAIN_NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)")
-_EXPONENT = re.compile(r"[eE]([+-]?[0-9]+)(?![A-Za-z0-9])")
-_GROUPING = re.compile(r"\\,|\{,\}|\u2009|\u202f")
-
 VULGAR = {
     "½": (1, 2), "⅓": (1, 3), "⅔": (2, 3), "¼": (1, 4), "¾": (3, 4), "⅕": (1, 5), "⅖": (2, 5),
     "⅗": (3, 5), "⅘": (4, 5), "⅙": (1, 6),
     "⅚": (5, 6), "⅛": (1, 8), "⅜": (3, 8), "⅝": (5, 8), "⅞": (7, 8),
 }  # fmt: skip
+"""Fractions of one sign, as numerator and denominator."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,6 +95,7 @@ class Token:
 
 
 CLOSER = {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "<": ">", "|": "|"}
+"""The bracket that closes each bracket."""
 
 
 def lex(text: str, start: int, end: int, names: Collection[str]) -> list[Token]:
@@ -113,7 +110,7 @@ class Lexer:
         self.text, self.place, self.end = text, start, end
         self.words = vocabulary(names)
         self.tokens: list[Token] = []
-        self.skips: dict[int, int] = {}
+        self.skips: dict[int, int] = {}  # where words under a brace begin -> where they end
         self.latex = "\\" in text[start:end]
 
     def run(self) -> list[Token]:
@@ -564,6 +561,16 @@ def factor_tokens(scale: Scale, start: int, end: int) -> list[Token]:
     return [Token("open", "{", start, end), *inside, Token("close", "}", start, end)]
 
 
+MOST_DIGITS = 400
+"""Digits, and the largest power of ten: exact arithmetic with more of them would take over."""
+
+_THOUSANDS = re.compile(r"[0-9]{1,3}(?:(?:\\,|\{,\}|\u2009|\u202f)[0-9]{3})+(?![0-9])(?:\.[0-9]+)?")
+_DECIMAL_COMMA = re.compile(r"[0-9]+\{,\}[0-9]+")
+_PLAIN_NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)")
+_EXPONENT = re.compile(r"[eE]([+-]?[0-9]+)(?![A-Za-z0-9])")
+_GROUPING = re.compile(r"\\,|\{,\}|\u2009|\u202f")
+
+
 def read_number(text: str, start: int, end: int, scientific: bool = True) -> Token | None:
     """Return the number that begins at `start`, or None.
 
@@ -649,5 +656,5 @@ def _vocabulary(names: frozenset[str]) -> Vocabulary:
 
 
 def vocabulary(names: Collection[str]) -> Vocabulary:
-    """Return the vocabulary of some names, made once."""
+    """Return the vocabulary of some names; equal sets share one."""
     return _vocabulary(names if isinstance(names, frozenset) else frozenset(names))

@@ -28,9 +28,10 @@ _DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
 _LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
 _CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
 _RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
+# Limits for text that is no derivation, so that its cost stays in proportion to its length.
 LONGEST_LINE = 20_000
-_MARGIN = 200
 MOST_ITEMS = 20_000
+_MARGIN = 200  # characters searched for the ends of the line that a formula may stand alone on
 
 
 @dataclass(frozen=True, slots=True)

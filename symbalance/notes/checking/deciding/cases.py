@@ -23,7 +23,8 @@ from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain
 
-HIGHEST = 8
+HIGHEST_ORDER = 8
+"""Of the rod ratio's powers that a line with numbers may have been cut off at."""
 
 
 def numbers_put_in(chain: Chain, k: int, refutation: Decision, knowledge: Knowledge) -> Decision | None:
@@ -67,8 +68,8 @@ def with_ratio_put_in(left: Formula, right: Formula, knowledge: Knowledge) -> De
     level = list(knowledge.levels(left, right))[-1]
     evaluator = knowledge.evaluator(level)
     try:
-        exact = Expansion(evaluator.domain, *small, HIGHEST).of(evaluator.form(left))
-        for order in range(HIGHEST + 1):
+        exact = Expansion(evaluator.domain, *small, HIGHEST_ORDER).of(evaluator.form(left))
+        for order in range(HIGHEST_ORDER + 1):
             cut_off = truncated_sum(exact.cut(order), SmallLetter(*small, order))
             node = substitute(
                 polynomial_node(evaluator.domain, cut_off.numerator), small[0], definition.node

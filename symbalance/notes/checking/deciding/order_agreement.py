@@ -32,10 +32,13 @@ from symbalance.notes.checking.deciding.equality import (
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
 
-HIGHEST = 40
-HIGHEST_SHOWN = 26
+HIGHEST_ORDER = 40
+"""Through which two sides are compared; a series beyond it is left undecided."""
+HIGHEST_NAMED = 26
+"""An order beyond it says only that all powers written agree."""
 NO_LETTER = "no letter in which one side is a cut-off series"
 ROUGH = Fraction(1, 20)
+"""Relative error that ≈ between two numbers without decimals may have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +54,7 @@ class SmallLetter:
         """The order kept, as a power of the letter."""
         if not self.order:
             return "leading term"
-        if self.order > HIGHEST_SHOWN:
+        if self.order > HIGHEST_NAMED:
             return "all powers written"
         return formula_text(Name(self.letter), plain=True) + raised(
             str(self.sign * self.order).replace("-", "−")
@@ -151,7 +154,7 @@ def _order_kept(first: Form, second: Form, letter: str, sign: int) -> int | None
     """Return the order kept: the degree of the side that is a polynomial in the letter."""
     degrees = [degree(form, letter, sign) for form in (first, second) if form.numerator]
     whole_degrees = [d for d in degrees if d is not None]
-    return min(whole_degrees) if whole_degrees and min(whole_degrees) <= HIGHEST else None
+    return min(whole_degrees) if whole_degrees and min(whole_degrees) <= HIGHEST_ORDER else None
 
 
 def degree(form: Form, letter: str, sign: int) -> int | None:
@@ -219,10 +222,10 @@ def _only_higher(left: Form, right: Form) -> bool:
     top = _highest(right)
     if not top:
         return False
-    places = components(left.domain, difference.numerator)
-    return all(max((abs(e) for _, e in p.angle), default=0) > top for p in places)
+    keys = components(left.domain, difference.numerator)
+    return all(max((abs(e) for _, e in key.angle), default=0) > top for key in keys)
 
 
 def _highest(form: Form) -> Fraction:
-    places = components(form.domain, form.numerator) if form.is_polynomial else {}
-    return max((Fraction(abs(e)) for p in places for _, e in p.angle), default=Fraction(0))
+    keys = components(form.domain, form.numerator) if form.is_polynomial else {}
+    return max((Fraction(abs(e)) for key in keys for _, e in key.angle), default=Fraction(0))

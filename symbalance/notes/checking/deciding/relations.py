@@ -24,6 +24,7 @@ from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain, Side
 
 MOST_READINGS = 16
+"""Pairs of readings that are tried: a decision may cost a second."""
 
 
 def decide(

@@ -119,14 +119,14 @@ def _coefficients_agree(
             assert number.last_place is not None
             off_by_half = Number(number.value + number.last_place / 2, number.last_place)
             parts_off = _parts(form_of(replace_part(side, number, off_by_half)))
-            for place in {*parts, *parts_off}:
-                change = poly.minus(parts_off.get(place, {}), parts.get(place, {}))
-                margins[place] = margins.get(place, 0) + abs(Valuation(domain, {}).polynomial(change))
-    for place in {*exact, *printed}:
-        difference = poly.minus(exact.get(place, {}), printed.get(place, {}))
+            for key in {*parts, *parts_off}:
+                change = poly.minus(parts_off.get(key, {}), parts.get(key, {}))
+                margins[key] = margins.get(key, 0) + abs(Valuation(domain, {}).polynomial(change))
+    for key in {*exact, *printed}:
+        difference = poly.minus(exact.get(key, {}), printed.get(key, {}))
         if (
             abs(Valuation(domain, {}).polynomial(difference))
-            > margins.get(place, 0) * (1 + 1e-12) + _tiny()
+            > margins.get(key, 0) * (1 + 1e-12) + _tiny()
         ):
             return False
     return True

@@ -36,6 +36,7 @@ _SWAPS = {
     "acos": ("asin",),
 }
 MOST_LETTERS = 24
+"""That are put in for others: the number of changes grows with it times the formula's parts."""
 
 
 @dataclass(frozen=True, slots=True)

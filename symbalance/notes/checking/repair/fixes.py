@@ -41,9 +41,13 @@ from symbalance.notes.checking.verdicts import REFUTED, Fault, Fix, Verdict
 from symbalance.notes.reading.equations import Document, Side
 
 OTHER_SIDE = 0.2
+"""How much cheaper a change of the left side must be: the slip is usually on the right."""
 MOST_OTHER = 2.0
+"""What costs this much rewrites a side (a factor, several terms): of the left side it is not proposed."""
 MOST_PROOFS = 8
+"""Changes that fit in floats and are tried by proof, cheapest first: a proof may cost a second."""
 LARGEST = 10**7
+"""Of a whole number put for a printed one."""
 
 
 def add_fix(

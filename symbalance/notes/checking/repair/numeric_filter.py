@@ -18,6 +18,7 @@ from symbalance.notes.checking.deciding.knowledge import Knowledge
 
 Values = tuple[complex, ...]
 CLOSE = 1e-9
+"""Relative: well above what floats round, and far below what a slip changes."""
 
 _FUNCTIONS: dict[str, Callable[[complex], complex]] = {
     "sin": cmath.sin,
@@ -139,7 +140,7 @@ class NumericFilter:
     def __init__(self, letters: Mapping[str, Sequence[complex]], points: int) -> None:
         self.letters, self.points = letters, points
         self._values: dict[int, Values] = {}
-        self._alive: list[Formula] = []
+        self._alive: list[Formula] = []  # values are found by `id`, which must not be used anew
 
     def store(self, node: Formula) -> Values:
         """Return a formula's values, and keep those of all its parts."""

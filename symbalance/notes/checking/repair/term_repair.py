@@ -18,6 +18,7 @@ from symbalance.notes.checking.deciding.substitution import replace_part
 
 Changes = tuple[tuple[Formula, Formula], ...]
 MOST_TERMS = 80
+"""Of a side; each part of the difference is compared with each of them."""
 
 
 @dataclass
@@ -26,7 +27,7 @@ class Leaf:
 
     node: Formula
     multiplier: Form
-    places: Components
+    components_by_key: Components
     missing: Polynomial = field(default_factory=dict)
     own: Form | None = None
 
@@ -89,50 +90,56 @@ def _assign_difference(difference: Form, leaves: list[Leaf], small: int | None) 
     """Give each part of the difference to the term it belongs to; return what belongs to none."""
     domain = difference.domain
     extra: Polynomial = {}
-    for place, number in components(domain, difference.numerator).items():
-        part = _as_polynomial(difference, place, number)
-        leaf = max(leaves, key=lambda leaf: _likeness(place, leaf, small))
-        if _likeness(place, leaf, small) > 0:
+    for key, number in components(domain, difference.numerator).items():
+        part = _as_polynomial(difference, key, number)
+        leaf = max(leaves, key=lambda leaf: _likeness(key, leaf, small))
+        if _likeness(key, leaf, small) > 0:
             leaf.missing = poly.plus(leaf.missing, part)
         else:
             extra = poly.plus(extra, part)
     return extra
 
 
-def _likeness(place: HarmonicKey, leaf: Leaf, small: int | None) -> float:
-    """Return how well a place fits a term: same harmonic and letters best, 0 where nothing fits."""
+def _likeness(key: HarmonicKey, leaf: Leaf, small: int | None) -> float:
+    """Return how well a harmonic fits a term: same angle and letters best, 0 where nothing fits.
+
+    The numbers only rank: all the same (8), sine for cosine (6), the same angle with some letters shared
+    (3 to 6.5, more with the same power of the small letter), only the letters the same (2).
+    """
     best = 0.0
-    for key in leaf.places:
-        same = (key.function == place.function, key.angle == place.angle, key.letters == place.letters)
-        overlap = len({*key.letters} & {*place.letters}) / (1 + len({*key.letters} | {*place.letters}))
-        if all(same):
+    for term in leaf.components_by_key:
+        same_function, same_angle = term.function == key.function, term.angle == key.angle
+        same_letters = term.letters == key.letters
+        shared, either = {*term.letters} & {*key.letters}, {*term.letters} | {*key.letters}
+        overlap = len(shared) / (1 + len(either))
+        if same_function and same_angle and same_letters:
             best = max(best, 8.0)
-        elif same[1] and same[2]:
+        elif same_angle and same_letters:
             best = max(best, 6.0)
-        elif same[1] and overlap > 0:
-            power = small is not None and dict(key.letters).get(small, 0) == dict(place.letters).get(
-                small, 0
-            )
-            best = max(best, 3.0 + overlap + same[0] + 1.5 * power)
-        elif same[2] and place.letters and place.angle and key.angle:
+        elif same_angle and overlap > 0:
+            own_powers, powers = dict(term.letters), dict(key.letters)
+            same_power = small is not None and own_powers.get(small, 0) == powers.get(small, 0)
+            best = max(best, 3.0 + overlap + same_function + 1.5 * same_power)
+        elif same_letters and key.letters and key.angle and term.angle:
             best = max(best, 2.0)
-    return best / (1 + 0.05 * (len(leaf.places) - 1))
+    # A term of many harmonics is one that anything would fit.
+    return best / (1 + 0.05 * (len(leaf.components_by_key) - 1))
 
 
-def _as_polynomial(form: Form, place: HarmonicKey, number: Polynomial) -> Polynomial:
-    """Return number times place as a polynomial again."""
+def _as_polynomial(form: Form, key: HarmonicKey, number: Polynomial) -> Polynomial:
+    """Return number times harmonic as a polynomial again."""
     domain = form.domain
-    letters: Polynomial = {place.letters: Fraction(1)}
-    if place.function == "1":
+    letters: Polynomial = {key.letters: Fraction(1)}
+    if key.function == "1":
         return poly.times(domain, number, letters)
-    back = tuple((g, -e) for g, e in place.angle)
+    back = tuple((g, -e) for g, e in key.angle)
     half = Fraction(1, 2)
-    if place.function == "cos":
-        wave: Polynomial = {place.angle: half, back: half}
+    if key.function == "cos":
+        wave: Polynomial = {key.angle: half, back: half}
     else:  # sin x = -i/2 e^(ix) + i/2 e^(-ix)
         unit: Polynomial = {((0, Fraction(1, 4)),): half}
         wave = poly.plus(
-            poly.times(domain, unit, {place.angle: Fraction(-1)}),
+            poly.times(domain, unit, {key.angle: Fraction(-1)}),
             poly.times(domain, unit, {back: Fraction(1)}),
         )
     return poly.times(domain, poly.times(domain, number, letters), wave)
@@ -144,7 +151,7 @@ def _rebuild(
     changes: list[tuple[Formula, Formula]] = []
     for leaf in leaves:
         if leaf.missing:
-            old = Form.of(left.domain, _all_places(leaf, left))
+            old = Form.of(left.domain, _sum_of_components(leaf, left))
             right_value = old.plus(Form.of(left.domain, leaf.missing)).over(leaf.multiplier)
             if not right_value.is_polynomial:
                 right_value = _in_proportion(leaf, old, left)
@@ -158,10 +165,8 @@ def _rebuild(
     if extra:
         extra_node = polynomial_node(left.domain, extra)
         terms = result.terms if isinstance(result, Sum) else (result,)
-        result = Sum(
-            (*terms, *(extra_node.terms if isinstance(extra_node, Sum) else (extra_node,))),
-            span=node.span,
-        )
+        extra_terms = extra_node.terms if isinstance(extra_node, Sum) else (extra_node,)
+        result = Sum((*terms, *extra_terms), span=node.span)
         changes.append((Number(Fraction(0)), extra_node))
     return (result, tuple(changes)) if changes else None
 
@@ -219,8 +224,8 @@ def _in_proportion(leaf: Leaf, old: Form, left: Form) -> Form | None:
     return None if ratio is None or leaf.own is None else leaf.own.scaled(1 + ratio)
 
 
-def _all_places(leaf: Leaf, left: Form) -> Polynomial:
+def _sum_of_components(leaf: Leaf, left: Form) -> Polynomial:
     total: Polynomial = {}
-    for place, number in leaf.places.items():
-        total = poly.plus(total, _as_polynomial(left, place, number))
+    for key, number in leaf.components_by_key.items():
+        total = poly.plus(total, _as_polynomial(left, key, number))
     return total
