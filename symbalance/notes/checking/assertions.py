@@ -76,11 +76,11 @@ def side_verdict(
     if decision.status == REFUTED and knowledge.crank is not None and binding.quantity != "harmonic":
         base = _add_fix(base, document, claimed, decision, binding, knowledge, sources)
     reason = ""
-    if step is not None and step.verdict == REFUTED and decision.proved and not is_excused:
+    if step is not None and step.verdict == REFUTED and decision.is_proved and not is_excused:
         return replace(
             step, bind=binding.title, reason="the right side is what it claims to be, the left is not"
         )
-    if step is not None and step.verdict == REFUTED and decision.proved:
+    if step is not None and step.verdict == REFUTED and decision.is_proved:
         reason = "right as it stands, though it does not follow from the side before"
     elif step is not None and step.fix is not None and base.fix is not None:
         base = replace(base, notes=(*base.notes, f"as a step: {step.fix.kind}, {step.fix.text}"))
@@ -122,15 +122,15 @@ def _add_fix(
 
 def with_decision(base: Verdict, decision: Decision, binding: Binding, reason: str = "") -> Verdict:
     """Return a verdict filled from the decision on an assertion."""
-    bad = not decision.proved
+    bad = not decision.is_proved
     exact, exact_node = exact_value(decision) if bad else ("", None)
     return replace(
         base,
         verdict=word_for(decision),
         bind=binding.title,
         reason=reason or decision.reason,
-        order=decision.order if decision.proved else "",
-        assumption=", ".join(decision.assumptions) if decision.proved else "",
+        order=decision.order if decision.is_proved else "",
+        assumption=", ".join(decision.assumptions) if decision.is_proved else "",
         exact=exact,
         exact_node=exact_node,
         witness=decision.witness if bad else {},

@@ -162,7 +162,7 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree.
     """
     old = Side((earlier.node,), (0, 0))
-    if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).proved:
+    if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
         return False
     if names(earlier.node) and names(value):
         return isinstance(value, Name)

@@ -71,7 +71,7 @@ def word_for(decision: Decision) -> str:
     """Return the verdict's word."""
     if decision.status == DEFINITION:
         return DEFINITION
-    if not decision.proved:
+    if not decision.is_proved:
         return decision.status
     if decision.assumptions:
         return CONDITIONAL

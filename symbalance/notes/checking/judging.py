@@ -9,10 +9,10 @@ from functools import partial
 from symbalance.document.formula import Formula, Name, Span
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
-from symbalance.notes.checking.deciding.cases import numbers_put_in, states_a_case, with_ratio_put_in
+from symbalance.notes.checking.deciding.cases import decide_numeric_case, decide_with_ratio, states_a_case
 from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
-from symbalance.notes.checking.deciding.relations import decide, ordering
+from symbalance.notes.checking.deciding.relations import decide, decide_inequality
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.descriptions import (
     describe,
@@ -184,20 +184,20 @@ class Judge:
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
         if relation.sign in ("<", ">", "≤", "≥", "≠"):
-            return describe(self.document, chain, k, ordering(chain, k, knowledge))
+            return describe(self.document, chain, k, decide_inequality(chain, k, knowledge))
         definition = self.definitions.define_by(chain, k, knowledge)
         if definition is not None:
             return describe(self.document, chain, k, definition)
         decision, against = decide(left, right, relation.sign, knowledge), left
-        if bad and not decision.proved:
+        if bad and not decision.is_proved:
             from_sound = decide(chain.sides[sound], right, relation.sign, knowledge)
-            if from_sound.proved or decision.status == REFUTED:
+            if from_sound.is_proved or decision.status == REFUTED:
                 decision, against = from_sound, chain.sides[sound]
         elif bad:
             decision = replace(decision, reason=FOLLOWS)
         head = chain.sides[0].node
         has_value = k and isinstance(head, Name) and head.name in knowledge.meaning.values
-        if has_value and (relation.sign == "≈" or not decision.proved):
+        if has_value and (relation.sign == "≈" or not decision.is_proved):
             decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
         if decision.status in (REFUTED, UNDECIDED):
             constraint = constraints.constraint_of(chain, k, self.definitions.letters_in_use, knowledge)
@@ -206,8 +206,8 @@ class Judge:
                 reason = f"read as what fixes {constraint.name}"
                 return describe(self.document, chain, k, Decision(DEFINITION, reason))
         if decision.status == REFUTED:
-            case = numbers_put_in(chain, k, decision, knowledge)
-            decision = case or with_ratio_put_in(against.node, right.node, knowledge) or decision
+            case = decide_numeric_case(chain, k, decision, knowledge)
+            decision = case or decide_with_ratio(against.node, right.node, knowledge) or decision
         condition = self.definitions.condition_behind(decision, chain.lines[0])
         if decision.status == REFUTED and condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"

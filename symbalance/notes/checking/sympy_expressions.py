@@ -77,7 +77,7 @@ def check_equal(
         second,
         decision,
         knowledge,
-        lambda node: decide(first, Side((node,), (0, 0)), sign, knowledge, through).proved,
+        lambda node: decide(first, Side((node,), (0, 0)), sign, knowledge, through).is_proved,
     )
     # Nothing was read, so a correction has no line and column.
     fix = verdict.fix and replace(verdict.fix, faults=())

@@ -113,12 +113,12 @@ class Assembler:
     def run(self) -> None:
         """Fill `chains` and `unreadable`."""
         for item in self.finder.run():
-            self._item(item)
-        self._finish()
+            self._add_item(item)
+        self._finish_chain()
         for failure in self.finder.failures:
             self._report(failure, (failure.offset, failure.offset + 1))
 
-    def _item(self, item: Item) -> None:
+    def _add_item(self, item: Item) -> None:
         names = frozenset(self.names_at(item.first_line)) | self.defined_letters
         if self.draft:
             names |= self.draft.own_letter()
@@ -132,7 +132,7 @@ class Assembler:
         if not self._continues(item, tokens):
             if not self._is_formula(tokens, item, names):
                 return
-            self._finish()
+            self._finish_chain()
             tokens = tokens[1:] if self._follows_refused(item, tokens) else tokens
             self.draft = Draft(item, set(names)) if tokens else None
         if self.draft:
@@ -146,7 +146,7 @@ class Assembler:
 
     def _give_up_item(self, item: Item, failure: ReadingError) -> None:
         source = self.text[item.start : item.end].lstrip(" \n\t&")
-        if self._continues_unlexed(item, source, failure):
+        if self._continues_unreadable(item, source, failure):
             return
         lone = item.kind == "inline" and not any(sign in source for sign in "=<>≈≤≥")
         if not item.strict or lone:
@@ -154,10 +154,10 @@ class Assembler:
         before, self._refused_item = self._refused_item, item
         goes_on = source[:1] == "=" or self._is_term(source)
         if not (before and before.block == item.block >= 0 and goes_on):
-            self._finish()
+            self._finish_chain()
             self._report(failure, (item.start, item.end))
 
-    def _continues_unlexed(self, item: Item, source: str, failure: ReadingError) -> bool:
+    def _continues_unreadable(self, item: Item, source: str, failure: ReadingError) -> bool:
         """Give up a side of the chain above where the line that cannot be read belongs to it."""
         if self.draft is None or item.kind not in ("display", "bare"):
             return False
@@ -218,36 +218,36 @@ class Assembler:
         if len(between) > 40:
             return False
         for line in between:
-            if self._line(line).strip().strip("$[]\\"):
+            if self._line_text(line).strip().strip("$[]\\"):
                 prose += 1
                 if prose > MOST_LINES_OF_PROSE or self._is_heading(line):
                     return False
         return True
 
-    def _line(self, line: int) -> str:
+    def _line_text(self, line: int) -> str:
         start, end = self.finder.line_span(line)
         return self.text[start:end]
 
     def _is_heading(self, line: int) -> bool:
-        words = self._line(line).strip()
+        words = self._line_text(line).strip()
         if words.startswith(("#", "\\section", "\\subsection", "\\chapter", "\\paragraph")):
             return True
-        alone = not self._line(line - 1).strip() and not self._line(line + 1).strip()
+        alone = not self._line_text(line - 1).strip() and not self._line_text(line + 1).strip()
         return alone and len(words) <= 40 and words[-1:] not in "。.、,:：;"
 
-    def _finish(self) -> None:
+    def _finish_chain(self) -> None:
         draft, self.draft = self.draft, None
         if draft is None:
             return
         draft.finish()
         own_letter = draft.own_letter()
         names = frozenset(draft.names) | own_letter
-        sides = self._sides(draft, names)
+        sides = self._read_sides(draft, names)
         self._store_chain(draft, sides, names)
         if sum(side is not None for side in sides) > 1 and sides[0] is not None:
             self.defined_letters |= own_letter
 
-    def _sides(self, draft: Draft, names: frozenset[str]) -> list[Side | None]:
+    def _read_sides(self, draft: Draft, names: frozenset[str]) -> list[Side | None]:
         sides: list[Side | None] = []
         latex = any("\\" in self.text[item.start : item.end] for item in draft.items)
         for place, tokens in enumerate(draft.sides):
@@ -269,7 +269,7 @@ class Assembler:
         strict = any(item.strict for item in draft.items)
         if draft.failures and not strict:
             if draft.signs:
-                self._maybe_report(draft, names)
+                self._report_undeclared(draft, names)
             return
         sides_read = _without_gaps(draft, sides)
         whole = len(sides_read) >= (2 if draft.signs else 1)
@@ -288,7 +288,7 @@ class Assembler:
         if draft.signs or len(draft.sides[0]) > 1:
             self.chains.append(chain)
 
-    def _maybe_report(self, draft: Draft, names: frozenset[str]) -> None:
+    def _report_undeclared(self, draft: Draft, names: frozenset[str]) -> None:
         """Report prose with a relation only where one undeclared letter is all that is wrong."""
         wrong = list(draft.failures.values())
         letters = {failure.letter for failure in wrong if isinstance(failure, UndeclaredError)}

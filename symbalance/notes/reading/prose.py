@@ -61,7 +61,7 @@ _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class LineRules:
     """What decides about the words of a line: its letters, and how freely runs of them are taken.
 
     `longest` is how many single letters may stand side by side without being a word: in a line of
@@ -79,14 +79,14 @@ class Line:
         return is_letters(word, self.words, self.longest)
 
 
-def line_rules(text: str, start: int, end: int, words: Vocabulary, lenient: bool) -> Line:
+def line_rules(text: str, start: int, end: int, words: Vocabulary, lenient: bool) -> LineRules:
     """Return the rules for a line: stricter where it holds words written in these letters."""
     long_words = (match.group() for match in _LONG_WORD.finditer(text, start, end))
     english = not lenient and any(not is_letters(word, words, 3) for word in long_words)
-    return Line(words, lenient, 2 if english else 3)
+    return LineRules(words, lenient, 2 if english else 3)
 
 
-def segments(text: str, start: int, end: int, line: Line) -> list[tuple[int, int]]:
+def segments(text: str, start: int, end: int, line: LineRules) -> list[tuple[int, int]]:
     """Return the stretches of a line without prose."""
     spans: list[tuple[int, int]] = []
     first = start
@@ -101,7 +101,7 @@ def segments(text: str, start: int, end: int, line: Line) -> list[tuple[int, int
     return spans
 
 
-def _pieces(text: str, start: int, end: int, line: Line) -> Iterator[re.Match[str]]:
+def _pieces(text: str, start: int, end: int, line: LineRules) -> Iterator[re.Match[str]]:
     """Yield the pieces of a line; what only looks like a unit is taken apart."""
     while piece := _PIECE.match(text, start, end):
         if piece.lastgroup == "unit" and not _is_unit(piece, text, end, line):
@@ -111,7 +111,7 @@ def _pieces(text: str, start: int, end: int, line: Line) -> Iterator[re.Match[st
         start = piece.end()
 
 
-def _is_unit(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
+def _is_unit(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     if piece.group()[0] == "[":
         before = text[max(piece.start() - 2, 0) : piece.start()].rstrip()[-1:]
         if not before or not (before in ")]}" or (before.isascii() and before.isalnum())):
@@ -121,7 +121,7 @@ def _is_unit(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
     return unit is not None and unit[1] == piece.end()
 
 
-def _is_mathematical(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
+def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
         return line.is_mathematical(sign)

@@ -84,25 +84,25 @@ class ItemFinder:
         regions = [region for region in finder.regions if not self._in_fence(region)]
         regions += [Region(a, a, b, b, True) for a, b in self.fences]
         regions.sort(key=lambda region: region.first)
-        items = list(islice(self._all(regions), MOST_ITEMS + 1))
+        items = list(islice(self._items(regions), MOST_ITEMS + 1))
         if len(items) > MOST_ITEMS:
             what = f"more than {MOST_ITEMS} stretches of mathematics"
             self.failures.append(ReadingError(items.pop().start, what, "split the document"))
         return sorted(items, key=lambda item: item.start)
 
-    def _all(self, regions: list[Region]) -> Iterator[Item]:
+    def _items(self, regions: list[Region]) -> Iterator[Item]:
         for number, region in enumerate(regions):
             if region.start < region.end:
-                yield from self._of_region(region, number)
+                yield from self._items_of_region(region, number)
         if self.suffix != ".tex":
-            yield from self._outside(regions)
+            yield from self._items_outside(regions)
 
     def _in_fence(self, region: Region) -> bool:
         return any(
             a < region.first < b or (a == region.first and region.start > a) for a, b in self.fences
         )
 
-    def _of_region(self, region: Region, block: int) -> Iterator[Item]:
+    def _items_of_region(self, region: Region, block: int) -> Iterator[Item]:
         alone = region.display or self._is_alone(region)
         if not alone and not has_any_relation(self.text, region.start, region.end):
             return
@@ -119,26 +119,26 @@ class ItemFinder:
         )
         return bool(edges) and not (before[2] + after[0]).strip(" \t.,;。、")
 
-    def _outside(self, regions: list[Region]) -> Iterator[Item]:
+    def _items_outside(self, regions: list[Region]) -> Iterator[Item]:
         """Yield the items of lines and parts of lines outside delimiters."""
         place = 0
         for region in [*regions, None]:
             stop = region.first if region else len(self.text)
             if place < stop:
-                yield from self._stretch(place, stop)
+                yield from self._items_of_stretch(place, stop)
             place = max(place, region.last) if region else stop
 
-    def _stretch(self, start: int, stop: int) -> Iterator[Item]:
+    def _items_of_stretch(self, start: int, stop: int) -> Iterator[Item]:
         line = self.line_of(start)
         while start < stop:
             first, last = self.line_span(line)
             end = min(last, stop)
             whole = start == first and end == last
             if self.text[start:end].strip():
-                yield from self._part(start, end, line, whole)
+                yield from self._items_of_line(start, end, line, whole)
             start, line = last + 1, line + 1
 
-    def _part(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
+    def _items_of_line(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
         source = self.text[start:end]
         if self.suffix == ".md" and source.lstrip().startswith(("#", "|")):
             return
@@ -154,11 +154,11 @@ class ItemFinder:
             self.text, start, end
         )
         if whole and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end))):
-            yield from self._bare(start, end, line, command is not None)
+            yield from self._items_of_bare_line(start, end, line, command is not None)
             return
         for span in spans:
             if not self._is_argument_of_word(span[0], start):
-                yield from self._segment(span, line, lenient, words)
+                yield from self._items_of_segment(span, line, lenient, words)
 
     def _after_bullet(self, start: int, end: int) -> int:
         """Return where a line begins after its number or bullet; `- a` alone may be a term."""
@@ -182,7 +182,7 @@ class ItemFinder:
         around = self.text[start : span[0]] + self.text[span[1] : end]
         return not around.strip(" \t.,;∴⇒")
 
-    def _bare(self, start: int, end: int, line: int, command: bool) -> Iterator[Item]:
+    def _items_of_bare_line(self, start: int, end: int, line: int, command: bool) -> Iterator[Item]:
         if end - start > LONGEST_LINE:
             yield Item(start, end, "bare", command, line, line)
             return
@@ -195,7 +195,7 @@ class ItemFinder:
         before = self.text[place - 1] if place > start else " "
         return self.text[place] in "([" and before.isascii() and before.isalnum()
 
-    def _segment(
+    def _items_of_segment(
         self, span: tuple[int, int], line: int, lenient: bool, words: Vocabulary
     ) -> Iterator[Item]:
         if span[1] - span[0] > LONGEST_LINE or not has_any_relation(self.text, *span):
@@ -347,19 +347,19 @@ class RegionFinder:
         """Fill `regions` and `failures`."""
         place = 0
         while match := _OPENER.search(self.text, place):
-            place = self._from(match)
+            place = self._region_from(match)
 
-    def _from(self, match: re.Match[str]) -> int:
+    def _region_from(self, match: re.Match[str]) -> int:
         opener = match.group()
         if opener in ("\\\\", "\\$"):
             return match.end()
         if opener == "$":
-            return self._dollar(match)
+            return self._region_from_dollar(match)
         environment = match.group(1) or ""
         closer = {"$$": "$$", "\\(": "\\)", "\\[": "\\]"}.get(opener) or f"\\end{{{environment}}}"
         end = -1 if closer in self._missing else self.text.find(closer, match.end())
         if end < 0:
-            self._fail(match, closer)
+            self._note_unclosed(match, closer)
             return match.end()
         whole = environment.rstrip("*") in ("cases", "array", "dcases")
         columns = _COLUMNS.match(self.text, match.end()) if "alignat" in environment else None
@@ -371,25 +371,25 @@ class RegionFinder:
         self.regions.append(Region(match.start(), start, stop, last, display, environment.rstrip("*")))
         return last
 
-    def _fail(self, match: re.Match[str], closer: str) -> None:
+    def _note_unclosed(self, match: re.Match[str], closer: str) -> None:
         if closer not in self._missing:
             what = f"{match.group()} without {closer}"
             self.failures.append(ReadingError(match.start(), what, "close the mathematics"))
         self._missing.add(closer)
 
-    def _dollar(self, match: re.Match[str]) -> int:
+    def _region_from_dollar(self, match: re.Match[str]) -> int:
         """A dollar opens where a dollar closes before the next empty line; elsewhere it is money."""
         start = match.end()
         closing = _DOLLAR.search(self.text, start) if "$" not in self._missing else None
         if closing is None:
             if self.tex:
-                self._fail(match, "$")
+                self._note_unclosed(match, "$")
             self._missing.add("$")
             return start
         inside = self.text[start : closing.start()]
         if "\n\n" in inside or (not self.tex and not _is_mathematics(inside, self.text, closing.end())):
             if self.tex:
-                self._fail(match, "$")
+                self._note_unclosed(match, "$")
             return start
         self.regions.append(Region(match.start(), start, closing.start(), closing.end(), False))
         return closing.end()

@@ -16,7 +16,7 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
 from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.deciding.equality import PROVED, Decision, equal
+from symbalance.notes.checking.deciding.equality import PROVED, Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
 from symbalance.notes.checking.deciding.substitution import substitute
@@ -27,7 +27,9 @@ HIGHEST_ORDER = 8
 """Of the rod ratio's powers that a line with numbers may have been cut off at."""
 
 
-def numbers_put_in(chain: Chain, k: int, refutation: Decision, knowledge: Knowledge) -> Decision | None:
+def decide_numeric_case(
+    chain: Chain, k: int, refutation: Decision, knowledge: Knowledge
+) -> Decision | None:
     """Return the decision on a refuted relation that only puts numbers in, or states a condition."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if names(right) or not names(left) or refutation.left is None:
@@ -56,7 +58,7 @@ def states_a_case(chain: Chain) -> bool:
     return isinstance(left, Name) or (isinstance(left, Call) and isinstance(left.argument, Name))
 
 
-def with_ratio_put_in(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
+def decide_with_ratio(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
     """Return the decision on a ≈ r ω²(cos θ + ¼ cos 2θ) after λ = 4: cut off at an order, then put in.
 
     None unless the ratio has a number, does not stand on the right, and some order agrees.
@@ -74,7 +76,7 @@ def with_ratio_put_in(left: Formula, right: Formula, knowledge: Knowledge) -> De
             node = substitute(
                 polynomial_node(evaluator.domain, cut_off.numerator), small[0], definition.node
             )
-            if equal(node, right, knowledge).proved:
+            if decide_equality(node, right, knowledge).is_proved:
                 name = SmallLetter(*small, order).text
                 return Decision(
                     PROVED,

@@ -39,12 +39,12 @@ class Decision:
     """The exact side cut off one and two orders later: what a repaired side may come to."""
 
     @property
-    def proved(self) -> bool:
+    def is_proved(self) -> bool:
         """Tell whether the step is proved."""
         return self.status == PROVED
 
 
-def equal(left: Formula, right: Formula, knowledge: Knowledge) -> Decision:
+def decide_equality(left: Formula, right: Formula, knowledge: Knowledge) -> Decision:
     """Decide left = right exactly, with as little knowledge as it takes."""
     last = Decision(UNDECIDED, "nothing to compare")
     levels = list(knowledge.levels(left, right))
@@ -52,7 +52,7 @@ def equal(left: Formula, right: Formula, knowledge: Knowledge) -> Decision:
         if level is not levels[-1] and _differs_clearly(left, right, knowledge, level):
             continue
         last = _at_level(left, right, knowledge, level)
-        if last.proved:
+        if last.is_proved:
             return last
     return last
 

@@ -18,7 +18,7 @@ from symbalance.document import formula
 from symbalance.document.formula import Dots, Formula, Name, Negative, Sum, Summation, names
 from symbalance.notes.algebra.domain import NoFormError
 from symbalance.notes.algebra.number_formulas import rational_node
-from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision, equal
+from symbalance.notes.checking.deciding.equality import PROVED, UNDECIDED, Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.substitution import replace_part, substitute
 
@@ -68,15 +68,15 @@ def _of_dots(part: Sum) -> Iterator[Progression]:
         )
 
 
-def by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
+def decide_by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
     """Decide left = right where one side holds one sum with open bounds; None if there is none."""
     try:
-        return _by_induction(left, right, knowledge)
+        return _decide_by_induction(left, right, knowledge)
     except NoFormError as problem:
         return Decision(UNDECIDED, str(problem))
 
 
-def _by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
+def _decide_by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
     left, right = _with_sums_written_out(left, knowledge), _with_sums_written_out(right, knowledge)
     sums = list(progressions(left))
     if not sums:
@@ -84,7 +84,7 @@ def _by_induction(left: Formula, right: Formula, knowledge: Knowledge) -> Decisi
     if not sums:
         return None
     for progression in sums:
-        if _is_proved(progression, left, right, _without(knowledge, progression.letter)):
+        if _proves(progression, left, right, _without(knowledge, progression.letter)):
             return Decision(PROVED, f"by induction over {progression.letter}")
     return Decision(UNDECIDED, "the sum was not brought to that form by induction")
 
@@ -105,7 +105,7 @@ def _without(knowledge: Knowledge, letter: str) -> Knowledge:
     return replace(knowledge, definitions=definitions)
 
 
-def _is_proved(part: Progression, left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+def _proves(part: Progression, left: Formula, right: Formula, knowledge: Knowledge) -> bool:
     def in_place(term: Formula) -> Formula:
         """Return the left side with a term in the place of the sum."""
         return replace_part(left, part.part, term)
@@ -119,10 +119,10 @@ def _is_proved(part: Progression, left: Formula, right: Formula, knowledge: Know
     if isinstance(part.part, Sum):
         for k, term in ((1, part.first), (2, part.second)):
             written = at(rational_node(Fraction(k)), part.last)
-            if term is not None and not equal(written, term, knowledge).proved:
+            if term is not None and not decide_equality(written, term, knowledge).is_proved:
                 return False
-    start = equal(in_place(part.first), at(part.first_value, right), knowledge)
+    start = decide_equality(in_place(part.first), at(part.first_value, right), knowledge)
     previous = Sum((Name(part.letter), Negative(rational_node(Fraction(1)))))
     difference = Sum((right, Negative(at(previous, right))))
     last_term = Sum((in_place(part.last), Negative(in_place(nothing))))
-    return start.proved and equal(last_term, difference, knowledge).proved
+    return start.is_proved and decide_equality(last_term, difference, knowledge).is_proved

@@ -24,9 +24,9 @@ from symbalance.notes.checking.deciding.equality import (
     REFUTED,
     UNDECIDED,
     Decision,
+    decide_equality,
     decimal_text,
     digits,
-    equal,
     without_dots,
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
@@ -61,7 +61,7 @@ class SmallLetter:
         )
 
 
-def agree(
+def decide_agreement(
     left: Formula,
     right: Formula,
     knowledge: Knowledge,
@@ -76,13 +76,13 @@ def agree(
     """
     left, left_is_cut = without_dots(left)
     right, right_is_cut = without_dots(right)
-    exact = equal(left, right, knowledge)
-    if exact.proved and through is None:
+    exact = decide_equality(left, right, knowledge)
+    if exact.is_proved and through is None:
         return exact
     best = exact
     for level in knowledge.levels(left, right):
         decision = _at_level(left, right, knowledge, level, through, loose or right_is_cut or left_is_cut)
-        if decision.proved:
+        if decision.is_proved:
             return decision
         best = decision
     return exact if best.reason == NO_LETTER and exact.status == REFUTED else best
@@ -106,7 +106,7 @@ def _at_level(
             decision = _through(first, second, small, level, loose)
         except (NoFormError, TooLargeError) as problem:
             decision = Decision(UNDECIDED, f"no power series in {small.letter}: {problem}", level=level)
-        if decision.proved:
+        if decision.is_proved:
             return decision
         best = decision if best.status != REFUTED else best
     return best

@@ -13,13 +13,13 @@ from symbalance.notes.checking.deciding.equality import (
     REFUTED,
     UNDECIDED,
     Decision,
+    decide_equality,
     digits,
-    equal,
     without_dots,
 )
-from symbalance.notes.checking.deciding.induction import by_induction
+from symbalance.notes.checking.deciding.induction import decide_by_induction
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.order_agreement import agree, degree
+from symbalance.notes.checking.deciding.order_agreement import decide_agreement, degree
 from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain, Side
 
@@ -35,7 +35,7 @@ def decide(
     pairs = list(product(left.readings, right.readings))[:MOST_READINGS]
     for left_node, right_node in pairs:
         decision = decide_reading(left_node, right_node, sign, knowledge, through)
-        if decision.proved:
+        if decision.is_proved:
             return decision
         first = first or decision
     return first or Decision(UNDECIDED, "nothing to compare")
@@ -45,15 +45,17 @@ def decide_reading(
     left: Formula, right: Formula, sign: str, knowledge: Knowledge, through: int | None = None
 ) -> Decision:
     """Decide left = right or left ≈ right."""
-    by_steps = by_induction(left, right, knowledge)
+    by_steps = decide_by_induction(left, right, knowledge)
     if by_steps is not None:
         return by_steps
     (bare_left, left_is_cut), (bare_right, right_is_cut) = without_dots(left), without_dots(right)
     if sign == "≈" or left_is_cut or right_is_cut or through is not None:
-        return agree(left, right, knowledge, through=through, loose=left_is_cut or right_is_cut)
-    decision = equal(bare_left, bare_right, knowledge)
+        return decide_agreement(
+            left, right, knowledge, through=through, loose=left_is_cut or right_is_cut
+        )
+    decision = decide_equality(bare_left, bare_right, knowledge)
     if decision.status == REFUTED and _is_cut_off(left, decision, knowledge):
-        return agree(left, right, knowledge)
+        return decide_agreement(left, right, knowledge)
     return decision
 
 
@@ -75,7 +77,7 @@ def _is_cut_off(node: Formula, decision: Decision, knowledge: Knowledge) -> bool
     return exact and degree(decision.right, letter, sign) is not None
 
 
-def ordering(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
+def decide_inequality(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
     """Decide an inequality between numbers; a range of a letter is stated, unless it is empty.
 
     In a < x < b the two bounds are compared as well: 1/3 < x < 1/5 holds for no x.
@@ -89,7 +91,7 @@ def ordering(chain: Chain, k: int, knowledge: Knowledge) -> Decision:
     signs = {r.sign for r in chain.relations}
     if k == 1 and len(chain.sides) == 3 and (signs <= {"<", "≤"} or signs <= {">", "≥"}):
         outer = _compare(chain.sides[0].node, chain.sides[2].node, sign, knowledge)
-        if outer is not None and not outer.proved:
+        if outer is not None and not outer.is_proved:
             return Decision(REFUTED, "the range is empty", witness=outer.witness)
     return Decision(DEFINITION, "a stated range")
 

@@ -103,7 +103,7 @@ def _with_fix(
 
 def is_proved_as_far(decision: Decision, refutation: Decision) -> bool:
     """Tell whether a changed line is proved, and as much as it was to say: through no lower an order."""
-    if not decision.proved:
+    if not decision.is_proved:
         return False
     if refutation.through is None:
         return decision.through is None

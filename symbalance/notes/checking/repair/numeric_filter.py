@@ -118,7 +118,7 @@ def fits(node: Formula, numeric: NumericFilter, targets: list[Values]) -> bool:
     """Tell whether a changed side has one of the rows of values it may have."""
     try:
         row = numeric.values(node)
-        return any(close(row, target) for target in targets)
+        return any(is_close(row, target) for target in targets)
     except NoValueError:
         return False
 
@@ -201,6 +201,6 @@ _RULES: dict[type[Formula], Callable[[Sequence[complex]], complex]] = {
 }
 
 
-def close(left: Values, right: Values) -> bool:
+def is_close(left: Values, right: Values) -> bool:
     """Tell whether two rows of values agree, all to nine digits."""
     return all(abs(a - b) <= CLOSE * max(abs(a), abs(b), 1e-30) for a, b in zip(left, right, strict=True))
