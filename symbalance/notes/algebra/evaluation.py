@@ -138,6 +138,7 @@ def _negative(evaluator: Evaluator, node: formula.Negative) -> Form:
 
 
 def _power(evaluator: Evaluator, node: formula.Power) -> Form:
+    """Return b^x: e^x, rational powers, (-1)^x and (e^(ia))^x by rules of their own, else e^(x ln b)."""
     exponent = evaluator.form(node.exponent)
     if isinstance(node.base, formula.Constant) and node.base.name == "e":
         return functions.exponential(exponent)
@@ -212,6 +213,7 @@ def derivative_name(node: formula.Derivative) -> str:
 
 
 def _summation(evaluator: Evaluator, node: formula.Summation) -> Form:
+    """Return a sum written out between whole bounds; without bounds, a function of its body."""
     if node.index is None or node.lower is None or node.upper is None:
         return functions.opaque("sum", evaluator.form(node.body))
     lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))

@@ -97,6 +97,7 @@ def letter_nodes(domain: Domain, letters: Monomial) -> list[formula.Formula]:
 
 
 def _power(domain: Domain, number: int, exponent: int | Fraction) -> formula.Formula:
+    """Return a power of one generator as a formula."""
     generator = domain.generators[number]
     base: formula.Formula
     if generator.kind == "symbol":

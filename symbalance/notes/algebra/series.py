@@ -134,6 +134,7 @@ class Expansion:
         return self._powers[key]
 
     def _expand(self, number: int, exponent: Fraction | int) -> Series:
+        """Return the series of a power of one generator."""
         generator = self.domain.generators[number]
         if generator.kind == "radical" and exponent == 1:
             square = self.polynomial(generator.content).without_zeros()
@@ -178,6 +179,7 @@ class Expansion:
         return self._compose(coefficients, inner)
 
     def _function(self, function: str, inner: Series) -> Series:
+        """Return the series of a function of a series: about 0, of ln about 1."""
         size = self.limit + 2
         if function == "over":
             return self.reciprocal(inner)

@@ -130,6 +130,7 @@ class Valuation:
         return self._values[number]
 
     def _find_base(self, number: int) -> Any:
+        """Return the value of a letter, prime, root or function; out of its range, raise NoFormError."""
         mp, generator = self.mp, self.domain.generators[number]
         if generator.kind == "symbol":
             if generator.content in ("pi", "e"):

@@ -112,6 +112,8 @@ def _add_fix(
     knowledge: Knowledge,
     sources: Sources,
 ) -> Verdict:
+    """Return the verdict with the change that makes the side what it is bound to."""
+
     def proves(node: Formula) -> bool:
         return is_proved_as_far(
             decide_assertion(Side((node,), claimed.span), binding, knowledge, sources), decision

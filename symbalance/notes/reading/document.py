@@ -119,6 +119,7 @@ class Assembler:
             self._report(failure, (failure.offset, failure.offset + 1))
 
     def _add_item(self, item: Item) -> None:
+        """Add an item to the chain so far, or begin a chain with it."""
         names = frozenset(self.names_at(item.first_line)) | self.defined_letters
         if self.draft:
             names |= self.draft.own_letter()
@@ -187,6 +188,7 @@ class Assembler:
         return has_letter and any(t.kind in ("function", "sup") or t.is_op("+*/") for t in tokens)
 
     def _continues(self, item: Item, tokens: list[Token]) -> bool:
+        """Tell whether an item goes on with the chain: by its first sign, or as a side is unfinished."""
         draft = self.draft
         if draft is None or item.kind in ("inline", "prose"):
             return False
@@ -248,6 +250,7 @@ class Assembler:
             self.defined_letters |= own_letter
 
     def _read_sides(self, draft: Draft, names: frozenset[str]) -> list[Side | None]:
+        """Return the sides of a chain, None for one that cannot be read."""
         sides: list[Side | None] = []
         latex = any("\\" in self.text[item.start : item.end] for item in draft.items)
         for place, tokens in enumerate(draft.sides):

@@ -125,6 +125,7 @@ def subscript_at(
 def _bare_subscript(
     text: str, start: int, end: int, base: str, names: Collection[str] | None
 ) -> tuple[str, int]:
+    """Return a subscript without braces: a command's, the longest declared one, or a single sign."""
     if match := _COMMAND.match(text, start, end):
         if match.group(1) in FONTS | WORDS:
             inner, stop = _argument(text, match.end())

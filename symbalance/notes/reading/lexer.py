@@ -130,6 +130,7 @@ class Lexer:
         return _with_three_dots(_without_braces(self.tokens))
 
     def _next_token(self) -> None:
+        """Add the token that begins at the place, or go past what is none."""
         sign = self.text[self.place]
         if sign in " [" and self.plain_unit(sign):
             return
@@ -149,6 +150,7 @@ class Lexer:
             self._sign(sign)
 
     def _sign(self, sign: str) -> None:
+        """Add the token of a sign: relation, dots, operator, bracket."""
         arrow = _ARROW.match(self.text, self.place, self.end)
         if arrow and arrow.group() != "<=":
             raise ReadingError(self.place, *signs.REFUSED["to"])
@@ -174,6 +176,7 @@ class Lexer:
             self._add("op", signs.OPERATOR_SIGNS[sign], self.place + 1)
 
     def _rare_sign(self, sign: str) -> None:
+        """Add the token of a sign that is none of the usual ones."""
         simple = {"^": "sup", "|": "bar", ",": "sep", ";": "sep"}
         if sign in simple:
             self._add(simple[sign], sign, self.place + 1)
@@ -355,6 +358,7 @@ class Lexer:
             raise ReadingError(self.place, f"unknown command \\{sign}", "write it without")
 
     def _command(self, name: str, stop: int) -> None:
+        """Add what a command stands for: a unit, a letter, a function, a sign."""
         if self.text[stop - 1] == "*":
             stop -= 1
         if self.set_unit(name):
@@ -375,6 +379,7 @@ class Lexer:
             self._other_command(name, stop)
 
     def _other_command(self, name: str, stop: int) -> None:
+        """Add a command of structure, skip one of layout, refuse one that is not read."""
         if name in signs.STRUCTURE or name in ACCENTS or name in TIME_DOTS:
             self._add("cmd", "frac" if name.endswith("frac") else name, stop)
         elif name in FONTS:

@@ -821,6 +821,7 @@ class Parser:
         return Summation(body, index, lower, upper, span=self.span_since(first))
 
     def _lower_bound(self) -> tuple[Name, Formula | None]:
+        """Read _{k=0} or _k: the index, and where it begins."""
         self.take()
         is_braced = self.at("open", "{")
         opener = self.take() if is_braced else None

@@ -139,6 +139,7 @@ class ItemFinder:
             start, line = last + 1, line + 1
 
     def _items_of_line(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
+        """Yield the items of a line, or of a part of it, outside delimiters."""
         source = self.text[start:end]
         if self.suffix == ".md" and source.lstrip().startswith(("#", "|")):
             return
@@ -198,6 +199,7 @@ class ItemFinder:
     def _items_of_segment(
         self, span: tuple[int, int], line: int, lenient: bool, words: Vocabulary
     ) -> Iterator[Item]:
+        """Yield the equations in a stretch of a line without prose."""
         if span[1] - span[0] > LONGEST_LINE or not has_any_relation(self.text, *span):
             return
         display = self.text.find("\\displaystyle", *span)
@@ -350,6 +352,7 @@ class RegionFinder:
             place = self._region_from(match)
 
     def _region_from(self, match: re.Match[str]) -> int:
+        """Add the region that an opener begins; return where to go on."""
         opener = match.group()
         if opener in ("\\\\", "\\$"):
             return match.end()
@@ -462,6 +465,7 @@ def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
 
 
 def _rows(text: str, start: int, end: int, environment: str) -> list[tuple[int, int]]:
+    """Return the rows of a display, cut at \\\\ outside inner environments; an aligned row by columns."""
     rows: list[tuple[int, int]] = []
     cells, first, depth = [start], start, 0
     is_aligned = environment in _ALIGNED

@@ -106,6 +106,8 @@ def _without(knowledge: Knowledge, letter: str) -> Knowledge:
 
 
 def _proves(part: Progression, left: Formula, right: Formula, knowledge: Knowledge) -> bool:
+    """Tell whether C(1) = T(1) and C(N) - C(N-1) = T(N), and the terms written out are those of T."""
+
     def in_place(term: Formula) -> Formula:
         """Return the left side with a term in the place of the sum."""
         return replace_part(left, part.part, term)

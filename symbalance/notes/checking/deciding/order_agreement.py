@@ -91,6 +91,7 @@ def decide_agreement(
 def _at_level(
     left: Formula, right: Formula, knowledge: Knowledge, level: Level, through: int | None, loose: bool
 ) -> Decision:
+    """Decide with what one level knows, in the first small letter that proves it."""
     evaluator = knowledge.evaluator(level)
     try:
         first, second = evaluator.form(left), evaluator.form(right)
@@ -175,6 +176,7 @@ def degree(form: Form, letter: str, sign: int) -> int | None:
 
 
 def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose: bool) -> Decision:
+    """Decide by the series of both sides in one letter, through the order that is kept of it."""
     expansion = Expansion(first.domain, small.letter, small.sign, small.order)
     left = expansion.of(first).cut(small.order)
     right = expansion.of(second).cut(small.order)

@@ -101,6 +101,7 @@ def _is_real(value: Any) -> bool:
 
 
 def _compare(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> Decision | None:
+    """Decide an inequality between two numbers; None where a letter stands in one."""
     for level in knowledge.levels(left, right):
         evaluator = knowledge.evaluator(level)
         try:

@@ -109,6 +109,7 @@ def significant(number: Number) -> int:
 def _coefficients_agree(
     left: Formula, right: Formula, first: Form, second: Form, form_of: Callable[[Formula], Form]
 ) -> bool:
+    """Tell whether no coefficient is off by more than half a unit in each decimal's last place brings."""
     if not (first.is_polynomial and second.is_polynomial):
         return False
     domain = first.domain

@@ -85,6 +85,7 @@ def _with_fix(
     proves: Callable[[Formula], bool],
     other: tuple[Side, Callable[[Formula], bool]] | None,
 ) -> Verdict:
+    """Return the verdict with the cheapest fix of the right side, or a clearly cheaper left one."""
     repair = diagnose(Case(side.node, decision, knowledge, proves))
     where, title = side, ""
     if other is not None and (repair is None or repair.cost > 1.0 + OTHER_SIDE):
@@ -232,6 +233,7 @@ def _integers(
 def _solutions(
     value_now: complex, value_doubled: complex, target: complex, value: Fraction
 ) -> Iterator[tuple[Fraction, bool]]:
+    """Yield the numbers for which a + b y, or a + b/y (True), gives the target: simple ones only."""
     for inverse in (False, True):
         step = value_doubled - value_now if not inverse else -2 * (value_doubled - value_now)
         if abs(step) < 1e-14 * max(abs(value_now), 1e-30):

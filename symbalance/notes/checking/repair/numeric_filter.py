@@ -95,6 +95,7 @@ def letters_of(case: Case) -> list[str]:
 
 
 def _points(case: Case) -> list[tuple[values.Point, list[Any]]]:
+    """Return points with the values there of the exact side, its later cut-offs, and the letters."""
     assert case.decision.left is not None
     assert case.decision.level is not None
     evaluator = case.knowledge.evaluator(case.decision.level)

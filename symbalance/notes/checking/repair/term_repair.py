@@ -148,6 +148,7 @@ def _as_polynomial(form: Form, key: HarmonicKey, number: Polynomial) -> Polynomi
 def _rebuild(
     node: Formula, leaves: list[Leaf], extra: Polynomial, left: Form
 ) -> tuple[Formula, Changes] | None:
+    """Return the side with each wrong term put right, and at its end what belongs to no term."""
     changes: list[tuple[Formula, Formula]] = []
     for leaf in leaves:
         if leaf.missing:
