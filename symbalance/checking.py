@@ -1,4 +1,4 @@
-"""Hand derivations held against the engines of this library."""
+"""Checking of hand derivations against this library's presets and engine files."""
 
 from __future__ import annotations
 

@@ -179,7 +179,7 @@ def _decide_harmonic(claimed: Side, binding: Binding, knowledge: Knowledge) -> D
             for key in components(form.domain, form.numerator)
         }
         if orders == {order}:
-            return Decision(PROVED, "", "", (), level, form, form)
+            return Decision(PROVED, level=level, left=form, right=form)
         has = ", ".join(str(n) for n in sorted(orders)) or "none"
         return Decision(REFUTED, f"holds order {has}, not {order}", level=level)
     return Decision(UNDECIDED, "nothing known")

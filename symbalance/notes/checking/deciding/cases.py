@@ -81,7 +81,7 @@ def decide_with_ratio(left: Formula, right: Formula, knowledge: Knowledge) -> De
                 return Decision(
                     PROVED,
                     f"with {formula_text(Name(small[0]), plain=True)} of line {definition.line}",
-                    name,
+                    order=name,
                 )
     except (NoFormError, TooLargeError):
         return None

@@ -77,7 +77,9 @@ def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level)
         first, second = evaluator.form(left), evaluator.form(right)
         if first.equals(second):
             assumptions = tuple(evaluator.domain.assumptions)
-            return Decision(PROVED, "", "", level.assumptions + assumptions, level, first, second)
+            return Decision(
+                PROVED, assumptions=level.assumptions + assumptions, level=level, left=first, right=second
+            )
         return _by_numbers(left, right, evaluator, (first, second), level)
     except NoFormError as problem:
         return _by_trees(left, right, evaluator.meaning, level, f"no normal form: {problem}")
@@ -104,22 +106,35 @@ def _by_numbers(
     points = values.sample([first, second])
     if not points:
         return Decision(
-            UNDECIDED, "no point where both sides are real", "", level.assumptions, level, first, second
+            UNDECIDED,
+            "no point where both sides are real",
+            assumptions=level.assumptions,
+            level=level,
+            left=first,
+            right=second,
         )
     same = [_close(*pair) for _, pair in points]
     if all(same) and (assumptions := _same_square(left, right, first, second)) is not None:
-        return Decision(PROVED, "", "", (*level.assumptions, *assumptions), level, first, second)
+        return Decision(
+            PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
+        )
     if agrees_as_printed(left, right, evaluator.form):
         order = "the digits printed"
-        return Decision(PROVED, "", order, level.assumptions, level, first, second)
+        return Decision(
+            PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second
+        )
     if all(same):
-        return Decision(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
+        return Decision(
+            UNDECIDED, "equal at the points tried, not proved", level=level, left=first, right=second
+        )
     assumption = _up_to_sign(left, right, first, second) if any(same) else ""
     if assumption:
-        return Decision(PROVED, "", "", (*level.assumptions, assumption), level, first, second)
+        return Decision(
+            PROVED, assumptions=(*level.assumptions, assumption), level=level, left=first, right=second
+        )
     point, pair = points[same.index(False)]
     witness = _witness(point, pair)
-    return Decision(REFUTED, "", "", (), level, first, second, witness)
+    return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
 
 
 def _close(left: Any, right: Any) -> bool:

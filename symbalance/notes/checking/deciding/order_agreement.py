@@ -100,7 +100,11 @@ def _at_level(
     except (NoFormError, TooLargeError) as problem:
         return Decision(UNDECIDED, f"no normal form: {problem}", level=level)
     best = Decision(
-        UNDECIDED, "no letter in which one side is a cut-off series", "", (), level, first, second
+        UNDECIDED,
+        NO_LETTER,
+        level=level,
+        left=first,
+        right=second,
     )
     for small in _candidates(first, second, knowledge, through):
         try:
@@ -130,9 +134,11 @@ def _as_numbers(
     else:
         fits, order = relative_error <= float(ROUGH), f"relative error {digits(relative_error, 2)}"
     if fits:
-        return Decision(PROVED, "", order, level.assumptions, level, first, second)
+        return Decision(
+            PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second
+        )
     witness = {"left": digits(left_value), "right": digits(right_value)}
-    return Decision(REFUTED, "", "", (), level, first, second, witness)
+    return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
 
 
 def _candidates(
@@ -187,13 +193,25 @@ def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose:
     difference = left.plus(right.scaled(Form.number(first.domain, -1)))
     if not difference.terms:
         return Decision(
-            PROVED, "", small.text, level.assumptions, level, first, second, through=small.order
+            PROVED,
+            order=small.text,
+            assumptions=level.assumptions,
+            level=level,
+            left=first,
+            right=second,
+            through=small.order,
         )
     left_form, right_form = truncated_sum(left, small), truncated_sum(right, small)
     if loose and _only_higher(left_form, right_form):
         order = f"{small.text}, harmonics to {_highest(right_form)}"
         return Decision(
-            PROVED, "", order, level.assumptions, level, left_form, right_form, through=small.order
+            PROVED,
+            order=order,
+            assumptions=level.assumptions,
+            level=level,
+            left=left_form,
+            right=right_form,
+            through=small.order,
         )
     order = f"{small.text}"
     points = values.sample([left_form, right_form])
@@ -203,7 +221,16 @@ def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose:
         witness = {n: decimal_text(v) for n, v in point.items()}
         witness |= {"left": digits(pair[0]), "right": digits(pair[1])}
     further = tuple(truncated_sum(expansion.of(first).cut(small.order + n), small) for n in (1, 2))
-    return Decision(REFUTED, "", order, (), level, left_form, right_form, witness, small.order, further)
+    return Decision(
+        REFUTED,
+        order=order,
+        level=level,
+        left=left_form,
+        right=right_form,
+        witness=witness,
+        through=small.order,
+        further=further,
+    )
 
 
 def truncated_sum(series: Series, small: SmallLetter) -> Form:

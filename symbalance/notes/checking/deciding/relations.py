@@ -115,7 +115,9 @@ def _compare(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> 
         if not points:
             return None
         if sign != "≠" and not all(_is_real(value) for value in points[0][1]):
-            return Decision(UNDECIDED, "one side is not a real number", "", (), level, first, second)
+            return Decision(
+                UNDECIDED, "one side is not a real number", level=level, left=first, right=second
+            )
         left_value, right_value = (value.real for value in points[0][1])
         holds = {
             "<": not same and left_value < right_value,
@@ -126,6 +128,6 @@ def _compare(left: Formula, right: Formula, sign: str, knowledge: Knowledge) -> 
         }[sign]
         witness = {"left": digits(points[0][1][0]), "right": digits(points[0][1][1])}
         if holds:
-            return Decision(PROVED, "", "", (), level, first, second)
-        return Decision(REFUTED, "", "", (), level, first, second, witness)
+            return Decision(PROVED, level=level, left=first, right=second)
+        return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
     return None
