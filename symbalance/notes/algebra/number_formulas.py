@@ -34,8 +34,8 @@ def _imaginary(domain: Domain, number: Polynomial) -> Polynomial:
     """Return the imaginary part, (z - conj z)/(2i), as a polynomial in turns and primes."""
     conjugate: Polynomial = {}
     for monomial, coefficient in number.items():
-        mirrored = tuple((g, -e) if g == TURN else (g, e) for g, e in monomial)
-        factor, image = domain.raised(mirrored, 1)
+        reflection = tuple((g, -e) if g == TURN else (g, e) for g, e in monomial)
+        factor, image = domain.raised(reflection, 1)
         conjugate = poly.plus(conjugate, {image: coefficient * factor})
     difference = poly.scale(poly.minus(number, conjugate), Fraction(-1, 2))
     return _times_i(domain, difference)

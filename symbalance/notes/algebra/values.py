@@ -83,9 +83,9 @@ class Valuation:
         return self.polynomial(form.numerator) / below
 
     def _check_assumptions(self) -> None:
-        unchecked = self.domain.positive_polynomials[self._check_count :]
-        self._check_count += len(unchecked)
-        for polynomial in unchecked:
+        polynomials = self.domain.positive_polynomials[self._check_count :]
+        self._check_count += len(polynomials)
+        for polynomial in polynomials:
             names: dict[str, None] = {}
             _collect(self.domain, polynomial, names)
             if names.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:

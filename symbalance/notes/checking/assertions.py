@@ -56,25 +56,25 @@ def side_verdict(
     is_excused: bool = False,
 ) -> Verdict:
     """Return the verdict on a bound side; where its relation was judged too, the binding decides."""
-    claimed = chain.sides[index]
-    line = chain.relations[index - 1].line if index else document.line_of(claimed.span[0])
-    decision = decide_assertion(claimed, binding, knowledge, sources)
+    side = chain.sides[index]
+    line = chain.relations[index - 1].line if index else document.line_of(side.span[0])
+    decision = decide_assertion(side, binding, knowledge, sources)
     base = Verdict(
         line=line,
         link=1,
-        source=document.source(claimed.span).strip(),
+        source=document.source(side.span).strip(),
         verdict=word_for(decision),
-        lines=lines_of(document, claimed, line),
-        column=document.column_of(claimed.span[0]),
+        lines=lines_of(document, side, line),
+        column=document.column_of(side.span[0]),
         notes=chain.notes,
         tag=chain.tag,
         inline=chain.inline,
-        span=claimed.span,
-        claimed=formula_text(claimed.node, plain=True),
-        node=claimed.node,
+        span=side.span,
+        claimed=formula_text(side.node, plain=True),
+        node=side.node,
     )
     if decision.status == REFUTED and knowledge.crank is not None and binding.quantity != "harmonic":
-        base = _add_fix(base, document, claimed, decision, binding, knowledge, sources)
+        base = _add_fix(base, document, side, decision, binding, knowledge, sources)
     reason = ""
     if step is not None and step.verdict == REFUTED and decision.is_proved and not is_excused:
         return replace(
@@ -106,7 +106,7 @@ def with_fault_of(step: Verdict | None, assertion: Verdict) -> Verdict:
 def _add_fix(
     base: Verdict,
     document: Document,
-    claimed: Side,
+    side: Side,
     decision: Decision,
     binding: Binding,
     knowledge: Knowledge,
@@ -116,10 +116,10 @@ def _add_fix(
 
     def proves(node: Formula) -> bool:
         return is_proved_as_far(
-            decide_assertion(Side((node,), claimed.span), binding, knowledge, sources), decision
+            decide_assertion(Side((node,), side.span), binding, knowledge, sources), decision
         )
 
-    return add_fix(base, document, claimed, decision, knowledge, proves)
+    return add_fix(base, document, side, decision, knowledge, proves)
 
 
 def with_decision(base: Verdict, decision: Decision, binding: Binding, reason: str = "") -> Verdict:
@@ -140,21 +140,21 @@ def with_decision(base: Verdict, decision: Decision, binding: Binding, reason: s
     )
 
 
-def decide_assertion(claimed: Side, binding: Binding, knowledge: Knowledge, sources: Sources) -> Decision:
+def decide_assertion(side: Side, binding: Binding, knowledge: Knowledge, sources: Sources) -> Decision:
     """Decide whether a side is the quantity it is bound to."""
     if binding.quantity == "harmonic":
-        return _decide_harmonic(claimed, binding, knowledge)
+        return _decide_harmonic(side, binding, knowledge)
     if knowledge.crank is None:
         return Decision(UNDECIDED, "no geometry")
-    exact = expected_value(claimed.node, binding, knowledge, sources)
-    plain = decimals(claimed.node) or not names(claimed.node)
-    return decide(Side((exact,), (0, 0)), claimed, "=" if plain else "≈", knowledge, binding.through)
+    exact = expected_value(side.node, binding, knowledge, sources)
+    plain = decimals(side.node) or not names(side.node)
+    return decide(Side((exact,), (0, 0)), side, "=" if plain else "≈", knowledge, binding.through)
 
 
-def expected_value(claimed: Formula, binding: Binding, knowledge: Knowledge, sources: Sources) -> Formula:
+def expected_value(node: Formula, binding: Binding, knowledge: Knowledge, sources: Sources) -> Formula:
     """Return what a bound side ought to be, in the document's letters."""
     assert knowledge.crank is not None
-    exact = quantity(binding, knowledge.crank, sources, bool(decimals(claimed)) and not names(claimed))
+    exact = quantity(binding, knowledge.crank, sources, bool(decimals(node)) and not names(node))
     if binding.scale:
         try:
             scale = read_expression(binding.scale, knowledge.letters)[0]
@@ -166,12 +166,12 @@ def expected_value(claimed: Formula, binding: Binding, knowledge: Knowledge, sou
     return exact
 
 
-def _decide_harmonic(claimed: Side, binding: Binding, knowledge: Knowledge) -> Decision:
+def _decide_harmonic(side: Side, binding: Binding, knowledge: Knowledge) -> Decision:
     """Decide whether a side holds the bound order only."""
     order = Fraction(binding.order or 1)
-    for level in list(knowledge.levels(claimed.node))[-1:]:
+    for level in list(knowledge.levels(side.node))[-1:]:
         try:
-            form = knowledge.evaluator(level).form(claimed.node)
+            form = knowledge.evaluator(level).form(side.node)
         except (NoFormError, TooLargeError) as problem:
             return Decision(UNDECIDED, str(problem))
         orders = {
@@ -205,16 +205,16 @@ def piece_verdict(
         readings = read_expression(binding.text, letters, span[0])
     except ReadingError as problem:
         return replace(base, reason=f"{problem.what}; {problem.remedy}", bind=binding.title)
-    claimed = Side(readings, span)
-    decision = decide_assertion(claimed, binding, knowledge, sources)
+    side = Side(readings, span)
+    decision = decide_assertion(side, binding, knowledge, sources)
     base = replace(
         base,
-        claimed=formula_text(claimed.node, plain=True),
-        node=claimed.node,
+        claimed=formula_text(side.node, plain=True),
+        node=side.node,
         verdict=word_for(decision),
     )
     if decision.status == REFUTED and binding.quantity != "harmonic":
-        base = _add_fix(base, document, claimed, decision, binding, knowledge, sources)
+        base = _add_fix(base, document, side, decision, binding, knowledge, sources)
     return with_decision(base, decision, binding)
 
 

@@ -33,8 +33,10 @@ def canonical_name(text: str) -> str:
 
 
 def _junk(text: str) -> ReadingError:
-    quoted = text if len(text) <= 40 else text[:37] + "..."
-    return ReadingError(0, f"{quoted!r} is not a letter", "write a letter such as \\lambda, λ, m_1 or Lh")
+    quotation = text if len(text) <= 40 else text[:37] + "..."
+    return ReadingError(
+        0, f"{quotation!r} is not a letter", "write a letter such as \\lambda, λ, m_1 or Lh"
+    )
 
 
 def _base(text: str) -> tuple[str, int]:

@@ -120,8 +120,8 @@ def _proves(part: Progression, left: Formula, right: Formula, knowledge: Knowled
         return False
     if isinstance(part.part, Sum):
         for k, term in ((1, part.first), (2, part.second)):
-            written = at(rational_node(Fraction(k)), part.last)
-            if term is not None and not decide_equality(written, term, knowledge).is_proved:
+            instance = at(rational_node(Fraction(k)), part.last)
+            if term is not None and not decide_equality(instance, term, knowledge).is_proved:
                 return False
     start = decide_equality(in_place(part.first), at(part.first_value, right), knowledge)
     previous = Sum((Name(part.letter), Negative(rational_node(Fraction(1)))))

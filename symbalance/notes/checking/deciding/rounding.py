@@ -113,9 +113,9 @@ def _coefficients_agree(
     if not (first.is_polynomial and second.is_polynomial):
         return False
     domain = first.domain
-    exact, printed = _parts(first), _parts(second)
+    left_parts, right_parts = _parts(first), _parts(second)
     margins: dict[Any, Any] = {}
-    for side, parts in ((left, exact), (right, printed)):
+    for side, parts in ((left, left_parts), (right, right_parts)):
         for number in decimals(side):
             assert number.last_place is not None
             off_by_half = Number(number.value + number.last_place / 2, number.last_place)
@@ -123,8 +123,8 @@ def _coefficients_agree(
             for key in {*parts, *parts_off}:
                 change = poly.minus(parts_off.get(key, {}), parts.get(key, {}))
                 margins[key] = margins.get(key, 0) + abs(Valuation(domain, {}).polynomial(change))
-    for key in {*exact, *printed}:
-        difference = poly.minus(exact.get(key, {}), printed.get(key, {}))
+    for key in {*left_parts, *right_parts}:
+        difference = poly.minus(left_parts.get(key, {}), right_parts.get(key, {}))
         if (
             abs(Valuation(domain, {}).polynomial(difference))
             > margins.get(key, 0) * (1 + 1e-12) + _tiny()

@@ -89,8 +89,8 @@ def _with_fix(
     repair = diagnose(Case(side.node, decision, knowledge, proves))
     where, title = side, ""
     if other is not None and (repair is None or repair.cost > 1.0 + OTHER_SIDE):
-        mirrored = replace(decision, left=decision.right, right=decision.left)
-        rival = diagnose(Case(other[0].node, mirrored, knowledge, other[1]))
+        exchange = replace(decision, left=decision.right, right=decision.left)
+        rival = diagnose(Case(other[0].node, exchange, knowledge, other[1]))
         if (
             rival is not None
             and rival.cost < MOST_OTHER

@@ -161,9 +161,9 @@ class NumericFilter:
 
     def values(self, node: Formula) -> Values:
         """Return a formula's values at the points."""
-        cached = self._values.get(id(node))
-        if cached is not None:
-            return cached
+        row = self._values.get(id(node))
+        if row is not None:
+            return row
         try:
             return self._evaluate(node)
         except (ZeroDivisionError, OverflowError, ValueError, KeyError) as problem:
