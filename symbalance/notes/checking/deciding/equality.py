@@ -1,4 +1,4 @@
-"""One step of a chain: are two sides equal, exactly or through an order? Proved, refuted or undecided."""
+"""Decisions whether two formulas are equal: proved, refuted with a witness, or undecided."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator, Meaning
 from symbalance.notes.algebra.forms import Form
-from symbalance.notes.algebra.trees import sample_trees
+from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
 from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
 
@@ -22,7 +22,7 @@ PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
 
 
 @dataclass(frozen=True)
-class Answer:
+class Decision:
     """What is known of a step, and on what it rests."""
 
     status: str
@@ -33,31 +33,31 @@ class Answer:
     left: Form | None = None
     right: Form | None = None
     witness: Mapping[str, str] = field(default_factory=dict)
-    kept: int | None = None
+    through: int | None = None
     """The order through which two sides were compared, None for an exact comparison."""
     further: tuple[Form, ...] = ()
     """The exact side cut off one and two orders later: what a repaired side may come to."""
 
     @property
-    def proved(self) -> bool:
+    def is_proved(self) -> bool:
         """Tell whether the step is proved."""
         return self.status == PROVED
 
 
-def equal(left: Formula, right: Formula, knowledge: Knowledge) -> Answer:
+def decide_equality(left: Formula, right: Formula, knowledge: Knowledge) -> Decision:
     """Decide left = right exactly, with as little knowledge as it takes."""
-    last = Answer(UNDECIDED, "nothing to compare")
+    last = Decision(UNDECIDED, "nothing to compare")
     levels = list(knowledge.levels(left, right))
     for level in levels:
-        if level is not levels[-1] and _apart(left, right, knowledge, level):
+        if level is not levels[-1] and _differs_clearly(left, right, knowledge, level):
             continue
         last = _at_level(left, right, knowledge, level)
-        if last.proved:
+        if last.is_proved:
             return last
     return last
 
 
-def _apart(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> bool:
+def _differs_clearly(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> bool:
     """Tell at one point, quickly, that two sides differ by more than any rounding: no proof is tried."""
     meaning = replace(knowledge.meaning, values=level.values)
     if any(not number.value for number in (*decimals(left), *decimals(right))):
@@ -65,19 +65,21 @@ def _apart(left: Formula, right: Formula, knowledge: Knowledge, level: Level) ->
     points = sample_trees([left, right], meaning, 1)
     if not points:
         return False
-    one, other = points[0][1]
-    return abs(abs(one) - abs(other)) > 0.2 * max(abs(one), abs(other)) or (
-        not decimals(left) and not decimals(right) and not _close(abs(one), abs(other))
+    first, second = points[0][1]
+    return abs(abs(first) - abs(second)) > 0.2 * max(abs(first), abs(second)) or (
+        not decimals(left) and not decimals(right) and not _close(abs(first), abs(second))
     )
 
 
-def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> Answer:
+def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> Decision:
     evaluator = knowledge.evaluator(level)
     try:
         first, second = evaluator.form(left), evaluator.form(right)
         if first.equals(second):
-            noted = tuple(evaluator.domain.assumptions)
-            return Answer(PROVED, "", "", level.assumptions + noted, level, first, second)
+            assumptions = tuple(evaluator.domain.assumptions)
+            return Decision(
+                PROVED, assumptions=level.assumptions + assumptions, level=level, left=first, right=second
+            )
         return _by_numbers(left, right, evaluator, (first, second), level)
     except NoFormError as problem:
         return _by_trees(left, right, evaluator.meaning, level, f"no normal form: {problem}")
@@ -85,41 +87,54 @@ def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level)
         return _by_trees(left, right, evaluator.meaning, level, f"too large for a normal form: {problem}")
 
 
-def _by_trees(left: Formula, right: Formula, meaning: Meaning, level: Level, reason: str) -> Answer:
+def _by_trees(left: Formula, right: Formula, meaning: Meaning, level: Level, reason: str) -> Decision:
     """Return what points in numbers say of two formulas that have no forms: refuted or undecided."""
     points = sample_trees([left, right], meaning)
     for point, pair in points:
         if not _close(*pair):
-            return Answer(REFUTED, reason, level=level, witness=_witness(point, pair))
+            return Decision(REFUTED, reason, level=level, witness=_witness(point, pair))
     if points:
-        return Answer(UNDECIDED, f"equal at {len(points)} points tried; {reason}", level=level)
-    return Answer(UNDECIDED, reason, level=level)
+        return Decision(UNDECIDED, f"equal at {len(points)} points tried; {reason}", level=level)
+    return Decision(UNDECIDED, reason, level=level)
 
 
 def _by_numbers(
     left: Formula, right: Formula, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
-) -> Answer:
+) -> Decision:
     """Return what points in numbers say of two forms that are not identical."""
     first, second = forms
     points = values.sample([first, second])
     if not points:
-        return Answer(
-            UNDECIDED, "no point where both sides are real", "", level.assumptions, level, first, second
+        return Decision(
+            UNDECIDED,
+            "no point where both sides are real",
+            assumptions=level.assumptions,
+            level=level,
+            left=first,
+            right=second,
         )
     same = [_close(*pair) for _, pair in points]
-    if all(same) and (signed := _same_square(left, right, first, second)) is not None:
-        return Answer(PROVED, "", "", (*level.assumptions, *signed), level, first, second)
+    if all(same) and (assumptions := _same_square(left, right, first, second)) is not None:
+        return Decision(
+            PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
+        )
     if agrees_as_printed(left, right, evaluator.form):
         order = "the digits printed"
-        return Answer(PROVED, "", order, level.assumptions, level, first, second)
+        return Decision(
+            PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second
+        )
     if all(same):
-        return Answer(UNDECIDED, "equal at the points tried, not proved", "", (), level, first, second)
-    signed = _up_to_sign(left, right, first, second) if any(same) else ""
-    if signed:
-        return Answer(PROVED, "", "", (*level.assumptions, signed), level, first, second)
+        return Decision(
+            UNDECIDED, "equal at the points tried, not proved", level=level, left=first, right=second
+        )
+    assumption = _up_to_sign(left, right, first, second) if any(same) else ""
+    if assumption:
+        return Decision(
+            PROVED, assumptions=(*level.assumptions, assumption), level=level, left=first, right=second
+        )
     point, pair = points[same.index(False)]
     witness = _witness(point, pair)
-    return Answer(REFUTED, "", "", (), level, first, second, witness)
+    return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
 
 
 def _close(left: Any, right: Any) -> bool:
@@ -128,11 +143,11 @@ def _close(left: Any, right: Any) -> bool:
 
 
 def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:
-    shown = {name: text(value) for name, value in point.items()}
-    return shown | {"left": digits(pair[0]), "right": digits(pair[1])}
+    coordinates = {name: decimal_text(value) for name, value in point.items()}
+    return coordinates | {"left": digits(pair[0]), "right": digits(pair[1])}
 
 
-def text(value: Fraction) -> str:
+def decimal_text(value: Fraction) -> str:
     """Return a sample's coordinate as a short decimal."""
     return str(value.numerator) if value.denominator == 1 else f"{float(value):.6g}"
 
@@ -182,13 +197,13 @@ def _up_to_sign(left: Formula, right: Formula, first: Form, second: Form) -> str
 def without_dots(node: Formula) -> tuple[Formula, bool]:
     """Return a formula without the dots at the end of its sums, and whether there were any."""
     if isinstance(node, formula.Sum):
-        kept = tuple(t for t in node.terms if not isinstance(t, formula.Dots))
-        if not kept and node.terms:  # dots alone are no number: a sum of no terms would be 0
+        terms = tuple(t for t in node.terms if not isinstance(t, formula.Dots))
+        if not terms and node.terms:  # dots alone are no number: a sum of no terms would be 0
             return node.terms[0], True
-        parts = [without_dots(t) for t in kept]
-        found = len(kept) < len(node.terms) or any(cut for _, cut in parts)
-        return replace(node, terms=tuple(p for p, _ in parts)), found
+        parts = [without_dots(t) for t in terms]
+        is_cut = len(terms) < len(node.terms) or any(is_cut for _, is_cut in parts)
+        return replace(node, terms=tuple(p for p, _ in parts)), is_cut
     pairs = [without_dots(part) for part in formula.children(node)]
-    if not any(cut for _, cut in pairs):
+    if not any(is_cut for _, is_cut in pairs):
         return node, False
     return formula.with_children(node, tuple(p for p, _ in pairs)), True

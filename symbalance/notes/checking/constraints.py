@@ -1,4 +1,4 @@
-"""Premises: relations that state something rather than follow, such as l sin β = r sin θ.
+"""Relations that state something rather than follow, such as l sin β = r sin θ, solved for a letter.
 
 A relation fixes a letter if the letter is new in the document, stands in it once, and can be reached by
 undoing sums, products, powers and functions. Both sides must hold letters of their own: in
@@ -42,45 +42,47 @@ _INVERSE = {
 
 
 @dataclass(frozen=True, slots=True)
-class Stated:
-    """A letter and the formula a premise gives it."""
+class Constraint:
+    """A letter and the formula that a relation gives it."""
 
     name: str
     node: Formula
 
 
-def counts(node: Formula) -> Counter[str]:
+def letter_counts(node: Formula) -> Counter[str]:
     """Return how often each letter stands in a formula."""
     return Counter(part.name for part in formula.walk(node) if isinstance(part, Name))
 
 
-def stated(chain: Chain, k: int, seen: set[str], knowledge: Knowledge) -> Stated | None:
+def constraint_of(
+    chain: Chain, k: int, letters_in_use: set[str], knowledge: Knowledge
+) -> Constraint | None:
     """Return what the k-th relation of a chain states, or None where it must be a step."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
     if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
         return None
     if chain.relations[k].sign != "=" or any(isinstance(p, formula.Dots) for p in _parts(left, right)):
         return None
-    first, second = counts(left), counts(right)
-    earlier = seen | {n for side in chain.sides[:k] for n in formula.names(side.node)}
+    first, second = letter_counts(left), letter_counts(right)
+    earlier = letters_in_use | {n for side in chain.sides[:k] for n in formula.names(side.node)}
     if right == Number(Fraction(0)):
         pairs = [(_apart_from_others(left), left, right)] if k == 0 else []
     elif set(first) - set(second) and set(second) - set(first):
-        own = [(set(first) - set(second), left, right), (set(second) - set(first), right, left)]
-        pairs = own if k == 0 else own[:1]
+        splits = [(set(first) - set(second), left, right), (set(second) - set(first), right, left)]
+        pairs = splits if k == 0 else splits[:1]
     elif k == 0 and not second and len(first) == 1:
         pairs = [(set(first), left, right)]  # tan δ = 1/3
     else:
         return None
-    for mine, node, other in pairs:
-        for name in sorted(mine):
-            free = not (name in earlier or knowledge.has_meaning(name))
-            if free and (first + second)[name] == 1 and not _inside_derivative(node, name):
-                found = undone(node, other, name)
-                if found is not None:
-                    return Stated(name, found)
+    for own_letters, node, other_side in pairs:
+        for name in sorted(own_letters):
+            is_new = not (name in earlier or knowledge.has_meaning(name))
+            if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
+                value = solve_for(node, other_side, name)
+                if value is not None:
+                    return Constraint(name, value)
     derivative = _lone_derivative(left, right, knowledge)
-    return Stated(derivative, right) if derivative else None
+    return Constraint(derivative, right) if derivative else None
 
 
 def _parts(*nodes: Formula) -> Iterator[Formula]:
@@ -91,14 +93,14 @@ def _parts(*nodes: Formula) -> Iterator[Formula]:
 def _apart_from_others(node: Formula) -> set[str]:
     """Return the letters of F_1 + F_2 = 0: each in a term of its own beside terms with other letters."""
     terms = node.terms if isinstance(node, Sum) else (node,)
-    found = [formula.names(term) for term in terms]
-    if len(found) < 2:
+    letters = [formula.names(term) for term in terms]
+    if len(letters) < 2:
         return set()
     return {
         n
-        for k, mine in enumerate(found)
-        for n in mine
-        if all(mine - o and o - mine for o in found[:k] + found[k + 1 :])
+        for k, own in enumerate(letters)
+        for n in own
+        if all(own - o and o - own for o in letters[:k] + letters[k + 1 :])
     }
 
 
@@ -111,22 +113,22 @@ def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str
     if not (isinstance(left, Derivative) and isinstance(left.expression, Name)):
         return ""
     name = left.expression.name
-    known = knowledge.has_meaning(name) or name in formula.names(right)
-    return "" if known else derivative_name(left)
+    is_known = knowledge.has_meaning(name) or name in formula.names(right)
+    return "" if is_known else derivative_name(left)
 
 
-def solved(left: Formula, right: Formula) -> tuple[str, Formula] | None:
+def solve(left: Formula, right: Formula) -> tuple[str, Formula] | None:
     """Return (letter, formula) from an equality, the left side's letters first."""
     for node, other in ((left, right), (right, left)):
-        for name, count in counts(node).items():
+        for name, count in letter_counts(node).items():
             if count == 1 and name not in formula.names(other):
-                found = undone(node, other, name)
-                if found is not None:
-                    return name, found
+                value = solve_for(node, other, name)
+                if value is not None:
+                    return name, value
     return None
 
 
-def undone(node: Formula, other: Formula, name: str) -> Formula | None:
+def solve_for(node: Formula, other: Formula, name: str) -> Formula | None:
     """Return what `name` equals if node = other, where it stands once in node; None if not reachable."""
     if isinstance(node, Name):
         return other
@@ -135,48 +137,48 @@ def undone(node: Formula, other: Formula, name: str) -> Formula | None:
         return None
     inner = parts[0]
     outside = _outside(node, inner, other)
-    return None if outside is None else undone(inner, outside, name)
+    return None if outside is None else solve_for(inner, outside, name)
 
 
 def _outside(node: Formula, inner: Formula, other: Formula) -> Formula | None:
     """Return what the part `inner` of `node` equals if node = other."""
-    rule = _UNDONE.get(type(node))
+    rule = _RULES.get(type(node))
     return None if rule is None else rule(node, inner, other)
 
 
-def _sum_undone(node: Sum, inner: Formula, other: Formula) -> Formula | None:
+def _solve_sum(node: Sum, inner: Formula, other: Formula) -> Formula | None:
     if any(isinstance(t, formula.Dots) for t in node.terms):
         return None
     return Sum((other, *(Negative(t) for t in node.terms if t is not inner)))
 
 
-def _product_undone(node: Product, inner: Formula, other: Formula) -> Formula | None:
+def _solve_product(node: Product, inner: Formula, other: Formula) -> Formula | None:
     rest = tuple(f for f in node.factors if f is not inner)
     return Quotient(other, rest[0] if len(rest) == 1 else Product(rest))
 
 
-def _quotient_undone(node: Quotient, inner: Formula, other: Formula) -> Formula | None:
+def _solve_quotient(node: Quotient, inner: Formula, other: Formula) -> Formula | None:
     return (
         Product((other, node.denominator)) if inner is node.numerator else Quotient(node.numerator, other)
     )
 
 
-def _call_undone(node: Call, inner: Formula, other: Formula) -> Formula | None:
+def _solve_call(node: Call, inner: Formula, other: Formula) -> Formula | None:
     if node.function == "sqrt":
         return Power(other, Number(Fraction(2)))
     return Call(_INVERSE[node.function], other) if node.function in _INVERSE else None
 
 
-def _power_undone(node: Power, inner: Formula, other: Formula) -> Formula | None:
+def _solve_power(node: Power, inner: Formula, other: Formula) -> Formula | None:
     square = inner is node.base and node.exponent == Number(Fraction(2))
     return Call("sqrt", other) if square else None
 
 
-_UNDONE: dict[type[Formula], Callable[[Any, Formula, Formula], Formula | None]] = {
+_RULES: dict[type[Formula], Callable[[Any, Formula, Formula], Formula | None]] = {
     Negative: lambda node, inner, other: Negative(other),
-    Sum: _sum_undone,
-    Product: _product_undone,
-    Quotient: _quotient_undone,
-    Call: _call_undone,
-    Power: _power_undone,
+    Sum: _solve_sum,
+    Product: _solve_product,
+    Quotient: _solve_quotient,
+    Call: _solve_call,
+    Power: _solve_power,
 }

@@ -1,4 +1,4 @@
-"""Formulas in numbers straight from their trees: where there is no normal form, or it is too large."""
+"""Numerical values of formulas straight from their trees, where a normal form is missing or too large."""
 
 from __future__ import annotations
 
@@ -13,30 +13,32 @@ from symbalance.notes.algebra.evaluation import Evaluator, Meaning
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
 
 DEEPEST = 40
+"""Definitions that use definitions, one in the other."""
 MOST_TERMS = 2000
+"""Of all sums of one formula together, nested ones too."""
 
 
 def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
     """Return the letters a formula comes down to once all that have values are replaced."""
-    found: dict[str, None] = {}
-    seen: set[str] = set()
+    letters: dict[str, None] = {}
+    names: set[str] = set()
     waiting = [node]
     while waiting:
         for name in sorted(formula.names(waiting.pop())):
-            if name in values and name not in seen:
+            if name in values and name not in names:
                 waiting.append(values[name])
             elif name not in values:
-                found[name] = None
-            seen.add(name)
-    return list(found)
+                letters[name] = None
+            names.add(name)
+    return list(letters)
 
 
 def sample_trees(
-    nodes: list[Formula], meaning: Meaning, wanted: int = 3, tries: int = 24
+    nodes: list[Formula], meaning: Meaning, count: int = 3, tries: int = 24
 ) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all formulas are real, with their values to `DIGITS` digits."""
     names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
-    found: list[tuple[Point, list[Any]]] = []
+    samples: list[tuple[Point, list[Any]]] = []
     for seed in range(tries):
         point = random_point(names, meaning.domain(), seed)
         at = TreeValues(meaning, point)
@@ -53,10 +55,10 @@ def sample_trees(
         ):
             continue
         if all(abs(v.imag) <= abs(v) * context().mpf(10) ** (-DIGITS // 2) for v in row):
-            found.append((point, row))
-        if len(found) == wanted:
+            samples.append((point, row))
+        if len(samples) == count:
             break
-    return found
+    return samples
 
 
 class TreeValues:
@@ -64,7 +66,7 @@ class TreeValues:
 
     def __init__(self, meaning: Meaning, point: Point) -> None:
         self.meaning, self.point, self.mp = meaning, point, context()
-        self._known: dict[str, Any] = {}
+        self._values: dict[str, Any] = {}
         self._depth = 0
         self.terms = 0
 
@@ -74,17 +76,17 @@ class TreeValues:
 
     def letter(self, name: str) -> Any:
         """Return a letter's value."""
-        if name not in self._known:
+        if name not in self._values:
             if name in self.meaning.values:
                 self._depth += 1
                 if self._depth > DEEPEST:
                     raise NoFormError("definitions nested too deep")
-                self._known[name] = self.value(self.meaning.values[name])
+                self._values[name] = self.value(self.meaning.values[name])
                 self._depth -= 1
             else:
                 exact = self.point[name]
-                self._known[name] = self.mp.mpf(exact.numerator) / exact.denominator
-        return self._known[name]
+                self._values[name] = self.mp.mpf(exact.numerator) / exact.denominator
+        return self._values[name]
 
     def derivative(self, node: Formula) -> Any:
         """Return the value of a derivative, by way of its form."""
@@ -103,8 +105,8 @@ def _constant(at: TreeValues, node: formula.Constant) -> Any:
 
 
 def _sum(at: TreeValues, node: formula.Sum) -> Any:
-    written = [t for t in node.terms if not isinstance(t, formula.Dots)]
-    return at.mp.fsum(at.value(t) for t in written or node.terms)  # of dots alone: not the number 0
+    terms = [t for t in node.terms if not isinstance(t, formula.Dots)]
+    return at.mp.fsum(at.value(t) for t in terms or node.terms)  # of dots alone: not the number 0
 
 
 def _product(at: TreeValues, node: formula.Product) -> Any:

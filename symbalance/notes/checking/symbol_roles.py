@@ -1,4 +1,4 @@
-"""The meanings a letter may be declared with that the checker knows, and how they may be written."""
+"""Roles a letter may be declared with, such as crank radius, and the ways they may be written."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ RANGES = {
     "crank radius": (60, 100),
     "stroke": (120, 200),
 }
-"""Where letters are tried, in hundredths: such that a rod is longer than its crank."""
+"""Ranges of values at random points, in hundredths: such that a rod is longer than its crank."""
 UNITS = (
     "m",
     "mm",
@@ -82,21 +82,21 @@ UNITS = (
 )
 
 
-def plain_meaning(text: str) -> str:
+def role_of(text: str) -> str:
     """Return the known meaning a declaration states, or its text.
 
-    >>> plain_meaning("Crank radius, half the stroke")
+    >>> role_of("Crank radius, half the stroke")
     'crank radius'
     """
     head = text.split(",", maxsplit=1)[0].strip()
-    lowered = " ".join(head.lower().split())
-    lowered = ALIASES.get(lowered, lowered)
-    return lowered if lowered in KNOWN else head
+    role = " ".join(head.lower().split())
+    role = ALIASES.get(role, role)
+    return role if role in KNOWN else head
 
 
-def by_meaning(symbols: Mapping[str, str]) -> dict[str, list[str]]:
+def letters_by_role(symbols: Mapping[str, str]) -> dict[str, list[str]]:
     """Return the letters of each meaning."""
-    found: dict[str, list[str]] = {}
+    letters: dict[str, list[str]] = {}
     for name, text in symbols.items():
-        found.setdefault(plain_meaning(text), []).append(name)
-    return found
+        letters.setdefault(role_of(text), []).append(name)
+    return letters

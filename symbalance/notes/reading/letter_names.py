@@ -1,4 +1,4 @@
-"""One name for each letter, however it is written: θ, \\theta and theta are `theta`."""
+"""One canonical name for each letter, however it is written: θ, \\theta and theta are `theta`."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")
 _CANONICAL = re.compile(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+'*")
 _PRIMES = re.compile(r"(?:['′’″]|\^\s*\{?\s*(?:\\prime\s*)+\}?)+")
 LONGEST_SUBSCRIPT = 80
+"""Longer runs of letters are no subscript; the limit keeps the search for a declared one short."""
 
 
 def canonical_name(text: str) -> str:
@@ -32,27 +33,29 @@ def canonical_name(text: str) -> str:
 
 
 def _junk(text: str) -> ReadingError:
-    quoted = text if len(text) <= 40 else text[:37] + "..."
-    return ReadingError(0, f"{quoted!r} is not a letter", "write a letter such as \\lambda, λ, m_1 or Lh")
+    quotation = text if len(text) <= 40 else text[:37] + "..."
+    return ReadingError(
+        0, f"{quotation!r} is not a letter", "write a letter such as \\lambda, λ, m_1 or Lh"
+    )
 
 
 def _base(text: str) -> tuple[str, int]:
-    if found := _WORD.match(text):
-        return found.group(), found.end()
+    if match := _WORD.match(text):
+        return match.group(), match.end()
     if text[:1] in NAME_OF_SIGN:
         return _differential(text, NAME_OF_SIGN[text[0]], 1)
-    if found := _COMMAND.match(text):
-        return _command_base(text, found)
+    if match := _COMMAND.match(text):
+        return _command_base(text, match)
     raise _junk(text)
 
 
-def _command_base(text: str, found: re.Match[str]) -> tuple[str, int]:
-    command = found.group(1)
+def _command_base(text: str, match: re.Match[str]) -> tuple[str, int]:
+    command = match.group(1)
     if command in GREEK_SIGN:
-        plain_end = found.start() + len(command) + 1
+        plain_end = match.start() + len(command) + 1
         return _differential(text, command, plain_end)
     if command in FONTS or command in WORDS or command in ACCENTS:
-        inner, stop = _argument(text, found.end())
+        inner, stop = _argument(text, match.end())
         name = canonical_name(inner)
         return (f"{ACCENTS[command]}_{name}" if command in ACCENTS else name), stop
     raise _junk(text)
@@ -60,15 +63,15 @@ def _command_base(text: str, found: re.Match[str]) -> tuple[str, int]:
 
 def _differential(text: str, name: str, stop: int) -> tuple[str, int]:
     """Δx is one letter, Delta_x."""
-    if name in ("Delta", "delta") and (found := re.compile(r"\s*([A-Za-z])$").match(text, stop)):
-        return f"{name}_{found.group(1)}", found.end()
+    if name in ("Delta", "delta") and (match := re.compile(r"\s*([A-Za-z])$").match(text, stop)):
+        return f"{name}_{match.group(1)}", match.end()
     return name, stop
 
 
 def _argument(text: str, start: int) -> tuple[str, int]:
     if text[start : start + 1] != "{":
-        found = _COMMAND.match(text, start)
-        stop = found.end() if found else start + 1
+        match = _COMMAND.match(text, start)
+        stop = match.end() if match else start + 1
         return text[start:stop], stop
     stop = matching_brace(text, start, len(text))
     return text[start + 1 : stop - 1], stop
@@ -93,9 +96,9 @@ def with_scripts(
     """
     subscript, primes, stop = "", 0, start
     while True:
-        if found := _PRIMES.match(text, stop, end):
-            primes += len(re.findall(r"\\prime|['′’]", found.group())) + 2 * found.group().count("″")
-            stop = found.end()
+        if match := _PRIMES.match(text, stop, end):
+            primes += len(re.findall(r"\\prime|['′’]", match.group())) + 2 * match.group().count("″")
+            stop = match.end()
         elif not subscript and (after := subscript_at(text, stop, end, base, names)):
             subscript, stop = after
         else:
@@ -107,34 +110,35 @@ def subscript_at(
     text: str, start: int, end: int, base: str = "", names: Collection[str] | None = None
 ) -> tuple[str, int] | None:
     """Return the subscript that begins at `start` (spaces allowed) and where it ends, or None."""
-    lowered = start
-    while lowered < end and text[lowered] in LOWERED:
-        lowered += 1
-    if lowered > start:
-        return "".join(LOWERED[c] for c in text[start:lowered]), lowered
-    found = re.compile(r"\s*_\s*").match(text, start, end)
-    if not found or found.end() >= end:
+    stop_ = start
+    while stop_ < end and text[stop_] in LOWERED:
+        stop_ += 1
+    if stop_ > start:
+        return "".join(LOWERED[c] for c in text[start:stop_]), stop_
+    match = re.compile(r"\s*_\s*").match(text, start, end)
+    if not match or match.end() >= end:
         return None
-    if text[found.end()] == "{":
-        stop = matching_brace(text, found.end(), end)
-        return subscript_name(text[found.end() + 1 : stop - 1], found.end()), stop
-    return _bare_subscript(text, found.end(), end, base, names)
+    if text[match.end()] == "{":
+        stop = matching_brace(text, match.end(), end)
+        return subscript_name(text[match.end() + 1 : stop - 1], match.end()), stop
+    return _bare_subscript(text, match.end(), end, base, names)
 
 
 def _bare_subscript(
     text: str, start: int, end: int, base: str, names: Collection[str] | None
 ) -> tuple[str, int]:
-    if found := _COMMAND.match(text, start, end):
-        if found.group(1) in FONTS | WORDS:
-            inner, stop = _argument(text, found.end())
+    """Return a subscript without braces: a command's, the longest declared one, or a single sign."""
+    if match := _COMMAND.match(text, start, end):
+        if match.group(1) in FONTS | WORDS:
+            inner, stop = _argument(text, match.end())
             return subscript_name(inner, start), stop
-        return subscript_name(found.group(), start), start + len(found.group(1)) + 1
-    if found := re.compile(r"[0-9]+|[A-Za-z][A-Za-z0-9]*").match(text, start, end):
-        run = found.group()[:LONGEST_SUBSCRIPT]
+        return subscript_name(match.group(), start), start + len(match.group(1)) + 1
+    if match := re.compile(r"[0-9]+|[A-Za-z][A-Za-z0-9]*").match(text, start, end):
+        run = match.group()[:LONGEST_SUBSCRIPT]
         lengths = range(len(run), 0, -1) if names is not None else ()
         whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
-        known = next((n for n in whole if f"{base}_{run[:n]}" in (names or ())), len(run))
-        return run[:known], start + known
+        length = next((n for n in whole if f"{base}_{run[:n]}" in (names or ())), len(run))
+        return run[:length], start + length
     return subscript_name(text[start], start), start + 1
 
 
@@ -145,8 +149,8 @@ def subscript_name(text: str, offset: int) -> str:
     'rec,theta'
     """
     pieces: list[str] = []
-    for found in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):
-        command, sign = found.group(1), found.group(2)
+    for match in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):
+        command, sign = match.group(1), match.group(2)
         if command in GREEK_SIGN or command in ("max", "min", "sup", "inf", "lim"):
             pieces.append(command)
         elif command in FONTS or command in WORDS or (sign and sign in "{} \n"):

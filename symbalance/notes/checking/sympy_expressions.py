@@ -1,4 +1,4 @@
-"""SymPy expressions through the same decisions: `check_equal`."""
+"""Equality of two SymPy expressions, decided as the equations of hand derivations are."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, shown
 from symbalance.notes.algebra.evaluation import Meaning
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.relations import judged
-from symbalance.notes.checking.describing import described
-from symbalance.notes.checking.judging import read_given
-from symbalance.notes.checking.repair.mending import mended
+from symbalance.notes.checking.deciding.relations import decide
+from symbalance.notes.checking.descriptions import describe
+from symbalance.notes.checking.judging import read_assumption
+from symbalance.notes.checking.repair.fixes import add_fix
 from symbalance.notes.checking.verdicts import Verdict
 from symbalance.notes.reading.equations import Chain, Document, Relation, Side
 
@@ -45,8 +45,8 @@ def check_equal(
         >>> x = sp.Symbol("x")
         >>> check_equal(sp.sin(x) ** 2, (1 - sp.cos(2 * x)) / 2).verdict
         'holds'
-        >>> found = check_equal(sp.sin(x) ** 2, (1 + sp.cos(2 * x)) / 2)
-        >>> found.verdict, found.fix.kind
+        >>> verdict = check_equal(sp.sin(x) ** 2, (1 + sp.cos(2 * x)) / 2)
+        >>> verdict.verdict, verdict.fix.kind
         ('refuted', 'sign')
 
     Raises SymbalanceError for what is no SymPy expression, or holds a function not known here.
@@ -65,19 +65,19 @@ def check_equal(
     knowledge = _knowledge(symbols, assuming)
     first, second = Side((node_of(left),), (0, 0)), Side((node_of(right),), (0, 0))
     sign = "≈" if approximately else "="
-    answer = judged(first, second, sign, knowledge, through)
+    decision = decide(first, second, sign, knowledge, through)
     text = f"{formula_text(first.node, plain=True)} {sign} {formula_text(second.node, plain=True)}"
     document = Document("expression", text, (), ())
     second = Side(second.readings, (len(text) - len(formula_text(second.node, plain=True)), len(text)))
     chain = Chain((first, second), (Relation(sign, 1),), (1,))
-    verdict = described(document, chain, 0, answer)
-    verdict = mended(
+    verdict = describe(document, chain, 0, decision)
+    verdict = add_fix(
         verdict,
         document,
         second,
-        answer,
+        decision,
         knowledge,
-        lambda node: judged(first, Side((node,), (0, 0)), sign, knowledge, through).proved,
+        lambda node: decide(first, Side((node,), (0, 0)), sign, knowledge, through).is_proved,
     )
     # Nothing was read, so a correction has no line and column.
     fix = verdict.fix and replace(verdict.fix, faults=())
@@ -88,15 +88,15 @@ def _knowledge(symbols: Mapping[str, Any], assuming: Iterable[str]) -> Knowledge
     positive = frozenset(name for name, s in symbols.items() if s.is_positive)
     integer = frozenset(name for name, s in symbols.items() if s.is_integer)
     letters = frozenset(symbols)
-    given = tuple(read_given(text, letters, "assuming") for text in assuming)
-    return Knowledge(Meaning(positive=positive, integer=integer), None, {}, given, letters)
+    assumptions = tuple(read_assumption(text, letters, "assuming") for text in assuming)
+    return Knowledge(Meaning(positive=positive, integer=integer), None, {}, assumptions, letters)
 
 
 def node_of(expression: Any) -> Formula:
     """Return a SymPy expression as a formula's tree."""
-    for applies, made in _RULES:
+    for applies, convert in _RULES:
         if applies(expression):
-            return made(expression)
+            return convert(expression)
     name = _FUNCTIONS.get(type(expression).__name__)
     if name and len(expression.args) == 1:
         return Call(name, node_of(expression.args[0]))

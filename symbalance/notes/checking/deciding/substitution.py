@@ -1,4 +1,4 @@
-"""Changed copies of formulas: a letter, or one part, replaced."""
+"""Changed copies of formulas: a letter, or one part, replaced by another formula."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from symbalance.document.formula import Derivative, Formula, Name, Number, Produ
 from symbalance.notes.algebra.domain import NoFormError
 
 
-def substituted(node: Formula, name: str, value: Formula) -> Formula:
+def substitute(node: Formula, name: str, value: Formula) -> Formula:
     """Return a formula with a letter replaced; a sum's own index is another letter of the same name.
 
     Raises NoFormError for a derivative by the letter: d/dx of a value at one x is no formula.
@@ -22,54 +22,54 @@ def substituted(node: Formula, name: str, value: Formula) -> Formula:
     if isinstance(node, Summation) and node.index is not None and node.index.name == name:
         bounds = {"lower": node.lower, "upper": node.upper}
         return replace(
-            node, **{key: part and substituted(part, name, value) for key, part in bounds.items()}
+            node, **{key: part and substitute(part, name, value) for key, part in bounds.items()}
         )
     parts = formula.children(node)
-    changed = tuple(substituted(part, name, value) for part in parts)
+    new_parts = tuple(substitute(part, name, value) for part in parts)
     return (
         node
-        if all(a is b for a, b in zip(parts, changed, strict=True))
-        else formula.with_children(node, changed)
+        if all(a is b for a, b in zip(parts, new_parts, strict=True))
+        else formula.with_children(node, new_parts)
     )
 
 
-def replaced(node: Formula, old: Formula, new: Formula) -> Formula:
+def replace_part(node: Formula, old: Formula, new: Formula) -> Formula:
     """Return a formula with one of its parts (that very object) replaced."""
     if node is old:
         return new
     parts = formula.children(node)
-    changed = tuple(replaced(part, old, new) for part in parts)
+    new_parts = tuple(replace_part(part, old, new) for part in parts)
     return (
         node
-        if all(a is b for a, b in zip(parts, changed, strict=True))
-        else formula.with_children(node, changed)
+        if all(a is b for a, b in zip(parts, new_parts, strict=True))
+        else formula.with_children(node, new_parts)
     )
 
 
-def upright(node: Formula) -> Formula:
+def without_stacked_fractions(node: Formula) -> Formula:
     """Return a formula without fractions below a fraction: a/(b/c) is a c/b.
 
     >>> from symbalance.document.text_writer import formula_text
     >>> from symbalance.document.formula import Number
     >>> one = Number(Fraction(1))
     >>> quarter = Quotient(one, Product((Number(Fraction(4)), Quotient(one, Name("l")))))
-    >>> formula_text(upright(quarter), plain=True)
+    >>> formula_text(without_stacked_fractions(quarter), plain=True)
     'l/4'
     """
-    parts = tuple(upright(part) for part in formula.children(node))
+    parts = tuple(without_stacked_fractions(part) for part in formula.children(node))
     if parts != formula.children(node):
         node = formula.with_children(node, parts)
     if not isinstance(node, Quotient):
         return node
     factors = node.denominator.factors if isinstance(node.denominator, Product) else (node.denominator,)
-    raised = [f.denominator for f in factors if isinstance(f, Quotient)]
-    if not raised:
+    factors_above = [f.denominator for f in factors if isinstance(f, Quotient)]
+    if not factors_above:
         return node
     below = [f.numerator if isinstance(f, Quotient) else f for f in factors]
-    above, under = _product([node.numerator, *raised]), _product(below)
-    return above if under == Number(Fraction(1)) else Quotient(above, under)
+    above, denominator = _product([node.numerator, *factors_above]), _product(below)
+    return above if denominator == Number(Fraction(1)) else Quotient(above, denominator)
 
 
 def _product(factors: list[Formula]) -> Formula:
-    kept = [f for f in factors if f != Number(Fraction(1))] or [Number(Fraction(1))]
-    return kept[0] if len(kept) == 1 else Product(tuple(kept))
+    rest = [f for f in factors if f != Number(Fraction(1))] or [Number(Fraction(1))]
+    return rest[0] if len(rest) == 1 else Product(tuple(rest))

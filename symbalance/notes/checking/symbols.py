@@ -1,4 +1,4 @@
-"""What declared letters stand for: r = s/2, l = λ r, sin β = sin θ/λ, x(θ), A_2(λ)."""
+"""Formulas that declared letters stand for, such as r = s/2, l = λ r and sin β = sin θ/λ."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.notes.algebra.evaluation import Meaning
-from symbalance.notes.algebra.numbers import rational_node
+from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.engines import Engines, NoEngines
 from symbalance.notes.checking.geometry import Geometry, geometry, two
-from symbalance.notes.checking.meanings import (
+from symbalance.notes.checking.symbol_roles import (
     FROM_MIDDLE,
     FROM_PIN,
     FROM_TOP,
@@ -31,8 +31,8 @@ from symbalance.notes.checking.meanings import (
     POSITIVE,
     RANGES,
     UNITS,
-    by_meaning,
-    plain_meaning,
+    letters_by_role,
+    role_of,
 )
 
 SAME_POWER = 31
@@ -46,11 +46,11 @@ def meaning_of(
 
     `engines` knows the harmonics A_n; a letter that stands for one is refused without it.
 
-    >>> found, crank = meaning_of({"s": "stroke", "l": "rod length", "lambda": "rod ratio l/s"})
-    >>> sorted(found.values), crank.small
+    >>> meaning, crank = meaning_of({"s": "stroke", "l": "rod length", "lambda": "rod ratio l/s"})
+    >>> sorted(meaning.values), crank.small
     (['l'], ('lambda', -1))
     """
-    crank, letters = geometry(symbols, convention), by_meaning(symbols)
+    crank, letters = geometry(symbols, convention), letters_by_role(symbols)
     engines = NoEngines() if engines is None else engines
     stands_for: dict[str, Formula] = {
         "crank radius": crank.radius,
@@ -80,16 +80,16 @@ def meaning_of(
                 values[name] = node
     for name in [n for m in MOVING for n in letters.get(m, ())]:
         for order in (1, 2):
-            primed = name + "'" * order
-            if primed not in symbols and isinstance(crank.theta, Name):
-                values[primed] = Derivative(Name(name), crank.theta, order)
+            derivative = name + "'" * order
+            if derivative not in symbols and isinstance(crank.theta, Name):
+                values[derivative] = Derivative(Name(name), crank.theta, order)
     rates: dict[str, Mapping[str, Formula]] = {}
     if isinstance(crank.theta, Name):
         rates[crank.time] = {crank.theta.name: crank.omega}
     positive = {n for m in POSITIVE for n in letters.get(m, [])} | {"r", "l", "omega", "m"} & _loose(
         crank
     )
-    positive |= {n for n, text in symbols.items() if plain_meaning(text) in UNITS}
+    positive |= {n for n, text in symbols.items() if role_of(text) in UNITS}
     integer = frozenset(letters.get("integer", ()))
     ranges = {name: size for m, size in RANGES.items() for name in letters.get(m, ())}
     return Meaning(values, rates, frozenset(positive), integer, ranges), crank
@@ -102,7 +102,7 @@ def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Formula:
 
 
 def far_power(order: int) -> int:
-    """Return the power of r/l through which A_n is taken where nobody says."""
+    """Return the power of r/l through which A_n is taken where no power is named."""
     return max(SAME_POWER, order + 7)
 
 

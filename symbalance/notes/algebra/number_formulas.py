@@ -1,4 +1,4 @@
-"""Exact numbers as they are printed: rationals, roots, and sums of them."""
+"""Exact numbers written as formulas: rationals, roots, and sums of them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from symbalance.notes.algebra.values import Valuation, context
 from symbalance.notes.algebra.zero import is_zero
 
 _ROOTS = (1, 2, 3, 5, 6, 7, 10, 11, 13, 14, 15)
-_LARGEST_DENOMINATOR = 10**7
+_LARGEST_DENOMINATOR = 10**7  # of a guess, which is proved before it is used
 
 
 def number_node(domain: Domain, number: Polynomial) -> formula.Formula:
@@ -34,9 +34,10 @@ def _imaginary(domain: Domain, number: Polynomial) -> Polynomial:
     """Return the imaginary part, (z - conj z)/(2i), as a polynomial in turns and primes."""
     conjugate: Polynomial = {}
     for monomial, coefficient in number.items():
-        turned = domain.raised(tuple((g, -e) if g == TURN else (g, e) for g, e in monomial), 1)
-        conjugate = poly.plus(conjugate, {turned[1]: coefficient * turned[0]})
-    difference = poly.scaled(poly.minus(number, conjugate), Fraction(-1, 2))
+        reflection = tuple((g, -e) if g == TURN else (g, e) for g, e in monomial)
+        factor, image = domain.raised(reflection, 1)
+        conjugate = poly.plus(conjugate, {image: coefficient * factor})
+    difference = poly.scale(poly.minus(number, conjugate), Fraction(-1, 2))
     return _times_i(domain, difference)
 
 
@@ -52,8 +53,8 @@ def as_root(domain: Domain, number: Polynomial) -> tuple[Fraction, int] | None:
     for square in _ROOTS:
         guess = _nearby(value.real / context().sqrt(square))
         if guess is not None:
-            claimed = root_of_rational(domain, Fraction(square)).scaled(guess).numerator
-            if is_zero(domain, poly.minus(number, claimed)) is True:
+            candidate = root_of_rational(domain, Fraction(square)).scaled(guess).numerator
+            if is_zero(domain, poly.minus(number, candidate)) is True:
                 return guess, square
     return None
 
