@@ -65,7 +65,7 @@ def test_the_checked_lines_are_what_the_command_prints(capsys):
     assert block("text", 1) in capsys.readouterr().out
 
 
-KEYS = re.findall(r"```toml\n(.*?)```", (ROOT / "ENGINE_FILES.md").read_text(encoding="utf-8"), re.DOTALL)
+KEYS = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/engine-files.md").read_text(encoding="utf-8"), re.DOTALL)
 WHOLE = [text for text in KEYS if "[layout]" in text or "[[cylinder]]" in text]
 PARTS = [text for text in KEYS if "[[counterweight]]" in text and "[crankshaft]" not in text]
 

@@ -1,0 +1,160 @@
+r"""Docstrings of the package as reST: they are plain text, meant to be read beside the code.
+
+Paragraphs stay paragraphs, `marked` words become code, indented blocks stay as they stand unless every line of
+them is a formula that `formulas` can show, doctests are highlighted, and lines that begin with "Source:" or
+"Units:" become fields.
+
+>>> print(rest("Return x*y.\n\n    F = m a\n\nSource: Newton, 1687."))
+Return x\*y.
+<BLANKLINE>
+.. math::
+<BLANKLINE>
+   F = m a
+<BLANKLINE>
+:Source: Newton, 1687.
+<BLANKLINE>
+<BLANKLINE>
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from functools import cache
+from inspect import cleandoc
+from textwrap import dedent, indent
+from typing import Any
+
+from extensions.formulas import mathml
+
+_FIELD = re.compile(r"^(Sources?|Units?): ")
+_CODE = re.compile(r"`([^`\n]+(?:\n[^`\n]+)?)`")
+_SPECIAL = re.compile(r"[\\*_|`]")
+_ITEM = re.compile(r"^- ")
+
+
+def rest(text: str) -> str:
+    """Return a docstring as reST."""
+    return "".join(_block(block) + "\n\n" for block in _blocks(cleandoc(text)))
+
+
+def first_sentence(text: str) -> str:
+    r"""Return what a docstring says in its first sentence, as one line of reST.
+
+    >>> print(first_sentence("Return A_n, e.g. of n = 2.\n\nMore."))
+    Return A\_n, e.g. of n = 2.
+    """
+    paragraph = " ".join(cleandoc(text).split("\n\n")[0].split())
+    sentence = re.match(r".*?(?:[.?!](?= [A-Z`])|$)", paragraph)
+    return _inline(sentence[0] if sentence else paragraph)
+
+
+def _blocks(text: str) -> list[str]:
+    """Return paragraphs, indented blocks (inner blank lines too) and doctests."""
+    blocks: list[list[str]] = [[]]
+    for line in text.splitlines():
+        last = blocks[-1]
+        inside = bool(last) and last[0].startswith("    ")
+        if not line.strip():
+            if inside:
+                last.append("")
+            elif last:
+                blocks.append([])
+        elif last and (line.startswith("    ") != inside or _FIELD.match(line) or line.startswith(">>> ")):
+            doctest = last[0].startswith(">>> ")
+            if doctest:
+                last.append(line)
+            else:
+                blocks.append([line])
+        else:
+            last.append(line)
+    return ["\n".join(block).rstrip() for block in blocks if any(block)]
+
+
+def _block(block: str) -> str:
+    if block.startswith(">>> "):
+        return ".. code-block:: pycon\n\n" + indent(block, "   ")
+    if block.startswith("    "):
+        return _indented(dedent(block))
+    if field := _FIELD.match(block):
+        return f":{field[1]}: " + _inline(block[field.end() :]).replace("\n", "\n   ")
+    if _ITEM.match(block):
+        return "\n".join(_item(line) for line in block.splitlines())
+    return _inline(block)
+
+
+def _item(line: str) -> str:
+    return "- " + _inline(line[2:]) if _ITEM.match(line) else "  " + _inline(line.strip())
+
+
+def _indented(block: str) -> str:
+    if ">>> " in block:
+        return ".. code-block:: pycon\n\n" + indent(block, "   ")
+    proved = latex_of()
+    formulas = [proved.get(_bare(line), _bare(line)) for line in block.splitlines() if line.strip()]
+    if all(mathml(formula, words="\\" in formula) for formula in formulas):
+        return "\n\n".join(f".. math::\n\n   {formula}" for formula in formulas)
+    return ".. code-block:: none\n\n" + indent(block, "   ")
+
+
+def _bare(line: str) -> str:
+    return line.strip().rstrip(".,;:")
+
+
+def _inline(text: str) -> str:
+    """Return a paragraph with its code marked and every other sign meant as it stands."""
+    parts: list[str] = []
+    start = 0
+    for code in _CODE.finditer(text):
+        parts += [_escaped(text[start : code.start()]), f"``{' '.join(code[1].split())}``"]
+        start = code.end()
+        parts += ["\\ "] if text[start : start + 1].isalnum() else []
+    parts.append(_escaped(text[start:]))
+    lines = "".join(parts).splitlines()
+    return "\n".join(re.sub(r"^(\s*)([-+.:#(]|\w+[.)])(?=\s|\.\.|$)", r"\1\\\2", line) for line in lines)
+
+
+def _escaped(text: str) -> str:
+    return _SPECIAL.sub(r"\\\g<0>", text)
+
+
+# --- what the package proves of its own docstrings ---
+
+
+@cache
+def _survey() -> tuple[Any, ...]:
+    """Return the formulas of all docstrings with what is proved of them, where the tests' survey is there."""
+    try:
+        from tests.docstring_formulas import survey
+    except ImportError:
+        return ()
+    return tuple(survey())
+
+
+@cache
+def latex_of() -> dict[str, str]:
+    """Return the LaTeX of the docstrings' formulas that the survey reads, by their plain text."""
+    return {_bare(entry.text): entry.latex for entry in _survey() if entry.latex}
+
+
+def proof_status(name: str) -> str:
+    """Return how many formulas of a function's docstring are proved, refuted, ...: "2 proved, 1 unread"."""
+    counts = Counter(str(entry.status) for entry in _survey() if entry.name == name)
+    return ", ".join(f"{count} {status}" for status, count in counts.most_common())
+
+
+# --- the extension ---
+
+
+def _process(_app: Any, _what: str, name: str, value: Any, _options: Any, lines: list[str]) -> None:
+    text = rest("\n".join(lines))
+    home = f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', '')}"
+    if status := proof_status(home) or proof_status(name):
+        text += f":Formulas: {status}, by this library's own checker\n"
+    lines[:] = text.splitlines()
+
+
+def setup(app: Any) -> dict[str, bool]:
+    """Convert every docstring that autodoc shows."""
+    app.connect("autodoc-process-docstring", _process)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
