@@ -1,4 +1,4 @@
-"""The README says what is: its table, its commands, its tour of the tree."""
+"""The README and the site's pages say what is: tables, commands, engine files, the tour of the tree, links."""
 
 import re
 from pathlib import Path
@@ -9,6 +9,7 @@ from symbalance.cli import run
 
 ROOT = Path(__file__).parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+CHECKING = (ROOT / "docs" / "checking.md").read_text(encoding="utf-8")
 
 
 def is_room(path: Path) -> bool:
@@ -16,8 +17,8 @@ def is_room(path: Path) -> bool:
     return path.suffix == ".py" or (path.is_dir() and path.name != "__pycache__")
 
 
-def block(language: str, number: int = 0) -> str:
-    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)[number]
+def block(language: str) -> str:
+    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)[0]
 
 
 def test_the_table_is_what_the_command_prints(capsys):
@@ -52,17 +53,17 @@ def test_the_picture_and_the_engine_file_are_real(tmp_path, capsys):
     for picture in re.findall(r"!\[.*?\]\((.*?)\)", README):
         assert (ROOT / picture).stat().st_size > 1000
     path = tmp_path / "example.toml"
-    path.write_text(block("toml"), encoding="utf-8")
+    path.write_text(KEYS[0], encoding="utf-8")
     assert run(["balance", str(path)]) == 0
     assert re.search("fires +1-3-4-2", capsys.readouterr().out)
 
 
 def test_the_checked_lines_are_what_the_command_prints(capsys):
-    command = re.search(r"`symbalance (check derivations/\S+)` says", README)
+    command = re.search(r"`symbalance (check derivations/\S+)` says", CHECKING)
     assert command
     where = command[1].split()
     assert run(["check", str(ROOT / where[1])]) == 1
-    assert block("text", 1) in capsys.readouterr().out
+    assert re.findall(r"```text\n(.*?)```", CHECKING, re.DOTALL)[0] in capsys.readouterr().out
 
 
 KEYS = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/engine-files.md").read_text(encoding="utf-8"), re.DOTALL)
@@ -80,3 +81,14 @@ def test_every_engine_file_shown_is_one(text, tmp_path, capsys):
 def test_every_block_of_keys_is_read_by_some_test():
     cranks = [text for text in KEYS if "[crankshaft]" in text]
     assert len(WHOLE) + len(PARTS) + len(cranks) == len(KEYS) > 5
+
+
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
+def test_every_link_within_the_repository_leads_to_a_file(page):
+    targets = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
+    generated = ("api/", "commands/", "derivations/")  # folders of the site that its build writes
+    links = [t for t in targets if not (page.parent.name == "docs" and t.startswith(generated))]
+    assert [link for link in links if not (page.parent / link).exists()] == []

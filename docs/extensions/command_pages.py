@@ -10,7 +10,7 @@ from pathlib import Path
 _COLUMNS = "88"
 
 
-def pages(_root: Path) -> dict[str, bytes]:
+def pages(root: Path) -> dict[str, bytes]:
     """Return a page for each command and the page that lists them, as Markdown."""
     from symbalance.cli.parser import build_parser
 
@@ -22,10 +22,11 @@ def pages(_root: Path) -> dict[str, bytes]:
     contents = {f"{name}.md": _page(sub) for name, sub in commands.choices.items()}
     rows = "".join(f"| [{name}]({name}.md) | {_cell(helps[name])} |\n" for name in commands.choices)
     listed = "\n".join(commands.choices)
+    general = (root / "docs" / "command-line.md").read_text(encoding="utf-8").replace("](", "](../")
     contents["index.md"] = (
         f"# Commands\n\n{_text(parser.description or '')}\n\n```text\n{_usage(parser)}\n```\n\n"
         f"| command | what it does |\n|---|---|\n{rows}\n{_options(parser)}"
-        f"```{{include}} ../command-line.md\n```\n\n```{{toctree}}\n:hidden:\n\n{listed}\n```\n"
+        f"{general}\n```{{toctree}}\n:hidden:\n\n{listed}\n```\n"
     )
     return {name: text.encode() for name, text in contents.items()}
 

@@ -6,6 +6,7 @@ it changed, so that a second build reads only what is new, and a page that nothi
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,16 @@ def write_pages(docs: Path) -> None:
                 shutil.rmtree(path)
 
 
+def _follow_links(_app: Any, page: str, source: list[str]) -> None:
+    """Lead links from hand-written pages, which hold in the repository, to the pages made here."""
+    text = source[0].replace("](../derivations/", "](derivations/").replace("README.md)", "index.md)")
+    # CONTRIBUTING.md and CHANGELOG.md stand one folder up: what they link to in docs/ is beside them here.
+    source[0] = re.sub(r"\]\(docs/", "](", text) if "/" not in page else source[0]
+
+
 def setup(app: Any) -> dict[str, bool]:
     """Write the pages before Sphinx looks for them."""
     app.connect("builder-inited", lambda app: write_pages(Path(app.srcdir)))
+    app.connect("source-read", _follow_links)
+    app.connect("include-read", lambda app, path, page, source: _follow_links(app, page, source))
     return {"parallel_read_safe": True, "parallel_write_safe": True}
