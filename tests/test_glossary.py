@@ -23,7 +23,20 @@ TERMS = ROWS[1:]
 NONE = "–"
 
 NOT_IN_NAMES = {
-    *("found", "told", "hung", "made", "seen", "ours", "theirs", "asked", "aims", "ways", "shares", "arms"),
+    *(
+        "found",
+        "told",
+        "hung",
+        "made",
+        "seen",
+        "ours",
+        "theirs",
+        "asked",
+        "aims",
+        "ways",
+        "shares",
+        "arms",
+    ),
     *("resultants", "tops", "trains", "unlike", "hanging", "boxes", "sectors", "extremes", "weighed"),
     *("arranging", "entries", "numeric", "waves", "crests", "wide", "kernels", "ahead", "against"),
     *("wording", "cleared", "gathering", "spin", "holding", "setting", "marching", "closing", "shells"),

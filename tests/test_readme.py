@@ -66,7 +66,9 @@ def test_the_checked_lines_are_what_the_command_prints(capsys):
     assert re.findall(r"```text\n(.*?)```", CHECKING, re.DOTALL)[0] in capsys.readouterr().out
 
 
-KEYS = re.findall(r"```toml\n(.*?)```", (ROOT / "docs/engine-files.md").read_text(encoding="utf-8"), re.DOTALL)
+KEYS = re.findall(
+    r"```toml\n(.*?)```", (ROOT / "docs/engine-files.md").read_text(encoding="utf-8"), re.DOTALL
+)
 WHOLE = [text for text in KEYS if "[layout]" in text or "[[cylinder]]" in text]
 PARTS = [text for text in KEYS if "[[counterweight]]" in text and "[crankshaft]" not in text]
 

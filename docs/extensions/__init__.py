@@ -1,1 +1,1 @@
-"""Sphinx extensions that make this site's pages from the package: formulas, API, commands, derivations."""
+"""Sphinx extensions that make the site's pages: formulas, API, commands, derivations."""

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import inspect
 import tomllib
+from collections import Counter
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
-from extensions.docstrings import first_sentence, rest
+from extensions.docstrings import all_entries, first_sentence, rest
+from extensions.formulas import mathml
 
 PACKAGE = "symbalance"
 
@@ -32,7 +34,8 @@ def pages(root: Path) -> dict[str, bytes]:
     entries = {room: names for room, names in entries.items() if names}
     _check_that_all_are_there({entry.name for names in entries.values() for entry in names})
     contents = {f"{room}.rst": _room_page(room, names) for room, names in entries.items()}
-    contents["index.rst"] = _index(entries)
+    formulas = _formulas_page()
+    contents |= {"index.rst": _index(entries, bool(formulas)), **formulas}
     return {name: text.encode() for name, text in contents.items()}
 
 
@@ -66,7 +69,9 @@ def _entries(room: str) -> list[Entry]:
             continue
         full = f"{PACKAGE}.{name}" if on_top.get(name) is value else f"{home}.{name}"
         names[id(value)] = Entry(full, _kind(value), value)
-    return sorted(names.values(), key=lambda entry: (entry.kind != "function", entry.name.split(".")[-1].lower()))
+    return sorted(
+        names.values(), key=lambda entry: (entry.kind != "function", entry.name.split(".")[-1].lower())
+    )
 
 
 def _kind(value: Any) -> str:
@@ -81,7 +86,7 @@ def _title(text: str, line: str) -> str:
 
 def _room_page(room: str, entries: list[Entry]) -> str:
     module = import_module(f"{PACKAGE}.{room}")
-    page = f".. _room-{room}:\n\n" + _title(room, "=") + rest(module.__doc__ or "")
+    page = f".. _room-{room}:\n\n" + _title(room, "=") + rest(module.__doc__ or "", module.__name__)
     page += f".. currentmodule:: {PACKAGE}.{room}\n\n" + _table(entries)
     for entry in entries:
         short = entry.name.split(".")[-1]
@@ -108,7 +113,25 @@ def _role(entry: Entry) -> str:
     return f":py:{role}:`~{entry.name}`"
 
 
-def _index(entries: dict[str, list[Entry]]) -> str:
+def _formulas_page() -> dict[str, str]:
+    """Return the page of all formulas of docstrings that are read, with what is proved of each."""
+    surveyed = all_entries()
+    if not surveyed:
+        return {}
+    counts = Counter(entry.status for entry in surveyed)
+    page = _title("Formulas and proofs", "=")
+    page += "Equations of the docstrings, each judged by this library's own checker: "
+    page += ", ".join(f"{count} {status}" for status, count in counts.most_common()) + ".\n\n"
+    shown = [entry for entry in surveyed if entry.latex and mathml(entry.latex)]
+    rows = "".join(
+        f"   * - ``{entry.name.removeprefix(PACKAGE + '.')}``\n     - :math:`{' '.join(entry.latex.split())}`\n"
+        f"     - {entry.status}\n"
+        for entry in shown
+    )
+    return {"formulas.rst": f"{page}.. list-table::\n   :class: formulas\n\n{rows}"}
+
+
+def _index(entries: dict[str, list[Entry]], with_formulas: bool) -> str:
     page = _title("API", "=")
     page += "What ``import symbalance as sb`` offers, and the rooms that hold it, from the top down.\n\n"
     for room, names in reversed(entries.items()):
@@ -118,5 +141,7 @@ def _index(entries: dict[str, list[Entry]]) -> str:
         for name in sorted(on_top, key=lambda entry: entry.name.lower()):
             page += f"   {_role(name)}\n"
         page += "\n" if on_top else ""
-    listed = "\n".join(f"   {room}" for room in reversed(entries))
+    listed = "\n".join(
+        f"   {page}" for page in [*reversed(entries), *(["formulas"] if with_formulas else [])]
+    )
     return page + f".. toctree::\n   :hidden:\n\n{listed}\n"

@@ -34,7 +34,9 @@ def pages(root: Path) -> dict[str, bytes]:
 def _page(parser: argparse.ArgumentParser) -> str:
     usage = _usage(parser)
     title = parser.prog.removeprefix("symbalance ")
-    page = f"# {title}\n\n{_text(parser.description or '')}\n\n```text\n{usage}\n```\n\n{_options(parser)}"
+    page = (
+        f"# {title}\n\n{_text(parser.description or '')}\n\n```text\n{usage}\n```\n\n{_options(parser)}"
+    )
     return page + (f"{_text(parser.epilog)}\n" if parser.epilog else "")
 
 
@@ -50,8 +52,12 @@ def _options(parser: argparse.ArgumentParser) -> str:
         actions = [a for a in actions if not isinstance(a, argparse._SubParsersAction)]
         if not actions:
             continue
-        title = {"positional arguments": "Arguments", "options": "Options"}.get(group.title or "", group.title)
-        rows = "".join(f"| {_head(parser, action)} | {_meaning(parser, action)} |\n" for action in actions)
+        title = {"positional arguments": "Arguments", "options": "Options"}.get(
+            group.title or "", group.title
+        )
+        rows = "".join(
+            f"| {_head(parser, action)} | {_meaning(parser, action)} |\n" for action in actions
+        )
         page += f"## {title}\n\n| | |\n|---|---|\n{rows}\n"
     return page
 
@@ -61,7 +67,9 @@ def _head(parser: argparse.ArgumentParser, action: argparse.Action) -> str:
     value = ""
     if action.nargs != 0:
         default = action.dest.upper() if action.option_strings else action.dest
-        value = formatter._format_args(action, default).replace("{", "").replace("}", "").replace(",", ", ")
+        value = (
+            formatter._format_args(action, default).replace("{", "").replace("}", "").replace(",", ", ")
+        )
     if not action.option_strings:
         return f"`{_bars(value)}`"
     flags = ", ".join(f"`{_bars(flag)}`" for flag in action.option_strings)

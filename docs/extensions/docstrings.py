@@ -2,7 +2,8 @@ r"""Docstrings of the package as reST: they are plain text, meant to be read bes
 
 Paragraphs stay paragraphs, `marked` words become code, indented blocks stay as they stand unless every line of
 them is a formula that `formulas` can show, doctests are highlighted, and lines that begin with "Source:" or
-"Units:" become fields.
+"Units:" become fields. Below the heading "Formulas:" each equation stands beside what this library's checker
+proves of it, where the tests' survey of docstrings can be imported.
 
 >>> print(rest("Return x*y.\n\n    F = m a\n\nSource: Newton, 1687."))
 Return x\*y.
@@ -19,7 +20,7 @@ Return x\*y.
 from __future__ import annotations
 
 import re
-from collections import Counter
+from collections.abc import Iterator
 from functools import cache
 from inspect import cleandoc
 from textwrap import dedent, indent
@@ -30,12 +31,19 @@ from extensions.formulas import mathml
 _FIELD = re.compile(r"^(Sources?|Units?): ")
 _CODE = re.compile(r"`([^`\n]+(?:\n[^`\n]+)?)`")
 _SPECIAL = re.compile(r"[\\*_|`]")
+_GOES_ON = re.compile(r"([=≈+]|- )")
 _ITEM = re.compile(r"^- ")
 
 
-def rest(text: str) -> str:
-    """Return a docstring as reST."""
-    return "".join(_block(block) + "\n\n" for block in _blocks(cleandoc(text)))
+def rest(text: str, name: str = "") -> str:
+    """Return a docstring as reST; `name` is the qualified name of what it describes."""
+    blocks = _blocks(cleandoc(text))
+    entries = iter(entries_of(name))
+    parts: list[str] = []
+    for before, block in zip(["", *blocks], blocks, strict=False):
+        listed = before.endswith("Formulas:") and block.startswith("    ")
+        parts.append(_listed(dedent(block), entries) if listed else _block(block))
+    return "".join(part + "\n\n" for part in parts)
 
 
 def first_sentence(text: str) -> str:
@@ -60,7 +68,9 @@ def _blocks(text: str) -> list[str]:
                 last.append("")
             elif last:
                 blocks.append([])
-        elif last and (line.startswith("    ") != inside or _FIELD.match(line) or line.startswith(">>> ")):
+        elif last and (
+            line.startswith("    ") != inside or _FIELD.match(line) or line.startswith(">>> ")
+        ):
             doctest = last[0].startswith(">>> ")
             if doctest:
                 last.append(line)
@@ -90,11 +100,39 @@ def _item(line: str) -> str:
 def _indented(block: str) -> str:
     if ">>> " in block:
         return ".. code-block:: pycon\n\n" + indent(block, "   ")
-    proved = latex_of()
-    formulas = [proved.get(_bare(line), _bare(line)) for line in block.splitlines() if line.strip()]
-    if all(mathml(formula, words="\\" in formula) for formula in formulas):
+    formulas = [_bare(line) for line in block.splitlines() if line.strip()]
+    if all(mathml(formula, words=False) for formula in formulas):
         return "\n\n".join(f".. math::\n\n   {formula}" for formula in formulas)
     return ".. code-block:: none\n\n" + indent(block, "   ")
+
+
+def _listed(block: str, entries: Iterator[Any]) -> str:
+    """Return the block below "Formulas:" as a table, its equations paired with the survey's, in order."""
+    lines = [line for line in block.splitlines() if line.strip()]
+    where = next((k for k, line in enumerate(lines) if line.startswith("with ")), len(lines))
+    equations: list[list[str]] = []
+    for line in lines[:where]:
+        if _GOES_ON.match(line) and equations:
+            equations[-1].append(line)
+        else:
+            equations.append([line])
+    rows = ""
+    for equation in equations:
+        text, _, remark = equation[0].partition("    ")
+        plain = " ".join([_bare(text), *map(_bare, equation[1:])])
+        entry = next(entries, None)
+        latex = entry.latex if entry else ""
+        cell = f":math:`{_role(latex)}`" if latex and mathml(latex) else f"``{plain}``"
+        rows += (
+            f"   * - {cell}\n     - {_inline(remark.strip())}\n     - {entry.status if entry else ''}\n"
+        )
+    conditions = _inline("\n".join(lines[where:]))
+    return f".. list-table::\n   :class: formulas\n\n{rows}\n{conditions}"
+
+
+def _role(latex: str) -> str:
+    """Return LaTeX as the text of a role: backslashes are kept there, a final one is not allowed."""
+    return " ".join(latex.split()).rstrip("\\")
 
 
 def _bare(line: str) -> str:
@@ -131,27 +169,22 @@ def _survey() -> tuple[Any, ...]:
     return tuple(survey())
 
 
-@cache
-def latex_of() -> dict[str, str]:
-    """Return the LaTeX of the docstrings' formulas that the survey reads, by their plain text."""
-    return {_bare(entry.text): entry.latex for entry in _survey() if entry.latex}
+def entries_of(name: str) -> list[Any]:
+    """Return the survey's entries of one docstring that are marked as formulas, in their order."""
+    return [entry for entry in _survey() if entry.name == name and "not marked" not in entry.reason]
 
 
-def proof_status(name: str) -> str:
-    """Return how many formulas of a function's docstring are proved, refuted, ...: "2 proved, 1 unread"."""
-    counts = Counter(str(entry.status) for entry in _survey() if entry.name == name)
-    return ", ".join(f"{count} {status}" for status, count in counts.most_common())
+def all_entries() -> tuple[Any, ...]:
+    """Return all entries of the survey, none where it cannot be imported."""
+    return _survey()
 
 
 # --- the extension ---
 
 
 def _process(_app: Any, _what: str, name: str, value: Any, _options: Any, lines: list[str]) -> None:
-    text = rest("\n".join(lines))
     home = f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', '')}"
-    if status := proof_status(home) or proof_status(name):
-        text += f":Formulas: {status}, by this library's own checker\n"
-    lines[:] = text.splitlines()
+    lines[:] = rest("\n".join(lines), home if entries_of(home) else name).splitlines()
 
 
 def setup(app: Any) -> dict[str, bool]:

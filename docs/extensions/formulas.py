@@ -26,7 +26,9 @@ _MOST_LETTERS = 80
 """A formula with more letters than this is none."""
 _SIZES = re.compile(r"\\(?:[Bb]igg?[lr]?|left|right|displaystyle|textstyle)(?![A-Za-z])")
 """What only sets the size of a bracket or of the type."""
-_CUT = re.compile(r"\\q?quad(?![A-Za-z])|\\pm(?![A-Za-z])|\\mp(?![A-Za-z])|[,;:±]|\\%|\\text\{[^{}]*\}|\\ (?=\S)")
+_CUT = re.compile(
+    r"\\q?quad(?![A-Za-z])|\\pm(?![A-Za-z])|\\mp(?![A-Za-z])|[,;:±]|\\%|\\text\{[^{}]*\}|\\ (?=\S)"
+)
 _RELATIONS = {r"\le": "≤", r"\ge": "≥", r"\approx": "≈", r"\equiv": "≡", r"\to": "→"}
 _RELATION = re.compile(r"\\(?:le|ge|approx|equiv|to)(?![A-Za-z])|[=<>≤≥≈≡→]")
 _SPACE = '<mspace width="1em"></mspace>'

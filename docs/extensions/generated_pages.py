@@ -36,7 +36,9 @@ def _follow_links(_app: Any, page: str, source: list[str]) -> None:
     """Lead links from hand-written pages, which hold in the repository, to the pages made here."""
     text = source[0].replace("](../derivations/", "](derivations/").replace("README.md)", "index.md)")
     # CONTRIBUTING.md and CHANGELOG.md stand one folder up: what they link to in docs/ is beside them here.
-    source[0] = re.sub(r"\]\(docs/", "](", text) if "/" not in page else source[0]
+    text = re.sub(r"\]\(docs/", "](", text) if "/" not in page else source[0]
+    # The empty line that ends a doctest in Markdown is not shown.
+    source[0] = re.sub(r"\n\n```(?=\n|$)", "\n```", text)
 
 
 def setup(app: Any) -> dict[str, bool]:
