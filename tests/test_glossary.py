@@ -1,4 +1,4 @@
-"""Evidence: the glossary is complete, agrees with the symbols of the formulas, and names and help texts keep to it."""
+"""Evidence: the glossary is complete and agrees with the symbols; names and help texts keep to it."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ NOT_IN_NAMES = {
     *("wording", "cleared", "gathering", "spin", "holding", "setting", "marching", "closing", "shells"),
     *("meanings", "claims", "mending", "sieving"),
 }
-"""Words of an earlier vocabulary: the field says them in other words, or they say nothing by themselves."""
+"""Words of an earlier vocabulary: the field has others, or they say nothing by themselves."""
 NOT_IN_HELP = (
     *("found", "told", "hung", "made", "seen", "ours", "theirs"),
     *("orders to end", "end given orders", "end exactly", "least is left", "dead centres apart by"),

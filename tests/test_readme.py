@@ -1,4 +1,4 @@
-"""The README and the site's pages say what is: tables, commands, engine files, the tour of the tree, links."""
+"""The README and the site's pages say what is: tables, commands, engine files, the tour, links."""
 
 import re
 from pathlib import Path

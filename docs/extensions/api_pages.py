@@ -1,7 +1,8 @@
 """The API, a page for each room: its docstring and every public name, with signature and docstring.
 
-A room is a package of the library; its public names are those of its `__all__` and those that the top of the
-package takes from it. A name is documented once, under the shortest name it has, in the room that defines it.
+A room is a package of the library; its public names are those of its `__all__` and those that the top of
+the package takes from it. A name is documented once, under the shortest name it has, in the room that
+defines it.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
-from extensions.docstrings import all_entries, first_sentence, rest
+from extensions.docstrings import all_entries, first_sentence, rest, role_text
 from extensions.formulas import mathml
 
 PACKAGE = "symbalance"
@@ -26,6 +27,11 @@ class Entry(NamedTuple):
     name: str
     kind: str
     value: Any
+
+    @property
+    def short(self) -> str:
+        """The name without its package."""
+        return self.name.split(".")[-1]
 
 
 def pages(root: Path) -> dict[str, bytes]:
@@ -49,7 +55,7 @@ def _check_that_all_are_there(names: set[str]) -> None:
 
 
 def _rooms(root: Path) -> list[str]:
-    """Return the library's packages and modules from the ground up, in the order of the contract's layers."""
+    """Return the library's packages and modules from the ground up, as the contract's layers have it."""
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))
     layers = project["tool"]["importlinter"]["contracts"][0]["layers"]
     rooms = [room.strip() for layer in reversed(layers) for room in layer.split("|")]
@@ -69,9 +75,7 @@ def _entries(room: str) -> list[Entry]:
             continue
         full = f"{PACKAGE}.{name}" if on_top.get(name) is value else f"{home}.{name}"
         names[id(value)] = Entry(full, _kind(value), value)
-    return sorted(
-        names.values(), key=lambda entry: (entry.kind != "function", entry.name.split(".")[-1].lower())
-    )
+    return sorted(names.values(), key=lambda entry: (entry.kind != "function", entry.short.lower()))
 
 
 def _kind(value: Any) -> str:
@@ -89,8 +93,7 @@ def _room_page(room: str, entries: list[Entry]) -> str:
     page = f".. _room-{room}:\n\n" + _title(room, "=") + rest(module.__doc__ or "", module.__name__)
     page += f".. currentmodule:: {PACKAGE}.{room}\n\n" + _table(entries)
     for entry in entries:
-        short = entry.name.split(".")[-1]
-        page += _title(short, "-") + f".. auto{entry.kind}:: {entry.name}\n"
+        page += _title(entry.short, "-") + f".. auto{entry.kind}:: {entry.name}\n"
         if entry.kind in ("class", "exception"):
             page += "   :members:\n"
         page += "\n"
@@ -123,10 +126,16 @@ def _formulas_page() -> dict[str, str]:
     page += "Equations of the docstrings, each judged by this library's own checker: "
     page += ", ".join(f"{count} {status}" for status, count in counts.most_common()) + ".\n\n"
     shown = [entry for entry in surveyed if entry.latex and mathml(entry.latex)]
-    rows = "".join(
-        f"   * - ``{entry.name.removeprefix(PACKAGE + '.')}``\n     - :math:`{' '.join(entry.latex.split())}`\n"
-        f"     - {entry.status}\n"
+    cells = (
+        (
+            f"``{entry.name.removeprefix(PACKAGE + '.')}``",
+            f":math:`{role_text(entry.latex)}`",
+            entry.status,
+        )
         for entry in shown
+    )
+    rows = "".join(
+        f"   * - {name}\n     - {formula}\n     - {status}\n" for name, formula, status in cells
     )
     return {"formulas.rst": f"{page}.. list-table::\n   :class: formulas\n\n{rows}"}
 

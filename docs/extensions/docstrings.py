@@ -1,9 +1,9 @@
 r"""Docstrings of the package as reST: they are plain text, meant to be read beside the code.
 
-Paragraphs stay paragraphs, `marked` words become code, indented blocks stay as they stand unless every line of
-them is a formula that `formulas` can show, doctests are highlighted, and lines that begin with "Source:" or
-"Units:" become fields. Below the heading "Formulas:" each equation stands beside what this library's checker
-proves of it, where the tests' survey of docstrings can be imported.
+Paragraphs stay paragraphs, `marked` words become code, indented blocks stay as they stand unless every line
+of them is a formula that `formulas` can show, doctests are highlighted, and lines that begin with "Source:"
+or "Units:" become fields. Below the heading "Formulas:" each equation stands beside what this library's
+checker proves of it, where the tests' survey of docstrings can be imported.
 
 >>> print(rest("Return x*y.\n\n    F = m a\n\nSource: Newton, 1687."))
 Return x\*y.
@@ -122,7 +122,7 @@ def _listed(block: str, entries: Iterator[Any]) -> str:
         plain = " ".join([_bare(text), *map(_bare, equation[1:])])
         entry = next(entries, None)
         latex = entry.latex if entry else ""
-        cell = f":math:`{_role(latex)}`" if latex and mathml(latex) else f"``{plain}``"
+        cell = f":math:`{role_text(latex)}`" if latex and mathml(latex) else f"``{plain}``"
         rows += (
             f"   * - {cell}\n     - {_inline(remark.strip())}\n     - {entry.status if entry else ''}\n"
         )
@@ -130,7 +130,7 @@ def _listed(block: str, entries: Iterator[Any]) -> str:
     return f".. list-table::\n   :class: formulas\n\n{rows}\n{conditions}"
 
 
-def _role(latex: str) -> str:
+def role_text(latex: str) -> str:
     """Return LaTeX as the text of a role: backslashes are kept there, a final one is not allowed."""
     return " ".join(latex.split()).rstrip("\\")
 
@@ -161,7 +161,7 @@ def _escaped(text: str) -> str:
 
 @cache
 def _survey() -> tuple[Any, ...]:
-    """Return the formulas of all docstrings with what is proved of them, where the tests' survey is there."""
+    """Return the formulas of all docstrings with what is proved of them; none without the tests' survey."""
     try:
         from tests.docstring_formulas import survey
     except ImportError:

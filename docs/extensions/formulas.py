@@ -1,8 +1,8 @@
 r"""Formulas of the site as MathML: read by `symbalance.notes.reading`, written by `symbalance.document`.
 
-A formula is cut at the commas, spaces and signs ± that separate formulas from each other, each piece is read
-as a hand derivation's line is, and its tree is written. What the reader refuses is shown as it was typed;
-the build counts it.
+A formula is cut at the commas, spaces and signs ± that separate formulas from each other, each piece is
+read as a hand derivation's line is, and its tree is written. What the reader refuses is shown as it was
+typed; the build counts it.
 
 >>> mathml(r"\lambda = l/r")
 '<math><mrow><mi>λ</mi><mo>=</mo><mfrac><mi>l</mi><mi>r</mi></mfrac></mrow></math>'
@@ -49,8 +49,8 @@ _OPEN, _CLOSE = "{([", "})]"
 def mathml(text: str, display: bool = False, words: bool = True) -> str | None:
     """Return a formula in LaTeX or plain text as a `<math>` element, or None if it cannot be read.
 
-    `words`: a word may be a product of its letters, `mr`, as in LaTeX; in plain text it may not, nor may a
-    formula be one that is read in two ways.
+    `words`: a word may be a product of its letters, `mr`, as in LaTeX; in plain text it may not, nor may
+    a formula be one that is read in two ways.
 
     >>> mathml("rate of change", words=False) is None
     True

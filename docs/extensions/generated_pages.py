@@ -1,7 +1,8 @@
 """Pages that are made at every build: the API room by room, the commands, the derivations as they stand.
 
-They are written below `docs/` because Sphinx reads one folder; git does not keep them. A file is written only if
-it changed, so that a second build reads only what is new, and a page that nothing makes any more is removed.
+They are written below `docs/` because Sphinx reads one folder; git does not keep them. A file is written only
+if it changed, so that a second build reads only what is new, and a page that nothing makes any more is
+removed.
 """
 
 from __future__ import annotations
@@ -34,9 +35,10 @@ def write_pages(docs: Path) -> None:
 
 def _follow_links(_app: Any, page: str, source: list[str]) -> None:
     """Lead links from hand-written pages, which hold in the repository, to the pages made here."""
-    text = source[0].replace("](../derivations/", "](derivations/").replace("README.md)", "index.md)")
-    # CONTRIBUTING.md and CHANGELOG.md stand one folder up: what they link to in docs/ is beside them here.
-    text = re.sub(r"\]\(docs/", "](", text) if "/" not in page else source[0]
+    text = source[0]
+    if "/" not in page:
+        text = text.replace("](../derivations/", "](derivations/").replace("](docs/", "](")
+        text = text.replace("README.md)", "index.md)")
     # The empty line that ends a doctest in Markdown is not shown.
     source[0] = re.sub(r"\n\n```(?=\n|$)", "\n```", text)
 
