@@ -1,9 +1,9 @@
 r"""Docstrings of the package as reST: they are plain text, meant to be read beside the code.
 
-Paragraphs stay paragraphs, `marked` words become code, indented blocks stay as they stand unless every line
-of them is a formula that `formulas` can show, doctests are highlighted, and lines that begin with "Source:"
-or "Units:" become fields. Below the heading "Formulas:" each equation stands beside what this library's
-checker proves of it, where the tests' survey of docstrings can be imported.
+Paragraphs stay paragraphs, `marked` words become code, indented blocks stay as they stand unless every
+line of them is a formula that `formulas` can show, doctests are highlighted, and lines that begin with
+"Source:" or "Units:" become fields. Below the heading "Formulas:" each equation stands beside what this
+library's checker proves of it, where the tests' survey of docstrings can be imported.
 
 >>> print(rest("Return x*y.\n\n    F = m a\n\nSource: Newton, 1687."))
 Return x\*y.
@@ -161,7 +161,7 @@ def _escaped(text: str) -> str:
 
 @cache
 def _survey() -> tuple[Any, ...]:
-    """Return the formulas of all docstrings with what is proved of them; none without the tests' survey."""
+    """Return the formulas of all docstrings and what is proved of each; none without the tests' survey."""
     try:
         from tests.docstring_formulas import survey
     except ImportError:
