@@ -97,7 +97,23 @@ def _room_page(room: str, entries: list[Entry]) -> str:
         if entry.kind in ("class", "exception"):
             page += "   :members:\n"
         page += "\n"
-    return page
+    return page + _theory(room, entries)
+
+
+def _theory(room: str, entries: list[Entry]) -> str:
+    """Return the docstrings of the modules that define a room's names, packages before their modules."""
+    home = f"{PACKAGE}.{room}."
+    owners = {getattr(entry.value, "__module__", "") for entry in entries}
+    paths = {
+        ".".join(owner.split(".")[:depth])
+        for owner in owners
+        if owner.startswith(home)
+        for depth in range(3, owner.count(".") + 2)
+    }
+    sections = ""
+    for path in sorted(paths):
+        sections += _title(path.removeprefix(home), "~") + rest(import_module(path).__doc__ or "", path)
+    return _title("How it is computed", "-") + sections if sections else ""
 
 
 def _table(entries: list[Entry]) -> str:

@@ -161,7 +161,7 @@ def _escaped(text: str) -> str:
 
 @cache
 def _survey() -> tuple[Any, ...]:
-    """Return the formulas of all docstrings and what is proved of each; none without the tests' survey."""
+    """Return the docstrings' formulas and what is proved of each; none without the tests' survey."""
     try:
         from tests.docstring_formulas import survey
     except ImportError:
