@@ -58,24 +58,20 @@ def first_sentence(text: str) -> str:
 
 
 def _blocks(text: str) -> list[str]:
-    """Return paragraphs, indented blocks (inner blank lines too) and doctests."""
+    """Return paragraphs, tables, indented blocks (inner blank lines too) and doctests."""
     blocks: list[list[str]] = [[]]
     for line in text.splitlines():
         last = blocks[-1]
         inside = bool(last) and last[0].startswith("    ")
+        whole = bool(last) and last[0].startswith((">>> ", "=="))  # ends at a blank line only
+        begins = bool(_FIELD.match(line)) or line.startswith(">>> ")
         if not line.strip():
             if inside:
                 last.append("")
             elif last:
                 blocks.append([])
-        elif last and (
-            line.startswith("    ") != inside or _FIELD.match(line) or line.startswith(">>> ")
-        ):
-            doctest = last[0].startswith(">>> ")
-            if doctest:
-                last.append(line)
-            else:
-                blocks.append([line])
+        elif last and not whole and (begins or line.startswith("    ") != inside):
+            blocks.append([line])
         else:
             last.append(line)
     return ["\n".join(block).rstrip() for block in blocks if any(block)]
@@ -84,6 +80,8 @@ def _blocks(text: str) -> list[str]:
 def _block(block: str) -> str:
     if block.startswith(">>> "):
         return ".. code-block:: pycon\n\n" + indent(block, "   ")
+    if block.startswith("=="):
+        return ".. code-block:: none\n\n" + indent(block, "   ")
     if block.startswith("    "):
         return _indented(dedent(block))
     if field := _FIELD.match(block):

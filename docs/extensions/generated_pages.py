@@ -1,7 +1,7 @@
 """Pages that are made at every build: the API room by room, the commands, the derivations as they stand.
 
 They are written below `docs/` because Sphinx reads one folder; git does not keep them. A file is written
-only if it changed, so that a second build reads only what is new; a page that nothing makes any more goes.
+only if it changed, so that a second build reads only what is new; one that nothing makes any more goes.
 """
 
 from __future__ import annotations
