@@ -6,6 +6,8 @@ typed; the build counts it.
 
 >>> mathml(r"\lambda = l/r")
 '<math><mrow><mi>λ</mi><mo>=</mo><mfrac><mi>l</mi><mi>r</mi></mfrac></mrow></math>'
+>>> mathml("|phi| <= pi/2")
+'<math><mrow><mrow><mo>|</mo><mi>φ</mi><mo>|</mo></mrow><mo>≤</mo><mfrac><mi>π</mi><mn>2</mn></mfrac></mrow></math>'
 >>> mathml(r"\begin{cases} a \end{cases}") is None
 True
 """
@@ -129,7 +131,7 @@ def _element(text: str, words: bool) -> str:
     """Return one formula or chain of relations as a MathML element."""
     if not words and not all(map(_is_plain_word, _WORD.findall(text))):
         raise ReadingError(0, "this is prose")
-    letters: set[str] = set()
+    letters = {word for word in _WORD.findall(text) if word in GREEK_SIGN}
     while True:
         try:
             chain = read_equation(text, letters)
