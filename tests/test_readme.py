@@ -1,5 +1,6 @@
 """The README and the site's pages say what is: tables, commands, engine files, the tour, links."""
 
+import doctest
 import re
 from pathlib import Path
 
@@ -94,3 +95,28 @@ def test_every_link_within_the_repository_leads_to_a_file(page):
     generated = ("api/", "commands/", "derivations/")  # folders of the site that its build writes
     links = [t for t in targets if not (page.parent.name == "docs" and t.startswith(generated))]
     assert [link for link in links if not (page.parent / link).exists()] == []
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs").glob("*.md")), ids=lambda path: path.name)
+def test_the_examples_of_the_pages_hold(page):
+    assert doctest.testfile(str(page), module_relative=False, encoding="utf-8").failed == 0
+
+
+@pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md"])
+def test_every_file_and_folder_named_is_there(name):
+    text = (ROOT / name).read_text(encoding="utf-8")
+    paths = re.findall(r"`((?:symbalance|tests|docs|derivations|\.ci|\.github)/[\w./-]*)`", text)
+    paths = [path for path in paths if "NAME" not in path and "_build" not in path]
+    assert len(paths) > 2 or name == "README.md"
+    assert [path for path in paths if not (ROOT / path).exists()] == []
+
+
+def test_the_steps_shown_to_a_newcomer_are_sound(tmp_path, capsys):
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    preset, *_ = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
+    path = tmp_path / "v2-120.toml"
+    path.write_text(preset, encoding="utf-8")
+    assert run(["balance", str(path), "--order", "2"]) == 0
+    assert "1/2" in capsys.readouterr().out
+    for block in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
+        compile(block, "CONTRIBUTING.md", "exec")

@@ -37,7 +37,7 @@ def _follow_links(_app: Any, page: str, source: list[str]) -> None:
     text = source[0]
     if "/" not in page:
         text = text.replace("](../derivations/", "](derivations/").replace("](docs/", "](")
-        text = text.replace("README.md)", "index.md)")
+        text = re.sub(r"\]\(README\.md[^)]*\)", "](index.md)", text).replace("/README.md)", "/index.md)")
     # The empty line that ends a doctest in Markdown is not shown.
     source[0] = re.sub(r"\n\n```(?=\n|$)", "\n```", text)
 
