@@ -1,6 +1,6 @@
 """What an engine file may hold, for people and for editors: a reference in Markdown and a JSON Schema.
 
-Both are made from the tables of keys that the reader reads by. docs/engine-files.md and the package hold them
+Both are made from the tables of keys that the reader reads by. ENGINE_FILES.md and the package hold them
 as text, so that nothing is made when they are wanted.
 """
 
