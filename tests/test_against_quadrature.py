@@ -24,7 +24,7 @@ from symbalance.engine.builders import boxer, from_firing_order, inline, radial,
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.exact.spectrum import Component
-from symbalance.forces.resultants import Balance, Resultant, balance
+from symbalance.forces.free_forces import Balance, Resultant, balance
 from symbalance.kinematics.slider_crank import (
     QUANTITIES,
     acceleration_series,

@@ -28,7 +28,7 @@ import sympy
 from symbalance.engine.catalogue import load, preset_names, presets
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.forces.resultants import Balance, Resultant, balance
+from symbalance.forces.free_forces import Balance, Resultant, balance
 
 Row = dict[str, Any]
 HIGHEST = 12

@@ -20,13 +20,13 @@ from symbalance.codegen import to_function
 from symbalance.document.result import to_json, to_latex, to_text
 from symbalance.document.symbols import symbol
 from symbalance.engine.builders import boxer, from_cylinders, from_firing_order, inline, radial, vee, w
+from symbalance.engine.crank_train import CrankTrain
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine
-from symbalance.engine.trains import CrankTrain
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import angle, degrees
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 from symbalance.forces.summation import dirichlet_quotient, inline_couple, inline_sum, spacing
 from symbalance.kinematics.derivation import derive
 from symbalance.kinematics.slider_crank import harmonics

@@ -20,7 +20,7 @@ from symbalance.design.balancing.bounded import bounded
 from symbalance.design.balancing.overbalancing import amplitudes, first_order
 from symbalance.design.balancing.planes import in_planes
 from symbalance.engine.catalogue import preset_names
-from symbalance.engine.trains import CrankTrain, Link
+from symbalance.engine.crank_train import CrankTrain, Link
 from symbalance.exact.angles import Angle
 from symbalance.exact.arithmetic import total
 from symbalance.exact.phasor import ZERO, Phasor
@@ -657,7 +657,7 @@ def test_every_roll_moment_has_the_shafts():
 
 
 def test_lanchester_shafts_of_an_inline_four():
-    """The textbook's m r^2/(2 l) a shaft (Lanchester 1914; from memory), and what all powers add."""
+    """m r^2/(2 l) a shaft, as 2 U (2 omega)^2 = 4 m r omega^2 r/l, and what all powers of r/l add."""
     four = sb.inline("1-3-4-2", crank_train=SIZED)
     design = sb.design_balance(four, [1, 2])
     sizes = [design.unbalance(d, d.weights[0][1]) for d in design.devices]

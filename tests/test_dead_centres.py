@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.crankshaft.loads import firing_crank_angles
+from symbalance.engine.dead_centres import firing_dead_centres, has_shifted_dead_centres
 from symbalance.engine.engine_file import parse_engine
 from symbalance.engine.stars import intervals, is_even, known_firing
-from symbalance.engine.tops import firing_dead_centres, has_moved
 from symbalance.torque import firing_pin_passings
 
 FILE = """
@@ -46,7 +46,7 @@ def test_without_a_word_the_pins_follow_the_firing_order():
     made = layout()
     for cylinder in made.cylinders:
         assert (cylinder.bank.in_degrees() - cylinder.fires - cylinder.throw.in_degrees()) % 360 == 0
-    assert has_moved(made)
+    assert has_shifted_dead_centres(made)
     assert not is_even(made)
     assert [round(float(gap), 1) for gap in intervals(made)] == [120, 120, 126.9, 120, 120, 113.1]
 
@@ -70,7 +70,7 @@ def test_nothing_moves_without_an_offset():
     plain = sb.from_firing_order(SIX)
     assert throws(sb.from_firing_order(SIX, firing_at="dead centres")) == throws(plain)
     assert sb.from_firing_order(SIX, offset=[0], firing_at="dead centres").has_common_harmonics
-    assert not has_moved(plain)
+    assert not has_shifted_dead_centres(plain)
 
 
 @settings(max_examples=30, deadline=None)
@@ -127,7 +127,7 @@ def test_pins_pass_and_pistons_top_out_at_different_angles(name):
     assert max(turned) == pytest.approx(
         {"vw-vr6": 3.4288, "merlin-v12": 0}.get(name, max(turned)), abs=1e-4
     )
-    assert (max(turned) > 0.5) == has_moved(made)
+    assert (max(turned) > 0.5) == has_shifted_dead_centres(made)
 
 
 def test_a_table_says_how_far_apart_dead_centres_are(capsys):

@@ -15,7 +15,7 @@ import test_unlike
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.engine.catalogue import preset_names
-from symbalance.engine.trains import CrankTrain
+from symbalance.engine.crank_train import CrankTrain
 
 SIZES = CrankTrain(
     stroke=Fraction(86),

@@ -17,10 +17,9 @@ from symbalance.document import formula as f
 from symbalance.document.expressions import formula_of
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
 from symbalance.document.letters import letter_parts, lowered, raised
-from symbalance.document.line_breaking import broken, broken_equation, broken_sum
+from symbalance.document.line_breaking import break_equation, break_link, break_sum, expand_radicals
 from symbalance.document.mathml_writer import formula_mathml
 from symbalance.document.nodes import Paragraph
-from symbalance.document.spreading import spread
 from symbalance.document.symbols import symbol
 from symbalance.document.sympy_writer import formula_sympy
 from symbalance.document.text_writer import TextWriter, formula_text
@@ -227,7 +226,7 @@ def _renamed(formula: f.Formula) -> f.Formula:
 
 def test_a_spread_sum_is_the_same_number() -> None:
     expression = sympy.Rational(1, 2) - sympy.sqrt(5) / 3 + sympy.cos(2 * sympy.pi / 7) / 6
-    power, value = spread(formula_of(expression))
+    power, value = expand_radicals(formula_of(expression))
     assert (power, formula_text(value)) == (1, "1/2 + cos(2π/7)/6 − √5/3")
     assert sympy.expand(formula_sympy(value) - expression) == 0
 
@@ -236,7 +235,7 @@ def test_a_spread_sum_is_the_same_number() -> None:
 def test_a_spread_root_is_the_square_of_the_same_number(sign: int) -> None:
     inside = sympy.Rational(25, 2) - 11 * sympy.sqrt(5) / 2 + sympy.cos(2 * sympy.pi / 7)
     expression = sign * 3 * sympy.sqrt(inside) / 4
-    power, value = spread(formula_of(expression))
+    power, value = expand_radicals(formula_of(expression))
     assert power == 2
     assert sympy.expand(formula_sympy(value) - sympy.expand(expression**2)) == 0
 
@@ -323,7 +322,7 @@ def _long(count: int) -> f.Formula:
 def test_broken_text_stays_in_its_room_and_says_the_same(room: int) -> None:
     inside = _long(12)
     formula = f.Name("m") * f.Name("r") * inside
-    lines = broken("=", formula, TextWriter(), room, 2)
+    lines = break_link("=", formula, TextWriter(), room, 2)
     assert len(lines) > 1
     assert all(len(line.printed) + 2 * line.depth <= room for line in lines)
     joined = " ".join(line.printed for line in lines)
@@ -332,7 +331,7 @@ def test_broken_text_stays_in_its_room_and_says_the_same(room: int) -> None:
 
 def test_broken_latex_stays_in_its_room() -> None:
     writer = LatexWriter()
-    lines = broken_sum(_long(12), writer, 30, 12, 5)
+    lines = break_sum(_long(12), writer, 30, 12, 5)
     assert latex_width(lines[0].printed) <= 12
     assert all(latex_width(line.printed) <= 25 for line in lines[1:])
     assert len(lines) > 3
@@ -340,6 +339,6 @@ def test_broken_latex_stays_in_its_room() -> None:
 
 def test_short_links_share_a_line() -> None:
     x, y = f.Name("x"), f.Name("y")
-    lines = broken_equation(f.equal(x, y, x, _long(9), y), TextWriter(), 30, 2)
+    lines = break_equation(f.equal(x, y, x, _long(9), y), TextWriter(), 30, 2)
     assert lines[0].printed == "= y = x"
     assert lines[-1].printed == "= y"

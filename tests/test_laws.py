@@ -39,7 +39,7 @@ from symbalance.exact.radicals import (
 from symbalance.exact.radicals.forms import _cached_form as exact_form_cache
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.balance_data import balance_data
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 from symbalance.kinematics.derivation import derive
 from symbalance.kinematics.derivation.bounds import printed_error
 from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics

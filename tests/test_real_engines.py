@@ -13,7 +13,7 @@ import pytest
 
 import symbalance as sb
 from symbalance.engine.catalogue import preset_names
-from symbalance.engine.tops import firing_dead_centres
+from symbalance.engine.dead_centres import firing_dead_centres
 
 ROWS: list[dict[str, Any]] = tomllib.loads(
     (Path(__file__).parent / "unlike.toml").read_text(encoding="utf-8")

@@ -159,7 +159,7 @@ def overhung_matrices(omega, mass=5.0, diametral=0.04, polar=0.075):
 
 @pytest.mark.parametrize("omega", [0.0, 120.0, 300.0, 900.0])
 def test_an_overhung_disc_whirls_at_the_roots_of_the_published_quartic(omega):
-    """One complex line u + i v of the stationary frame (Stodola; Genta; Friswell et al., from memory):
+    """One complex line u + i v of the stationary frame, force and moment of the disc on the shaft's end:
 
     det [[k11 - m nu^2, k12], [k12, k22 - I_d nu^2 + I_p omega nu]] = 0, four real roots nu.
     """
@@ -174,7 +174,7 @@ def test_an_overhung_disc_whirls_at_the_roots_of_the_published_quartic(omega):
 
 
 def test_a_thin_overhung_disc_has_no_second_forward_critical_speed():
-    """With I_p > I_d the second forward whirl is always faster than the shaft (den Hartog, from memory).
+    """With I_p > I_d the second forward whirl outruns the shaft: k22 + (I_p - I_d) nu^2 > 0.
 
     A forward critical speed is a zero of the stiffness in the turning frame, in both planes at once.
     """

@@ -156,7 +156,7 @@ def test_critical_speeds_are_where_the_whirl_meets_the_speed():
 
 
 def test_a_published_rotor_of_eighteen_pieces():
-    """H. D. Nelson and J. M. McVaugh, J. Eng. Ind. 98 (1976), 593: sizes and speeds from memory, rpm."""
+    """Sizes and speeds (rpm) assumed to be Nelson and McVaugh's (J. Eng. Ind., 1976), not seen."""
     places = [0, 1.27, 5.08, 7.62, 8.89, 10.16, 10.67, 11.43, 12.70, 13.46, 16.51, 19.05, 22.86]
     places = np.array([*places, 26.67, 28.70, 30.48, 31.50, 34.54, 35.50]) / 100
     radii = [0.51, 1.02, 0.76, 2.03, 2.03, 3.3, 3.3, 2.54, 2.54, 1.27, 1.27, 1.52, 1.52, 1.27, 1.27]

@@ -25,8 +25,8 @@ from symbalance.engine.engine import Engine
 from symbalance.exact import phasor, spectrum
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.radicals import characters, forms
+from symbalance.forces import free_forces as balance_module
 from symbalance.forces import planar_vectors
-from symbalance.forces import resultants as balance_module
 from symbalance.kinematics.coefficients import FORCE
 from symbalance.kinematics.slider_crank import acceleration_series, powers
 

@@ -33,7 +33,7 @@ from symbalance.engine.stars import (
     pin_offsets,
 )
 from symbalance.errors import SymbalanceError
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 
 LAWS = settings(deadline=None, max_examples=60, derandomize=True, database=None)
 

@@ -47,7 +47,7 @@ from symbalance.cli import run as command
 from symbalance.codegen import to_function
 from symbalance.engine.catalogue import load
 from symbalance.errors import SymbalanceError
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 
 PYTHON = ("numpy", "numba", "array-api")
 LIBRARIES = ("array_api_strict", "jax", *(("torch",) if find_spec("torch") else ()))

@@ -22,7 +22,7 @@ from test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine.trains import CrankTrain
+from symbalance.engine.crank_train import CrankTrain
 from symbalance.kinematics.mechanisms import LinkRod, RodSplit, SliderCrank
 from symbalance.kinematics.pistons import Piston
 from symbalance.kinematics.rod import (
@@ -363,7 +363,7 @@ def test_a_file_with_offset_and_rods(tmp_path, capsys, compile_latex) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("rod_centre = 45\n", "", "rod_mass, rod_inertia: tell a rod's inertia together: rod_centre"),
+        ("rod_centre = 45\n", "", "rod_mass, rod_inertia: belong together: rod_centre"),
         ("rod_centre = 45", "rod_centre = 200", "rod_centre = 200: must lie between the rod's ends"),
         ("rod_mass = 0.6", "rod_mass = -1", "rod_mass = -1: must not be negative"),
         ("rod = 164", "ratio = 4", "needs the rod's length"),

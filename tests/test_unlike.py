@@ -12,7 +12,7 @@ from placed import component, planar, planar_series
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine.trains import CrankTrain, Link
+from symbalance.engine.crank_train import CrankTrain, Link
 
 SHARED = CrankTrain(stroke=Fraction(90), rod=Fraction(164))
 

@@ -1,4 +1,4 @@
-"""What a designer adds so that an engine runs smooth: counterweights on the crank, balance shafts.
+"""Counterweights on the crank and balance shafts: where they are, how heavy, how fast they turn.
 
 A weight of unbalance U (mass times radius) on what turns at n times the crank's speed pushes with
 U n^2 omega^2 in its own direction: a counterweight adds to the part of order +1 of force and couple, a
@@ -67,13 +67,13 @@ def _size(share: object, unbalance: object) -> Amplitude:
 
 def directed(size: Amplitude, direction: Angle) -> Amplitude:
     """Return a number turned by an angle, which may hold symbols."""
-    turned = size.turned(direction.turns)
+    rotated = size.turned(direction.turns)
     if not direction.symbols:
-        return turned
-    if turned.is_decimal:
+        return rotated
+    if rotated.is_decimal:
         rule = "cannot hold symbols beside a decimal share"
         raise SymbalanceError(f"angle = {direction.as_text()}", rule, "give it in degrees")
-    return turned.times(SymbolicPhasor.of({direction.symbols: ONE}))
+    return rotated.times(SymbolicPhasor.of({direction.symbols: ONE}))
 
 
 @dataclass(frozen=True, init=False)
@@ -118,8 +118,8 @@ class Counterweight:
         set_field, known = object.__setattr__, overbalance is None
         set_field(self, "angle", _direction(angle))
         set_field(self, "station", None if station is None else exact(station, "station"))
-        made = Weight(0, self.angle, share=share, unbalance=unbalance) if known else None
-        set_field(self, "weight", made)
+        weight = Weight(0, self.angle, share=share, unbalance=unbalance) if known else None
+        set_field(self, "weight", weight)
         set_field(self, "overbalance", None if known else exact(overbalance, "overbalance"))
         for name, value in (("throw", throw), ("web", web)):
             checked = None if value is None else checked_whole(value, name, 1, 2000, "count from 1")
@@ -164,15 +164,17 @@ def crank_pins(cylinders: Sequence[Cylinder]) -> list[tuple[Angle, Fraction]]:
     >>> [(t.as_text(), str(s)) for t, s in pins]
     [('0', '0'), ('180', '-1')]
     """
-    found: list[list[Cylinder]] = []
+    groups: list[list[Cylinder]] = []
     for cylinder in sorted(cylinders, key=lambda c: -c.station):
-        mates = (g for g in found if g[0].throw == cylinder.throw and g[0].station - cylinder.station < 1)
+        mates = (
+            g for g in groups if g[0].throw == cylinder.throw and g[0].station - cylinder.station < 1
+        )
         group = next(mates, None)
         if group is None:
-            found.append([cylinder])
+            groups.append([cylinder])
         else:
             group.append(cylinder)
-    pins = [(g[0].throw, sum((c.station for c in g), Fraction(0)) / len(g)) for g in found]
+    pins = [(g[0].throw, sum((c.station for c in g), Fraction(0)) / len(g)) for g in groups]
     return sorted(pins, key=lambda pin: -pin[1])
 
 
@@ -248,12 +250,12 @@ class Balancers:
 
     def denominators(self) -> list[int]:
         """Return the denominators, in turns, of every angle in it."""
-        turned = [s.phase.turns.denominator for s in self.shafts]
+        moduli = [s.phase.turns.denominator for s in self.shafts]
         vectors = [w.vector for s in self.shafts for w in s.weights]
         vectors += [c.weight.vector for c in self.counterweights if c.weight]
         for vector in vectors:
-            turned += vector.moduli
-        return turned
+            moduli += vector.moduli
+        return moduli
 
 
 def checked_balancers(value: object, cylinders: Sequence[Cylinder]) -> Balancers:
@@ -262,8 +264,8 @@ def checked_balancers(value: object, cylinders: Sequence[Cylinder]) -> Balancers
         return Balancers()
     if not isinstance(value, Balancers):
         raise SymbalanceError(f"balancers = {shown(value)}", "must be Balancers", "make them so")
-    for found, kind in ((value.counterweights, Counterweight), (value.shafts, BalanceShaft)):
-        if len(found) > MOST_BALANCERS or not all(isinstance(x, kind) for x in found):
+    for balancers, kind in ((value.counterweights, Counterweight), (value.shafts, BalanceShaft)):
+        if len(balancers) > MOST_BALANCERS or not all(isinstance(x, kind) for x in balancers):
             rule = f"must be at most {MOST_BALANCERS} {kind.__name__} values"
             raise SymbalanceError("balancers", rule, f"make each with {kind.__name__}(...)")
     for counterweight in value.counterweights:

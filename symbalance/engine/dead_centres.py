@@ -1,9 +1,9 @@
-"""When each piston is at its top dead centre: beside the pin's own angle where the mechanism moves it.
+"""The crank angles at which pistons stand at top dead centre, where an offset or a link rod shifts them.
 
 A centred cylinder is at top dead centre at p = theta + throw - bank = 0. An offset axis or a link rod
-moves that by `lead`, the p at which the piston stands highest: sin p = eps/(lambda + 1) of an offset
-slider-crank (`symbalance.kinematics.mechanisms.dead_centres`). A maker who wants even firing turns the
-pin on by as much, and rounds; what the rounding leaves is what the intervals here show.
+shifts that to the p at which the piston stands highest (`dead_centre_shift`): sin p = eps/(lambda + 1)
+of an offset slider-crank (`symbalance.kinematics.mechanisms.dead_centres`). A maker who wants even firing
+turns the pin on by as much, rounded to what he can machine; the intervals here show what rounding leaves.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ FINEST = Fraction(1, 1_000_000)
 COARSEST, FINEST_STEP = 10, 10**12
 
 
-def lead(mechanism: Mechanism) -> Fraction:
+def dead_centre_shift(mechanism: Mechanism) -> Fraction:
     """Return p at the piston's top dead centre, degrees in (-180, 180], to a millionth of a degree.
 
-    >>> float(lead(SliderCrank(4, "1/2")))
+    >>> float(dead_centre_shift(SliderCrank(4, "1/2")))
     5.73917
-    >>> lead(SliderCrank(4))
+    >>> dead_centre_shift(SliderCrank(4))
     Fraction(0, 1)
     """
     if isinstance(mechanism, SliderCrank) and not mechanism.offset:
@@ -37,26 +37,26 @@ def lead(mechanism: Mechanism) -> Fraction:
     return round(degrees / FINEST) * FINEST
 
 
-def has_moved(layout: Engine) -> bool:
+def has_shifted_dead_centres(layout: Engine) -> bool:
     """Tell whether some top dead centre is not where the pin passes the cylinder's axis."""
     return any(c.link or c.offset for c in layout.cylinders)
 
 
-def lead_of(cylinder: Cylinder) -> Fraction:
-    """Return a cylinder's `lead`; 0 for a centred one, whose sizes need not be known."""
-    return lead(cylinder.mechanism) if cylinder.mechanism else Fraction(0)
+def dead_centre_shift_of(cylinder: Cylinder) -> Fraction:
+    """Return a cylinder's `dead_centre_shift`; 0 for a centred one, whose sizes need not be known."""
+    return dead_centre_shift(cylinder.mechanism) if cylinder.mechanism else Fraction(0)
 
 
-def top_angles(layout: Engine) -> dict[int, Fraction]:
+def dead_centre_angles(layout: Engine) -> dict[int, Fraction]:
     """Return the degrees of theta at a top dead centre of each cylinder, less the first-numbered one's.
 
     >>> from symbalance.engine.builders import radial
-    >>> [str(top) for top in top_angles(radial(3)).values()]
+    >>> [str(top) for top in dead_centre_angles(radial(3)).values()]
     ['0', '120', '-120']
     """
     tops = {}
     for mechanism, cylinders in layout.grouped(lambda c: c.mechanism).items():
-        ahead = lead(mechanism) if mechanism else Fraction(0)
+        ahead = dead_centre_shift(mechanism) if mechanism else Fraction(0)
         tops |= {c.number: ahead - c.delay.in_degrees() for c in cylinders}
     return {c.number: tops[c.number] - tops[min(tops)] for c in layout.cylinders}
 
@@ -72,20 +72,20 @@ def firing_dead_centres(layout: Engine) -> dict[int, Fraction]:
     >>> [float(round(top, 3)) for top in firing_dead_centres(six).values()]
     [0.0, 240.0, 120.0, 479.858, 599.858, 359.858]
     """
-    tops, cycle = top_angles(layout), 180 * layout.strokes
+    tops, cycle = dead_centre_angles(layout), 180 * layout.strokes
     fires = {c.number: c.fires for c in layout.cylinders if c.fires is not None}
     if len(fires) < len(tops):
         what = f"cylinder {next(n for n in tops if n not in fires)} of {layout.name}"
         raise SymbalanceError(what, "has no firing angle", "give fires")
-    said = {number: fires[number] - fires[min(tops)] for number in tops}
-    return {n: (top + 360 * round((said[n] - top) / 360)) % cycle for n, top in tops.items()}
+    firing_angles = {number: fires[number] - fires[min(tops)] for number in tops}
+    return {n: (top + 360 * round((firing_angles[n] - top) / 360)) % cycle for n, top in tops.items()}
 
 
-def bank_leads(layout: Engine, banks: Sequence[Sequence[int]], step: object) -> list[Fraction]:
-    """Return the `lead` of each bank, the same for all its cylinders, rounded to `step` degrees."""
+def bank_shifts(layout: Engine, banks: Sequence[Sequence[int]], step: object) -> list[Fraction]:
+    """Return each bank's dead centre shift, the same for all its cylinders, rounded to `step` degrees."""
     size = checked_step(step)
     by_number = {c.number: c for c in layout.cylinders}
-    return [round(lead_of(by_number[bank[0]]) / size) * size for bank in banks]
+    return [round(dead_centre_shift_of(by_number[bank[0]]) / size) * size for bank in banks]
 
 
 def checked_step(step: object) -> Fraction:

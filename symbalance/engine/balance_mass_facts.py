@@ -1,4 +1,4 @@
-"""What tables say of an engine's counterweights and balance shafts, one line each."""
+"""Counterweights and balance shafts in words, one line each, for every document about an engine."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal
 from symbalance.document.nodes import Words
 from symbalance.document.text_writer import formula_text
-from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
+from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import Component
@@ -28,14 +28,14 @@ def balancer_facts(engine: Engine) -> list[Words]:
     >>> plain_words(balancer_facts(single)[0])
     'shaft at −1 times the crank: share 1/2 at 180°, station 0'
     """
-    found = engine.balancers
-    facts: list[Words] = [_counterweight(c) for c in found.counterweights]
+    balancers = engine.balancers
+    facts: list[Words] = [_counterweight(c) for c in balancers.counterweights]
     if not facts:
         if any(c.rotating_mass for c in engine.cylinders):
             facts.append("rotating masses are taken as balanced, throw by throw")
         if engine.has_link_pin_masses:
             facts.append("but for what link pins move those on them beside the crank pins")
-    return facts + [_shaft(s) for s in found.shafts]
+    return facts + [_shaft(s) for s in balancers.shafts]
 
 
 def _counterweight(counterweight: Counterweight) -> Words:
@@ -43,13 +43,13 @@ def _counterweight(counterweight: Counterweight) -> Words:
     where += [f"web {counterweight.web}"] if counterweight.web else []
     opposite = ", from opposite its pin" if where else ""
     if counterweight.station is not None or not where:
-        where.append(f"station {signed(counterweight.station or 0)}")
+        where.append(f"station {with_minus(counterweight.station or 0)}")
     head = f"counterweight on {', '.join(where)}: "
     if counterweight.weight is None:
         share = counterweight.overbalance or 0
         tail = f" from opposite the pin, by {counterweight.angle.as_text()} degrees"
-        turned = tail if counterweight.angle.turns or counterweight.angle.symbols else ""
-        return f"{head}for its rotating mass and {share} of its reciprocating mass{turned}"
+        direction = tail if counterweight.angle.turns or counterweight.angle.symbols else ""
+        return f"{head}for its rotating mass and {share} of its reciprocating mass{direction}"
     return (head, *_size(counterweight.weight.vector, counterweight.weight.in_kg_mm), opposite)
 
 
@@ -66,7 +66,7 @@ def _shaft(shaft: BalanceShaft) -> Words:
 
 
 def _weight(weight: Weight) -> tuple[Any, ...]:
-    return (*_size(weight.vector, weight.in_kg_mm), f", station {signed(weight.station)}")
+    return (*_size(weight.vector, weight.in_kg_mm), f", station {with_minus(weight.station)}")
 
 
 def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
@@ -79,7 +79,7 @@ def size(vector: Amplitude) -> tuple[Any, ...]:
     exact = formula_of(Component(vector).amplitude)
     if vector.has_symbols or (not vector.is_decimal and len(formula_text(exact)) <= LONGEST):
         return (exact,)
-    return ("≈ ", Decimal(rounded(vector.size())))
+    return ("≈ ", Decimal(five_digits(vector.size())))
 
 
 def nearly(vector: Amplitude) -> Words:
@@ -87,11 +87,11 @@ def nearly(vector: Amplitude) -> Words:
     first, *more = size(vector)
     if vector.has_symbols or more:
         return ""
-    near = rounded(vector.size()).removesuffix(".0")
+    near = five_digits(vector.size()).removesuffix(".0")
     return "" if near == formula_text(first) else Decimal(near)
 
 
-def rounded(value: Any) -> str:
+def five_digits(value: Any) -> str:
     """Return a decimal to five digits."""
     return nstr(value, 5)
 
@@ -109,16 +109,16 @@ def direction(vector: Amplitude) -> tuple[Any, ...]:
     import sympy
 
     phase = Component(vector).phase
-    turned = phase * 180 / sympy.pi
-    if turned.is_Rational:
-        return (formula_of(turned), "°")
+    degrees_exact = phase * 180 / sympy.pi
+    if degrees_exact.is_Rational:
+        return (formula_of(degrees_exact), "°")
     if vector.has_symbols:
         return (formula_of(phase),)
     near = vector.evaluated()
     degrees = atan2(near.imag, near.real) * 180 / pi()
-    return ("≈ ", Decimal(rounded(degrees)), "°")
+    return ("≈ ", Decimal(five_digits(degrees)), "°")
 
 
-def signed(number: Fraction | int) -> str:
+def with_minus(number: Fraction | int) -> str:
     """Return a number with a minus sign of its own."""
     return str(number).replace("-", "−")

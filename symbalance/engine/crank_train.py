@@ -1,4 +1,4 @@
-"""The sizes of what moves: stroke, rod, masses, offset, shared by all cylinders or a cylinder's own."""
+"""Stroke, rod, masses and offset of a cylinder's moving parts, shared by all cylinders or its own."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from symbalance.text.numbers import checked_whole, exact
 
 MASSES = ("reciprocating_mass", "rotating_mass")
 ROD = ("rod_mass", "rod_centre", "rod_inertia")
-"""What tells a rod's own inertia: kg, mm from the big end, kg mm^2 about the centre of gravity."""
-OWN = ("stroke", "rod", *MASSES, "offset", *ROD)
+"""The keys of a rod's own inertia: kg, mm from the big end, kg mm^2 about the centre of gravity."""
+CYLINDER_SIZES = ("stroke", "rod", *MASSES, "offset", *ROD)
 """Sizes a cylinder may have of its own."""
 
 
@@ -61,33 +61,33 @@ class CrankTrain:
     @property
     def rod_split(self) -> RodSplit | None:
         """The rod as two masses and a couple, kg and mm; None where its inertia is not given."""
-        given = {key: getattr(self, key) for key in ROD}
-        missing = [key for key, value in given.items() if value is None]
+        sizes = {key: getattr(self, key) for key in ROD}
+        missing = [key for key, value in sizes.items() if value is None]
         if len(missing) == len(ROD):
             return None
         if missing:
-            rule = f"tell a rod's inertia together: {missing[0]} is missing"
+            rule = f"belong together: {missing[0]} is missing"
             raise SymbalanceError(", ".join(k for k in ROD if k not in missing), rule, "give all three")
         if self.rod is None:
             raise SymbalanceError("rod_mass", "needs the rod's length", "give rod = ..., in mm")
-        if given["rod_centre"] > self.rod:
-            what = f"rod_centre = {shown(given['rod_centre'])}"
+        if sizes["rod_centre"] > self.rod:
+            what = f"rod_centre = {shown(sizes['rod_centre'])}"
             rule = f"must lie between the rod's ends, within 0 and {shown(self.rod)}"
             raise SymbalanceError(what, rule, "count mm from the big end")
-        return RodSplit(given["rod_mass"], self.rod, given["rod_centre"], given["rod_inertia"])
+        return RodSplit(sizes["rod_mass"], self.rod, sizes["rod_centre"], sizes["rod_inertia"])
 
-    def overridden(self, own: CrankTrain) -> CrankTrain:
-        """Return these sizes with those given in `own` put in; a rod or stroke ends a given ratio."""
+    def overridden(self, overrides: CrankTrain) -> CrankTrain:
+        """Return these sizes with those of `overrides` put in; its rod or stroke ends a given ratio."""
         values = {f.name: getattr(self, f.name) for f in fields(self)}
-        given = {f.name: v for f in fields(own) if (v := getattr(own, f.name)) is not None}
-        if "stroke" in given or "rod" in given:
+        present = {f.name: v for f in fields(overrides) if (v := getattr(overrides, f.name)) is not None}
+        if "stroke" in present or "rod" in present:
             values["given_ratio"] = None
-        return CrankTrain(**{**values, **given})
+        return CrankTrain(**{**values, **present})
 
 
 @dataclass(frozen=True, init=False)
 class Link:
-    """How a link rod hangs on a master rod.
+    """Where a link rod is attached to its master rod.
 
     `master` is that cylinder's number, `angle` the link pin's direction from the master rod (from the
     crank pin towards the master piston) in the sense of rotation, in turns, `radius` its distance from
@@ -101,10 +101,10 @@ class Link:
     def __init__(self, master: object, angle: object = 0, radius: object = 0) -> None:
         set_field = object.__setattr__
         set_field(self, "master", checked_whole(master, "master", 1, 1000, "name the master's cylinder"))
-        turned = degrees(angle, "link_angle")
-        if turned.symbols:
+        direction = degrees(angle, "link_angle")
+        if direction.symbols:
             raise SymbalanceError(f"link_angle = {shown(angle)}", "must be a number", "degrees")
-        set_field(self, "angle", turned.normalized().turns)
+        set_field(self, "angle", direction.normalized().turns)
         set_field(self, "radius", checked_size("link_radius", radius))
 
 
@@ -128,6 +128,6 @@ def check_reach(train: CrankTrain) -> None:
             raise SymbalanceError(f"offset = {float(train.offset):.12g}", rule, remedy)
 
 
-def own_train(sizes: dict[str, object]) -> CrankTrain:
+def checked_sizes(sizes: dict[str, object]) -> CrankTrain:
     """Return the sizes a cylinder has of its own, from those given (None is not given)."""
     return CrankTrain(**{k: checked_size(k, v) for k, v in sizes.items() if v is not None})
