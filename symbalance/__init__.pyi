@@ -108,7 +108,7 @@ from symbalance.kinematics.mechanisms import force_harmonics as force_harmonics
 from symbalance.kinematics.slider_crank import exact_coefficient as exact_coefficient
 from symbalance.kinematics.slider_crank import harmonics as harmonics
 from symbalance.kinematics.truncation import left_out as left_out
-from symbalance.kinematics.truncation_bounds import truncation_bounds as truncation_bounds
+from symbalance.kinematics.truncation_table import truncation_bounds as truncation_bounds
 from symbalance.notes.checking import check_equal as check_equal
 from symbalance.torque import crank_torque as crank_torque
 from symbalance.torque import firing_stars as firing_stars

@@ -245,6 +245,14 @@ class Balancers:
     counterweights: tuple[Counterweight, ...] = ()
     shafts: tuple[BalanceShaft, ...] = ()
 
+    def __post_init__(self) -> None:
+        for name, kind in (("counterweights", Counterweight), ("shafts", BalanceShaft)):
+            values = getattr(self, name)
+            few = isinstance(values, tuple | list) and len(values) <= MOST_BALANCERS
+            if not few or not all(isinstance(x, kind) for x in values):
+                rule = f"must be at most {MOST_BALANCERS} {kind.__name__} values"
+                raise SymbalanceError("balancers", rule, f"make each with {kind.__name__}(...)")
+
     def __bool__(self) -> bool:
         return bool(self.counterweights or self.shafts)
 
@@ -264,10 +272,6 @@ def checked_balancers(value: object, cylinders: Sequence[Cylinder]) -> Balancers
         return Balancers()
     if not isinstance(value, Balancers):
         raise SymbalanceError(f"balancers = {shown(value)}", "must be Balancers", "make them so")
-    for balancers, kind in ((value.counterweights, Counterweight), (value.shafts, BalanceShaft)):
-        if len(balancers) > MOST_BALANCERS or not all(isinstance(x, kind) for x in balancers):
-            rule = f"must be at most {MOST_BALANCERS} {kind.__name__} values"
-            raise SymbalanceError("balancers", rule, f"make each with {kind.__name__}(...)")
     for counterweight in value.counterweights:
         counterweight.stands_at(cylinders)
     return value
