@@ -1,5 +1,6 @@
 """The README and the site's pages say what is: tables, commands, engine files, the tour, links."""
 
+import argparse
 import doctest
 import re
 from pathlib import Path
@@ -119,5 +120,11 @@ def test_the_steps_shown_to_a_newcomer_are_sound(tmp_path, capsys):
     path.write_text(preset, encoding="utf-8")
     assert run(["balance", str(path), "--order", "2"]) == 0
     assert "1/2" in capsys.readouterr().out
-    for block in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
-        compile(block, "CONTRIBUTING.md", "exec")
+    source = re.findall(r"```python\n(.*?)```", text, re.DOTALL)[0]
+    module: dict[str, object] = {}
+    exec(compile(source, "bounds.py", "exec"), module)
+    parser = argparse.ArgumentParser()
+    module["add"](parser.add_subparsers())
+    options = parser.parse_args(["bounds", "--order", "2"])
+    assert options.run(options) == 0
+    assert "0.00417385" in capsys.readouterr().out

@@ -16,12 +16,10 @@ import pytest
 
 import symbalance
 from symbalance.cli.parser import build_parser
+from tests import ROOT
 
 pytestmark = pytest.mark.slow
 
-ROOT = Path(__file__).resolve().parent
-while not (ROOT / "pyproject.toml").exists():
-    ROOT = ROOT.parent
 DOCS = ROOT / "docs"
 
 OFFLINE = """

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import argparse
 import re
-from pathlib import Path
 
 import pytest
 
 from symbalance.cli.parser import build_parser
 from symbalance.document.symbols import MEANINGS
+from tests import ROOT
 
-ROOT = Path(__file__).parent.parent
 PAGE = ROOT / "docs" / "glossary.md"
 COLUMNS = ["term", "meaning", "symbol", "unit", "German", "Japanese"]
 ROWS = [
