@@ -19,10 +19,10 @@ def add(commands: argparse._SubParsersAction) -> None:
         commands,
         "design",
         run,
-        "Counterweights and balance shafts that end given orders, with a certificate.",
+        "Counterweights and balance shafts that balance given orders, with a certificate.",
     )
     parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
-    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to end; default: 1,2")
+    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to balance; default: 1,2")
     parser.add_argument(
         "--shafts", metavar="N", help="at most so many shafts; default: as many as it takes"
     )
