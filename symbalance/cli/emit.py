@@ -18,7 +18,7 @@ def run(options: argparse.Namespace) -> int:
     order = None if options.order is None else whole_number(options.order, "order")
     tolerance = _tolerance(options.tolerance) if order is None else None
 
-    from symbalance.codegen import planned_for
+    from symbalance.codegen import plan_for
     from symbalance.codegen.targets import FILES, files, identifier
     from symbalance.engine.catalogue import load
     from symbalance.forces.resultants import balance
@@ -31,7 +31,7 @@ def run(options: argparse.Namespace) -> int:
     running = running_engine(options, layout, "torque.total" in outputs)
     highest = 1 if order is None else order
     result = balance(layout, highest) if running is None else running
-    planned = planned_for(result, None, outputs, options.target, tolerance, highest)
+    planned = plan_for(result, None, outputs, options.target, tolerance, highest)
     name = identifier(layout.name) if path is None else path.stem
     made = files(planned, options.target, layout.name, name, grid=options.uniform_grid)
     if path is None or len(made) == 1:

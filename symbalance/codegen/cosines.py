@@ -9,7 +9,7 @@ where its argument is, so that each rounding of x costs at most 0.56 u, and no s
 
     |theta| <= 2^20: n < 2^20 s/2 pi + 3; P_1 and P/4 share a grid so coarse that n P_1 < 2^53 steps.
 
-Above 2^20 rad the far lines start from the library's own cos theta and sin theta and raise
+Above 2^20 rad the lines for any angle start from the library's own cos theta and sin theta and raise
 e^(i theta) to the power s: exactly reduced where the library does so, at an error of about s u.
 Source of the idea: Cody and Waite, Software Manual for the Elementary Functions (1980), ch. 8.
 """
@@ -21,7 +21,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import ceil, log2
 
-from symbalance.codegen.kernels import Kernel, horner
+from symbalance.codegen.expression_ir import Kernel, horner
 from symbalance.text.reals import Exact, Real, cos, ldexp, nint, pi, sin, solve, sqrt
 
 LIMIT = 2.0**20
@@ -56,11 +56,11 @@ class Cosine:
     step: Fraction
     phase: Real
 
-    def near(self, kernel: Kernel, name: str, mark: str) -> None:
+    def add_reduced_range(self, kernel: Kernel, name: str, mark: str) -> None:
         """Add the lines that compute it into `name` for |theta| <= LIMIT; `mark` keeps names apart."""
         sine_lines(kernel, name, _folded(self, kernel, mark), mark)
 
-    def on_grid(self, kernel: Kernel, name: str, mark: str) -> None:
+    def add_on_grid(self, kernel: Kernel, name: str, mark: str) -> None:
         """Add the lines at theta = 2 pi index/points: whole numbers take the turns off, exactly."""
         times, under = self.step.numerator, self.step.denominator
         around = "points" if under == 1 else f"({under}.0*points)"
@@ -78,9 +78,9 @@ class Cosine:
         x = kernel.line(f"x{mark}", f"({around} - 4.0*abs({m}))*{step}", "a quarter less that")
         sine_lines(kernel, name, x, mark)
 
-    def far(self, kernel: Kernel, name: str, mark: str) -> None:
+    def add_full_range(self, kernel: Kernel, name: str, mark: str) -> None:
         """Add the lines for any other angle, from cos and sin of the angle itself."""
-        far_cosine(self, kernel, name, mark)
+        full_range_cosine(self, kernel, name, mark)
 
 
 def per_point(kernel: Kernel, turns: int = 1) -> str:
@@ -93,7 +93,7 @@ def per_point(kernel: Kernel, turns: int = 1) -> str:
     return kernel.line(name, "1.0/points" if turns == 1 else f"1.0/({turns}.0*points)")
 
 
-def far_cosine(cosine: Cosine, kernel: Kernel, name: str, mark: str) -> str:
+def full_range_cosine(cosine: Cosine, kernel: Kernel, name: str, mark: str) -> str:
     """Add the lines of a cosine from the library's own cos theta and sin theta; return its name."""
     half = cosine.step.denominator == 2
     angle, base = ("0.5*theta", "_half") if half else ("theta", "")
@@ -123,7 +123,7 @@ def sine_tail(kernel: Kernel, u: str) -> str:
     return horner(terms, u)
 
 
-def cut(value: Real, grid: int, bits: int, parts: int) -> list[Real]:
+def split(value: Real, grid: int, bits: int, parts: int) -> list[Real]:
     """Cut a number into `parts` multiples of 2^-grid, 2^-(grid + bits), ..., and the rest."""
     found, rest = [], value
     for i in range(parts):
@@ -200,7 +200,7 @@ def _split(kernel: Kernel, period: Real, grid: int, most: int, mark: str, times:
     """Cut the period into parts on grids and a last double, till what is left does not matter."""
     bits = 53 - most.bit_length()
     count = next(k for k in (1, 2, 3) if ldexp(most, 5 - grid - (k - 1) * bits) < period)
-    parts = cut(period, grid, bits, count)
+    parts = split(period, grid, bits, count)
     parts[-1] *= times
     note = "the period, cut so that n times the first part is exact"
     return [
@@ -214,7 +214,7 @@ def _on_grid(value: Real, bits: int) -> Real:
 
 
 def _two(kernel: Kernel, name: str, value: Real, grid: int, times: Exact = 1) -> tuple[str, str]:
-    high, low = cut(value, grid, 0, 1)
+    high, low = split(value, grid, 0, 1)
     return kernel.constant(f"{name}_1", high), kernel.constant(f"{name}_2", low * times)
 
 

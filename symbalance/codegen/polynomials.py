@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
 
-from symbalance.codegen.kernels import Kernel, horner
-from symbalance.codegen.waves import Term
+from symbalance.codegen.expression_ir import Kernel, horner
+from symbalance.codegen.harmonic_sum import Term
 from symbalance.text.reals import DIGITS, Complex, Real, atan2, expjpi, nint, pi
 
 ALIGNED = Fraction(1, 10 ** (DIGITS - 8))

@@ -54,7 +54,7 @@ def chebyshev_u(k: int, psi: Grid) -> Grid:
     return np.where(near, ends, np.sin(k * psi) / sine)
 
 
-def of_powers(coefficients: Sequence[float], psi: Grid) -> Grid:
+def horner_rounding(coefficients: Sequence[float], psi: Grid) -> Grid:
     """Return what Horner's rule rounds, for a series in powers of c; zeros cost nothing."""
     c, total = np.cos(psi), np.zeros_like(psi)
     value = np.zeros_like(psi)
@@ -66,7 +66,7 @@ def of_powers(coefficients: Sequence[float], psi: Grid) -> Grid:
     return total
 
 
-def of_clenshaw(row: Sequence[float], psi: Grid, kind: str = "T") -> Grid:
+def clenshaw_rounding(row: Sequence[float], psi: Grid, kind: str = "T") -> Grid:
     """Return what Clenshaw's recurrence rounds, for sum a_k T_k(c) or sum a_k U_{k-1}(c)."""
     c, total = np.cos(psi), np.zeros_like(psi)
     above, here = np.zeros_like(psi), np.zeros_like(psi)

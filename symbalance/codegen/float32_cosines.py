@@ -25,33 +25,33 @@ from fractions import Fraction
 from functools import lru_cache
 from math import lcm
 
-from symbalance.codegen.bases import Bases
-from symbalance.codegen.cosines import Cosine, cut, sine_polynomial
-from symbalance.codegen.crests import Crest
-from symbalance.codegen.kernels import Kernel, horner
-from symbalance.codegen.waves import Closed
+from symbalance.codegen.cosines import Cosine, sine_polynomial, split
+from symbalance.codegen.expression_ir import Kernel, horner
+from symbalance.codegen.harmonic_sum import ClosedForm
+from symbalance.codegen.reinsch import Crest
+from symbalance.codegen.shared_cosines import SharedCosines
 from symbalance.text.reals import Real, ldexp, nint, pi
 
 LIMIT32 = 2.0**31
 """The largest |theta| in radians that is cut into parts without loss."""
 CUTS = (("z", 20), ("a", 8), ("b", -4), ("c", -16))
 """The parts of theta: names, and the powers of two they count."""
-SINE32_DEGREE = 11
+FLOAT32_SINE_DEGREE = 11
 REST = 2.0**-11
 """More than |e|, in turns."""
 
 
 @lru_cache
-def sine32_coefficients(margin: float) -> tuple[float, ...]:
+def float32_sine_coefficients(margin: float) -> tuple[float, ...]:
     """Return S_3, S_5, ..., with sin x = x + x^3 (S_3 + x^2 (...)) on |x| <= pi/2 + margin.
 
     Off by at most 0.01 u32 there for the margin of order 24; degree 9 would be by 0.6.
     """
-    count = (SINE32_DEGREE - 1) // 2
+    count = (FLOAT32_SINE_DEGREE - 1) // 2
     return sine_polynomial((pi() / 2 + margin) ** 2, count)
 
 
-def single_kernel(bases: Bases, wanted: tuple[str, ...]) -> Kernel:
+def float32_kernel(bases: SharedCosines, wanted: tuple[str, ...]) -> Kernel:
     """Return the lines of every base, from a float32 theta, in float32."""
     if not wanted:
         return Kernel()
@@ -64,8 +64,8 @@ def single_kernel(bases: Bases, wanted: tuple[str, ...]) -> Kernel:
         single.cosine(cosine, f"c{i}", str(i))
     for i, crest in enumerate(bases.crests, 1):
         single.crest(crest, f"{i}p")
-    for closed in bases.squares:
-        single.square(closed, "sq")
+    for closed_form in bases.squares:
+        single.square(closed_form, "sq")
     return kernel.pruned(wanted)
 
 
@@ -79,7 +79,7 @@ def turn_lines(kernel: Kernel, under: int) -> None:
         kernel.line(f"to_{after}", f"{rest} - {_times(name, power)}", "exact")
         rest = f"to_{after}"
         share = ldexp(turns, power)
-        parts = cut(share - nint(share), 12, 12, 2)
+        parts = split(share - nint(share), 12, 12, 2)
         note = f"2^{power}/(2 pi{f' {under}' if under > 1 else ''}) less whole turns, cut in three"
         for j, part in enumerate(parts, 1):
             kernel.constant(f"{name.upper()}{j}", part, note if j == 1 else "")
@@ -107,7 +107,7 @@ class _Single:
 
     def part(self, step: Fraction, phase: Real, mark: str) -> tuple[str, str]:
         """Return step theta - phase in turns: the exact part, as a line's name, and the rest."""
-        high, low = cut(phase, 12, 0, 1)
+        high, low = split(phase, 12, 0, 1)
         exact = self._less(f"{float(step * self.under)!r}*f", high, f"PHASE{mark}_1")
         rest = self._less(f"{float(step * self.under)!r}*e", low, f"PHASE{mark}_2")
         return self.kernel.line(f"y{mark}", exact, "exact"), rest
@@ -136,9 +136,9 @@ class _Single:
         line(sigma, f"1.0 - 2.0*abs({n} - 2.0*rint(0.5*{n}))", "1 on a crest, -1 in a trough")
         line(q, f"2.0*{sine}*sqrt(1.0 - 0.25*{m})", "sin(psi')")
 
-    def square(self, closed: Closed, name: str) -> None:
+    def square(self, closed_form: ClosedForm, name: str) -> None:
         """Add name = sin^2 of half a piston's crank angle."""
-        turns = closed.places[0][1]
+        turns = closed_form.places[0][1]
         away = round(turns) - turns
         exact, rest = self.part(Fraction(1), Real(away), "_top")
         v = self.kernel.line("v_top", f"{exact} - rint({exact})", "exact: turns from the top")
@@ -152,7 +152,7 @@ class _Single:
         note = "sin x = x + x^3 (R3 + x^2 (R5 + ...)), for float32"
         names = [
             self.kernel.constant(f"R{2 * j + 3}", s, "" if j else note)
-            for j, s in enumerate(sine32_coefficients(self.margin))
+            for j, s in enumerate(float32_sine_coefficients(self.margin))
         ]
         return self.kernel.line(name, f"{x} + {x}*{u}*({horner(names, u)})")
 

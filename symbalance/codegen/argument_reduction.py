@@ -18,8 +18,8 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from symbalance.codegen.cosines import cut
-from symbalance.codegen.kernels import Kernel, Line
+from symbalance.codegen.cosines import split
+from symbalance.codegen.expression_ir import Kernel, Line
 from symbalance.text.reals import pi
 
 FARTHEST = 2.0**50
@@ -49,7 +49,7 @@ def widened(near: Kernel) -> Kernel:
     kernel = Kernel(list(near.constants), [])
     span = 2 * pi(60) * MANY
     rest = span - round(span)
-    first, second, third = cut(rest, 39, 39, 2)
+    first, second, third = split(rest, 39, 39, 2)
     per = kernel.constant("PER_RADIAN_MANY", 1 / span, f"times {MANY} turns in a radian")
     whole = kernel.constant("MANY_TURNS", round(span), f"{MANY} turns in radians, cut in four")
     part = kernel.constant("MANY_TURNS_REST", rest, "what lies beyond the whole number")

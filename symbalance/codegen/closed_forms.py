@@ -17,9 +17,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.codegen.cosines import LIMIT, Cosine, cut, per_point, sine_lines, sine_tail
-from symbalance.codegen.kernels import Kernel
-from symbalance.codegen.waves import Closed
+from symbalance.codegen.cosines import LIMIT, Cosine, per_point, sine_lines, sine_tail, split
+from symbalance.codegen.expression_ir import Kernel
+from symbalance.codegen.harmonic_sum import ClosedForm
 from symbalance.text.reals import Real, cos, pi, sin, sqrt
 
 COMPRESSED = Fraction(1, 2)
@@ -68,9 +68,9 @@ def secondary_lines(kernel: Kernel, ratio: Fraction, cosine: str, mark: str) -> 
     return kernel.line(f"e{mark}", f"{rho}*({top})/({d}*sqrt({d}))", "every order above the first")
 
 
-def velocity_lines(kernel: Kernel, closed: Closed, cosine: str, sine: str) -> str:
+def velocity_formula(kernel: Kernel, closed_form: ClosedForm, cosine: str, sine: str) -> str:
     """Add the lines of a piston's velocity over r omega, from cos and sin of its crank angle."""
-    rest, square = squares(closed.ratio)
+    rest, square = squares(closed_form.ratio)
     rho = kernel.constant("RHO", sqrt(square), "r/l")
     gap = kernel.constant("GAP", rest, "1 - rho^2")
     full = kernel.constant("RHO_SQUARE", square, "rho^2")
@@ -78,7 +78,7 @@ def velocity_lines(kernel: Kernel, closed: Closed, cosine: str, sine: str) -> st
     return f"{sine}*(1.0 + {rho}*{cosine}/sqrt({d}))"
 
 
-def displacement_base(kernel: Kernel, closed: Closed, name: str) -> None:
+def add_reduced_range_square(kernel: Kernel, closed_form: ClosedForm, name: str) -> None:
     """Add the lines of name = sin^2 h, h half the piston's crank angle, with its own digits everywhere.
 
     The angle is reduced in three parts, so that what is left of it keeps its digits near a dead centre;
@@ -86,8 +86,8 @@ def displacement_base(kernel: Kernel, closed: Closed, name: str) -> None:
     """
     turn = 2 * pi(90)
     bits = 53 - (int(LIMIT / turn) + 3).bit_length()
-    shift = -turn * _nearest(closed.places[0][1])
-    period, at = ([*cut(value, bits - 3, bits, 2)] for value in (turn, shift))
+    shift = -turn * _nearest(closed_form.places[0][1])
+    period, at = ([*split(value, bits - 3, bits, 2)] for value in (turn, shift))
     p1, p2, p3 = (kernel.constant(f"TURN_{i}", part) for i, part in enumerate(period, 1))
     s1, s2, s3 = (kernel.constant(f"TOP_{i}", part) for i, part in enumerate(at, 1))
     turns = kernel.constant("PER_RADIAN_P", 1 / turn, "turns in a radian")
@@ -113,9 +113,9 @@ def displacement_base(kernel: Kernel, closed: Closed, name: str) -> None:
     kernel.line(name, "(1.0 - upper) + (2.0*upper - 1.0)*(ps*ps + 2.0*(ps*pq))")
 
 
-def displacement_on_grid(kernel: Kernel, closed: Closed, name: str) -> None:
+def add_on_grid_square(kernel: Kernel, closed_form: ClosedForm, name: str) -> None:
     """Add the same at theta = 2 pi index/points."""
-    turns = _nearest(closed.places[0][1])
+    turns = _nearest(closed_form.places[0][1])
     shift = f" + points*{kernel.constant('TOP_TURNS_BEFORE', turns)}" if turns else ""
     whole = f" + {kernel.constant('TOP_TURNS_BEFORE', turns)}" if turns else ""
     kernel.line("pn", f"rint(index*{per_point(kernel)}{whole})", "whole turns")
@@ -126,17 +126,17 @@ def displacement_on_grid(kernel: Kernel, closed: Closed, name: str) -> None:
     kernel.line(name, "ps*ps")
 
 
-def displacement_far(kernel: Kernel, closed: Closed, name: str) -> None:
+def add_full_range_square(kernel: Kernel, closed_form: ClosedForm, name: str) -> None:
     """Add the same for any other angle, from the library's own cosine and sine."""
-    half = pi() * _nearest(closed.places[0][1])
+    half = pi() * _nearest(closed_form.places[0][1])
     c, s = kernel.constant("COS_TOP", cos(half)), kernel.constant("SIN_TOP", sin(half))
     kernel.line("ps", f"sin(0.5*theta)*{c} + cos(0.5*theta)*{s}")
     kernel.line(name, "ps*ps")
 
 
-def displacement_lines(kernel: Kernel, closed: Closed, square: str) -> str:
+def displacement_formula(kernel: Kernel, closed_form: ClosedForm, square: str) -> str:
     """Return the displacement over r from sin^2(theta/2), adding what it needs."""
-    rest, rho_square = squares(closed.ratio)
+    rest, rho_square = squares(closed_form.ratio)
     rho = kernel.constant("RHO", sqrt(rho_square), "r/l")
     gap = kernel.constant("GAP", rest, "1 - rho^2")
     full = kernel.constant("RHO_SQUARE", rho_square, "rho^2")

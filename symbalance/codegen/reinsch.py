@@ -19,8 +19,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from symbalance.codegen.cosines import Cosine, crest_angle, far_cosine, per_point, sine_lines
-from symbalance.codegen.kernels import Kernel
+from symbalance.codegen.cosines import Cosine, crest_angle, full_range_cosine, per_point, sine_lines
+from symbalance.codegen.expression_ir import Kernel
 from symbalance.codegen.rounding import Grid
 from symbalance.text.reals import Real, pi
 
@@ -39,13 +39,13 @@ class Crest:
         """Return the names of m, sigma and sin(psi')."""
         return f"m{mark}", f"sigma{mark}", f"q{mark}"
 
-    def near(self, kernel: Kernel, mark: str) -> None:
+    def add_reduced_range(self, kernel: Kernel, mark: str) -> None:
         """Add the lines for |theta| <= LIMIT."""
         n, r = crest_angle(self.step, self.phase, kernel, mark)
         h = kernel.line(f"x{mark}", f"{float(self.step / 2)!r}*{r}", "half of psi'")
         self._from_half(kernel, n, h, mark)
 
-    def on_grid(self, kernel: Kernel, mark: str) -> None:
+    def add_on_grid(self, kernel: Kernel, mark: str) -> None:
         """Add the lines at theta = 2 pi index/points."""
         times, under = float(self.step.numerator), float(self.step.denominator)
         turned = f"{times!r}*index*{per_point(kernel, self.step.denominator)}"
@@ -66,12 +66,12 @@ class Crest:
         kernel.line(sigma, f"1.0 - 2.0*abs({n} - 2.0*rint(0.5*{n}))", "1 on a crest, -1 in a trough")
         kernel.line(q, f"2.0*sin_h{mark}*sqrt(1.0 - 0.25*{m})", "sin(psi')")
 
-    def far(self, kernel: Kernel, mark: str) -> None:
+    def add_full_range(self, kernel: Kernel, mark: str) -> None:
         """Add the lines for any other angle."""
         m, sigma, q = self.names(mark)
-        c = far_cosine(Cosine(self.step, self.phase), kernel, f"cos_p{mark}", mark)
+        c = full_range_cosine(Cosine(self.step, self.phase), kernel, f"cos_p{mark}", mark)
         quarter = Cosine(self.step, self.phase + 0.25)
-        s = far_cosine(quarter, kernel, f"sin_p{mark}", f"{mark}q")
+        s = full_range_cosine(quarter, kernel, f"sin_p{mark}", f"{mark}q")
         kernel.line(sigma, f"side({c})")
         kernel.line(m, f"2.0*{s}*{s}/(1.0 + abs({c}))")
         kernel.line(q, f"{sigma}*{s}")
@@ -92,7 +92,7 @@ def reinsch_lines(
     return d, b
 
 
-def rounding_of_reinsch(row: Sequence[float], psi: Grid, kind: str = "T") -> Grid:
+def reinsch_rounding(row: Sequence[float], psi: Grid, kind: str = "T") -> Grid:
     """Return what the recurrence rounds and its argument's error counts, in u, over angles psi.
 
     An error in d_k is as if a_k were changed; one in b_k counts 2 sin(psi'/2) times, or, over sin(psi'),

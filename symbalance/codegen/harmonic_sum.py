@@ -2,7 +2,7 @@
 
 The digits are those the coefficients carry before they are rounded, once, to a double.
 
-A `Wave` is all the evaluators know of a result. Whatever has a spectrum can be evaluated by making
+A `HarmonicSum` is all the evaluators know of a result. Whatever has a spectrum can be evaluated by making
 waves of it: forces and couples, torque (half orders included) alike.
 """
 
@@ -64,7 +64,7 @@ ACCELERATION = Unit(("radius", "omega", "omega"), "m/s^2")
 
 
 @dataclass(frozen=True)
-class Closed:
+class ClosedForm:
     """A closed form, all orders at once, in a rod ratio lambda > 1.
 
     `kind` "secondary": `first` plus the sum of weight * E(theta + 2 pi turns) over `places`, E being
@@ -113,7 +113,7 @@ def _velocity(theta: Real, rho: Real) -> Real:
 
 
 @dataclass(frozen=True)
-class Wave:
+class HarmonicSum:
     """One output: its mean and harmonics or its closed form, and how it is measured.
 
     `left_out` bounds what the harmonics, which reach order `through`, leave out of the exact function, in
@@ -126,7 +126,7 @@ class Wave:
     terms: tuple[Term, ...] = ()
     through: int = 0
     left_out: float | None = None
-    closed: Closed | None = None
+    closed_form: ClosedForm | None = None
     mean: Real = ZERO
 
     def __post_init__(self) -> None:
@@ -138,19 +138,19 @@ class Wave:
         The value has the digits of the angle, 40 where it carries none.
         """
         theta = Real(theta)
-        if self.closed is not None and not self.terms:
-            return self.closed.value(theta)
+        if self.closed_form is not None and not self.terms:
+            return self.closed_form.value(theta)
         return self.mean + fsum(term.at(theta) for term in self.terms)
 
     def amplitude(self) -> float:
         """Return the largest size over all angles: sampled, so a lower bound, within 1 in 1000."""
         import numpy as np
 
-        if self.closed is not None and not self.terms:
-            if self.closed.kind == "displacement":
+        if self.closed_form is not None and not self.terms:
+            if self.closed_form.kind == "displacement":
                 return 2.0
             turn = 2 * pi(20)
-            return float(max(abs(self.value(turn * x)) for x in self.closed.peaks()))
+            return float(max(abs(self.value(turn * x)) for x in self.closed_form.peaks()))
         turns = 2 * max((t.order.denominator for t in self.terms), default=1)
         theta = np.linspace(0.0, turns * np.pi, 1 + 96 * max(16, self.through))
         total = np.full_like(theta, float(self.mean))

@@ -1,19 +1,21 @@
-"""Formulas in the spelling of a language: its functions, its operators, its numbers."""
+"""How a target language writes formulas, assignments, comments and long lines."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from symbalance.codegen.kernels import Constant, Line
+from symbalance.codegen.expression_ir import Constant, Line
 from symbalance.codegen.plans import Plan
 
 CALL = re.compile(r"\b(rint|abs|sqrt|side|cos|sin)\(")
+WIDTH = 100
+BREAKS = (" + ", " - ", ", ")
 
 
 @dataclass(frozen=True)
-class Spelling:
+class Syntax:
     """How a language writes functions (a text with {} for the argument), lines and comments."""
 
     functions: Mapping[str, str]
@@ -35,16 +37,16 @@ class Spelling:
         """Return what precedes a call."""
         return text.replace("*", ".*").replace("/", "./") if self.elementwise else text
 
-    def outputs(self, planned: Plan, zero: str) -> tuple[list[Line], list[str]]:
+    def outputs(self, plan: Plan, zero: str) -> tuple[list[Line], list[str]]:
         """Return the lines and the formulas of the outputs times scale0, scale1, ....
 
         Where a formula is linear in its own constants the scale goes into those: that happens once,
         outside the loop over the angles.
         """
-        lines, formulas = list(planned.tail.lines), []
-        for i, output in enumerate(planned.outputs):
+        lines, formulas = list(plan.tail.lines), []
+        for i, output in enumerate(plan.outputs):
             scale = f"scale{i}"
-            if output.scaled:
+            if output.is_linear:
                 own = re.compile(rf"\b{output.prefix}\w+")
                 lines = [
                     replace(line, formula=own.sub(rf"({scale}*\g<0>)", line.formula)) for line in lines
@@ -84,3 +86,58 @@ def unique(groups: Iterable[Iterable[Constant]]) -> list[Constant]:
         if found.setdefault(constant.name, constant).value != constant.value:
             raise ValueError(f"two values for the constant {constant.name}")
     return list(found.values())
+
+
+def repeating(plan: Plan, divide: str = "/", gcd: str = "gcd") -> tuple[str, bool]:
+    """Return the formula of how many of `points` to a turn make a period, and whether it calls gcd.
+
+    With the outputs repeating s = a/b times in a turn, the grid repeats after b points/gcd(b points, a).
+    """
+    times, under = plan.step.numerator, plan.step.denominator
+    whole = "points" if under == 1 else f"{under}*points"
+    return (whole, False) if times == 1 else (f"{whole}{divide}{gcd}({whole}, {times})", True)
+
+
+def folded(text: str, note: str, tail: str = "", bracketed: bool = False) -> str:
+    r"""Return code with no line over `WIDTH`, as far as it has places to break a line at.
+
+    `note` begins a comment: one that makes its line too long goes before it. `tail` ends a line that goes
+    on. `bracketed`: only inside brackets may a line go on.
+
+    >>> print(folded("x = (" + "abcdefgh + "*10 + "z)  # long", "# ", bracketed=True))
+    # long
+    x = (abcdefgh + abcdefgh + abcdefgh + abcdefgh + abcdefgh + abcdefgh + abcdefgh + abcdefgh
+        + abcdefgh + abcdefgh + z)
+    """
+    found: list[str] = []
+    for line in text.split("\n"):
+        if len(line) <= WIDTH:
+            found.append(line)
+            continue
+        code, mark, rest = line.partition(f"  {note}")
+        indent = code[: len(code) - len(code.lstrip())]
+        if mark:
+            found.append(indent + note + rest)
+        found += _pieces(code, indent + "    ", tail, bracketed)
+    return "\n".join(found)
+
+
+def _pieces(code: str, indent: str, tail: str, bracketed: bool) -> Iterator[str]:
+    depth = 0
+    while len(code) > WIDTH:
+        place, depth = _place(code, len(indent), WIDTH - len(tail), depth, bracketed)
+        if not place:
+            break
+        yield code[:place].rstrip() + tail
+        code = indent + code[place:].lstrip()
+    yield code
+
+
+def _place(code: str, first: int, last: int, depth: int, bracketed: bool) -> tuple[int, int]:
+    """Return the last place to break at between two columns, 0 if there is none, and the depth there."""
+    place, found = 0, depth
+    for i, character in enumerate(code[:last]):
+        if i > first and (depth > 0 or not bracketed) and code.startswith(BREAKS, i):
+            place, found = i + code.startswith(",", i), depth
+        depth += (character in "([{") - (character in ")]}")
+    return place, found

@@ -32,35 +32,37 @@ REDUCTION = (
 )
 
 
-def paragraphs(planned: Plan, engine: str, reduction: str = REDUCTION) -> Iterator[str]:
+def paragraphs(plan: Plan, engine: str, reduction: str = REDUCTION) -> Iterator[str]:
     """Yield the lines of a source's head; `reduction` says what happens to the angles."""
-    ratio = planned.ratio
+    ratio = plan.ratio
     known = f"{ratio.numerator}" if ratio.denominator == 1 else f"{float(ratio)!r}"
     yield f"{plain(engine)}, lambda = l/r = {known}; made by symbalance {__version__}."
     yield ""
-    for output in planned.outputs:
+    for output in plan.outputs:
         yield from wrap(_described(output), WIDTH, subsequent_indent="    ")
-    torque = [TORQUE] if any(o.wave.name.startswith("torque") for o in planned.outputs) else []
+    torque = [TORQUE] if any(o.harmonic_sum.name.startswith("torque") for o in plan.outputs) else []
     for text in (*CONVENTIONS, *torque, reduction):
         yield ""
         yield from wrap(text, WIDTH)
 
 
 def _described(output: Output) -> str:
-    wave = output.wave
-    orders = [str(t.order) for t in wave.terms]
+    harmonic_sum = output.harmonic_sum
+    orders = [str(t.order) for t in harmonic_sum.terms]
     shown = ", ".join(orders if len(orders) < 12 else [*orders[:6], "...", orders[-1]])
     if not output.amplitude:
-        return f"{wave.name}: {wave.meaning}. Zero: every order asked for cancels."
-    what = "all orders, exact in lambda" if output.closed else f"orders {shown}"
-    text = f"{wave.name} in {wave.unit.name}: {wave.meaning}. {what}; {output.form}."
-    text += f" Mean {float(wave.mean):.6g}." if wave.mean else ""
+        return f"{harmonic_sum.name}: {harmonic_sum.meaning}. Zero: every order asked for cancels."
+    what = "all orders, exact in lambda" if output.uses_closed_form else f"orders {shown}"
+    text = (
+        f"{harmonic_sum.name} in {harmonic_sum.unit.name}: {harmonic_sum.meaning}. {what}; {output.form}."
+    )
+    text += f" Mean {float(harmonic_sum.mean):.6g}." if harmonic_sum.mean else ""
     text += f" Amplitude {output.amplitude:.6g}; rounding errs by at most {output.rounding:.3g} u of it"
-    if output.closed or wave.left_out == 0.0:
+    if output.uses_closed_form or harmonic_sum.left_out == 0.0:
         return text + "."
-    if wave.left_out is None:
-        return text + f"; orders above {wave.through} are left out."
-    return text + f"; the orders left out sum to at most {wave.left_out:.3g}."
+    if harmonic_sum.left_out is None:
+        return text + f"; orders above {harmonic_sum.through} are left out."
+    return text + f"; the orders left out sum to at most {harmonic_sum.left_out:.3g}."
 
 
 def plain(text: str) -> str:
