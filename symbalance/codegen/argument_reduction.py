@@ -1,4 +1,4 @@
-r"""Angles to 2^50 rad without a branch: very many turns are taken off first, exactly.
+r"""Reduction of crank angles up to 2^50 rad without branches: whole turns go off first, exactly.
 
 M = 99532 turns are I + eps radians with I whole and eps = -5.8e-6, for 2 I/M is a convergent of 4 pi.
 With N = rint(theta/2 pi M), below 2^31,
@@ -22,11 +22,11 @@ from symbalance.codegen.cosines import split
 from symbalance.codegen.expression_ir import Kernel, Line
 from symbalance.text.reals import pi
 
-FARTHEST = 2.0**50
-"""The largest |theta| in radians the wide lines reduce; doubles lie 1/4 rad apart there."""
-MANY = 99532
+FARTHEST_ANGLE = 2.0**50
+"""The largest |theta| in radians the lines reduce; doubles lie 1/4 rad apart there."""
+TURNS = 99532
 """So many turns are nearly a whole number of radians."""
-FOLDED, CREST = re.compile(r"x(\d+)"), re.compile(r"r\d+p")
+FOLD, CREST = re.compile(r"x(\d+)"), re.compile(r"r\d+p")
 STEP = re.compile(r"[\d.]+\*")
 DISPLACEMENT = {
     "pa": "{} - beyond_1",
@@ -39,7 +39,7 @@ DISPLACEMENT = {
 GRID = 4294967296.0
 
 
-def widened(near: Kernel) -> Kernel:
+def extend_range(near: Kernel) -> Kernel:
     """Return the lines for |theta| <= 2^20 made good for |theta| <= 2^50.
 
     `theta` itself is assigned to: for languages that let a name be used again.
@@ -47,18 +47,18 @@ def widened(near: Kernel) -> Kernel:
     if not near.lines:
         return near
     kernel = Kernel(list(near.constants), [])
-    span = 2 * pi(60) * MANY
+    span = 2 * pi(60) * TURNS
     rest = span - round(span)
     first, second, third = split(rest, 39, 39, 2)
-    per = kernel.constant("PER_RADIAN_MANY", 1 / span, f"times {MANY} turns in a radian")
-    whole = kernel.constant("MANY_TURNS", round(span), f"{MANY} turns in radians, cut in four")
+    per = kernel.constant("PER_RADIAN_MANY", 1 / span, f"times {TURNS} turns in a radian")
+    whole = kernel.constant("MANY_TURNS", round(span), f"{TURNS} turns in radians, cut in four")
     part = kernel.constant("MANY_TURNS_REST", rest, "what lies beyond the whole number")
     names = [
         kernel.constant("MANY_TURNS_2", first, "of so few bits that times `many` it is exact"),
         kernel.constant("MANY_TURNS_3", second),
         kernel.constant("MANY_TURNS_4", third),
     ]
-    kernel.line("many", f"rint(theta*{per})", f"times {MANY} turns")
+    kernel.line("many", f"rint(theta*{per})", f"times {TURNS} turns")
     kernel.line("g", f"rint(many*{part}*{GRID!r})/{GRID!r}", "exact from here to theta")
     kernel.line("beyond_1", f"many*{names[0]} - g", "exact: what theta leaves out")
     kernel.line("beyond_2", f"many*{names[1]}", "and more of that")
@@ -75,7 +75,7 @@ def widened(near: Kernel) -> Kernel:
 
 def _corrected(line: Line) -> list[Line]:
     """Return a line with the rest of the angle put in, where the period's own rest is."""
-    folded = FOLDED.fullmatch(line.name)
+    folded = FOLD.fullmatch(line.name)
     if folded:
         step = STEP.match(line.formula)
         more = f" + {step[0] if step else ''}side{folded[1]}*beyond"

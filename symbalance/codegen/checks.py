@@ -55,8 +55,8 @@ def counted_angles(kernel: Kernel, limit: float = LIMIT) -> list[float]:
     rounded to a wrong number; elsewhere it may go unseen, though it spoils many other angles.
     """
     values = {constant.name: constant.value for constant in kernel.constants}
-    found = (COUNTED.search(line.formula) for line in kernel.lines)
-    counts = {(values[f[1]], values[f[2]] if f[2] else 0.0) for f in found if f}
+    matches = (COUNTED.search(line.formula) for line in kernel.lines)
+    counts = {(values[f[1]], values[f[2]] if f[2] else 0.0) for f in matches if f}
     return sorted({angle for per, shift in counts for angle in _beside(per, shift, limit)})
 
 

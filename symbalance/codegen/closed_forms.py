@@ -1,4 +1,4 @@
-r"""Closed forms as lines: every order at once, exact in lambda, in forms that lose no digits.
+r"""A piston's motion in closed form, every order at once, in formulas that lose no digits.
 
 With c = cos theta, g = cos 2 theta, k'^2 = (1 - rho)(1 + rho), every order of a piston's acceleration
 above the first is

@@ -94,7 +94,7 @@ def to_function(
     tolerance: float | None = None,
     order: int | None = None,
 ) -> Evaluator:
-    """Return a picklable function of the crank angle that holds `outputs` of a result and no more.
+    """Return a picklable function of the crank angle that computes `outputs` of a result and no more.
 
     Outputs: force or couple, a dot, and vertical, lateral, forward or backward; and piston.displacement,
     piston.velocity and piston.acceleration of cylinder 1, exact. `ratio` is the rod ratio lambda = l/r;

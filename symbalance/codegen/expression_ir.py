@@ -52,9 +52,9 @@ class Kernel:
         """Return every name its formulas use."""
         return {name for line in self.lines for name in NAME.findall(line.formula)}
 
-    def pruned(self, wanted: Iterable[str]) -> Kernel:
-        """Return the kernel without lines and constants that nothing `wanted` rests on."""
-        needed, lines = set(wanted), []
+    def pruned(self, used: Iterable[str]) -> Kernel:
+        """Return the kernel without lines and constants that nothing `used` rests on."""
+        needed, lines = set(used), []
         for line in reversed(self.lines):
             if line.name in needed:
                 needed.update(NAME.findall(line.formula))

@@ -1,4 +1,4 @@
-r"""The cosines in float32 alone, u32 = 2^-24, for angles to 2^31 rad taken as the float32 they are.
+r"""Cosines of multiples of the crank angle in float32 alone, for angles to 2^31 rad; u32 = 2^-24.
 
 theta is cut into whole numbers of at most 11 bits, and turned into turns in three sums:
 
@@ -51,22 +51,22 @@ def float32_sine_coefficients(margin: float) -> tuple[float, ...]:
     return sine_polynomial((pi() / 2 + margin) ** 2, count)
 
 
-def float32_kernel(bases: SharedCosines, wanted: tuple[str, ...]) -> Kernel:
+def float32_kernel(shared: SharedCosines, used: tuple[str, ...]) -> Kernel:
     """Return the lines of every base, from a float32 theta, in float32."""
-    if not wanted:
+    if not used:
         return Kernel()
-    kernel, steps = Kernel(), bases.steps()
+    kernel, steps = Kernel(), shared.steps()
     under = lcm(*(step.denominator for step in steps))
     margin = 2 * float(pi()) * REST * (1 + float(max(steps)) * under)
     turn_lines(kernel, under)
-    single = _Single(kernel, under, margin)
-    for i, cosine in enumerate(bases.cosines, 1):
-        single.cosine(cosine, f"c{i}", str(i))
-    for i, crest in enumerate(bases.crests, 1):
-        single.crest(crest, f"{i}p")
-    for closed_form in bases.squares:
-        single.square(closed_form, "sq")
-    return kernel.pruned(wanted)
+    lines = _Float32Lines(kernel, under, margin)
+    for i, cosine in enumerate(shared.cosines, 1):
+        lines.cosine(cosine, f"c{i}", str(i))
+    for i, crest in enumerate(shared.crests, 1):
+        lines.crest(crest, f"{i}p")
+    for closed_form in shared.squares:
+        lines.square(closed_form, "sq")
+    return kernel.pruned(used)
 
 
 def turn_lines(kernel: Kernel, under: int) -> None:
@@ -98,8 +98,8 @@ def _times(name: str, power: int) -> str:
 
 
 @dataclass(frozen=True)
-class _Single:
-    """Lines of bases from f and e; `under` turns of the crank are one of theirs."""
+class _Float32Lines:
+    """Lines of cosines, crests and squares from f and e; `under` turns of the crank are one of theirs."""
 
     kernel: Kernel
     under: int
@@ -125,7 +125,7 @@ class _Single:
         self.sine(name, self.kernel.line(f"x{mark}", f"{self._pi(2)}*{w}"), mark)
 
     def crest(self, crest: Crest, mark: str) -> None:
-        """Add m, sigma and sin(psi'), as `crests` defines them."""
+        """Add m, sigma and sin(psi'), as `reinsch` defines them."""
         m, sigma, q = crest.names(mark)
         line = self.kernel.line
         exact, rest = self.part(crest.step, crest.phase, mark)

@@ -1,9 +1,9 @@
-"""What a scene asks for, as numbers: each output a sum of harmonics or a closed form, to 40 digits.
+"""An output of a result as a sum of harmonics of the crank angle or a closed form, to 40 digits.
 
 The digits are those the coefficients carry before they are rounded, once, to a double.
 
 A `HarmonicSum` is all the evaluators know of a result. Whatever has a spectrum can be evaluated by making
-waves of it: forces and couples, torque (half orders included) alike.
+sums of it: forces and couples, torque (half orders included) alike.
 """
 
 from __future__ import annotations
@@ -85,8 +85,8 @@ class ClosedForm:
         theta = Real(theta)
         rho, turn = Real(1 / self.ratio, theta.digits), 2 * pi(theta.digits)
         part = {"secondary": _secondary, "displacement": _displacement, "velocity": _velocity}[self.kind]
-        moved = (weight * part(theta + turn * turns, rho) for weight, turns in self.places)
-        return fsum(moved) + fsum(term.at(theta) for term in self.first)
+        shifted = (weight * part(theta + turn * turns, rho) for weight, turns in self.places)
+        return fsum(shifted) + fsum(term.at(theta) for term in self.first)
 
     def peaks(self) -> list[float]:
         """Return turns of the crank where the largest value may be: a grid, and pistons in mid-stroke.
@@ -117,7 +117,7 @@ class HarmonicSum:
     """One output: its mean and harmonics or its closed form, and how it is measured.
 
     `left_out` bounds what the harmonics, which reach order `through`, leave out of the exact function, in
-    the wave's unit with every keyword 1; it is None where nothing was promised beyond `through`.
+    the sum's unit with every keyword 1; it is None where nothing was promised beyond `through`.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""A sum of harmonics as a polynomial in one cosine, or in a cosine and a sine, and what it rounds.
+"""A sum of harmonics as a polynomial in one cosine, or in a cosine and a sine.
 
 With psi = s theta - phase, cos k psi = T_k(c) and sin k psi = sin psi U_{k-1}(c), Chebyshev's polynomials
 in c = cos psi. Harmonics whose phases are all multiples of one another need the cosine alone.
@@ -39,25 +39,25 @@ def family(terms: Sequence[Term]) -> Family:
     Where there is none of either the largest needs no sine.
 
     >>> one = Term(Fraction(2), Real(0), Real(3))
-    >>> found = family([one])
-    >>> found.step, float(found.phase), float(found.even[1])
+    >>> harmonics = family([one])
+    >>> harmonics.step, float(harmonics.phase), float(harmonics.even[1])
     (Fraction(2, 1), 0.25, 3.0)
     """
     step = _step([t.order for t in terms])
     numbers = {int(t.order / step): Complex(t.cos, t.sin, DIGITS) for t in terms}
     count, largest = max(numbers), max(abs(z) for z in numbers.values())
     for phase in _phases(numbers):
-        turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
-        if all(abs(z.imag) <= ALIGNED * largest for z in turned.values()):
-            return Family(step, phase, _row(turned, count, "real"), ())
+        aligned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+        if all(abs(z.imag) <= ALIGNED * largest for z in aligned.values()):
+            return Family(step, phase, _row(aligned, count, "real"), ())
     for phase in _phases({k: z * -1j for k, z in numbers.items()}):
-        turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
-        if all(abs(z.real) <= ALIGNED * largest for z in turned.values()):
-            return Family(step, phase, (), _row(turned, count, "imag"))
+        aligned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+        if all(abs(z.real) <= ALIGNED * largest for z in aligned.values()):
+            return Family(step, phase, (), _row(aligned, count, "imag"))
     chief = max(numbers, key=lambda k: abs(numbers[k]))  # the largest needs no sine: least is rounded
     phase = _phases({chief: numbers[chief]})[0]
-    turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
-    return Family(step, phase, _row(turned, count, "real"), _row(turned, count, "imag", chief))
+    aligned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+    return Family(step, phase, _row(aligned, count, "real"), _row(aligned, count, "imag", chief))
 
 
 def decompositions(terms: Sequence[Term]) -> list[list[Family]]:
@@ -95,8 +95,8 @@ def _row(numbers: dict[int, Complex], count: int, part: str, without: int = 0) -
     """Return one part of the numbers by order; what is but rounding of the coefficients is 0."""
     least = ALIGNED * max(abs(z) for z in numbers.values())
     parts = {k: getattr(z, part) for k, z in numbers.items() if k != without}
-    kept = {k: x for k, x in parts.items() if abs(x) > least}
-    return tuple(kept.get(k, Real(0)) for k in range(count + 1))
+    significant = {k: x for k, x in parts.items() if abs(x) > least}
+    return tuple(significant.get(k, Real(0)) for k in range(count + 1))
 
 
 def powers(chebyshev: Sequence[Real], kind: str = "T") -> list[Real]:

@@ -1,4 +1,4 @@
-r"""Sums of many harmonics without loss: angles from the nearest crest or trough, Reinsch's recurrence.
+r"""Reinsch's recurrence: sums of many harmonics, counted from the nearest crest, without loss of digits.
 
 A cosine near 1 has lost the small angle it came from, and Clenshaw's recurrence grows there: with many
 orders, or rho near 1, both cost digits. So psi = s theta - phase is reduced to psi' = psi - j pi within a
@@ -48,15 +48,15 @@ class Crest:
     def add_on_grid(self, kernel: Kernel, mark: str) -> None:
         """Add the lines at theta = 2 pi index/points."""
         times, under = float(self.step.numerator), float(self.step.denominator)
-        turned = f"{times!r}*index*{per_point(kernel, self.step.denominator)}"
+        turns = f"{times!r}*index*{per_point(kernel, self.step.denominator)}"
         shift = (
             f" - {kernel.constant(f'PHASE{mark}', self.phase, 'the phase, in turns')}"
             if self.phase
             else ""
         )
-        n = kernel.line(f"n{mark}", f"rint(2.0*({turned}{shift}))", "half turns")
-        left = f"({times!r}*index - 0.5*{n}*({under!r}*points))/({under!r}*points){shift}"
-        h = kernel.line(f"x{mark}", f"{kernel.constant('PI', pi())}*({left})", "half of psi'")
+        n = kernel.line(f"n{mark}", f"rint(2.0*({turns}{shift}))", "half turns")
+        remainder = f"({times!r}*index - 0.5*{n}*({under!r}*points))/({under!r}*points){shift}"
+        h = kernel.line(f"x{mark}", f"{kernel.constant('PI', pi())}*({remainder})", "half of psi'")
         self._from_half(kernel, n, h, mark)
 
     def _from_half(self, kernel: Kernel, n: str, h: str, mark: str) -> None:

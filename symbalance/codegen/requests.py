@@ -144,7 +144,7 @@ class _Request:
         return self.name.partition(".")[2]
 
     def harmonic_sum(self, **fields: Any) -> HarmonicSum:
-        """Return a wave of this output."""
+        """Return a harmonic sum of this output."""
         meaning = MEANINGS.get(self.name) or MEANINGS[self.kind]
         first = self.result.layout.first.number
         unit = UNITS.get(self.name) or UNITS[self.kind]

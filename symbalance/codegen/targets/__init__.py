@@ -1,4 +1,4 @@
-"""Plans as source text, one module a target language."""
+"""A plan as source text in each target language: C, JavaScript, Octave, Python for three array libraries."""
 
 from __future__ import annotations
 

@@ -1,9 +1,10 @@
 """A Python module for any array library of the array API standard: JAX, PyTorch, CuPy, NumPy.
 
 It imports no array library and never looks at a value, so that it can be compiled (`jax.jit`),
-differentiated and left on a device. float64 angles are reduced exactly to 2^50 rad (`wide`), float32
-angles in float32 (`cosines32`): the type of the angles decides, not what the library or the device can
-do besides. Both reductions cost less than the choice between two kernels, which computes both.
+differentiated and left on a device. float64 angles are reduced exactly to 2^50 rad, float32 angles in
+float32 (`argument_reduction`, `float32_cosines`): the type of the angles decides, not what the library or
+the device can do besides. Both reductions cost less than the choice between two kernels, which computes
+both.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from math import pi
 
 import numpy as np
 
-from symbalance.codegen.argument_reduction import FARTHEST, MANY, widened
+from symbalance.codegen.argument_reduction import FARTHEST_ANGLE, TURNS, extend_range
 from symbalance.codegen.checks import (
     ANGLES,
     KEYWORDS,
@@ -31,7 +32,7 @@ from symbalance.codegen.float32_cosines import LIMIT32, float32_kernel
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import paragraphs
 from symbalance.codegen.targets.numpy_module import WHOLE
-from symbalance.codegen.targets.syntax import Syntax, folded, repeating, unique
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 
 SYNTAX = Syntax(
     {
@@ -47,8 +48,8 @@ SYNTAX = Syntax(
     comment="# {}",
 )
 REDUCTION = (
-    f"The type of theta decides the arithmetic. float64: angles are reduced exactly up to {FARTHEST:.3g} "
-    f"rad, values are within the bounds above, and u = 2^-53. float32: up to {LIMIT32:.3g} rad theta is "
+    "The type of theta decides the arithmetic. float64: angles are reduced exactly up to "
+    f"{FARTHEST_ANGLE:.3g} rad, values are within the bounds above, and u = 2^-53. float32: up to {LIMIT32:.3g} rad theta is "
     "taken exactly as it is, everything is computed in float32, and u = 2^-24. Larger angles, "
     "which the type holds to no better than 1/4 of a radian, and angles that are not finite give NaN at "
     "their place and nowhere else. Every other type of theta is refused."
@@ -175,7 +176,7 @@ def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0,
 '''
     + WHOLE
 )
-FARTHER = 3e14
+FAR_ANGLE = 3e14
 """An angle at which every part of the period counts that reduces angles to 2^50."""
 SELF_TEST = '''
 
@@ -248,7 +249,7 @@ GRID_TEST = """    grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype)
 
 def array_api_source(plan: Plan, engine: str, grid: bool) -> str:
     """Return a module that needs the array library of its arguments alone."""
-    double, single = widened(plan.reduced_range), float32_kernel(plan.shared, plan.basis)
+    double, single = extend_range(plan.reduced_range), float32_kernel(plan.shared, plan.basis)
     more = [plan.tail, *([plan.on_grid] if grid else [])]
     basis = ", ".join(plan.basis) or "theta"
     units = [o.harmonic_sum.unit.formula for o in plan.outputs]
@@ -261,11 +262,11 @@ def array_api_source(plan: Plan, engine: str, grid: bool) -> str:
     zero = "0.0*" + (plan.basis or ("theta",))[0]
     formulas = [zero if o.formula == "0.0" else SYNTAX.formula(o.formula) for o in plan.outputs]
     first, *rest = paragraphs(plan, engine, REDUCTION)
-    calls_gcd = grid and repeating(plan)[1]
+    calls_gcd = grid and points_per_period(plan)[1]
     module = MODULE.format(
         imports="import math\nimport sys" if calls_gcd else "import sys",
         names=", ".join(repr(o.harmonic_sum.name) for o in plan.outputs),
-        limit=FARTHEST,
+        limit=FARTHEST_ANGLE,
         limit_single=LIMIT32,
         **_constants(double, single, more),
         grid=_grid(plan, basis) if grid else "",
@@ -276,8 +277,8 @@ def array_api_source(plan: Plan, engine: str, grid: bool) -> str:
         tail="".join(f"{line}\n" for line in _body(plan.tail)),
         formulas="\n".join(f"        {formula}," for formula in formulas),
     )
-    counted = (counted_angles(plan.reduced_range, limit) for limit in (LIMIT, pi * MANY))
-    angles = (*ANGLES, FARTHER, *chain.from_iterable(counted))
+    hard = (counted_angles(plan.reduced_range, limit) for limit in (LIMIT, pi * TURNS))
+    angles = (*ANGLES, FAR_ANGLE, *chain.from_iterable(hard))
     rows = "\n".join(_row(check) for check in checks(plan, angles))
     points, grid_rows = grid_points(plan), "\n".join(map(_row, grid_checks(plan)))
     test = SELF_TEST.format(
@@ -288,7 +289,7 @@ def array_api_source(plan: Plan, engine: str, grid: bool) -> str:
         grid_rows=GRID_ROWS.format(points=points, rows=grid_rows) if grid else "",
         grid=GRID_TEST.format(points=points) if grid else "",
     )
-    return folded("\n".join([f'"""{first}', *rest, '"""']) + "\n" + module + test, "# ", bracketed=True)
+    return fold("\n".join([f'"""{first}', *rest, '"""']) + "\n" + module + test, "# ", bracketed=True)
 
 
 def _constants(double: Kernel, single: Kernel, more: list[Kernel]) -> dict[str, str]:
@@ -296,10 +297,10 @@ def _constants(double: Kernel, single: Kernel, more: list[Kernel]) -> dict[str, 
     groups = {"double": [double], "single": [single], "constants": more}
     texts, before = {}, []
     for name, kernels in groups.items():
-        known = unique(before)
-        found = unique([*before, *(k.constants for k in kernels)])
-        texts[name] = "\n".join(SYNTAX.constants(found[len(known) :]))
-        before.append(found)
+        count = len(unique(before))
+        constants = unique([*before, *(k.constants for k in kernels)])
+        texts[name] = "\n".join(SYNTAX.constants(constants[count:]))
+        before.append(constants)
     return texts
 
 
@@ -318,7 +319,7 @@ def _body(kernel: Kernel) -> list[str]:
 
 def _grid(plan: Plan, basis: str) -> str:
     highest = int(plan.highest_step * plan.step.denominator**2)
-    period, _ = repeating(plan, "//", "math.gcd")
+    period, _ = points_per_period(plan, "//", "math.gcd")
     text = GRID.format(period=period, basis=basis, highest=highest)
     kernel = plan.on_grid
     where = "theta = 2 pi index/points"
@@ -329,8 +330,8 @@ def _grid(plan: Plan, basis: str) -> str:
 
 def _single_checks(plan: Plan) -> list[Check]:
     """Return the checks at the angles' float32 neighbours, with 2^29 times as much allowed."""
-    found = checks(plan, [float(np.float32(theta)) for theta in ANGLES])
-    return [replace(check, allowed=tuple(a * 2.0**29 for a in check.allowed)) for check in found]
+    doubles = checks(plan, [float(np.float32(theta)) for theta in ANGLES])
+    return [replace(check, allowed=tuple(a * 2.0**29 for a in check.allowed)) for check in doubles]
 
 
 def _row(check: Check) -> str:

@@ -1,4 +1,4 @@
-"""C99: a header and a source that need the standard library alone."""
+"""Source in C99: a header and a source file that need the standard library alone."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, u
 from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.expression_ir import Line
 from symbalance.codegen.plans import Plan
-from symbalance.codegen.targets.header_text import identifier, paragraphs, plain
-from symbalance.codegen.targets.syntax import Syntax, folded, repeating, unique
+from symbalance.codegen.targets.header_text import comment_text, identifier, paragraphs
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 from symbalance.errors import SymbalanceError
 
 C = Syntax(
@@ -34,7 +34,7 @@ n points turns mass radius omega pitch fabs sqrt sin cos copysign isnan
 constants_are_doubles grid_checks units angles values singles rounded row prepare arrays_differ
 floats_differ grids_differ
 """
-TAKEN = frozenset(WORDS.split())
+RESERVED = frozenset(WORDS.split())
 """Names the function must not bear: words of C and C++, and what the source itself uses."""
 HEADER = """/* {head}
  */
@@ -304,7 +304,7 @@ GRID_TEST = """    failed |= grids_differ();
 def c_sources(plan: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
     """Return the header and the source, by the ending of their files' names; `stem` is the names'."""
     name = identifier(stem)
-    if name in TAKEN or plain(stem) != stem:
+    if name in RESERVED or comment_text(stem) != stem:
         remedy = "name it with letters, digits and _, like engine.c"
         raise SymbalanceError(f"--output {stem}.c", "is no function's name in C", remedy)
     outs = [identifier(o.harmonic_sum.name) for o in plan.outputs]
@@ -328,7 +328,7 @@ def c_sources(plan: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
         constants="\n".join(C.constants(unique(k.constants for k in kernels))),
         functions="".join(functions) + _self_test(plan, name, grid),
     )
-    return {".h": header, ".c": folded(source, "/* ")}
+    return {".h": header, ".c": fold(source, "/* ")}
 
 
 def _prototype(name: str, kind: str, outs: list[str]) -> str:
@@ -338,7 +338,7 @@ def _prototype(name: str, kind: str, outs: list[str]) -> str:
     first = "size_t points, size_t turns" if kind == "grid" else f"size_t n, const {number} *theta"
     pointers = ", ".join(f"{number} *{out}" for out in outs)
     keywords = "double mass, double radius, double omega, double pitch"
-    return folded(f"void {name}{suffix}({first},\n    {keywords},\n    {pointers})", "/* ")
+    return fold(f"void {name}{suffix}({first},\n    {keywords},\n    {pointers})", "/* ")
 
 
 def _functions(plan: Plan, prototypes: dict[str, str], outs: list[str]) -> str:
@@ -374,7 +374,7 @@ def _functions(plan: Plan, prototypes: dict[str, str], outs: list[str]) -> str:
 
 
 def _called(function: str, arguments: str, basis: tuple[str, ...], indent: str = "        ") -> list[str]:
-    """Return the lines that declare the bases and have a function write them."""
+    """Return the lines that declare the basis and have a function write them."""
     if not basis:
         return []
     return [
@@ -432,7 +432,7 @@ def _grid(plan: Plan, prototype: str, outs: list[str]) -> str:
     """Return the function for evenly spaced angles."""
     basis, lines = plan.basis, plan.on_grid.lines
     functions = _base_function("on_grid", "index, points", lines, basis, "theta = 2 pi index/points")
-    period, calls_gcd = repeating(plan)
+    period, calls_gcd = points_per_period(plan)
     stored = [f"        {out}[i] = value[{j}];" for j, out in enumerate(outs)]
     called = _called("on_grid", "(double)i, (double)points", basis)
     return GRID.format(

@@ -1,4 +1,4 @@
-"""What every generated source says of itself: engine, conventions, units, bounds."""
+"""The comment at the head of every generated source: engine, conventions, units, error bounds."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.plans import Output, Plan
 
 WIDTH = 96
+"""Columns of the text; the comment signs around it come on top."""
 CONVENTIONS = (
     "theta is the crank angle in radians, positive in the sense of rotation, on the layout's own zero "
     "(cylinder 1 at firing top dead centre, where the layout was made from a firing order). Vertical is "
@@ -35,8 +36,8 @@ REDUCTION = (
 def paragraphs(plan: Plan, engine: str, reduction: str = REDUCTION) -> Iterator[str]:
     """Yield the lines of a source's head; `reduction` says what happens to the angles."""
     ratio = plan.ratio
-    known = f"{ratio.numerator}" if ratio.denominator == 1 else f"{float(ratio)!r}"
-    yield f"{plain(engine)}, lambda = l/r = {known}; made by symbalance {__version__}."
+    ratio_text = f"{ratio.numerator}" if ratio.denominator == 1 else f"{float(ratio)!r}"
+    yield f"{comment_text(engine)}, lambda = l/r = {ratio_text}; made by symbalance {__version__}."
     yield ""
     for output in plan.outputs:
         yield from wrap(_described(output), WIDTH, subsequent_indent="    ")
@@ -49,10 +50,10 @@ def paragraphs(plan: Plan, engine: str, reduction: str = REDUCTION) -> Iterator[
 def _described(output: Output) -> str:
     harmonic_sum = output.harmonic_sum
     orders = [str(t.order) for t in harmonic_sum.terms]
-    shown = ", ".join(orders if len(orders) < 12 else [*orders[:6], "...", orders[-1]])
+    listing = ", ".join(orders if len(orders) < 12 else [*orders[:6], "...", orders[-1]])
     if not output.amplitude:
         return f"{harmonic_sum.name}: {harmonic_sum.meaning}. Zero: every order asked for cancels."
-    what = "all orders, exact in lambda" if output.uses_closed_form else f"orders {shown}"
+    what = "all orders, exact in lambda" if output.uses_closed_form else f"orders {listing}"
     text = (
         f"{harmonic_sum.name} in {harmonic_sum.unit.name}: {harmonic_sum.meaning}. {what}; {output.form}."
     )
@@ -65,10 +66,10 @@ def _described(output: Output) -> str:
     return text + f"; the orders left out sum to at most {harmonic_sum.left_out:.3g}."
 
 
-def plain(text: str) -> str:
+def comment_text(text: str) -> str:
     """Return an engine's name as a comment may hold it: nothing that could end the comment.
 
-    >>> plain('V8 "x" */ %')
+    >>> comment_text('V8 "x" */ %')
     'V8 _x_ _/ _'
     """
     return "".join(c if c.isalnum() or c in " .,:;-+()/°" else "_" for c in text)

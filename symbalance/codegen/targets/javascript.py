@@ -1,4 +1,4 @@
-"""An ES module without dependencies, for browsers, Node, Deno and Bun."""
+"""Source in JavaScript: an ES module without dependencies, for browsers, Node, Deno and Bun."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.expression_ir import Line
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import paragraphs
-from symbalance.codegen.targets.syntax import Syntax, folded, repeating, unique
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 
 SYNTAX = Syntax(
     {
@@ -206,7 +206,7 @@ def javascript_source(plan: Plan, engine: str, grid: bool) -> str:
     """Return the module."""
     first, *rest = paragraphs(plan, engine)
     kernels = [plan.reduced_range, plan.full_range, plan.tail, *([plan.on_grid] if grid else [])]
-    period, calls_gcd = repeating(plan)
+    period, calls_gcd = points_per_period(plan)
     outs = ", ".join(f"out{i}" for i in range(len(plan.outputs)))
     scales = "\n".join(
         f"  const scale{i} = {o.harmonic_sum.unit.formula};" for i, o in enumerate(plan.outputs)
@@ -231,11 +231,11 @@ def javascript_source(plan: Plan, engine: str, grid: bool) -> str:
         grid_rows=GRID_ROWS.format(points=points, rows=_rows(grid_checks(plan))) if grid else "",
         grid_test=GRID_TEST.format(points=points) if grid else "",
     )
-    return folded(text, "// ")
+    return fold(text, "// ")
 
 
-def _rows(found: Iterable[Check]) -> str:
-    return "\n".join(f"  [{c.theta!r}, {list(c.values)}, {list(c.allowed)}]," for c in found)
+def _rows(rows: Iterable[Check]) -> str:
+    return "\n".join(f"  [{c.theta!r}, {list(c.values)}, {list(c.allowed)}]," for c in rows)
 
 
 def _bases(plan: Plan) -> str:

@@ -12,8 +12,8 @@ from symbalance.codegen.targets.numpy_module import (
     docstring,
     grid_call,
     grid_function,
-    joined,
-    returned,
+    module_text,
+    return_statement,
     self_test,
 )
 from symbalance.codegen.targets.syntax import Syntax
@@ -190,9 +190,9 @@ def numba_source(plan: Plan, engine: str, grid: bool) -> str:
         jit,
         f"def _outputs({basis or 'theta'}, {scales}):",
         *NUMBA.lines(lines, "    "),
-        *returned([NUMBA.formula(f) for f in formulas]),
+        *return_statement([NUMBA.formula(f) for f in formulas]),
     ]
-    text = joined(
+    text = module_text(
         [*head, *constants(NUMBA, plan)],
         COMPILE.replace("{content}", CONTENT)
         + body

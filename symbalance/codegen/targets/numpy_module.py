@@ -1,4 +1,7 @@
-"""What modules for NumPy and for Numba share: the calls, grids and tests around the formulas."""
+"""A Python module that needs NumPy alone: blocks of angles through the formulas, in cache.
+
+The calls, grids and self-test around its formulas serve the module for Numba too (`numba_module`).
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.expression_ir import Line
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import paragraphs
-from symbalance.codegen.targets.syntax import Syntax, folded, repeating, unique
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 
 NUMPY = Syntax(
     {
@@ -233,7 +236,7 @@ def constants(syntax: Syntax, plan: Plan) -> list[str]:
     ]
 
 
-def called(name: str, plan: Plan, arguments: str = "theta", zero: str = "theta") -> str:
+def basis_call(name: str, plan: Plan, arguments: str = "theta", zero: str = "theta") -> str:
     """Return what `_outputs` is called with: a base function's values, or `zero` where there is none."""
     if not plan.basis:
         return zero
@@ -275,10 +278,10 @@ def grid_function(syntax: Syntax, plan: Plan, decorator: str = "") -> list[str]:
 
 def grid_call(plan: Plan, fill: str) -> str:
     """Return `on_grid`; `fill` computes one period, `size` values of each of `results`."""
-    return GRID.format(period=repeating(plan, "//", "math.gcd")[0], fill=fill)
+    return GRID.format(period=points_per_period(plan, "//", "math.gcd")[0], fill=fill)
 
 
-def returned(formulas: list[str]) -> list[str]:
+def return_statement(formulas: list[str]) -> list[str]:
     """Return the statement that returns formulas."""
     if len(formulas) == 1:
         return [f"    return {formulas[0]}"]
@@ -299,14 +302,14 @@ def self_test(plan: Plan, grid: bool) -> str:
     )
 
 
-def _rows(found: Iterable[Check]) -> str:
-    return "\n".join(f"    ({c.theta!r}, {c.values!r}, {c.allowed!r})," for c in found)
+def _rows(rows: Iterable[Check]) -> str:
+    return "\n".join(f"    ({c.theta!r}, {c.values!r}, {c.allowed!r})," for c in rows)
 
 
-def joined(head: list[str], body: str, functions: list[str], test: str) -> str:
+def module_text(head: list[str], body: str, functions: list[str], test: str) -> str:
     """Return a module's parts as one text, long lines broken."""
     text = "\n".join(head) + "\n" + body + ARGUMENTS + "\n".join(functions) + "\n" + test
-    return folded(text, "# ", bracketed=True)
+    return fold(text, "# ", bracketed=True)
 
 
 NUMPY_CALL = '''
@@ -355,15 +358,15 @@ GRID_FILL = """
 
 def numpy_source(plan: Plan, engine: str, grid: bool) -> str:
     """Return a module that needs NumPy alone."""
-    calls = ["import math", ""] if grid and repeating(plan)[1] else []
+    calls = ["import math", ""] if grid and points_per_period(plan)[1] else []
     head = [*docstring(plan, engine), "", *calls, "import numpy as np", ""]
     scales = ", ".join(o.harmonic_sum.unit.formula for o in plan.outputs) + ","
-    fill = GRID_FILL.format(scales=scales, basis=called("_on_grid", plan, "index, points", "index"))
+    fill = GRID_FILL.format(scales=scales, basis=basis_call("_on_grid", plan, "index, points", "index"))
     body = NUMPY_CALL.format(
         call_doc=CALL_DOC.format(note=""),
         scales=scales,
-        near=called("_near", plan),
-        far=called("_far", plan),
+        near=basis_call("_near", plan),
+        far=basis_call("_far", plan),
     )
     basis = ", ".join(plan.basis) or "theta"
     zero = "0.0*" + (plan.basis or ("theta",))[0]
@@ -381,7 +384,7 @@ def numpy_source(plan: Plan, engine: str, grid: bool) -> str:
         *(f"        {formula}," for formula in formulas),
         "    )",
     ]
-    return joined(
+    return module_text(
         [*head, *constants(NUMPY, plan)],
         body + (grid_call(plan, fill) if grid else ""),
         functions,

@@ -1,4 +1,4 @@
-"""One function file for GNU Octave and MATLAB."""
+"""Source in one function file for GNU Octave and MATLAB."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from symbalance.codegen.cosines import LIMIT
 from symbalance.codegen.expression_ir import NAME, Kernel, Line
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import identifier, paragraphs
-from symbalance.codegen.targets.syntax import Syntax, folded, repeating, unique
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 from symbalance.errors import SymbalanceError
 
 SYNTAX = Syntax(
@@ -33,7 +33,7 @@ single class ischar isscalar strcmp repmat isreal isnumeric islogical any all mi
 error fprintf size nargin varargin varargout numbers evaluate near far outputs on_grid self_test theta
 result mass radius omega pitch struct cell2mat struct2cell
 """
-TAKEN = frozenset(WORDS.split())
+RESERVED = frozenset(WORDS.split())
 """Names a function file must not bear: words of the language and what the file itself uses."""
 MODULE = """function result = {name}(theta, varargin)
 %{upper}  {head}
@@ -186,7 +186,7 @@ end
 
 def octave_source(plan: Plan, engine: str, name: str, grid: bool) -> str:
     """Return the function file; `name` is its stem, and the function's name."""
-    if identifier(name) != name or name in TAKEN or len(name) > 63:
+    if identifier(name) != name or name in RESERVED or len(name) > 63:
         remedy = "name it with letters, digits and _, like engine.m"
         raise SymbalanceError(f"--output {name}.m", "is no function's name in Octave", remedy)
     first, *rest = paragraphs(plan, engine)
@@ -216,7 +216,7 @@ def octave_source(plan: Plan, engine: str, name: str, grid: bool) -> str:
         **_tail(plan, outs),
         **_checked(plan, outs, grid),
     )
-    return folded(text, "% ", " ...")
+    return fold(text, "% ", " ...")
 
 
 def _several(names: Sequence[str]) -> str:
@@ -237,7 +237,7 @@ def _call(plan: Plan, outs: Sequence[str]) -> str:
 
 
 def _bases(plan: Plan) -> str:
-    """Return the lines that compute the bases, near ones at once, far ones where they are needed."""
+    """Return the lines that compute the basis, near angles at once, far ones where there are any."""
     if not plan.basis:
         return "    theta(~(abs(theta) < inf)) = nan;"
     parts = [f"{base}_far" for base in plan.basis]
@@ -278,7 +278,7 @@ def _function(name: str, kernel: Kernel, basis: tuple[str, ...], where: str) -> 
 def _grid(plan: Plan, outs: Sequence[str]) -> str:
     lines = SYNTAX.lines(plan.on_grid.lines, "    ") or ["    theta = index;"]
     return GRID.format(
-        period=repeating(plan)[0],
+        period=points_per_period(plan)[0],
         constants="\n".join(SYNTAX.constants(plan.on_grid.constants, "    ")),
         lines="\n".join(lines),
         outputs=_call(plan, outs),
@@ -300,26 +300,26 @@ def _checked(plan: Plan, outs: Sequence[str], grid: bool) -> dict[str, str]:
     def values(call: str) -> str:
         return call if len(outs) == 1 else f"cell2mat(struct2cell({call})')"
 
-    def rows(found: Iterable[Check]) -> str:
+    def rows(tests: Iterable[Check]) -> str:
         return "\n".join(
-            "        " + ", ".join(map(repr, (c.theta, *c.values, *c.allowed))) for c in found
+            "        " + ", ".join(map(repr, (c.theta, *c.values, *c.allowed))) for c in tests
         )
 
     points, count = grid_points(plan), str(len(outs))
-    given = ", ".join(f"{value:g}" for value in KEYWORDS.values())
+    keywords = ", ".join(f"{value:g}" for value in KEYWORDS.values())
     on_grid = {
         "points": points,
         "rows": rows(grid_checks(plan)),
         "count": count,
         "values": values(f"on_grid({points}, 2)"),
-        "others": values(f"on_grid({points}, 2, {given})"),
+        "others": values(f"on_grid({points}, 2, {keywords})"),
     }
     return {
         "rows": rows(checks(plan)),
         "count": count,
         "check_all": values("evaluate(checks(:, 1))"),
         "check_one": values("evaluate(checks(i, 1))"),
-        "check_other": values(f"evaluate(checks(:, 1), {given})"),
+        "check_other": values(f"evaluate(checks(:, 1), {keywords})"),
         "check_single": values("evaluate(angles)"),
         "check_doubled": values("evaluate(double(angles))"),
         "units": ", ".join(map(repr, unit_values(plan))),

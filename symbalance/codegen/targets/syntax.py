@@ -11,6 +11,7 @@ from symbalance.codegen.plans import Plan
 
 CALL = re.compile(r"\b(rint|abs|sqrt|side|cos|sin)\(")
 WIDTH = 100
+"""Columns of generated code, where the language lets a line be broken."""
 BREAKS = (" + ", " - ", ", ")
 
 
@@ -25,15 +26,15 @@ class Syntax:
     elementwise: bool = False
 
     def formula(self, text: str) -> str:
-        """Return a formula in this spelling."""
-        found = CALL.search(text)
-        if found is None:
+        """Return a formula in this syntax."""
+        call = CALL.search(text)
+        if call is None:
             return text.replace("*", ".*").replace("/", "./") if self.elementwise else text
-        inner, rest = _split_at_close(text[found.end() :])
-        call = self.functions[found.group(1)].format(self.formula(inner))
-        return self.formula_head(text[: found.start()]) + call + self.formula(rest)
+        inner, rest = _split_at_close(text[call.end() :])
+        value = self.functions[call.group(1)].format(self.formula(inner))
+        return self.operators(text[: call.start()]) + value + self.formula(rest)
 
-    def formula_head(self, text: str) -> str:
+    def operators(self, text: str) -> str:
         """Return what precedes a call."""
         return text.replace("*", ".*").replace("/", "./") if self.elementwise else text
 
@@ -58,15 +59,17 @@ class Syntax:
 
     def lines(self, lines: Iterable[Line], indent: str) -> list[str]:
         """Return assignments, their notes as comments beside them."""
-        written = [(self.line.format(line.name, self.formula(line.formula)), line.note) for line in lines]
-        return [indent + self._noted(text, note) for text, note in written]
+        assignments = [
+            (self.line.format(line.name, self.formula(line.formula)), line.note) for line in lines
+        ]
+        return [indent + self._with_note(text, note) for text, note in assignments]
 
     def constants(self, constants: Iterable[Constant], indent: str = "") -> list[str]:
         """Return definitions, their notes as comments beside them."""
-        written = [(self.constant.format(c.name, repr(c.value)), c.note) for c in constants]
-        return [indent + self._noted(text, note) for text, note in written]
+        definitions = [(self.constant.format(c.name, repr(c.value)), c.note) for c in constants]
+        return [indent + self._with_note(text, note) for text, note in definitions]
 
-    def _noted(self, text: str, note: str) -> str:
+    def _with_note(self, text: str, note: str) -> str:
         return f"{text}  {self.comment.format(note)}" if note else text
 
 
@@ -81,14 +84,14 @@ def _split_at_close(text: str) -> tuple[str, str]:
 
 def unique(groups: Iterable[Iterable[Constant]]) -> list[Constant]:
     """Return the constants of several kernels, each name once."""
-    found: dict[str, Constant] = {}
+    by_name: dict[str, Constant] = {}
     for constant in (c for group in groups for c in group):
-        if found.setdefault(constant.name, constant).value != constant.value:
+        if by_name.setdefault(constant.name, constant).value != constant.value:
             raise ValueError(f"two values for the constant {constant.name}")
-    return list(found.values())
+    return list(by_name.values())
 
 
-def repeating(plan: Plan, divide: str = "/", gcd: str = "gcd") -> tuple[str, bool]:
+def points_per_period(plan: Plan, divide: str = "/", gcd: str = "gcd") -> tuple[str, bool]:
     """Return the formula of how many of `points` to a turn make a period, and whether it calls gcd.
 
     With the outputs repeating s = a/b times in a turn, the grid repeats after b points/gcd(b points, a).
@@ -98,28 +101,28 @@ def repeating(plan: Plan, divide: str = "/", gcd: str = "gcd") -> tuple[str, boo
     return (whole, False) if times == 1 else (f"{whole}{divide}{gcd}({whole}, {times})", True)
 
 
-def folded(text: str, note: str, tail: str = "", bracketed: bool = False) -> str:
+def fold(text: str, note: str, tail: str = "", bracketed: bool = False) -> str:
     r"""Return code with no line over `WIDTH`, as far as it has places to break a line at.
 
     `note` begins a comment: one that makes its line too long goes before it. `tail` ends a line that goes
     on. `bracketed`: only inside brackets may a line go on.
 
-    >>> print(folded("x = (" + "abcdefgh + "*10 + "z)  # long", "# ", bracketed=True))
+    >>> print(fold("x = (" + "abcdefgh + "*10 + "z)  # long", "# ", bracketed=True))
     # long
     x = (abcdefgh + abcdefgh + abcdefgh + abcdefgh + abcdefgh + abcdefgh + abcdefgh + abcdefgh
         + abcdefgh + abcdefgh + z)
     """
-    found: list[str] = []
+    lines: list[str] = []
     for line in text.split("\n"):
         if len(line) <= WIDTH:
-            found.append(line)
+            lines.append(line)
             continue
         code, mark, rest = line.partition(f"  {note}")
         indent = code[: len(code) - len(code.lstrip())]
         if mark:
-            found.append(indent + note + rest)
-        found += _pieces(code, indent + "    ", tail, bracketed)
-    return "\n".join(found)
+            lines.append(indent + note + rest)
+        lines += _pieces(code, indent + "    ", tail, bracketed)
+    return "\n".join(lines)
 
 
 def _pieces(code: str, indent: str, tail: str, bracketed: bool) -> Iterator[str]:
@@ -135,9 +138,9 @@ def _pieces(code: str, indent: str, tail: str, bracketed: bool) -> Iterator[str]
 
 def _place(code: str, first: int, last: int, depth: int, bracketed: bool) -> tuple[int, int]:
     """Return the last place to break at between two columns, 0 if there is none, and the depth there."""
-    place, found = 0, depth
+    place, depth_there = 0, depth
     for i, character in enumerate(code[:last]):
         if i > first and (depth > 0 or not bracketed) and code.startswith(BREAKS, i):
-            place, found = i + code.startswith(",", i), depth
+            place, depth_there = i + code.startswith(",", i), depth
         depth += (character in "([{") - (character in ")]}")
-    return place, found
+    return place, depth_there
