@@ -1,4 +1,4 @@
-"""A plan as source text in each target language: C, JavaScript, Octave, Python for three array libraries."""
+"""A plan as source text in C, JavaScript, Octave, and Python for three kinds of array library."""
 
 from __future__ import annotations
 

@@ -49,10 +49,10 @@ SYNTAX = Syntax(
 )
 REDUCTION = (
     "The type of theta decides the arithmetic. float64: angles are reduced exactly up to "
-    f"{FARTHEST_ANGLE:.3g} rad, values are within the bounds above, and u = 2^-53. float32: up to {LIMIT32:.3g} rad theta is "
-    "taken exactly as it is, everything is computed in float32, and u = 2^-24. Larger angles, "
-    "which the type holds to no better than 1/4 of a radian, and angles that are not finite give NaN at "
-    "their place and nowhere else. Every other type of theta is refused."
+    f"{FARTHEST_ANGLE:.3g} rad, values are within the bounds above, and u = 2^-53. float32: up to "
+    f"{LIMIT32:.3g} rad theta is taken exactly as it is, everything is computed in float32, and "
+    "u = 2^-24. Larger angles, which the type holds to no better than 1/4 of a radian, and angles that "
+    "are not finite give NaN at their place and nowhere else. Every other type of theta is refused."
 )
 MODULE = '''
 {imports}
