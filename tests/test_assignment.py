@@ -15,9 +15,8 @@ from hypothesis import strategies as st
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.design.variations import Part, PartSet, parse_parts
-from symbalance.design.variations.bounds import lower_bound, norm, total
-from symbalance.design.variations.matching import least_matching
-from symbalance.design.variations.placements import arranged
+from symbalance.design.variations.assignment_bounds import least_matching, lower_bound, norm, total
+from symbalance.design.variations.arrangement_search import arranged
 from tests.pistons import harmonics, pistons
 from tests.rotating_model import turning as rotating
 

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 from mpmath import mp
 
 import symbalance as sb
-from symbalance.design.balancing.bounded import bounded
-from symbalance.design.balancing.overbalancing import amplitudes, first_order
+from symbalance.design.balancing.bounded_weights import bounded
+from symbalance.design.balancing.overbalance import amplitudes, first_order
 from symbalance.design.balancing.planes import in_planes
 from symbalance.engine.catalogue import preset_names
 from symbalance.engine.trains import CrankTrain, Link
@@ -466,8 +466,8 @@ def test_the_shafts_chosen_leave_the_least(shafts, vertical, lateral):
     """By brute force over all sets of signed orders, each order's part chosen from a grid."""
     from itertools import combinations
 
-    from symbalance.design.balancing.choosing import left_at, parts_of
-    from symbalance.design.balancing.limits import Weighting
+    from symbalance.design.balancing.order_selection import left_at, parts_of
+    from symbalance.design.balancing.design_limits import Weighting
 
     layout = sb.load("inline-5")
     weighting = Weighting(Fraction(vertical), Fraction(lateral))

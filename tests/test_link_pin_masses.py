@@ -13,7 +13,7 @@ from link_pins import force_series, torque_and_moment
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.design.variations.weighed import parse_parts
+from symbalance.design.variations.part_sets import parse_parts
 from symbalance.engine.engine_file import parse_engine
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_path, link_pin_tail
 from symbalance.torque import beside_moment

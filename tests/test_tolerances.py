@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.design.variations.sectors import Sector, largest_sum, support
+from symbalance.design.variations.annular_sectors import Sector, largest_sum, support
 from tests.pistons import harmonics, largest, pistons
 from tests.rotating_model import turning as rotating
 

@@ -12,7 +12,7 @@ from symbalance.design.balancing.design_facts import (
     on_throws,
     weights,
 )
-from symbalance.design.balancing.designing import Design
+from symbalance.design.balancing.designs import Design
 from symbalance.design.balancing.ellipse_document import READING, ellipse_table
 from symbalance.design.balancing.weight_cells import size_cell, station_cell
 from symbalance.document.formula import Decimal, Formula, Name, Subscript, equal, number

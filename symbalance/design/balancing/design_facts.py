@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.design.balancing.certifying import Claim
-from symbalance.design.balancing.designing import Design
+from symbalance.design.balancing.designs import Claim, Design
 from symbalance.design.balancing.devices import Device
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
 from symbalance.engine.balancers import Counterweight

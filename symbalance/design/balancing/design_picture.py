@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from symbalance.design.balancing import Design
+from symbalance.design.balancing.designs import Design
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
 from symbalance.engine.rotors import share_unit
 from symbalance.errors import MissingPartError, SymbalanceError

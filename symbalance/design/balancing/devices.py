@@ -8,9 +8,9 @@ from fractions import Fraction
 from math import floor
 from typing import Any
 
-from symbalance.design.balancing.bounded import bounded, jointly
-from symbalance.design.balancing.choosing import Left, Pair, chosen, parts_of, targets_of
-from symbalance.design.balancing.limits import Limits
+from symbalance.design.balancing.bounded_weights import bounded, jointly
+from symbalance.design.balancing.design_limits import Limits
+from symbalance.design.balancing.order_selection import Left, Pair, chosen, parts_of, targets_of
 from symbalance.design.balancing.planes import Placed, in_planes
 from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight, directed
 from symbalance.engine.engine import Engine

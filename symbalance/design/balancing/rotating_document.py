@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
-from symbalance.design.balancing.rotating import RotatingBalance
+from symbalance.design.balancing.rotating_balance import RotatingBalance
 from symbalance.design.balancing.weight_cells import size_cell, station_cell
 from symbalance.document.formula import Formula, Name, Upright
 from symbalance.document.nodes import Cell, Column, Document, Facts, Table, Words

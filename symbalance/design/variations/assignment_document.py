@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.design.variations.arranging import Assignment
+from symbalance.design.variations.assignment import Assignment
 from symbalance.design.variations.legend import Entry, as_decimal, letters, units
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Upright, number

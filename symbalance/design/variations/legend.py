@@ -15,7 +15,7 @@ TURNING: Entry = (
     "what turns",
     "counterweights, shafts and rotating masses stay where they are; a size moves pistons and rods",
 )
-AS_MADE: Entry = (
+AS_BUILT: Entry = (
     "what turns",
     "counterweights, shafts and rotating masses count as they are made, without errors",
 )

@@ -78,8 +78,8 @@ class Sensitivity:
         return self._resultant(Fraction(1) if self.parameter == "station" else self.arm)
 
     def _resultant(self, weight: Fraction, pair: tuple[Amplitude, Amplitude] | None = None) -> Resultant:
-        ahead, against = (part.scaled(weight) for part in pair or self.geometry)
-        return Resultant(Spectrum.of({self.order: ahead, -self.order: against}), self.order)
+        forward, backward = (part.scaled(weight) for part in pair or self.geometry)
+        return Resultant(Spectrum.of({self.order: forward, -self.order: backward}), self.order)
 
     @cached_property
     def largest(self) -> tuple[float, float]:
@@ -104,8 +104,8 @@ class Sensitivity:
         return self.values[0] * weight, self.values[1] * weight
 
     def _valued(self, pair: tuple[Amplitude, Amplitude]) -> tuple[complex, complex]:
-        ahead, against = (complex(part.evaluated()) * float(self.factor) for part in pair)
-        return ahead, against
+        forward, backward = (complex(part.evaluated()) * float(self.factor) for part in pair)
+        return forward, backward
 
     def weight(self, quantity: str) -> float:
         """Return what `values` count in the "force" or, but for `couples`, in the "couple"."""

@@ -7,8 +7,8 @@ from typing import Any
 
 import sympy
 
-from symbalance.design.variations.formulas import SymbolicOrder, SymbolResultant
 from symbalance.design.variations.legend import MASS, OMEGA, PITCH, RADIUS, Entry
+from symbalance.design.variations.symbolic_orders import SymbolicOrder, SymbolResultant
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import (
     Equation,

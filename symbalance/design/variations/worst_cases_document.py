@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.design.variations.extremes import WorstCase, WorstCases
-from symbalance.design.variations.legend import AS_MADE, Entry, as_decimal, letters, units
+from symbalance.design.variations.legend import AS_BUILT, Entry, as_decimal, letters, units
 from symbalance.design.variations.tolerances import PARTS_OF, UNITS
+from symbalance.design.variations.worst_case_search import WorstCase, WorstCases
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words, blocks
@@ -81,4 +81,4 @@ def _legend(result: WorstCases) -> Block:
     if of - {"largest"}:
         entries.append((", ".join(sorted(of - {"largest"})), "the amplitude of this component"))
     entries.append(letters(result.engine))
-    return Facts((*entries, *([AS_MADE] if result.engine.balancers else [])), "How to read it")
+    return Facts((*entries, *([AS_BUILT] if result.engine.balancers else [])), "How to read it")

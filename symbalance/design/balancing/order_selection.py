@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from symbalance.design.balancing.limits import Weighting
+from symbalance.design.balancing.design_limits import Weighting
 from symbalance.engine.rotors import share_unit
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO

@@ -20,8 +20,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil, cosh, log, sqrt
 
+from symbalance.design.variations.contributions import Contribution
 from symbalance.design.variations.sensitivity import Sensitivity
-from symbalance.design.variations.shares import Share
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
@@ -37,13 +37,13 @@ GUARD = 12
 Pair = tuple[Complex, Complex]
 
 
-def clusters(layout: Engine) -> dict[int, list[Cylinder]]:
+def attached_cylinders(layout: Engine) -> dict[int, list[Cylinder]]:
     """Return the cylinders hung on each master, by its number."""
-    found: dict[int, list[Cylinder]] = {}
+    coefficients: dict[int, list[Cylinder]] = {}
     for cylinder in layout.cylinders:
         if cylinder.link:
-            found.setdefault(cylinder.link.master, []).append(cylinder)
-    return found
+            coefficients.setdefault(cylinder.link.master, []).append(cylinder)
+    return coefficients
 
 
 @dataclass(frozen=True)
@@ -56,13 +56,13 @@ class _Rod:
     secant: Real
     length: Fraction
 
-    def height(self, moved: Complex, length: int, aside: int) -> Real:
+    def height(self, cylinders: Complex, length: int, aside: int) -> Real:
         """Return dy for dw, dl and de."""
-        return moved.real - self.tangent * (moved.imag - aside) + length * self.secant
+        return cylinders.real - self.tangent * (cylinders.imag - aside) + length * self.secant
 
-    def turn(self, moved: Complex, length: int, aside: int) -> Real:
+    def turn(self, cylinders: Complex, length: int, aside: int) -> Real:
         """Return dphi for dw, dl and de."""
-        return (moved.imag - aside - self.sine * length) * self.secant / self.length
+        return (cylinders.imag - aside - self.sine * length) * self.secant / self.length
 
 
 def _rod(place: Complex, mechanism: Mechanism) -> _Rod:
@@ -73,17 +73,17 @@ def _rod(place: Complex, mechanism: Mechanism) -> _Rod:
 
 def _change(name: str, rod: _Rod, pin: Complex) -> tuple[Complex, int, int]:
     """Return dw, dl and de of a rod whose own size grows by one; `pin` is the crank's part of w."""
-    moved = {"throw": 1j * pin, "bank": -1j * rod.place, "stroke": pin}.get(name, Complex(0))
-    return moved, int(name == "rod"), int(name == "offset")
+    cylinders = {"throw": 1j * pin, "bank": -1j * rod.place, "stroke": pin}.get(name, Complex(0))
+    return cylinders, int(name == "rod"), int(name == "offset")
 
 
-def _hung_change(name: str, link: LinkRod, pin: Complex, of_master: Complex) -> Complex:
+def _link_pin_change(name: str, link: LinkRod, pin: Complex, of_master: Complex) -> Complex:
     """Return dw of a link pin where a size of its master grows by one."""
     axis = expjpi(2 * link.bank_difference, pin.digits)
     master = _rod(pin * axis, link.master)
     turn = master.turn(*_change(name, master, pin * axis))
-    moved = {"throw": 1j * pin, "stroke": pin}.get(name, Complex(0))
-    return moved + 1j * of_master * ((name == "bank") - turn)
+    cylinders = {"throw": 1j * pin, "stroke": pin}.get(name, Complex(0))
+    return cylinders + 1j * of_master * ((name == "bank") - turn)
 
 
 def _samples(mechanism: Mechanism, name: str, own: bool, points: int, digits: int) -> Iterator[Real]:
@@ -94,14 +94,14 @@ def _samples(mechanism: Mechanism, name: str, own: bool, points: int, digits: in
         if isinstance(mechanism, LinkRod):
             axis = expjpi(2 * mechanism.bank_difference, digits)
             sine = _rod(pin * axis, mechanism.master).sine
-            turned = expjpi(2 * mechanism.lead, digits) * Complex(root((1 - sine) * (1 + sine)), -sine)
-            arm = mechanism.link_radius * turned
+            swing = expjpi(2 * mechanism.lead, digits) * Complex(root((1 - sine) * (1 + sine)), -sine)
+            arm = mechanism.link_radius * swing
         rod = _rod(pin + arm, mechanism)
         if own:
             yield rod.height(*_change(name, rod, pin))
         else:
             assert isinstance(mechanism, LinkRod)
-            yield rod.height(_hung_change(name, mechanism, pin, arm), 0, 0)
+            yield rod.height(_link_pin_change(name, mechanism, pin, arm), 0, 0)
 
 
 def _grid(mechanism: Mechanism, order: int) -> tuple[int, int]:
@@ -128,46 +128,50 @@ def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> lis
     """Return the Fourier coefficients of dy, n = 0..order."""
     points, bits = _grid(mechanism, order)
     samples = _samples(mechanism, name, own, points, digits_of(bits))
-    found = means([fixed(x, bits) for x in samples], bits)[: order + 1]
+    coefficients = means([fixed(x, bits) for x in samples], bits)[: order + 1]
     # `_grid` keeps errors below 10^-(DIGITS + GUARD) e^(-strip order): what is no more is rounding.
     least = exp(-mechanism.strip * order) / 10 ** (DIGITS + GUARD // 2)
-    return [x if abs(x) > least else Complex(0) for x in found]
+    return [x if abs(x) > least else Complex(0) for x in coefficients]
 
 
-def hung_changes(
-    layout: Engine, own: dict[int, list[Share]], order: int, names: Sequence[str]
+def articulated_sensitivities(
+    layout: Engine, own: dict[int, list[Contribution]], order: int, names: Sequence[str]
 ) -> Iterator[Sensitivity]:
     """Yield the derivatives of masters and link rods by the sizes of `MOVING` among `names`.
 
     `own` holds every cylinder's shares, order by order. A link rod has no throw and no stroke of its own.
     """
-    hung = clusters(layout)
+    attached = attached_cylinders(layout)
     for cylinder in layout.cylinders:
-        if cylinder.link is None and cylinder.number not in hung:
+        if cylinder.link is None and cylinder.number not in attached:
             continue
-        moved = [cylinder, *hung.get(cylinder.number, [])]
+        cylinders = [cylinder, *attached.get(cylinder.number, [])]
         for name in names:
             if name in MOVING and not (cylinder.link and name in ("throw", "stroke")):
-                yield from _derived(layout, own, order, name, moved)
+                yield from _derived(layout, own, order, name, cylinders)
 
 
 def _derived(
-    layout: Engine, own: dict[int, list[Share]], order: int, name: str, moved: Sequence[Cylinder]
+    layout: Engine,
+    own: dict[int, list[Contribution]],
+    order: int,
+    name: str,
+    cylinders: Sequence[Cylinder],
 ) -> Iterator[Sensitivity]:
     """Yield one derivative's orders: the sums over the cylinders that the first one's size moves."""
-    first, per = moved[0], [_lengths(layout, c, name) for c in moved]
-    places = [layout.cylinders.index(c) for c in moved]
-    changed = [_coefficients(c.known_mechanism, name, c is first, order) for c in moved]
+    first, per = cylinders[0], [_lengths(layout, c, name) for c in cylinders]
+    places = [layout.cylinders.index(c) for c in cylinders]
+    changed = [_coefficients(c.known_mechanism, name, c is first, order) for c in cylinders]
     for n in range(1, order + 1):
         total, arms, size = [Complex(0)] * 2, [Complex(0)] * 2, Real(0)
-        for place, cylinder, lengths, found in zip(places, moved, per, changed, strict=True):
-            share = own[min(own)][place]
-            pair = _pair(cylinder, share, n, found[n] * lengths)
+        for place, cylinder, lengths, coefficients in zip(places, cylinders, per, changed, strict=True):
+            contribution = own[min(own)][place]
+            pair = _pair(cylinder, contribution, n, coefficients[n] * lengths)
             if name == "bank" and cylinder is first:
                 pair = _turned(pair, own.get(n), place)
             total = [t + x for t, x in zip(total, pair, strict=True)]
-            arms = [t + x * share.arm for t, x in zip(arms, pair, strict=True)]
-            size += sum(map(abs, pair)) * (1 + abs(share.arm))
+            arms = [t + x * contribution.arm for t, x in zip(arms, pair, strict=True)]
+            size += sum(map(abs, pair)) * (1 + abs(contribution.arm))
         force, couple = (_decimals(parts, size) for parts in (total, arms))
         if any(not x.is_zero() for x in (*force, *couple)):
             yield Sensitivity(name, first.number, n, force, Real(1), Fraction(0), couple)
@@ -181,27 +185,27 @@ def _lengths(layout: Engine, cylinder: Cylinder, name: str) -> Fraction:
     return radius / own
 
 
-def _pair(cylinder: Cylinder, share: Share, n: int, change: Complex) -> Pair:
+def _pair(cylinder: Cylinder, contribution: Contribution, n: int, change: Complex) -> Pair:
     """Return c_n and c_-n of a height's coefficient: the share's size holds mass and radius."""
     axis, delay = (
         expjpi(2 * turns, DIGITS + GUARD) for turns in (cylinder.bank.turns, n * cylinder.delay.turns)
     )
-    value = n * n * change * share.size * delay
+    value = n * n * change * contribution.size * delay
     return value * axis, value.conjugate() * axis
 
 
-def _turned(pair: Pair, rows: Sequence[Share] | None, place: int) -> Pair:
+def _turned(pair: Pair, rows: Sequence[Contribution] | None, place: int) -> Pair:
     """Return a pair, with i c_n added: the force turns with its axis."""
     if rows is None:
         return pair
-    share = rows[place]
-    value = share.value * share.size / 2
-    ahead = value * expjpi(2 * (share.axis + share.lead), DIGITS + GUARD)
-    against = value.conjugate() * expjpi(2 * (share.axis - share.lead), DIGITS + GUARD)
-    return pair[0] + 1j * ahead, pair[1] + 1j * against
+    contribution = rows[place]
+    value = contribution.value * contribution.size / 2
+    forward = value * expjpi(2 * (contribution.axis + contribution.lead), DIGITS + GUARD)
+    backward = value.conjugate() * expjpi(2 * (contribution.axis - contribution.lead), DIGITS + GUARD)
+    return pair[0] + 1j * forward, pair[1] + 1j * backward
 
 
 def _decimals(parts: Sequence[Complex], size: Real) -> tuple[DecimalPhasor, DecimalPhasor]:
     """Return sums as numbers, 0 where they are nothing beside the sum of their parts' sizes."""
-    ahead, against = (Complex(0) if abs(x) <= LEAST * size else x.rounded(DIGITS) for x in parts)
-    return DecimalPhasor(ahead), DecimalPhasor(against)
+    forward, backward = (Complex(0) if abs(x) <= LEAST * size else x.rounded(DIGITS) for x in parts)
+    return DecimalPhasor(forward), DecimalPhasor(backward)

@@ -10,7 +10,7 @@ over all arrangements of every set. Vectors hold floats, on an orthonormal basis
   arrangements of each are listed and joined. All pairs that could be better are looked at: the best is
   proved. Places that an isometry of the vectors exchanges are tried once.
 - More places: exchanges of two parts, and exact rearrangement of some places at a time, from several
-  starts; and a lower bound (`symbalance.design.variations.bounds`).
+  starts; and a lower bound (`symbalance.design.variations.assignment_bounds`).
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from math import sqrt
 from operator import add
 from random import Random
 
-from symbalance.design.variations.bounds import (
+from symbalance.design.variations.assignment_bounds import (
     SLACK,
     Order,
     Table,
@@ -42,7 +42,7 @@ ROUNDS = 24
 
 
 @dataclass(frozen=True)
-class Placement:
+class Arrangement:
     """An arrangement: `orders` of each set, its length, what none passes below, and whether proved."""
 
     orders: tuple[Order, ...]
@@ -51,13 +51,15 @@ class Placement:
     proved: bool
 
 
-def arranged(start: Vector, tables: Sequence[Table], fixed: Sequence[int] | None = None) -> Placement:
+def best_arrangement(
+    start: Vector, tables: Sequence[Table], fixed: Sequence[int] | None = None
+) -> Arrangement:
     """Return the arrangement of least length; proved where the places are few (`MOST_PLACES`).
 
     `fixed` are the places that the first part of the first set need be tried in (default: all).
 
     >>> table = [[(m,), (-m,)] for m in (3.0, 2.0)] + []
-    >>> arranged((0.0,), [table]).length
+    >>> best_arrangement((0.0,), [table]).length
     1.0
     """
     count = len(tables[0])
@@ -66,8 +68,8 @@ def arranged(start: Vector, tables: Sequence[Table], fixed: Sequence[int] | None
     if count <= MOST_PLACES.get(len(tables), 0):
         orders = (_halved if len(tables) == 1 else _joined)(start, tables, good, places)
         length = norm(total(start, tables, orders))
-        return Placement(orders, length, length, True)
-    return Placement(good, norm(total(start, tables, good)), lower_bound(start, tables), False)
+        return Arrangement(orders, length, length, True)
+    return Arrangement(good, norm(total(start, tables, good)), lower_bound(start, tables), False)
 
 
 def _arrangements(
@@ -77,11 +79,11 @@ def _arrangements(
     if not places:
         yield start, ()
         return
-    seen: list[Sequence[Vector]] = []
+    component_amplitude: list[Sequence[Vector]] = []
     for part in parts:
-        if (part == 0 and places[0] not in fixed) or table[part] in seen:
+        if (part == 0 and places[0] not in fixed) or table[part] in component_amplitude:
             continue
-        seen.append(table[part])
+        component_amplitude.append(table[part])
         rest = [p for p in parts if p != part]
         for vector, order in _arrangements(
             table, rest, places[1:], plus(start, table[part][places[0]]), fixed

@@ -1,4 +1,4 @@
-"""What one cylinder within its tolerances may contribute to one order: intervals of weight and angle.
+"""Intervals of weight and angle within which one cylinder in tolerance contributes to an order.
 
 Each factor of the weight m r f_n(l/r, e/r) s runs through an interval of its own. For a slider-crank
 r |A_n| and r |B_n|, n >= 2, grow with r and |e| and fall with l, for all terms of their series have one
@@ -16,9 +16,9 @@ from functools import cached_property
 from itertools import product
 from math import ceil, cos, floor, pi
 
-from symbalance.design.variations.sectors import Sector
-from symbalance.design.variations.shares import checked_layout, mechanism_to
-from symbalance.design.variations.tolerances import Relative
+from symbalance.design.variations.annular_sectors import AnnularSector
+from symbalance.design.variations.contributions import checked_layout, mechanism_to
+from symbalance.design.variations.tolerances import RelativeTolerances
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
@@ -27,6 +27,7 @@ from symbalance.kinematics.mechanisms.linkages import plain
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 
 FLAT = 1e-14
+"""Cosines, and imaginary parts over the modulus, below this are rounding of exact zeros."""
 Interval = tuple[float, float]
 Harmonics = dict[int, complex]
 """n -> r f_n over the nominal radius, at one corner of the lengths' box."""
@@ -55,7 +56,7 @@ def cosines(low: float, high: float) -> Interval:
 
 
 @dataclass(frozen=True)
-class Box:
+class ToleranceBox:
     """One cylinder in one order; angles in radians, weights in m r omega^2 of cylinder 1.
 
     `corners` are attainable values of m r f_n, `nominal` the one without errors; `arm` is the station's
@@ -81,9 +82,9 @@ class Box:
         if not any(c.real for c in self.corners):
             return ((_hull(c.imag for c in self.corners), pi / 2),)
         phase = cmath.phase(self.nominal)
-        turned = [c * cmath.rect(1, -phase) for c in self.corners]
-        if all(abs(t.imag) <= 1e-14 * abs(t) for t in turned):  # a link rod, whose lengths are fixed
-            return ((_hull(t.real for t in turned), phase),)
+        aligned = [c * cmath.rect(1, -phase) for c in self.corners]
+        if all(abs(z.imag) <= FLAT * abs(z) for z in aligned):  # a link rod, whose lengths are fixed
+            return ((_hull(z.real for z in aligned), phase),)
         return ((_hull(c.real for c in self.corners), 0.0), (_hull(c.imag for c in self.corners), pi / 2))
 
     def weights(self, quantity: str) -> Iterator[tuple[Interval, float]]:
@@ -91,8 +92,8 @@ class Box:
         for interval, phase in self.parts:
             yield (times(interval, self.arm) if quantity == "couple" else interval), phase
 
-    def seen_from(self, quantity: str, direction: float) -> list[Sector]:
-        """Return what it may add to the component in a direction, as C + iS would turn: sectors."""
+    def component_sectors(self, quantity: str, direction: float) -> list[AnnularSector]:
+        """Return sectors of what it may add to the component along a direction, as C + iS would turn."""
         slant = direction - self.axis
         if self.bank:
             window = cosines(slant - self.bank, slant + self.bank)
@@ -102,15 +103,15 @@ class Box:
             window = (flat, flat) if abs(flat) > FLAT else (0.0, 0.0)
         half = self.order * (self.throw + self.bank)
         return [
-            Sector(*times(interval, window), self.lead + phase, min(half, pi))
+            AnnularSector(*times(interval, window), self.lead + phase, min(half, pi))
             for interval, phase in self.weights(quantity)
         ]
 
-    def turning(self, quantity: str, sign: int) -> list[Sector]:
-        """Return what it may add to c_n (sign 1) or c_-n (sign -1)."""
+    def rotating_sectors(self, quantity: str, sign: int) -> list[AnnularSector]:
+        """Return sectors of what it may add to c_n (sign 1) or c_-n (sign -1)."""
         half = min(self.order * self.throw + abs(1 - sign * self.order) * self.bank, pi)
         return [
-            Sector(low / 2, high / 2, self.axis + sign * (self.lead + phase), half)
+            AnnularSector(low / 2, high / 2, self.axis + sign * (self.lead + phase), half)
             for (low, high), phase in self.weights(quantity)
         ]
 
@@ -120,8 +121,8 @@ class Box:
         """Return c_n and c_-n with errors: `turn` of the throw and `tilt` of the bank."""
         scale = arm / 2 if quantity == "couple" else 0.5
         lead = self.lead + self.order * (turn - tilt)
-        ahead = weight * scale * cmath.rect(1, self.axis + tilt + lead)
-        return ahead, weight.conjugate() * scale * cmath.rect(1, self.axis + tilt - lead)
+        forward = weight * scale * cmath.rect(1, self.axis + tilt + lead)
+        return forward, weight.conjugate() * scale * cmath.rect(1, self.axis + tilt - lead)
 
 
 def _hull(values: Iterator[float] | Sequence[float]) -> Interval:
@@ -129,20 +130,25 @@ def _hull(values: Iterator[float] | Sequence[float]) -> Interval:
     return min(numbers), max(numbers)
 
 
-def boxes(layout: Engine, own: Relative, order: int, reference: object = None) -> dict[int, list[Box]]:
+def tolerance_boxes(
+    layout: Engine, relative: RelativeTolerances, order: int, reference: object = None
+) -> dict[int, list[ToleranceBox]]:
     """Return n -> every cylinder's box, for each order to `order` that some engine in tolerance has."""
     checked_layout(layout)
     cylinders = zip(layout.cylinders, layout.sizes, layout.arms(layout.plane(reference)), strict=True)
     parts = []
-    kinds: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}
+    by_kind: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}
     for cylinder, size, arm in cylinders:
         key = (plain(mechanism_to(layout, cylinder, order)), _radius(layout, cylinder))
-        if key not in kinds:
-            kinds[key] = list(_corners(key[0], key[1], own, order))
-        parts.append((cylinder, (size, arm), kinds[key], _own_mass(layout, cylinder, own)))
-    present = sorted({n for corners in kinds.values() for f in corners for n, c in f.items() if c})
+        if key not in by_kind:
+            by_kind[key] = list(_corners(key[0], key[1], relative, order))
+        parts.append((cylinder, (size, arm), by_kind[key], _mass_interval(layout, cylinder, relative)))
+    present = sorted({n for corners in by_kind.values() for f in corners for n, c in f.items() if c})
     return {
-        n: [_box(cylinder, weight, corners, mass, own, n) for cylinder, weight, corners, mass in parts]
+        n: [
+            _box(cylinder, weight, corners, mass, relative, n)
+            for cylinder, weight, corners, mass in parts
+        ]
         for n in present
         if n <= order
     }
@@ -150,29 +156,33 @@ def boxes(layout: Engine, own: Relative, order: int, reference: object = None) -
 
 def _radius(layout: Engine, cylinder: Cylinder) -> Fraction:
     """Return r_j/r_1, 1 where strokes are not given."""
-    own, first = cylinder.radius, layout.first.radius
-    return own / first if own and first else Fraction(1)
+    radius, first = cylinder.radius, layout.first.radius
+    return radius / first if radius and first else Fraction(1)
 
 
-def _own_mass(layout: Engine, cylinder: Cylinder, own: Relative) -> tuple[float, float]:
+def _mass_interval(
+    layout: Engine, cylinder: Cylinder, relative: RelativeTolerances
+) -> tuple[float, float]:
     """Return the least and the largest mass over its own."""
     mass, first = cylinder.reciprocating_mass, layout.first.reciprocating_mass
-    part = own.mass * first / mass if mass and first else own.mass
+    part = relative.mass * first / mass if mass and first else relative.mass
     if part > 1:
         what = f"mass = ±{float(part):.3g} of m"
         raise SymbalanceError(what, "lets a mass be negative", "give kg, or percent: 0.5%")
     return 1 - float(part), 1 + float(part)
 
 
-def _corners(mechanism: Mechanism, radius: Fraction, own: Relative, order: int) -> Iterator[Harmonics]:
+def _corners(
+    mechanism: Mechanism, radius: Fraction, relative: RelativeTolerances, order: int
+) -> Iterator[Harmonics]:
     """Yield the nominal harmonics r f_n/r, and then those at the corners of the lengths' box."""
     yield {n: complex(f) for n, f in piston_force(mechanism, order).items()}
-    lengths = (own.stroke / radius, own.rod / radius, own.offset / radius)
-    if isinstance(mechanism, LinkRod) and (own.bank or any(lengths)):
+    lengths = (relative.stroke / radius, relative.rod / radius, relative.offset / radius)
+    if isinstance(mechanism, LinkRod) and (relative.bank or any(lengths)):
         rule = "are not bounded where cylinders hang on link rods"
         remedy = "leave them out, or take the derivatives of sensitivities"
-        named = [name for name in ("bank", "stroke", "rod", "offset") if own.steps[name]]
-        raise SymbalanceError(f"tolerances of {', '.join(named)}", rule, remedy)
+        names = [name for name in ("bank", "stroke", "rod", "offset") if relative.steps[name]]
+        raise SymbalanceError(f"tolerances of {', '.join(names)}", rule, remedy)
     if not any(lengths):
         return
     assert isinstance(mechanism, SliderCrank)
@@ -190,14 +200,14 @@ def _box(
     weight: tuple[Fraction, Fraction],
     lengths: Sequence[Harmonics],
     mass: Interval,
-    own: Relative,
+    relative: RelativeTolerances,
     n: int,
-) -> Box:
+) -> ToleranceBox:
     size, arm = weight
     values = [f.get(n, 0j) * float(size) for f in lengths]
-    level, wide = float(arm), float(own.station)
+    level, wide = float(arm), float(relative.station)
     corners = tuple(v * m for v in values for m in sorted(set(mass)))
-    return Box(
+    return ToleranceBox(
         number=cylinder.number,
         order=n,
         axis=2 * pi * float(cylinder.bank.turns),
@@ -206,6 +216,6 @@ def _box(
         nominal=values[0],
         arm=(level - wide, level + wide),
         level=level,
-        throw=own.throw,
-        bank=own.bank,
+        throw=relative.throw,
+        bank=relative.bank,
     )

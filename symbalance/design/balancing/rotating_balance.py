@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import hypot
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.balancing.planes import in_planes
@@ -22,7 +23,10 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.arithmetic import total
+from symbalance.exact.spectrum import Component
+from symbalance.forces.balance_data import component_values
 from symbalance.text.numbers import exact, listed
+from symbalance.text.reals import atan2, pi
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -99,16 +103,69 @@ class RotatingBalance(Result):
         return rotating_document(self)
 
     def data(self) -> dict[str, Any]:
-        """Return weights, counterweights and what is left, exact numbers as strings."""
-        from symbalance.design.balancing.rotating_data import rotating_data
+        """Return weights, counterweights and what is left, exact numbers as strings.
 
-        return rotating_data(self)
+        A vector's `cos` and `sin` are its parts straight up and to the right at theta = 0, in `unit`;
+        couples are in it times pitches, about station 0.
+        """
+        pairs = zip(("force", "couple"), self.before, self.remains, strict=True)
+        return {
+            "unit": self._unit,
+            "stations": [str(z) for z in self.stations],
+            "spread": self.spread,
+            "counterweights": _rows(self.placed),
+            "weights": _rows((w.station, w.vector) for w in self.weights),
+            **{
+                name: {"before": vector_data(before), "left": vector_data(after)}
+                for name, before, after in pairs
+            },
+            "complete": all(part.is_zero() for part in self.remains),
+        }
 
     def records(self) -> list[dict[str, Any]]:
-        """Return a row for each counterweight and each weight."""
-        from symbalance.design.balancing.rotating_data import rotating_records
+        """Return a row for each counterweight, then for each weight.
 
-        return rotating_records(self)
+        Keys: is_counterweight, station (pitches), size and direction_deg (floats, None with symbols in
+        them), exact_up and exact_right (its parts), unit of the size (kg mm or m r).
+        """
+        every = [(True, z, number) for z, number in self.placed]
+        every += [(False, weight.station, weight.vector) for weight in self.weights]
+        rows = []
+        for is_counterweight, station, number in every:
+            size, degrees = polar(number)
+            rows.append(
+                {
+                    "is_counterweight": is_counterweight,
+                    "station": float(station),
+                    "size": size,
+                    "direction_deg": degrees,
+                    "exact_up": str(Component(number).cos),
+                    "exact_right": str(Component(number).sin),
+                    "unit": self._unit,
+                }
+            )
+        return rows
+
+    @property
+    def _unit(self) -> str:
+        return "kg mm" if self.in_kg_mm else "m r"
+
+
+def vector_data(number: Amplitude) -> dict[str, Any]:
+    """Return a vector's exact parts and decimals."""
+    return dict(component_values(Component(number)))
+
+
+def polar(number: Amplitude) -> tuple[float | None, float | None]:
+    """Return a vector's size, and its direction in degrees from straight up; None with symbols in it."""
+    if number.has_symbols:
+        return None, None
+    near = number.evaluated()
+    return hypot(float(near.real), float(near.imag)), float(atan2(near.imag, near.real) * 180 / pi())
+
+
+def _rows(placed: Iterable[tuple[Fraction, Amplitude]]) -> list[dict[str, Any]]:
+    return [{"station": str(z), "vector": vector_data(number)} for z, number in placed]
 
 
 def throw_unbalance(parts: Iterable[tuple[object, object]]) -> Fraction:

@@ -34,7 +34,7 @@ GUARD = 10
 MOST_POINTS = 20_000
 
 
-class Slopes(NamedTuple):
+class LengthDerivatives(NamedTuple):
     """f_n of one cylinder and its derivatives by crank radius, rod and offset, each over r."""
 
     value: Complex
@@ -43,27 +43,29 @@ class Slopes(NamedTuple):
     offset: Complex
 
 
-def slopes(mechanism: SliderCrank, order: int, digits: int = DIGITS) -> dict[int, Slopes]:
+def length_derivatives(
+    mechanism: SliderCrank, order: int, digits: int = DIGITS
+) -> dict[int, LengthDerivatives]:
     """Return n -> (f_n, r df/dr, r df/dl, r df/de), n = 1..order, of m omega^2 r f_n, over m omega^2 r.
 
     `stroke` is the derivative by the crank radius: half of it is that by the stroke.
 
     >>> from symbalance.text.reals import nstr
-    >>> [nstr(x.real, 8) for x in slopes(SliderCrank(4), 2)[2][:3]]
+    >>> [nstr(x.real, 8) for x in length_derivatives(SliderCrank(4), 2)[2][:3]]
     ['0.25402504', '0.51634683', '-0.065580447']
     """
     return dict(_slopes(mechanism, order, digits))
 
 
 @lru_cache(maxsize=256)
-def _slopes(mechanism: SliderCrank, order: int, digits: int) -> tuple[tuple[int, Slopes], ...]:
+def _slopes(mechanism: SliderCrank, order: int, digits: int) -> tuple[tuple[int, LengthDerivatives], ...]:
     forces = force_harmonics(mechanism, order, digits)
     changes = _means(mechanism, range(1, order + 1), digits)
     found = []
     for n, (by_rod, by_offset) in changes.items():
         value = Complex(forces[n][0], -forces[n][1]) if n in forces else Complex(0)
         radius = value - mechanism.ratio * by_rod - mechanism.offset * by_offset
-        found.append((n, Slopes(value, radius, by_rod, by_offset)))
+        found.append((n, LengthDerivatives(value, radius, by_rod, by_offset)))
     return tuple(found)
 
 

@@ -5,7 +5,7 @@ A piston or rod of reciprocating mass p and rotating mass q in cylinder j adds t
     c_{+-n} = p r_j omega^2 f_{+-n}(j)/2 e^(i (bank_j +- n (throw_j - bank_j))),
     c_1     = q r_j omega^2 e^(i throw_j)      of the rotating mass, in order 1 alone:
 
-on a link pin it has both signs of all orders (`symbalance.design.variations.shares.rotating_pair`).
+on a link pin it has both signs of all orders (`contributions.rotating_pair`).
 
 Orders do not interfere in the mean over a turn, so the criterion is the square root of
 
@@ -14,7 +14,7 @@ Orders do not interfere in the mean over a turn, so the criterion is the square 
 the root mean square of the planar force and of the couple taken as a force at the lever L (default:
 the root mean square of the stations from the reference plane). By default parts count with what they
 differ by from the mean of their set: the crank's counterweights and shafts are made for that mean. Which
-part goes where is then a sum of vectors to be made short (`symbalance.design.variations.placements`).
+part goes where is then a sum of vectors to be made short (`arrangement_search`).
 """
 
 from __future__ import annotations
@@ -24,20 +24,20 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.design.variations.bounds import Vector, norm, total
+from symbalance.design.variations.arrangement_search import Arrangement
+from symbalance.design.variations.assignment_bounds import Vector, norm, total
+from symbalance.design.variations.assignment_objective import AssignmentProblem, expected
+from symbalance.design.variations.contributions import checked_layout, contributions
 from symbalance.design.variations.legend import as_decimal
-from symbalance.design.variations.measures import (
+from symbalance.design.variations.part_sets import PartSet, checked_sets
+from symbalance.design.variations.shaking import (
     Shaking,
+    as_built_vector,
     checked_speed,
     generators,
-    made_vector,
     shaking_of,
     units_of,
 )
-from symbalance.design.variations.placements import Placement
-from symbalance.design.variations.problems import Problem, expected
-from symbalance.design.variations.shares import checked_layout, shares
-from symbalance.design.variations.weighed import PartSet, checked_sets
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
@@ -155,13 +155,13 @@ def assign_parts(
         raise SymbalanceError(f"{count} cylinders", rule, "assign the parts of one engine")
     sets = checked_sets(parts, count)
     counted = _checked_orders(orders)
-    rows = shares(layout, max(counted))
+    rows = contributions(layout, max(counted))
     speed = None if rpm is None else checked_speed(rpm)
     units = units_of(layout, speed, lever, rows[1])
     there = [n for n in counted if n in rows]
     vectors = generators(layout, [rows[n] for n in there], units)
-    made = made_vector(layout, there, units) if whole else None
-    problem = Problem.of(sets, vectors, whole, made)
+    as_built = as_built_vector(layout, there, units) if whole else None
+    problem = AssignmentProblem.of(sets, vectors, whole, as_built)
     places, best, first, placed = _compared(layout, sets, problem)
     return Assignment(
         layout,
@@ -189,13 +189,13 @@ def _checked_orders(orders: object) -> list[int]:
 
 
 def _compared(
-    layout: Engine, sets: Sequence[PartSet], problem: Problem
-) -> tuple[dict[int, dict[str, str]], Vector, Vector, Placement]:
+    layout: Engine, sets: Sequence[PartSet], problem: AssignmentProblem
+) -> tuple[dict[int, dict[str, str]], Vector, Vector, Arrangement]:
     """Return the best places, what they leave, what the listed order leaves, and the search's bound.
 
     Where nothing is better than the listed order, that is the best.
     """
-    placed = problem.solved()
+    placed = problem.solution()
     listed_orders = tuple(tuple(range(len(one.parts))) for one in sets)
     best, first = (total(problem.start, problem.tables, o) for o in (placed.orders, listed_orders))
     as_listed = norm(first) <= norm(best) * (1 + GRAIN)

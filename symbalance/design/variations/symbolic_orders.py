@@ -20,7 +20,6 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.design.variations.entries import entries, symbols_in
 from symbalance.document.result import Result
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -42,12 +41,14 @@ from symbalance.forces.rows import plane_key
 from symbalance.kinematics.coefficients import force_power
 from symbalance.kinematics.mechanisms import offset_series
 from symbalance.kinematics.slider_crank import Series, acceleration_series, checked_order
-from symbalance.text.numbers import checked_whole, exact
+from symbalance.text.numbers import checked_whole, exact, listed
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
+LONGEST_PREFIX = 20
+"""Characters of a letter that cylinders' symbols begin with."""
 LISTED = 8
 """So many symbols are named in one line."""
 UNIT: Polynomial = {(): Fraction(1)}
@@ -55,34 +56,34 @@ UNIT: Polynomial = {(): Fraction(1)}
 
 @dataclass(frozen=True, eq=False)
 class SymbolResultant:
-    """One order of a force or couple with symbols left in: c_n as `ahead`, c_-n as `against`."""
+    """One order of a force or couple with symbols left in: c_n as `positive`, c_-n as `negative`."""
 
-    ahead: SymbolSum
-    against: SymbolSum
+    positive: SymbolSum
+    negative: SymbolSum
 
     def is_zero(self) -> bool:
         """Tell whether the order vanishes for all values of the symbols: a proof either way."""
-        return self.ahead.is_zero() and self.against.is_zero()
+        return self.positive.is_zero() and self.negative.is_zero()
 
     @cached_property
     def vertical(self) -> SymbolComponent:
         """The part along the vertical."""
-        return SymbolComponent(self.ahead.conjugate() + self.against)
+        return SymbolComponent(self.positive.conjugate() + self.negative)
 
     @cached_property
     def lateral(self) -> SymbolComponent:
         """The part towards the right, seen from the front."""
-        return SymbolComponent((self.ahead.conjugate() + -self.against).turned(QUARTER))
+        return SymbolComponent((self.positive.conjugate() + -self.negative).turned(QUARTER))
 
     @cached_property
     def forward(self) -> SymbolComponent:
         """The part that turns with the crank, by its vertical component."""
-        return SymbolComponent(self.ahead.conjugate())
+        return SymbolComponent(self.positive.conjugate())
 
     @cached_property
     def backward(self) -> SymbolComponent:
         """The part that turns against the crank, by its vertical component."""
-        return SymbolComponent(self.against)
+        return SymbolComponent(self.negative)
 
     def component(self, name: str) -> SymbolComponent:
         """Return a component by name: vertical, lateral, forward or backward."""
@@ -176,7 +177,7 @@ class SymbolicOrder(Result):
 
     def symbols(self) -> set[Any]:
         """Return the symbols that stand for masses, stations and lengths."""
-        parts = (self.force.ahead, self.force.against, self.couple.ahead, self.couple.against)
+        parts = (self.force.positive, self.force.negative, self.couple.positive, self.couple.negative)
         return {symbol for part in parts for monomial in part.terms for symbol, _ in monomial}
 
     def differentiated(self, symbol: Any) -> SymbolicOrder:
@@ -186,7 +187,7 @@ class SymbolicOrder(Result):
 
     def _mapped(self, change: Any) -> SymbolicOrder:
         force, couple = (
-            SymbolResultant(change(r.ahead), change(r.against)) for r in (self.force, self.couple)
+            SymbolResultant(change(r.positive), change(r.negative)) for r in (self.force, self.couple)
         )
         return replace(self, force=force, couple=couple)
 
@@ -230,7 +231,7 @@ def symbolic_order(
             f"layout = {shown(layout)}", "must be an Engine", "build one with inline(...)"
         )
     mass, radius = (
-        entries(layout, v, k) or [UNIT] * len(layout.cylinders)
+        cylinder_symbols(layout, v, k) or [UNIT] * len(layout.cylinders)
         for v, k in ((masses, "masses"), (radii, "radii"))
     )
     weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
@@ -248,7 +249,9 @@ def symbolic_order(
     )
     alike = None if own else acceleration_series(n, force_power(n))
     sizes = {"masses": masses, "stations": stations, "radii": radii, "rods": rods, "offsets": offsets}
-    given = dict.fromkeys(x for key, v in sizes.items() for x in symbols_in(entries(layout, v, key)))
+    given = dict.fromkeys(
+        x for key, v in sizes.items() for x in symbols_in(cylinder_symbols(layout, v, key))
+    )
     return SymbolicOrder(
         layout,
         n,
@@ -281,7 +284,7 @@ def _check_alike(layout: Engine) -> None:
 
 def _arms(layout: Engine, stations: object, reference: object) -> list[Polynomial]:
     """Return every cylinder's station from the reference plane."""
-    given = entries(layout, stations, "stations")
+    given = cylinder_symbols(layout, stations, "stations")
     if given is None:
         given = [{(): c.station} if c.station else {} for c in layout.cylinders]
     if reference is not None:
@@ -302,7 +305,7 @@ def _kinematics(
     layout: Engine, n: int, radius: Sequence[Polynomial], rods: object, offsets: object, through: int
 ) -> list[Kinematics]:
     """Return every cylinder's A_n and B_n as polynomials in r/l and e/l."""
-    rod, offset = entries(layout, rods, "rods"), entries(layout, offsets, "offsets")
+    rod, offset = cylinder_symbols(layout, rods, "rods"), cylinder_symbols(layout, offsets, "offsets")
     if rod is None:
         raise SymbalanceError("rods", "are not given", "give the rods' lengths, or a letter for them")
     offset = offset or [{}] * len(rod)
@@ -346,3 +349,31 @@ def _summed(
             total = total + SymbolSum.of(multiplied(weight, sin), number.turned(quarter))
         both.append(total)
     return SymbolResultant(*both)
+
+
+def cylinder_symbols(layout: Engine, given: object, name: str) -> list[Polynomial] | None:
+    """Return one polynomial a cylinder, None where nothing is given."""
+    if given is None:
+        return None
+    count = len(layout.cylinders)
+    if isinstance(given, str):
+        import sympy
+
+        if not given.isidentifier() or len(given) > LONGEST_PREFIX:
+            raise SymbalanceError(f"{name} = {shown(given)}", "must be a letter or a list", 'write "m"')
+        return [
+            {((sympy.Symbol(f"{given}_{c.number}", real=True), 1),): Fraction(1)}
+            for c in layout.cylinders
+        ]
+    values = listed(given, name, "[m1, m2, 0.6]")
+    if len(values) != count:
+        what = f"{name} holds {len(values)} values"
+        raise SymbalanceError(what, f"the engine has {count} cylinders", "give one for each")
+    return [polynomial(value, f"{name}[{i}]") for i, value in enumerate(values)]
+
+
+def symbols_in(given: Sequence[Polynomial] | None) -> list[Any]:
+    """Return the symbols of some polynomials, each once, in their order."""
+    return list(
+        dict.fromkeys(symbol for one in given or () for monomial in one for symbol, _ in monomial)
+    )

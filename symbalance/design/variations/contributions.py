@@ -1,4 +1,4 @@
-"""What one cylinder contributes to one order: an exact direction, and a size.
+"""Contributions of single cylinders to an order of the free force and couple: a direction and a size.
 
 With w = m r/(m_1 r_1) of cylinder 1 and f_n = A_n - i B_n the cylinder's part of the planar vector is
 
@@ -24,7 +24,7 @@ from symbalance.text.reals import Complex, expjpi
 
 
 @dataclass(frozen=True)
-class Share:
+class Contribution:
     """One cylinder's part in one order, by its number."""
 
     number: int
@@ -56,30 +56,30 @@ def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Complex], n: int) -> tu
     """
     pair = []
     for signed in (n, -n):
-        turned = expjpi(2 * (cylinder.bank.turns + signed * cylinder.delay.turns))
+        rotation = expjpi(2 * (cylinder.bank.turns + signed * cylinder.delay.turns))
         circle = expjpi(2 * cylinder.throw.turns) if signed == 1 else Complex(0)
-        pair.append(circle + pins.get(signed, Complex(0)) * turned)
+        pair.append(circle + pins.get(signed, Complex(0)) * rotation)
     return pair[0], pair[1]
 
 
-def shares(layout: Engine, order: int, reference: object = None) -> dict[int, list[Share]]:
-    """Return n -> every cylinder's share, for all orders to `order` that some cylinder has.
+def contributions(layout: Engine, order: int, reference: object = None) -> dict[int, list[Contribution]]:
+    """Return n -> every cylinder's contribution, for all orders to `order` that some cylinder has.
 
     >>> from symbalance.engine.catalogue import load
-    >>> {n: [str(s.lead) for s in of] for n, of in shares(load("inline-4"), 2).items()}
+    >>> {n: [str(s.lead) for s in of] for n, of in contributions(load("inline-4"), 2).items()}
     {1: ['0', '1/2', '1/2', '0'], 2: ['0', '1', '1', '0']}
     """
     checked_order(order)
     checked_layout(layout)
-    own = [piston_force(mechanism_to(layout, c, order), order) for c in layout.cylinders]
+    forces = [piston_force(mechanism_to(layout, c, order), order) for c in layout.cylinders]
     arms = layout.arms(layout.plane(reference))
-    rows = list(zip(layout.cylinders, arms, layout.sizes, own, strict=True))
+    rows = list(zip(layout.cylinders, arms, layout.sizes, forces, strict=True))
     return {
         n: [
-            Share(c.number, n, c.bank.turns, n * c.delay.turns, arm, size, f.get(n, Complex(0)))
+            Contribution(c.number, n, c.bank.turns, n * c.delay.turns, arm, size, f.get(n, Complex(0)))
             for c, arm, size, f in rows
         ]
-        for n in sorted({n for f in own for n in f})
+        for n in sorted({n for f in forces for n in f})
     }
 
 

@@ -19,12 +19,12 @@ from itertools import combinations
 from math import acos, cos, hypot, pi, remainder, sin, tau
 from typing import NamedTuple
 
-TIED = 1e-12
-"""Breakpoints this near, in radians, count as one: what that misses is `TIED` of the sum's size."""
+TIE = 1e-12
+"""Breakpoints this near, in radians, count as one: what that misses is `TIE` of the sum's size."""
 
 
-class Sector(NamedTuple):
-    """Weights from `low` to `high`, at angles within `half` of `angle`, radians."""
+class AnnularSector(NamedTuple):
+    """An annular sector: weights from `low` to `high`, at angles within `half` of `angle`, radians."""
 
     low: float
     high: float
@@ -32,7 +32,7 @@ class Sector(NamedTuple):
     half: float = 0.0
 
 
-class Largest(NamedTuple):
+class Maximum(NamedTuple):
     """A maximum and the angle at which it is."""
 
     value: float
@@ -43,23 +43,23 @@ Element = tuple[complex, float]
 """What a support function is near a place: Re e^(-i phi) z + constant."""
 
 
-def support(sector: Sector, phi: float) -> float:
+def support(sector: AnnularSector, phi: float) -> float:
     """Return h(phi), the largest Re e^(-i phi) z in a sector.
 
-    >>> support(Sector(1, 2, 0.0), 0.0), support(Sector(1, 2, 0.0), pi)
+    >>> support(AnnularSector(1, 2, 0.0), 0.0), support(AnnularSector(1, 2, 0.0), pi)
     (2.0, -1.0)
     """
     z, constant = _element(sector, phi)
     return (cmath.rect(1, -phi) * z).real + constant
 
 
-def _element(sector: Sector, phi: float) -> Element:
+def _element(sector: AnnularSector, phi: float) -> Element:
     best: Element = (0j, 0.0)
     most = -float("inf")
     away = remainder(phi - sector.angle, tau)
     for weight in (sector.low, sector.high):
-        turned = away if weight >= 0 else remainder(away + pi, tau)
-        if sector.half and abs(turned) <= sector.half and abs(weight) > most:
+        gap = away if weight >= 0 else remainder(away + pi, tau)
+        if sector.half and abs(gap) <= sector.half and abs(weight) > most:
             best, most = (0j, abs(weight)), abs(weight)
         for side in (sector.half, -sector.half) if sector.half else (0.0,):
             value = weight * cos(away - side)
@@ -68,36 +68,36 @@ def _element(sector: Sector, phi: float) -> Element:
     return best
 
 
-def _breakpoints(sector: Sector) -> list[float]:
+def _breakpoints(sector: AnnularSector) -> list[float]:
     """Return the angles, in [0, 2 pi), at which the active element may change."""
     sides = (sector.half, -sector.half) if sector.half else (0.0,)
     corners = [w * cmath.rect(1, sector.angle + s) for w in (sector.low, sector.high) for s in sides]
-    found = [sector.angle + s + half for s in sides for half in (0.0, pi) if sector.half]
+    angles = [sector.angle + s + half for s in sides for half in (0.0, pi) if sector.half]
     for p, q in combinations(corners, 2):
         if p != q:
             normal = cmath.phase(1j * (p - q))
-            found += [normal, normal + pi]
+            angles += [normal, normal + pi]
     radii = {abs(sector.low), abs(sector.high)} if sector.half else set()
     for p in corners:  # a corner of the larger arc gives way to the smaller one
-        found += [cmath.phase(p) + s * acos(r / abs(p)) for r in radii if r < abs(p) for s in (1, -1)]
-    return [x % tau for x in found]
+        angles += [cmath.phase(p) + s * acos(r / abs(p)) for r in radii if r < abs(p) for s in (1, -1)]
+    return [x % tau for x in angles]
 
 
-def largest_sum(sectors: Sequence[Sector]) -> Largest:
+def largest_sum(sectors: Sequence[AnnularSector]) -> Maximum:
     """Return the largest modulus of the sum, and the argument of the sum there.
 
-    >>> largest_sum([Sector(0.9, 1.1, 0.0), Sector(0.9, 1.1, pi)]).value.__round__(12)
+    >>> largest_sum([AnnularSector(0.9, 1.1, 0.0), AnnularSector(0.9, 1.1, pi)]).value.__round__(12)
     0.2
     """
     events = sorted((x, j) for j, sector in enumerate(sectors) for x in _breakpoints(sector))
     if not events:  # single points
         z = sum(_element(sector, 0.0)[0] for sector in sectors)
-        return Largest(abs(z), cmath.phase(z))
-    clusters = _clustered(events)
+        return Maximum(abs(z), cmath.phase(z))
+    clusters = _clusters(events)
     starts = [x for x, _ in clusters]
     middle = (starts[-1] - tau + starts[0]) / 2
     active = [_element(sector, middle) for sector in sectors]
-    best = Largest(0.0, 0.0)
+    best = Maximum(0.0, 0.0)
     for (start, changed), end in zip(clusters, [*starts[1:], starts[0] + tau], strict=True):
         for j in changed:
             active[j] = _element(sectors[j], (start + end) / 2)
@@ -105,29 +105,29 @@ def largest_sum(sectors: Sequence[Sector]) -> Largest:
     return best
 
 
-def _clustered(events: Sequence[tuple[float, int]]) -> list[tuple[float, list[int]]]:
-    """Return the breakpoints with the sectors that change there; those `TIED` are one."""
+def _clusters(events: Sequence[tuple[float, int]]) -> list[tuple[float, list[int]]]:
+    """Return the breakpoints with the sectors that change there; those `TIE` are one."""
     clusters: list[tuple[float, list[int]]] = []
     for x, j in events:
-        if clusters and x - clusters[-1][0] <= TIED:
+        if clusters and x - clusters[-1][0] <= TIE:
             clusters[-1][1].append(j)
         else:
             clusters.append((x, [j]))
     return clusters
 
 
-def _piece(active: Sequence[Element], start: float, end: float) -> Largest:
+def _piece(active: Sequence[Element], start: float, end: float) -> Maximum:
     """Return the largest value on one piece, of which every sector's element is known."""
     z = sum(e[0] for e in active)
     constant = sum(e[1] for e in active)
     at = cmath.phase(z) if z else start
     if (at - start) % tau <= end - start:
-        return Largest(abs(z) + constant, at)
+        return Maximum(abs(z) + constant, at)
     values = [(z * cmath.rect(1, -x)).real + constant for x in (start, end)]
-    return Largest(values[0], start) if values[0] >= values[1] else Largest(values[1], end)
+    return Maximum(values[0], start) if values[0] >= values[1] else Maximum(values[1], end)
 
 
-class Bounded(NamedTuple):
+class BoundedMaximum(NamedTuple):
     """A maximum, between a value that is attained and one that is proved; `angle` is where."""
 
     attained: float
@@ -136,17 +136,19 @@ class Bounded(NamedTuple):
 
 
 STEPS = 16
+"""Intervals of half a turn to begin with: each below pi/2, as `_meeting` needs."""
 MOST_HALVINGS = 400
+"""Where they do not do, the bound is still proved, and looser than `gap`."""
 
 
-def farthest(width: Callable[[float], float], gap: float = 1e-9) -> Bounded:
+def farthest_point(width: Callable[[float], float], gap: float = 1e-9) -> BoundedMaximum:
     r"""Return the largest modulus of a set symmetric about 0, from its support function `width`.
 
     If the farthest point's direction lies in [u, v], its modulus d obeys d cos(x - u) <= width(u) and d
     cos(v - x) <= width(v): d is at most the distance of the point where both lines meet (or the end
     nearer to it). That bound is second order in v - u; intervals are halved until it is within `gap`.
 
-    >>> farthest(lambda u: abs(3 * cos(u)) + abs(4 * sin(u))).bound.__round__(6)
+    >>> farthest_point(lambda u: abs(3 * cos(u)) + abs(4 * sin(u))).bound.__round__(6)
     5.0
     """
     grid = [pi * i / STEPS for i in range(STEPS + 1)]
@@ -170,7 +172,7 @@ def farthest(width: Callable[[float], float], gap: float = 1e-9) -> Bounded:
             (_meeting(a, value, middle - u), u, middle, a, value),
             (_meeting(value, b, v - middle), middle, v, value, b),
         ]
-    return Bounded(best[0], max(best[0], max(intervals)[0]), best[1])
+    return BoundedMaximum(best[0], max(best[0], max(intervals)[0]), best[1])
 
 
 def _meeting(a: float, b: float, between: float) -> float:

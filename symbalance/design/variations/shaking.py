@@ -9,10 +9,9 @@ from fractions import Fraction
 from math import pi, sqrt
 from typing import NamedTuple
 
-from symbalance.design.variations.bounds import Vector
-from symbalance.design.variations.made import NOTHING, made_parts
-from symbalance.design.variations.shares import Share, rotating_pair
-from symbalance.design.variations.symmetry import Generators
+from symbalance.design.variations.as_built import NOTHING, as_built_parts
+from symbalance.design.variations.assignment_bounds import Generators, Vector
+from symbalance.design.variations.contributions import Contribution, rotating_pair
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
@@ -73,7 +72,7 @@ class Units:
     names: tuple[str, str]
 
 
-def units_of(layout: Engine, speed: Fraction | None, lever: object, own: Sequence[Share]) -> Units:
+def units_of(layout: Engine, speed: Fraction | None, lever: object, own: Sequence[Contribution]) -> Units:
     """Return the units that the sizes given allow, and the lever that couples count at."""
     radius, pitch = layout.first.radius, layout.pitch
     force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
@@ -85,44 +84,44 @@ def units_of(layout: Engine, speed: Fraction | None, lever: object, own: Sequenc
         arm, names = float(pitch) / 1000, (names[0], "N m")
     spread = sqrt(sum(float(s.arm) ** 2 for s in own) / len(own)) or 1.0
     if lever is not None:
-        given = exact(lever, "lever")
-        if given <= 0 or pitch is None:
-            rule = "must be positive" if given <= 0 else "needs the engine's pitch"
+        length = exact(lever, "lever")
+        if length <= 0 or pitch is None:
+            rule = "must be positive" if length <= 0 else "needs the engine's pitch"
             raise SymbalanceError(f"lever = {shown(lever)}", rule, "mm; give pitch in [crank_train]")
-        spread = float(given / pitch)
+        spread = float(length / pitch)
     return Units(force, arm, spread, names)
 
 
-def generators(layout: Engine, orders: Sequence[Sequence[Share]], units: Units) -> Generators:
+def generators(layout: Engine, orders: Sequence[Sequence[Contribution]], units: Units) -> Generators:
     """Return, for each cylinder, what 1 kg of reciprocating and of rotating mass adds: real vectors."""
-    found = []
+    vectors = []
     for place, (cylinder, own_radius) in enumerate(zip(layout.cylinders, layout.radii, strict=True)):
         radius = units.force * float(own_radius)
         pins = link_pin_force(cylinder.mechanism, max((own[place].order for own in orders), default=0))
         sliding: list[float] = []
         turning: list[float] = []
         for own in orders:
-            share = own[place]
-            f = complex(share.value) * radius / 2
-            axis, lead = (2 * pi * float(x % 1) for x in (share.axis, share.lead))
+            contribution = own[place]
+            f = complex(contribution.value) * radius / 2
+            axis, lead = (2 * pi * float(x % 1) for x in (contribution.axis, contribution.lead))
             pair = (f * _turn(axis + lead), f.conjugate() * _turn(axis - lead))
-            pin = radius * _turn(2 * pi * float(cylinder.throw.turns)) if share.order == 1 else 0j
-            swung = (pin, 0j)
+            pin = radius * _turn(2 * pi * float(cylinder.throw.turns)) if contribution.order == 1 else 0j
+            rotating = (pin, 0j)
             if pins:
-                ahead, against = rotating_pair(cylinder, pins, share.order)
-                swung = radius * complex(ahead), radius * complex(against)
-            sliding += _real(pair, float(share.arm), units.lever)
-            turning += _real(swung, float(share.arm), units.lever)
-        found.append((tuple(sliding), tuple(turning)))
-    return found
+                forward, backward = rotating_pair(cylinder, pins, contribution.order)
+                rotating = radius * complex(forward), radius * complex(backward)
+            sliding += _real(pair, float(contribution.arm), units.lever)
+            turning += _real(rotating, float(contribution.arm), units.lever)
+        vectors.append((tuple(sliding), tuple(turning)))
+    return vectors
 
 
-def made_vector(layout: Engine, orders: Sequence[int], units: Units) -> Vector | None:
+def as_built_vector(layout: Engine, orders: Sequence[int], units: Units) -> Vector | None:
     """Return what counterweights, shafts and rotating masses add, in the form of `generators`.
 
     None where the engine has no counterweights or shafts, and no masses on link pins.
     """
-    by_order = made_parts(layout, max(orders))
+    by_order = as_built_parts(layout, max(orders))
     if not layout.balancers and not by_order:
         return None
     mass = layout.first.reciprocating_mass
@@ -131,13 +130,13 @@ def made_vector(layout: Engine, orders: Sequence[int], units: Units) -> Vector |
         remedy = "give reciprocating_mass, kg, in [crank_train]"
         raise SymbalanceError("whole masses", rule, remedy)
     scale = units.force * float(mass)
-    found: list[float] = []
+    vectors: list[float] = []
     for n in orders:
-        kinds = by_order.get(n, NOTHING)
+        by_quantity = by_order.get(n, NOTHING)
         for kind, over in (("force", 1.0), ("couple", units.lever)):
-            pair = kinds[kind].ahead * scale / over, kinds[kind].against * scale / over
-            found += [part for z in pair for part in (z.real, z.imag)]
-    return tuple(found)
+            pair = by_quantity[kind].forward * scale / over, by_quantity[kind].backward * scale / over
+            vectors += [part for z in pair for part in (z.real, z.imag)]
+    return tuple(vectors)
 
 
 def _turn(angle: float) -> complex:
@@ -145,24 +144,24 @@ def _turn(angle: float) -> complex:
 
 
 def _real(pair: tuple[complex, complex], arm: float, lever: float) -> list[float]:
-    ahead, against = pair
-    force = [ahead.real, ahead.imag, against.real, against.imag]
+    forward, backward = pair
+    force = [forward.real, forward.imag, backward.real, backward.imag]
     return force + [x * arm / lever for x in force]
 
 
-def shaking_of(vector: Vector, asked: Sequence[int], units: Units) -> tuple[Shaking, ...]:
+def shaking_of(vector: Vector, orders: Sequence[int], units: Units) -> tuple[Shaking, ...]:
     """Return what a vector of `generators`' kind leaves, order by order."""
-    found = []
-    for i, n in enumerate(asked):
+    vectors = []
+    for i, n in enumerate(orders):
         part = vector[8 * i : 8 * i + 8]
         if not part:
             continue
         couple = units.lever * units.arm
         moduli = [sqrt(part[k] ** 2 + part[k + 1] ** 2) for k in (0, 2, 4, 6)]
         means = [sqrt(moduli[k] ** 2 + moduli[k + 1] ** 2) for k in (0, 2)]
-        found.append(
+        vectors.append(
             Shaking(
                 n, moduli[0] + moduli[1], (moduli[2] + moduli[3]) * couple, means[0], means[1] * couple
             )
         )
-    return tuple(found)
+    return tuple(vectors)

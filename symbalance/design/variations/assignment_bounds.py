@@ -11,14 +11,14 @@ from collections.abc import Sequence
 from math import sqrt
 from operator import add
 
-from symbalance.design.variations.matching import least_matching
-
 Vector = tuple[float, ...]
 Table = Sequence[Sequence[Vector]]
 """v[part][place]."""
 Order = tuple[int, ...]
 """The part in each place."""
 
+Generators = Sequence[tuple[Vector, Vector]]
+"""What 1 kg of reciprocating and of rotating mass in each place adds."""
 STEPS = 200
 SLACK = 1e-9
 """What the rounding of floats may be worth."""
@@ -70,8 +70,55 @@ def lower_bound(start: Vector, tables: Sequence[Table]) -> float:
         best = max(best, dot(direction, corner))
         step = tuple(c - x for c, x in zip(corner, point, strict=True))
         length = dot(step, step)
-        share = min(1.0, max(0.0, -dot(point, step) / length)) if length else 0.0
-        if share <= 0:
+        fraction = min(1.0, max(0.0, -dot(point, step) / length)) if length else 0.0
+        if fraction <= 0:
             break
-        point = tuple(x + share * d for x, d in zip(point, step, strict=True))
+        point = tuple(x + fraction * d for x, d in zip(point, step, strict=True))
     return best * (1 - SLACK)
+
+
+def least_matching(costs: Sequence[Sequence[float]]) -> tuple[int, ...]:
+    """Return, for each column, the row that it goes to when the sum of costs[row][column] is least.
+
+    >>> least_matching([[4.0, 1.0, 3.0], [2.0, 0.0, 5.0], [3.0, 2.0, 2.0]])
+    (1, 0, 2)
+    """
+    count = len(costs)
+    rows, columns = [0.0] * (count + 1), [0.0] * (count + 1)
+    owner = [count] * (count + 1)  # the row of each column; the last column is a place to start from
+    for row in range(count):
+        _augment(costs, row, rows, columns, owner)
+    return tuple(owner[:count])
+
+
+def _augment(
+    costs: Sequence[Sequence[float]], row: int, rows: list[float], columns: list[float], owner: list[int]
+) -> None:
+    """Give one more row a column, moving others along the cheapest path."""
+    count = len(costs)
+    owner[count] = row
+    column, before = count, [count] * count
+    least, used = [float("inf")] * count, [False] * (count + 1)
+    while True:
+        used[column] = True
+        here, nearest, step = owner[column], count, float("inf")
+        for j in range(count):
+            if used[j]:
+                continue
+            cost = costs[here][j] - rows[here] - columns[j]
+            if cost < least[j]:
+                least[j], before[j] = cost, column
+            if least[j] < step:
+                nearest, step = j, least[j]
+        for j in range(count + 1):
+            if used[j]:
+                rows[owner[j]] += step
+                columns[j] -= step
+            elif j < count:
+                least[j] -= step
+        column = nearest
+        if owner[column] == count:
+            break
+    while column != count:
+        owner[column] = owner[before[column]]
+        column = before[column]

@@ -1,4 +1,4 @@
-r"""How badly an engine within its tolerances can shake: of each order, the worst that errors add up to.
+r"""Worst cases of an engine within its tolerances: what errors can add up to in each order, with proof.
 
 Cylinder j pushes along its axis with weight w_j: seen in the direction u, order n is
 
@@ -7,13 +7,13 @@ Cylinder j pushes along its axis with weight w_j: seen in the direction u, order
 t_j and k_j the errors of throw and bank. Mass, station, stroke, rod and offset enter w_j alone, each as
 a factor that runs through an interval of its own (r A_n(r/l, e/l) grows with r and |e| and falls with l,
 for all its terms have one sign), so w_j fills an interval exactly. Angles are bounded by taking the
-direction cosine and the phase n (t_j - k_j) for independent. Then every cylinder is a `Sector`, and
+direction cosine and the phase n (t_j - k_j) for independent. Every cylinder then is an `AnnularSector`:
 
 - the amplitude of one component is `largest_sum` of them,
-- the largest modulus of the planar vector over a turn is `farthest` over all directions u.
+- the largest modulus of the planar vector over a turn is `farthest_point` over all directions u.
 
 Counterweights, shafts and rotating masses add what they were made to
-(`symbalance.design.variations.made`). Both give a bound that is proved (but for the rounding of floats,
+(`as_built`). Both give a bound that is proved (but for the rounding of floats,
 for which it is raised by `ROUNDING`). The attained value is that of an engine that exists: errors
 within their tolerances, improved in turns, put into the formula above. For tolerances of mass, station,
 stroke and rod on centred cylinders the two meet. Each order has its own worst engine, and so have force
@@ -29,25 +29,31 @@ from fractions import Fraction
 from math import cos, hypot, pi, remainder
 from typing import TYPE_CHECKING, Any, ClassVar, overload
 
-from symbalance.design.variations.aims import (
-    MODES,
-    Aim,
-    Errors,
-    aim_at,
-    answer,
-    seen,
-    sums_of,
-    told,
+from symbalance.design.variations.annular_sectors import (
+    TIE,
+    AnnularSector,
+    Maximum,
+    farthest_point,
+    largest_sum,
 )
-from symbalance.design.variations.boxes import Box, boxes
+from symbalance.design.variations.as_built import NOTHING, AsBuilt, as_built_parts
+from symbalance.design.variations.contributions import checked_layout
 from symbalance.design.variations.derivatives import sensitivities
 from symbalance.design.variations.legend import as_decimal
-from symbalance.design.variations.made import NOTHING, Made, made_parts
-from symbalance.design.variations.measures import Scale, checked_speed, scale_of
-from symbalance.design.variations.sectors import TIED, Largest, Sector, farthest, largest_sum
+from symbalance.design.variations.objectives import (
+    MODES,
+    Errors,
+    Objective,
+    best_response,
+    component_amplitude,
+    engine_sums,
+    error_tuple,
+    objective_of,
+)
 from symbalance.design.variations.sensitivity import Sensitivity
-from symbalance.design.variations.shares import checked_layout
-from symbalance.design.variations.tolerances import UNITS, Relative, Tolerances
+from symbalance.design.variations.shaking import Scale, checked_speed, scale_of
+from symbalance.design.variations.tolerance_intervals import ToleranceBox, tolerance_boxes
+from symbalance.design.variations.tolerances import UNITS, RelativeTolerances, Tolerances
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
@@ -62,7 +68,9 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("force", "couple")
 ROUNDING = 1e-9
+"""Part by which a bound is raised, for the rounding of the floats it was summed in."""
 IMPROVEMENTS = 6
+"""Rounds of best responses at most; each ends where no cylinder's errors add anything."""
 
 
 @dataclass(frozen=True)
@@ -75,8 +83,8 @@ class WorstCase:
     `nominal` is that of the engine without errors, `attained` that of an engine within the tolerances,
     `bound` what no such engine passes, `statistical` the root of the sum of squares of the first-order
     effects (three times their rms, if tolerances are three standard deviations of independent errors).
-    `errors` are those of the engine that attains: by the cylinder's number, the factor by which its m r
-    f_n is off, the error of its station in pitches, those of its throw and bank in degrees.
+    `errors` are those of the engine that attains it: by the cylinder's number, the factor by which its
+    m r f_n is off, the error of its station in pitches, those of its throw and bank in degrees.
     """
 
     order: int
@@ -135,10 +143,10 @@ class WorstCases(Result, Sequence[WorstCase]):
             max((w for w in self if w.quantity == quantity), key=lambda w: w.bound, default=None)
             for quantity in QUANTITIES
         ]
-        said = ", ".join(
+        listing = ", ".join(
             f"{w.quantity} ≤ {w.bound:.6g} {self.unit(w)} (order {w.order})" for w in worst if w
         )
-        return f"Worst cases of {self.engine.name} to order {self.order}: {said or 'none'}"
+        return f"Worst cases of {self.engine.name} to order {self.order}: {listing or 'none'}"
 
     def document(self) -> Document:
         """Return the worst of force and couple by order, then how it is meant."""
@@ -148,15 +156,15 @@ class WorstCases(Result, Sequence[WorstCase]):
 
     def data(self) -> dict[str, Any]:
         """Return the tolerances and every worst case, with the errors of the engine that reaches it."""
-        given = {name: getattr(self.tolerances, name) for name in UNITS}
+        tolerances = {name: getattr(self.tolerances, name) for name in UNITS}
         force, couple = self.scale.units
         return {
             "engine": self.engine.name,
             "ratio": None if self.engine.ratio is None else str(self.engine.ratio),
             "highest": str(self.order),
             "reference_plane": plane_key(self.reference),
-            "tolerances": {name: str(value) for name, value in given.items() if value},
-            "tolerance_units": {name: UNITS[name] for name, value in given.items() if value},
+            "tolerances": {name: str(value) for name, value in tolerances.items() if value},
+            "tolerance_units": {name: UNITS[name] for name, value in tolerances.items() if value},
             "units": {"force": force, "couple": couple},
             "rpm": None if self.rpm is None else as_decimal(self.rpm),
             "worst_cases": [
@@ -199,10 +207,10 @@ def worst_cases(
     reciprocating mass results are in N, and with its pitch in N m.
 
     >>> from symbalance.engine.builders import inline
-    >>> found = worst_cases(inline("1-3-4-2", ratio=4), Tolerances(mass="1%"), 1)
-    >>> [(w.quantity, w.nominal, round(w.attained, 9), round(w.bound, 6)) for w in found]
+    >>> cases = worst_cases(inline("1-3-4-2", ratio=4), Tolerances(mass="1%"), 1)
+    >>> [(w.quantity, w.nominal, round(w.attained, 9), round(w.bound, 6)) for w in cases]
     [('force', 0.0, 0.04, 0.04), ('couple', 0.0, 0.04, 0.04)]
-    >>> found
+    >>> cases
     Worst cases of engine to order 1: force ≤ 0.04 m r ω² (order 1), couple ≤ 0.04 m r ω² a (order 1)
     """
     checked_layout(layout)
@@ -235,37 +243,45 @@ def _scaled(case: WorstCase, scale: Scale) -> WorstCase:
 
 
 def _worst_cases(
-    layout: Engine, own: Relative, order: int, modes: Sequence[str], reference: Fraction | None
+    layout: Engine,
+    relative: RelativeTolerances,
+    order: int,
+    modes: Sequence[str],
+    reference: Fraction | None,
 ) -> list[WorstCase]:
     """Return worst cases in m r omega^2 of cylinder 1 (times a)."""
-    names = own.parameters
+    names = relative.parameters
     errors = sensitivities(layout, order, parameters=names, reference=reference) if names else []
     ideal = balance(layout, order, reference=reference)
-    found, by_order = [], boxes(layout, own, order, reference)
-    made = made_parts(layout, order, reference)
-    for n in sorted({*by_order, *made}):
+    cases, by_order = [], tolerance_boxes(layout, relative, order, reference)
+    as_built = as_built_parts(layout, order, reference)
+    for n in sorted({*by_order, *as_built}):
         rows = by_order.get(n, [])
         for quantity in QUANTITIES:
-            pair, fixed = _ideal(ideal, n, quantity), made.get(n, NOTHING)[quantity]
+            pair, fixed = _ideal(ideal, n, quantity), as_built.get(n, NOTHING)[quantity]
             for mode in modes:
                 if not names:
-                    found.append(_unchanged(n, quantity, mode, seen(*pair, mode)))
+                    cases.append(_unchanged(n, quantity, mode, component_amplitude(*pair, mode)))
                     continue
-                single = _statistical([s for s in errors if s.order == n], own.steps, quantity, mode)
-                found.append(_worst(n, quantity, mode, rows, fixed, seen(*pair, mode), single))
-    return found + (_rotating(layout, own, order, reference) if own.rotating else [])
+                single = _statistical([s for s in errors if s.order == n], relative.steps, quantity, mode)
+                cases.append(
+                    _worst(n, quantity, mode, rows, fixed, component_amplitude(*pair, mode), single)
+                )
+    return cases + (_rotating_cases(layout, relative, order, reference) if relative.rotating else [])
 
 
-def _rotating(layout: Engine, own: Relative, order: int, reference: object) -> list[WorstCase]:
+def _rotating_cases(
+    layout: Engine, relative: RelativeTolerances, order: int, reference: object
+) -> list[WorstCase]:
     """Return what the rotating masses' own errors add up to: those on crank pins in order 1, forward."""
     errors = sensitivities(layout, order, parameters=["rotating"], reference=reference)
-    step, found = float(own.rotating), []
+    step, cases = float(relative.rotating), []
     for n in sorted({e.order for e in errors}):
         rows = [e for e in errors if e.order == n]
         for quantity in QUANTITIES:
             parts = [_Error(e.cylinder, *(step * z for z in e.pair(quantity))) for e in rows]
-            found.append(_worst_errors(n, f"rotating {quantity}", parts, step))
-    return found
+            cases.append(_worst_rotating(n, f"rotating {quantity}", parts, step))
+    return cases
 
 
 @dataclass(frozen=True)
@@ -273,35 +289,35 @@ class _Error:
     """What one rotating mass adds to c_n and c_-n where it is heavier by its tolerance."""
 
     number: int
-    ahead: complex
-    against: complex
+    forward: complex
+    backward: complex
 
     def across(self, direction: float) -> complex:
         """Return what it adds to the component in a direction, as C + iS would turn."""
-        turned = self.ahead * cmath.rect(1, -direction)
-        return turned + self.against.conjugate() * cmath.rect(1, direction)
+        forward = self.forward * cmath.rect(1, -direction)
+        return forward + self.backward.conjugate() * cmath.rect(1, direction)
 
 
-def _worst_errors(n: int, quantity: str, parts: Sequence[_Error], step: float) -> WorstCase:
+def _worst_rotating(n: int, quantity: str, parts: Sequence[_Error], step: float) -> WorstCase:
     """Return the worst of masses that are each off by plus or minus its tolerance."""
 
-    def across(direction: float) -> Largest:
+    def across(direction: float) -> Maximum:
         numbers = [part.across(direction) for part in parts]
-        return largest_sum([Sector(-abs(z), abs(z), cmath.phase(z)) for z in numbers])
+        return largest_sum([AnnularSector(-abs(z), abs(z), cmath.phase(z)) for z in numbers])
 
-    turns = not any(part.against for part in parts)  # in a circle: every direction is the same
-    far = None if turns else farthest(lambda u: across(u).value)
+    turns = not any(part.backward for part in parts)  # in a circle: every direction is the same
+    far = None if turns else farthest_point(lambda u: across(u).value)
     direction = far.angle if far else 0.0
     value, angle = across(direction)
     signs = {p.number: _sign(1.0, cmath.phase(p.across(direction)) - angle) for p in parts}
-    ahead = sum(signs[p.number] * p.ahead for p in parts)
-    against = sum(signs[p.number] * p.against for p in parts)
-    reached = abs(ahead) + abs(against)
-    most = max((far.bound if far else value) * (1 + ROUNDING), reached)
-    single = hypot(*(abs(p.ahead) + abs(p.against) for p in parts))
-    chosen = {number: (1 + sign * step, 0.0, 0.0, 0.0) for number, sign in signs.items()}
+    forward = sum(signs[p.number] * p.forward for p in parts)
+    backward = sum(signs[p.number] * p.backward for p in parts)
+    attained = abs(forward) + abs(backward)
+    most = max((far.bound if far else value) * (1 + ROUNDING), attained)
+    single = hypot(*(abs(p.forward) + abs(p.backward) for p in parts))
+    errors = {number: (1 + sign * step, 0.0, 0.0, 0.0) for number, sign in signs.items()}
     mode = "forward" if turns else "largest"
-    return WorstCase(n, quantity, mode, 0.0, reached, most, single, chosen)
+    return WorstCase(n, quantity, mode, 0.0, attained, most, single, errors)
 
 
 def _sign(weight: float, away: float) -> int:
@@ -315,18 +331,19 @@ def _ideal(ideal: Balance, n: int, quantity: str) -> tuple[complex, complex]:
     if ideal.kinematics and n > 1:
         assert ideal.ratio is not None
         factor = float(acceleration_value(n, ideal.ratio))
-    ahead, against = (spectrum.terms.get(signed, ZERO) for signed in (n, -n))
-    return complex(ahead.evaluated()) * factor, complex(against.evaluated()) * factor
+    forward, backward = (spectrum.terms.get(signed, ZERO) for signed in (n, -n))
+    return complex(forward.evaluated()) * factor, complex(backward.evaluated()) * factor
 
 
 def _statistical(
     errors: Sequence[Sensitivity], steps: dict[str, float], quantity: str, mode: str
 ) -> float:
     squares = 0.0
-    for one in errors:
-        if one.parameter == "rotating":
+    for change in errors:
+        if change.parameter == "rotating":
             continue
-        squares += (seen(*one.pair(quantity), mode) * steps[one.parameter]) ** 2
+        effect = component_amplitude(*change.pair(quantity), mode) * steps[change.parameter]
+        squares += effect**2
     return squares**0.5
 
 
@@ -339,52 +356,54 @@ def _worst(
     n: int,
     quantity: str,
     mode: str,
-    rows: Sequence[Box],
-    made: Made,
+    rows: Sequence[ToleranceBox],
+    as_built: AsBuilt,
     nominal: float,
     statistical: float,
 ) -> WorstCase:
-    bound, aim = _bounded(rows, made, quantity, mode)
-    chosen = [Errors(box.nominal, box.level, 0.0, 0.0) for box in rows]
+    bound, objective = _bound(rows, as_built, quantity, mode)
+    worst = [Errors(box.nominal, box.level, 0.0, 0.0) for box in rows]
     best = nominal
-    least = TIED * sum(abs(box.nominal) * max(1.0, abs(box.level)) for box in rows)
-    least += TIED * (abs(made.ahead) + abs(made.against))
+    least = TIE * sum(abs(box.nominal) * max(1.0, abs(box.level)) for box in rows)
+    least += TIE * (abs(as_built.forward) + abs(as_built.backward))
     for _ in range(IMPROVEMENTS):
-        tried = [answer(box, quantity, aim) for box in rows]
-        ahead, against = sums_of(rows, quantity, tried)
-        sums = ahead + made.ahead, against + made.against
-        value = seen(*sums, mode)
+        responses = [best_response(box, quantity, objective) for box in rows]
+        forward, backward = engine_sums(rows, quantity, responses)
+        sums = forward + as_built.forward, backward + as_built.backward
+        value = component_amplitude(*sums, mode)
         if value <= max(best, least):
             break
-        best, chosen, aim = value, tried, aim_at(*sums, mode)
-    errors = {box.number: told(box, one) for box, one in zip(rows, chosen, strict=True)}
+        best, worst, objective = value, responses, objective_of(*sums, mode)
+    errors = {box.number: error_tuple(box, one) for box, one in zip(rows, worst, strict=True)}
     most = max(bound * (1 + ROUNDING), best)
     return WorstCase(n, quantity, mode, nominal, best, most, statistical, errors)
 
 
-def _bounded(rows: Sequence[Box], made: Made, quantity: str, mode: str) -> tuple[float, Aim]:
-    """Return the proved bound, and the aim to reach it with."""
+def _bound(
+    rows: Sequence[ToleranceBox], as_built: AsBuilt, quantity: str, mode: str
+) -> tuple[float, Objective]:
+    """Return the proved bound, and the objective to reach it with."""
 
-    def turning(sign: int) -> Largest:
-        sectors = [s for box in rows for s in box.turning(quantity, sign)]
-        return largest_sum(sectors + made.turning(sign))
+    def rotating(sign: int) -> Maximum:
+        sectors = [s for box in rows for s in box.rotating_sectors(quantity, sign)]
+        return largest_sum(sectors + as_built.rotating_sectors(sign))
 
-    def across(direction: float) -> Largest:
-        sectors = [s for box in rows for s in box.seen_from(quantity, direction)]
-        return largest_sum(sectors + made.seen_from(direction))
+    def across(direction: float) -> Maximum:
+        sectors = [s for box in rows for s in box.component_sectors(quantity, direction)]
+        return largest_sum(sectors + as_built.component_sectors(direction))
 
     if mode in ("forward", "backward"):
-        value, angle = turning(1 if mode == "forward" else -1)
-        aim = cmath.rect(1, -angle)
-        return value, ((aim, 0j) if mode == "forward" else (0j, aim))
+        value, angle = rotating(1 if mode == "forward" else -1)
+        objective = cmath.rect(1, -angle)
+        return value, ((objective, 0j) if mode == "forward" else (0j, objective))
     direction, bound = {"vertical": 0.0, "lateral": pi / 2}.get(mode), None
     if direction is None:
         direction = rows[0].axis if rows else 0.0
-        if made or any(box.bank or abs(remainder(box.axis - direction, pi)) > 1e-12 for box in rows):
-            found = farthest(lambda u: across(u).value)
+        if as_built or any(box.bank or abs(remainder(box.axis - direction, pi)) > 1e-12 for box in rows):
+            far = farthest_point(lambda u: across(u).value)
             # A circle has no farthest direction to halve towards: there both turning parts bound it.
-            direction = found.angle
-            bound = min(found.bound, turning(1).value + turning(-1).value)
+            direction = far.angle
+            bound = min(far.bound, rotating(1).value + rotating(-1).value)
     value, angle = across(direction)
-    aim = cmath.rect(1, -direction - angle), cmath.rect(1, angle - direction)
-    return (value if bound is None else bound), aim
+    objective = cmath.rect(1, -direction - angle), cmath.rect(1, angle - direction)
+    return (value if bound is None else bound), objective

@@ -7,7 +7,7 @@ of its own. One shaft is enough for each: two weights in two planes have any for
 (`symbalance.design.balancing.planes`). The least number of shafts that ends given orders therefore is
 the number of their signed orders, +1 apart, that are not zero; and one weight on it is enough exactly
 where the couple is the force times an arm. Where limits forbid that, an order that keeps one of its
-parts gets the best of the other (`symbalance.design.balancing.choosing`).
+parts gets the best of the other (`symbalance.design.balancing.order_selection`).
 
 What a design claims is proved by `symbalance.forces.resultants.balance` of the engine with the design
 built in.
@@ -19,15 +19,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.design.balancing.certifying import Claim, claims
-from symbalance.design.balancing.choosing import parts_of
+from symbalance.design.balancing.design_limits import Limits, checked_limits, checked_orders
 from symbalance.design.balancing.devices import Device, devices_for, for_rotating
-from symbalance.design.balancing.limits import Limits, checked_limits, checked_orders
+from symbalance.design.balancing.order_selection import parts_of
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotors import share_unit
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.phasor import ZERO
+from symbalance.exact.spectrum import Component
 from symbalance.forces.resultants import Balance, balance
 from symbalance.text.reals import Real
 
@@ -36,6 +37,55 @@ if TYPE_CHECKING:
 
 SHOWN = 12
 """Orders up to this one are listed in what remains."""
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One part of one order: `signed` order, of "force" or "couple", before and after."""
+
+    signed: int
+    kind: str
+    before: Amplitude
+    after: Amplitude
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether it is proved to be zero now."""
+        return self.after.is_zero()
+
+    @property
+    def verdict(self) -> str:
+        """Absent (there was none), removed, reduced or changed, unchanged, or added."""
+        if self.before.is_zero():
+            return "absent" if self.is_zero else "added"
+        if self.is_zero:
+            return "removed"
+        return "unchanged" if (self.before - self.after).is_zero() else "reduced"
+
+    @property
+    def component(self) -> Component:
+        """What is left, as the vertical component of the part that turns."""
+        return Component(self.after.conjugate() if self.signed > 0 else self.after)
+
+
+def certificate(before: Balance, after: Balance, orders: Sequence[int]) -> list[Claim]:
+    """Return a claim for force and couple of every signed order of `orders`, absent ones included.
+
+    The designer's own sums are not used: both balances add up cylinders, counterweights and shafts anew,
+    and a number is zero where its normal form is (decimals: where the parts cancel to their rounding).
+
+    >>> from symbalance.engine.catalogue import load
+    >>> from symbalance.forces.resultants import balance
+    >>> four = balance(load("inline-4"), 2)
+    >>> [c.verdict for c in certificate(four, four, [1, 2])][:5]
+    ['absent', 'absent', 'absent', 'absent', 'unchanged']
+    """
+    claims = []
+    for n in orders:
+        for kind in ("force", "couple"):
+            old, new = (b.force.terms if kind == "force" else b.couple.terms for b in (before, after))
+            claims += [Claim(s, kind, old.get(s, ZERO), new.get(s, ZERO)) for s in (n, -n)]
+    return claims
 
 
 @dataclass(frozen=True, repr=False)
@@ -98,7 +148,7 @@ class Design(Result):
     @property
     def claims(self) -> list[Claim]:
         """What becomes of every order to remove: of force and couple, with and against the crank."""
-        return claims(self.before, self.remains, self.remove)
+        return certificate(self.before, self.remains, self.remove)
 
     @property
     def is_complete(self) -> bool:
