@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.design.variations import Part, PartSet, parse_parts
+from symbalance.design.variations.arrangement_search import best_arrangement
 from symbalance.design.variations.assignment_bounds import least_matching, lower_bound, norm, total
-from symbalance.design.variations.arrangement_search import arranged
 from tests.pistons import harmonics, pistons
 from tests.rotating_model import turning as rotating
 
@@ -104,7 +104,7 @@ def test_arrangements_of_any_vectors(count, size, kinds, data):
         for _ in range(kinds)
     ]
     start = tuple(chance.normal(size=size))
-    found = arranged(start, tables)
+    found = best_arrangement(start, tables)
     orders = itertools.product(itertools.permutations(range(count)), repeat=kinds)
     brute = min(norm(total(start, tables, o)) for o in orders)
     assert found.length == pytest.approx(brute, abs=1e-9)

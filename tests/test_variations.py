@@ -291,11 +291,11 @@ def test_sensitivities_of_masters_and_link_rods_are_finite_differences_of_piston
 @pytest.mark.parametrize("ratio", ["1.001", "1.05", 4, 1000])
 def test_slopes_obey_the_scale_of_the_mechanism(ratio):
     """r f is homogeneous of degree 1: its derivatives times r, l and e add up to it, at every order."""
-    from symbalance.design.variations.length_derivatives import slopes
+    from symbalance.design.variations.length_derivatives import length_derivatives
     from symbalance.kinematics.mechanisms import SliderCrank
 
     mechanism = SliderCrank(Fraction(ratio), Fraction(ratio) / 10**4)
-    for n, (value, stroke, rod, offset) in slopes(mechanism, 6).items():
+    for n, (value, stroke, rod, offset) in length_derivatives(mechanism, 6).items():
         left = stroke + rod * float(mechanism.ratio) + offset * float(mechanism.offset)
         assert abs(left - value) <= 1e-9 * (abs(value) + abs(stroke)), n
 

@@ -1,4 +1,4 @@
-"""`symbalance design`: the counterweights and balance shafts that end given orders."""
+"""`symbalance design`: the counterweights and balance shafts that balance given orders."""
 
 from __future__ import annotations
 
@@ -50,16 +50,16 @@ def run(options: argparse.Namespace) -> int:
 
 def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes]:
     """Return the files asked for beside the design: the balanced engine, the picture."""
-    found: dict[str, str | bytes] = {}
+    texts: dict[str, str | bytes] = {}
     if options.write is not None:
         from symbalance.engine.engine_writing import engine_text
 
         if not options.write.endswith(".toml"):
             what = f"--write {options.write}"
             raise SymbalanceError(what, "must end in .toml", "other commands know engine files by it")
-        found[options.write] = engine_text(design.balanced)
+        texts[options.write] = engine_text(design.balanced)
     if options.picture is not None:
         from symbalance.design.balancing.design_picture import design_picture
 
-        found[options.picture] = design_picture(design, options.picture)
-    return found
+        texts[options.picture] = design_picture(design, options.picture)
+    return texts

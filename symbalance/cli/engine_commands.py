@@ -122,10 +122,12 @@ def _add_crankshaft(commands: argparse._SubParsersAction) -> None:
 
 def _add_design(commands: argparse._SubParsersAction) -> None:
     parser = command(
-        commands, "design", "Counterweights and balance shafts that end given orders, with a certificate."
+        commands,
+        "design",
+        "Counterweights and balance shafts that balance given orders, with a certificate.",
     )
     parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
-    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to end; default: 1,2")
+    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to balance; default: 1,2")
     parser.add_argument(
         "--shafts", metavar="N", help="at most so many shafts; default: as many as it takes"
     )
@@ -149,10 +151,10 @@ def _add_design(commands: argparse._SubParsersAction) -> None:
         help="counterweights on every throw, half the reciprocating mass",
     )
     parser.add_argument(
-        "--vertical", metavar="W", default="1", help="weight of the vertical in what is left; default: 1"
+        "--vertical", metavar="W", default="1", help="weight of the vertical in the residual; default: 1"
     )
     parser.add_argument(
-        "--lateral", metavar="W", default="1", help="weight of the lateral in what is left; default: 1"
+        "--lateral", metavar="W", default="1", help="weight of the lateral in the residual; default: 1"
     )
     parser.add_argument(
         "--length", metavar="L", default="1", help="pitches over which couples count; default: 1"
@@ -203,7 +205,7 @@ def _add_tolerances(commands: argparse._SubParsersAction) -> None:
 
 def _add_assign(commands: argparse._SubParsersAction) -> None:
     parser = command(
-        commands, "assign", "Which weighed part goes to which cylinder, so that least is left."
+        commands, "assign", "Which weighed part goes to which cylinder, with the least residual."
     )
     add_engine(parser)
     parser.add_argument(

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from symbalance.design.balancing.design_facts import left_ellipses, name, on_throws, sentence, weights
+from symbalance.design.balancing.design_facts import (
+    device_name,
+    residual_ellipses,
+    sentence,
+    throw_counterweights,
+    weights,
+)
 from symbalance.design.balancing.design_limits import Limits
 from symbalance.design.balancing.designs import Claim, Design
 from symbalance.design.balancing.devices import Device
@@ -31,8 +37,8 @@ def design_data(design: Design) -> dict[str, Any]:
         "devices": [_device(design, device) for device in design.devices],
         "certificate": [_claim(claim) for claim in design.claims],
         "left": [
-            {"order": str(drawn.order), "kind": drawn.of, **drawn.axes_data()}
-            for drawn in left_ellipses(design)
+            {"order": str(curve.order), "kind": curve.of, **curve.axes_data()}
+            for curve in residual_ellipses(design)
         ],
         "remains": balance_data(design.remains),
     }
@@ -104,13 +110,13 @@ def design_records(design: Design) -> list[dict[str, Any]]:
         size = None if weight.unbalance is None else float(weight.unbalance)
         place = {
             "speed": weight.device.speed,
-            "on": name(weight.device),
+            "on": device_name(weight.device),
             "station": float(weight.station),
         }
         rows.append(
             {**none, **place, "share": share, "direction_deg": degrees, **exact, "unbalance_kg_mm": size}
         )
-    for counterweight in on_throws(design):
+    for counterweight in throw_counterweights(design):
         overbalance = float(counterweight.overbalance or 0)
         on = {"speed": 1, "on": "crank", "throw": counterweight.throw, "overbalance": overbalance}
         rows.append({**none, **on})

@@ -1,4 +1,4 @@
-"""What a design may use, and how what it leaves is weighed."""
+"""Limits of a design: shafts, stations and sizes it may use, and how its residual is weighted."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOST_SHAFTS = 1000
 
 @dataclass(frozen=True)
 class Weighting:
-    """What makes left-overs comparable: weights of both directions, a length for couples (pitches)."""
+    """What makes residuals comparable: weights of both directions, a length for couples (pitches)."""
 
     vertical: Fraction = Fraction(1)
     lateral: Fraction = Fraction(1)
@@ -30,7 +30,7 @@ class Weighting:
 
 @dataclass(frozen=True)
 class Limits:
-    """What a design may use, and how what is left is weighed."""
+    """What a design may use, and how its residual is weighted."""
 
     shafts: int | None
     counter_rotation: bool
@@ -80,10 +80,10 @@ def checked_orders(remove: Any) -> tuple[int, ...]:
     >>> checked_orders([2, 1, 2])
     (1, 2)
     """
-    remedy, found = "name orders like [1, 2]", listed(remove, "remove", "[1, 2]")
-    if not found:
+    remedy, orders = "name orders like [1, 2]", listed(remove, "remove", "[1, 2]")
+    if not orders:
         raise SymbalanceError("remove = []", "names no order", remedy)
-    return tuple(sorted({checked_whole(n, "remove", 1, HIGHEST_ORDER, remedy) for n in found}))
+    return tuple(sorted({checked_whole(n, "remove", 1, HIGHEST_ORDER, remedy) for n in orders}))
 
 
 def checked_weighting(vertical: object, lateral: object, length: object = 1) -> Weighting:
@@ -96,10 +96,10 @@ def checked_weighting(vertical: object, lateral: object, length: object = 1) -> 
 
 
 def _places(stations: Any) -> list[object]:
-    found = listed(stations, "stations", "[2, -2]")
-    if not found:
+    places = listed(stations, "stations", "[2, -2]")
+    if not places:
         raise SymbalanceError("stations = []", "leave no place for a weight", "give one or two")
-    return found
+    return places
 
 
 def _positive(value: object, name: str) -> Fraction:

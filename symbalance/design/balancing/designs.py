@@ -1,13 +1,13 @@
-r"""The least set of counterweights and balance shafts that ends given orders of force and couple.
+r"""The least set of counterweights and balance shafts that balances given orders of force and couple.
 
 What turns at s times the crank's speed (s of either sign) has a force and a couple in e^(i s theta)
 alone, and the powers e^(i s theta) are linearly independent. So every signed order whose force or couple
 is not zero needs something that turns at its own speed: a counterweight on the crank at +1, else a shaft
 of its own. One shaft is enough for each: two weights in two planes have any force and any couple
-(`symbalance.design.balancing.planes`). The least number of shafts that ends given orders therefore is
+(`symbalance.design.balancing.planes`). The least number of shafts that balances given orders therefore is
 the number of their signed orders, +1 apart, that are not zero; and one weight on it is enough exactly
 where the couple is the force times an arm. Where limits forbid that, an order that keeps one of its
-parts gets the best of the other (`symbalance.design.balancing.order_selection`).
+parts gets the best of the other (`order_selection`).
 
 What a design claims is proved by `symbalance.forces.resultants.balance` of the engine with the design
 built in.
@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.balancing.design_limits import Limits, checked_limits, checked_orders
-from symbalance.design.balancing.devices import Device, devices_for, for_rotating
+from symbalance.design.balancing.devices import Device, devices_for, rotating_counterweights
 from symbalance.design.balancing.order_selection import parts_of
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
@@ -35,8 +35,8 @@ from symbalance.text.reals import Real
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
-SHOWN = 12
-"""Orders up to this one are listed in what remains."""
+LISTED_ORDERS = 12
+"""What remains is listed to this order at least."""
 
 
 @dataclass(frozen=True)
@@ -141,7 +141,7 @@ class Design(Result):
 
     @property
     def least_shafts(self) -> int:
-        """How many shafts it takes to end all orders to remove: those not zero, the crank's +1 apart."""
+        """How many shafts balance all orders to remove: one for each not zero, the crank's +1 apart."""
         signed = parts_of(self.before, self.remove)
         return len(signed) - (1 in signed and self.limits.counterweights)
 
@@ -180,14 +180,14 @@ def design_balance(
     per_throw: bool = False,
     ratio: object = None,
 ) -> Design:
-    """Return the least counterweights and balance shafts that end, or reduce most, the orders to remove.
+    """Return the least counterweights and shafts that balance the orders to remove, or reduce them most.
 
     `shafts` is the most there may be (default: as many as it takes), `counter_rotation` whether they may
     turn against the crank, `counterweights` whether the crank may carry some; `stations` are the places
     for weights (default: one place where that does, else the outermost cylinders), `spread` "even" puts
     weights in all of them; `per_throw` balances half the reciprocating mass on each throw instead. What
-    cannot be ended is made least: mean squares, `vertical` and `lateral` weighted, couples over `length`
-    (pitches). `most` bounds each weight, in kg mm; `ratio` overrides lambda.
+    cannot be balanced is made least: mean squares, `vertical` and `lateral` weighted, couples over
+    `length` (pitches). `most` bounds each weight, in kg mm; `ratio` overrides lambda.
     """
     layout, orders = _checked(layout, ratio), checked_orders(remove)
     limits = checked_limits(
@@ -202,10 +202,12 @@ def design_balance(
         most=most,
         per_throw=per_throw,
     )
-    highest = max(SHOWN, orders[-1])
+    highest = max(LISTED_ORDERS, orders[-1])
     before = balance(layout, highest)
     devices = tuple(devices_for(before, orders, limits))
-    balanced = layout.balanced_by(*for_rotating(layout, devices), *(p for d in devices for p in d.parts))
+    balanced = layout.balanced_by(
+        *rotating_counterweights(layout, devices), *(p for d in devices for p in d.parts)
+    )
     return Design(layout, balanced, orders, devices, limits, before, balance(balanced, highest))
 
 

@@ -191,8 +191,8 @@ class Ellipse(Result):
 
     def reach(self, direction: Exact | Real) -> Real:
         """Return how far it reaches along a direction (radians from straight up): its amplitude there."""
-        turned = expj(-direction)
-        forward, backward = (n.evaluated() * turned for n in (self.forward, self.backward))
+        rotation = expj(-direction)
+        forward, backward = (n.evaluated() * rotation for n in (self.forward, self.backward))
         return abs(forward.conjugate() + backward)
 
 

@@ -35,7 +35,7 @@ from symbalance.forces.resultants import balance
 from symbalance.text.numbers import exact
 from symbalance.text.reals import Real, sqrt
 
-AIMS = ("squares", "largest")
+OBJECTIVES = ("squares", "largest")
 
 
 def overbalanced(layout: Engine, share: object = Fraction(1, 2)) -> Engine:
@@ -86,34 +86,36 @@ def best_overbalance(
     *,
     vertical: object = 1,
     lateral: object = 1,
-    aim: str = "squares",
+    objective: str = "squares",
     kind: str = "force",
 ) -> sympy.Expr:
     """Return the k on every throw that leaves the least first order, exactly.
 
-    `vertical` and `lateral` weigh the squares of the amplitudes (aim "squares") or the amplitudes, of
-    which the larger is made least ("largest"). Refused where no k makes a difference.
+    `vertical` and `lateral` weigh the squares of the amplitudes (objective "squares") or the amplitudes,
+    of which the larger is made least ("largest"). Refused where no k makes a difference.
 
     >>> from symbalance.engine.builders import inline, vee
     >>> best_overbalance(inline("1")), best_overbalance(inline("1"), vertical=3)
     (1/2, 3/4)
     >>> twin = vee(sympy.Symbol("alpha"), pins=[0])
-    >>> best_overbalance(twin, lateral=0)  # nothing left upright
+    >>> best_overbalance(twin, lateral=0)  # no vertical amplitude left
     cos(alpha)/2 + 1/2
     """
-    if aim not in AIMS:
+    if objective not in OBJECTIVES:
         raise SymbalanceError(
-            f"aim = {shown(aim)}", f"must be one of {', '.join(AIMS)}", "squares is usual"
+            f"objective = {shown(objective)}",
+            f"must be one of {', '.join(OBJECTIVES)}",
+            "squares is usual",
         )
     tilt = _tilt(vertical, lateral)
     parts = first_order(layout, kind)
     square = parts.per_share.norm()
     if square.is_zero():
-        rule = f"leaves the {kind} as it is: counterweights on its throws cancel"
+        rule = f"leaves the {kind} unchanged: counterweights on its throws cancel"
         raise SymbalanceError("overbalance", rule, "design counterweights by station: design_balance")
     along = parts.forward.times(parts.per_share.conjugate())
     across = parts.per_share.times(parts.backward)
-    if aim == "largest" and not (along.imaginary().is_zero() and across.imaginary().is_zero()):
+    if objective == "largest" and not (along.imaginary().is_zero() and across.imaginary().is_zero()):
         return _least_largest(parts, exact(vertical, "vertical"), exact(lateral, "lateral"))
     return quotient(along.real() + across.real().scaled(tilt), square)
 
@@ -129,7 +131,7 @@ def _tilt(vertical: object, lateral: object) -> Fraction:
 
 
 def best_forward(backward: Amplitude, vertical: object = 1, lateral: object = 1) -> Amplitude:
-    """Return the forward part that leaves least beside a backward one that cannot be had away.
+    """Return the forward part that leaves least beside a backward one that cannot be balanced.
 
     -(v - l)/(v + l) conj(backward): 0, a circle, where both directions weigh the same; and likewise
     the backward part beside a forward one. It is best for squares, v and l weighing them, and for the
@@ -151,19 +153,21 @@ def _least_largest(parts: FirstOrder, vertical: Fraction, lateral: Fraction) -> 
     both meet. Every candidate is a SymPy number; decimals choose.
     """
     curves = [_parabola(parts, sign, w * w) for w, sign in ((vertical, 1), (lateral, -1))]
-    near = [[x.evaluated().real for x in curve] for curve in curves]
+    decimals = [[x.evaluated().real for x in curve] for curve in curves]
     directions = [i for i, w in enumerate((vertical, lateral)) if w]
-    places = [(near[i][1] / near[i][0], i) for i in directions]
-    gap = [one - other for one, other in zip(*near, strict=True)]
-    places += [(k, sign) for k, sign in _crossings(gap, vertical == lateral)]
-    worth = [max(a * k * k - 2 * b * k + c for a, b, c in near) for k, _ in places]
-    best = min(range(len(places)), key=worth.__getitem__)
+    candidates = [(decimals[i][1] / decimals[i][0], i) for i in directions]
+    gap = [one - other for one, other in zip(*decimals, strict=True)]
+    candidates += [(k, sign) for k, sign in _crossings(gap, vertical == lateral)]
+    worth = [max(a * k * k - 2 * b * k + c for a, b, c in decimals) for k, _ in candidates]
+    best = min(range(len(candidates)), key=worth.__getitem__)
     exactly = [[Component(x).cos for x in curve] for curve in curves]
     if best < len(directions):
         a, b, _ = exactly[directions[best]]
         return b / a
     a, b, c = (one - other for one, other in zip(*exactly, strict=True))
-    return c / (2 * b) if vertical == lateral else (b + places[best][1] * sympy.sqrt(b * b - a * c)) / a
+    return (
+        c / (2 * b) if vertical == lateral else (b + candidates[best][1] * sympy.sqrt(b * b - a * c)) / a
+    )
 
 
 def _crossings(gap: Sequence[Real], level: bool) -> list[tuple[Real, int]]:
@@ -190,6 +194,6 @@ def amplitudes(parts: FirstOrder, share: Fraction) -> tuple[Real, Real]:
     >>> [str(x) for x in amplitudes(first_order(inline("1")), Fraction(1, 2))]
     ['0.5', '0.5']
     """
-    left = (parts.forward - parts.per_share.scaled(share)).conjugate()
-    vertical, lateral = ((left + parts.backward.scaled(s)).size(30) for s in (1, -1))
+    residual = (parts.forward - parts.per_share.scaled(share)).conjugate()
+    vertical, lateral = ((residual + parts.backward.scaled(s)).size(30) for s in (1, -1))
     return vertical, lateral

@@ -1,4 +1,4 @@
-r"""Rotating parts: sum of m_i r_i, the force and couple they leave, and the counterweights that end both.
+r"""Unbalance of rotating parts, its force and couple, and the counterweights that balance both.
 
 A part of mass m at radius r and angle a has the unbalance m r e^(i a); a crank is in static balance where
 their sum is 0, in dynamic balance where the sum of station * m r e^(i a) is 0 too. For one throw that is
@@ -67,7 +67,7 @@ class RotatingBalance(Result):
         return any(weight.in_kg_mm for weight in self.weights)
 
     @property
-    def placed(self) -> list[tuple[Fraction, Amplitude]]:
+    def vectors(self) -> list[tuple[Fraction, Amplitude]]:
         """The counterweights' stations and vectors, straight up + i to the right at theta = 0."""
         return [
             (c.station, c.weight.vector)
@@ -83,7 +83,7 @@ class RotatingBalance(Result):
     @property
     def remains(self) -> tuple[Amplitude, Amplitude]:
         """The force and the couple of weights and counterweights, added up anew."""
-        every = [*((w.station, w.vector) for w in self.weights), *self.placed]
+        every = [*((w.station, w.vector) for w in self.weights), *self.vectors]
         return total(vector for _, vector in every), total(v.scaled(z) for z, v in every)
 
     def summary(self) -> str:
@@ -113,7 +113,7 @@ class RotatingBalance(Result):
             "unit": self._unit,
             "stations": [str(z) for z in self.stations],
             "spread": self.spread,
-            "counterweights": _rows(self.placed),
+            "counterweights": _rows(self.vectors),
             "weights": _rows((w.station, w.vector) for w in self.weights),
             **{
                 name: {"before": vector_data(before), "left": vector_data(after)}
@@ -128,7 +128,7 @@ class RotatingBalance(Result):
         Keys: is_counterweight, station (pitches), size and direction_deg (floats, None with symbols in
         them), exact_up and exact_right (its parts), unit of the size (kg mm or m r).
         """
-        every = [(True, z, number) for z, number in self.placed]
+        every = [(True, z, number) for z, number in self.vectors]
         every += [(False, weight.station, weight.vector) for weight in self.weights]
         rows = []
         for is_counterweight, station, number in every:
@@ -164,15 +164,15 @@ def polar(number: Amplitude) -> tuple[float | None, float | None]:
     return hypot(float(near.real), float(near.imag)), float(atan2(near.imag, near.real) * 180 / pi())
 
 
-def _rows(placed: Iterable[tuple[Fraction, Amplitude]]) -> list[dict[str, Any]]:
-    return [{"station": str(z), "vector": vector_data(number)} for z, number in placed]
+def _rows(vectors: Iterable[tuple[Fraction, Amplitude]]) -> list[dict[str, Any]]:
+    return [{"station": str(z), "vector": vector_data(number)} for z, number in vectors]
 
 
 def throw_unbalance(parts: Iterable[tuple[object, object]]) -> Fraction:
     """Return sum of m_i r_i, the unbalance of what hangs on one throw: kg times mm give kg mm.
 
     Radii count from the crank's axis towards the pin; negative ones lie opposite, as a web's own
-    counterweight does. The counterweight that ends it has the same mass times radius on the other side.
+    counterweight does. The counterweight to it has the same mass times radius on the other side.
 
     >>> throw_unbalance([("0.35", 40), ("0.42", 40), ("0.9", 12)])  # pin, rod end, two cheeks
     Fraction(208, 5)
@@ -200,11 +200,11 @@ def rotating_weights(layout: Engine) -> list[Weight]:
     [Fraction(3, 2), Fraction(3, 2)]
     """
     unit = layout.unit_unbalance
-    found = []
+    weights = []
     for cylinder, share in zip(layout.cylinders, layout.rotating_sizes, strict=True):
         size = {"share": share} if unit is None else {"unbalance": share * unit}
-        found += [Weight(cylinder.station, cylinder.throw, **size)] if share else []
-    return found
+        weights += [Weight(cylinder.station, cylinder.throw, **size)] if share else []
+    return weights
 
 
 def rotating_unbalance(weights: Iterable[Weight], plane: object = 0) -> tuple[Amplitude, Amplitude]:
@@ -214,7 +214,7 @@ def rotating_unbalance(weights: Iterable[Weight], plane: object = 0) -> tuple[Am
     >>> force.is_zero(), couple.rational()
     (True, Fraction(10, 1))
     """
-    rows, station = _checked(weights), exact(plane, "plane")
+    rows, station = _checked_weights(weights), exact(plane, "plane")
     return total(w.vector for w in rows), total(w.vector.scaled(w.station - station) for w in rows)
 
 
@@ -227,11 +227,11 @@ def balanced_weights(
     total, "even" all of them with the least sum of squares. With one station it is static, if it can be
     no more.
 
-    >>> found = balanced_weights([Weight(1, 0, unbalance=6), Weight(0, 90, unbalance=3)], [3, -3])
-    >>> [str(c.station) for c in found], all(c.weight is not None for c in found)
+    >>> balance = balanced_weights([Weight(1, 0, unbalance=6), Weight(0, 90, unbalance=3)], [3, -3])
+    >>> [str(c.station) for c in balance], all(c.weight is not None for c in balance)
     (['3', '-3'], True)
     """
-    rows = _checked(weights)
+    rows = _checked_weights(weights)
     in_kg_mm = any(w.in_kg_mm for w in rows)
     places = [exact(s, "stations") for s in listed(stations, "stations", "[2, -2]")]
     force, couple = rotating_unbalance(rows)
@@ -239,10 +239,10 @@ def balanced_weights(
         force, couple = -force, -force.scaled(places[0])
     else:
         force, couple = -force, -couple
-    placed = []
+    vectors = []
     if not (force.is_zero() and couple.is_zero()):
-        placed = in_planes(force, couple, places, spread=spread, length=Fraction(1))
-    counterweights = tuple(_counterweight(vector, station, in_kg_mm) for station, vector in placed)
+        vectors = in_planes(force, couple, places, spread=spread, length=Fraction(1))
+    counterweights = tuple(_counterweight(vector, station, in_kg_mm) for station, vector in vectors)
     return RotatingBalance(tuple(rows), tuple(places), spread, counterweights)
 
 
@@ -252,7 +252,7 @@ def _counterweight(vector: Amplitude, station: Fraction, in_kg_mm: bool) -> Coun
     return Counterweight(Angle(Fraction(0)), station, unbalance=vector)
 
 
-def _checked(weights: Iterable[Weight]) -> list[Weight]:
+def _checked_weights(weights: Iterable[Weight]) -> list[Weight]:
     rows = listed(weights, "weights", "[Weight(1, 0, unbalance=5)]")
     if not all(isinstance(w, Weight) for w in rows):
         raise SymbalanceError("weights", "must be Weight values", "make each with Weight(...)")
