@@ -441,7 +441,9 @@ def test_the_formulas_of_a_document_are_those_of_the_order(name):
 
 def test_an_order_says_what_was_put_in_and_what_it_is_the_derivative_by():
     order = sb.symbolic_order(sb.inline("1-3-4-2"), 1, masses="m", stations="a")
-    text = sb.to_text(order.at({"m_1": "1/3", "a_2": 2}).at({"m_2": 1}).differentiated(order.given[2]))
+    text = sb.to_text(
+        order.at({"m_1": "1/3", "a_2": 2}).at({"m_2": 1}).differentiated(order.all_symbols[2])
+    )
     assert "derivative by m₃" in text.splitlines()[0]
     assert "m₁ = 1/3, a₂ = 2, m₂ = 1" in text
     assert "unit A₁ r ω²\n" in text  # neither m nor a: masses and stations are given

@@ -280,7 +280,7 @@ def fewest_within(
         sizes, rest = [t.size for t in terms], beyond(order)
         if not sizes and default_size is None:
             return (), Real(rest), True
-        allowed = tolerance or ldexp(max(sizes, default=default_size), INVISIBLE)
+        allowed = tolerance or ldexp(max(sizes) if sizes else Real(default_size or 0), INVISIBLE)
         bound = fsum(sizes) + rest
         for count in range(len(sizes) + 1):
             bound = fsum(sizes[count:]) + rest

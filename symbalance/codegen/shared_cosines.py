@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
@@ -15,9 +16,6 @@ from symbalance.codegen.expression_ir import Kernel
 from symbalance.codegen.harmonic_sum import ClosedForm
 from symbalance.codegen.reinsch import Crest
 from symbalance.text.reals import Real
-
-RANGES = ("reduced_range", "full_range", "on_grid")
-"""Where a cosine can be computed: |theta| <= LIMIT, any angle, theta = 2 pi index/points."""
 
 
 class SharedCosines:
@@ -44,7 +42,7 @@ class SharedCosines:
         return "sq"
 
     def kernel(self, where: str, used: set[str]) -> tuple[Kernel, tuple[str, ...]]:
-        """Return the lines of what is `used`, and the names they define; `where` is one of `RANGES`."""
+        """Return the lines of what is `used`, and the names they define; `where` is a key of `SQUARES`."""
         kernel, names = Kernel(), []
         for i, cosine in enumerate(self.cosines, 1):
             names.append(f"c{i}")
@@ -75,6 +73,9 @@ def _place(known: list[Any], new: Any) -> int:
     return len(known)
 
 
-SQUARES = dict(
-    zip(RANGES, (add_reduced_range_square, add_full_range_square, add_on_grid_square), strict=True)
-)
+SQUARES: dict[str, Callable[[Kernel, ClosedForm, str], None]] = {
+    "reduced_range": add_reduced_range_square,
+    "full_range": add_full_range_square,
+    "on_grid": add_on_grid_square,
+}
+"""By where the square is computed: |theta| <= LIMIT, any angle, theta = 2 pi index/points."""

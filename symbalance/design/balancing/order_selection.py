@@ -44,11 +44,11 @@ def parts_of(result: Balance, orders: Sequence[int]) -> dict[int, Pair]:
 
 def targets_of(parts: dict[int, Pair], speed: int, other_served: bool, tilt: Fraction) -> Pair:
     """Return the force and couple a device must have: against its part, or the best beside the other."""
-    own, other = parts.get(speed, (ZERO, ZERO)), parts.get(-speed, (ZERO, ZERO))
+    part, other = parts.get(speed, (ZERO, ZERO)), parts.get(-speed, (ZERO, ZERO))
     if other_served or not tilt:
-        return -own[0], -own[1]
+        return -part[0], -part[1]
     best = [part.conjugate().scaled(-tilt) for part in other]
-    return best[0] - own[0], best[1] - own[1]
+    return best[0] - part[0], best[1] - part[1]
 
 
 def select_orders(

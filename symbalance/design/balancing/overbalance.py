@@ -181,10 +181,10 @@ def _crossings(gap: Sequence[Real], level: bool) -> list[tuple[Real, int]]:
 
 def _parabola(parts: FirstOrder, sign: int, weight: Fraction) -> list[Amplitude]:
     """Return a, b and c of weight |conj(f - k g) + sign b|^2 = a k^2 - 2 b k + c."""
-    still = parts.forward.conjugate() + parts.backward.scaled(sign)
-    moved = parts.per_share.conjugate()
-    cross = still.times(moved.conjugate()).real()
-    return [number.scaled(weight) for number in (moved.norm(), cross, still.norm())]
+    constant = parts.forward.conjugate() + parts.backward.scaled(sign)
+    slope = parts.per_share.conjugate()
+    cross = constant.times(slope.conjugate()).real()
+    return [number.scaled(weight) for number in (slope.norm(), cross, constant.norm())]
 
 
 def amplitudes(parts: FirstOrder, share: Fraction) -> tuple[Real, Real]:

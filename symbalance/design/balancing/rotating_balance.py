@@ -89,11 +89,13 @@ class RotatingBalance(Result):
     def summary(self) -> str:
         """Return how many counterweights there are, and what is left, in one line."""
         force, couple = self.remains
-        left = f"{'no' if force.is_zero() else 'a'} force and {'no' if couple.is_zero() else 'a'} couple"
+        residual = (
+            f"{'no' if force.is_zero() else 'a'} force and {'no' if couple.is_zero() else 'a'} couple"
+        )
         count, others = len(self.counterweights), len(self.weights)
         return (
             f"{count} counterweight{'' if count == 1 else 's'} against "
-            f"{others} turning weight{'' if others == 1 else 's'}: {left} left"
+            f"{others} turning weight{'' if others == 1 else 's'}: {residual} left"
         )
 
     def document(self) -> Document:

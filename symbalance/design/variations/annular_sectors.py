@@ -98,8 +98,8 @@ def largest_sum(sectors: Sequence[AnnularSector]) -> Maximum:
     middle = (starts[-1] - tau + starts[0]) / 2
     active = [_element(sector, middle) for sector in sectors]
     best = Maximum(0.0, 0.0)
-    for (start, changed), end in zip(clusters, [*starts[1:], starts[0] + tau], strict=True):
-        for j in changed:
+    for (start, changes), end in zip(clusters, [*starts[1:], starts[0] + tau], strict=True):
+        for j in changes:
             active[j] = _element(sectors[j], (start + end) / 2)
         best = max(best, _piece(active, start, end))
     return best

@@ -1,4 +1,4 @@
-r"""Which part goes where: the least length of a sum of vectors, one for each part in its place.
+r"""Search for the arrangement of parts in places whose vectors have the shortest sum.
 
     minimise |c + sum over sets s of sum over places j of v_s[part in j][j]|
 
@@ -37,8 +37,11 @@ from symbalance.design.variations.assignment_bounds import (
 MOST_PLACES = {1: 10, 2: 7}
 """The places up to which the arrangement of one set, or of two, is found exactly."""
 STARTS = 12
+"""Random arrangements that the search by exchanges begins from."""
 BLOCK = 9
+"""Places rearranged exactly at a time: halves of 5 and 4 places, as one set of 9 would be."""
 ROUNDS = 24
+"""Blocks rearranged, where the best is not found exactly anyway."""
 
 
 @dataclass(frozen=True)
@@ -63,10 +66,10 @@ def best_arrangement(
     1.0
     """
     count = len(tables[0])
-    good = _searched(start, tables)
+    good = _local_search(start, tables)
     places = list(range(count)) if fixed is None else list(fixed)
     if count <= MOST_PLACES.get(len(tables), 0):
-        orders = (_halved if len(tables) == 1 else _joined)(start, tables, good, places)
+        orders = (_by_halves if len(tables) == 1 else _by_pairs)(start, tables, good, places)
         length = norm(total(start, tables, orders))
         return Arrangement(orders, length, length, True)
     return Arrangement(good, norm(total(start, tables, good)), lower_bound(start, tables), False)
@@ -98,19 +101,19 @@ class _Best:
         self.orders, self.length = orders, length
 
     def join(
-        self, left: list[tuple[Vector, Order]], right: list[tuple[Vector, Order]], flat: bool
+        self, fronts: list[tuple[Vector, Order]], rears: list[tuple[Vector, Order]], flat: bool
     ) -> None:
         """Look at all pairs whose sum may be shorter: their first coordinates nearly cancel."""
-        if not (left and right):
+        if not (fronts and rears):
             return
-        right.sort()
-        keys = [vector[0] for vector, _ in right]
-        second = min(1, len(right[0][0]) - 1)
-        for one, order in left:
+        rears.sort()
+        keys = [vector[0] for vector, _ in rears]
+        second = min(1, len(rears[0][0]) - 1)
+        for one, order in fronts:
             reach = self.length
             low, high = bisect_left(keys, -one[0] - reach), bisect_right(keys, -one[0] + reach)
             for i in range(low, high):
-                other, rest = right[i]
+                other, rest = rears[i]
                 if abs(one[second] + other[second]) > reach:
                     continue
                 square = sum(x * x for x in map(add, one, other))
@@ -119,7 +122,7 @@ class _Best:
                     self.orders = ((*order, *rest),) if flat else (order, rest)
 
 
-def _halved(
+def _by_halves(
     start: Vector, tables: Sequence[Table], good: tuple[Order, ...], fixed: Sequence[int]
 ) -> tuple[Order, ...]:
     """Return the best arrangement of one set, by halves."""
@@ -128,46 +131,48 @@ def _halved(
     half = (count + 1) // 2
     first, second = list(range(half)), list(range(half, count))
     zero = tuple(0.0 for _ in start)
-    tried = set()
+    halves = set()
     for parts in combinations(range(count), half):
         kind = tuple(sorted(str(table[p]) for p in parts)) if 0 not in parts else None
-        if kind is not None and kind in tried:
+        if kind is not None and kind in halves:
             continue
-        tried.add(kind)
+        halves.add(kind)
         rest = [p for p in range(count) if p not in parts]
-        left = list(_arrangements(table, parts, first, start, fixed))
-        best.join(left, list(_arrangements(table, rest, second, zero, fixed)), flat=True)
+        fronts = list(_arrangements(table, parts, first, start, fixed))
+        best.join(fronts, list(_arrangements(table, rest, second, zero, fixed)), flat=True)
     return best.orders
 
 
-def _joined(
+def _by_pairs(
     start: Vector, tables: Sequence[Table], good: tuple[Order, ...], fixed: Sequence[int]
 ) -> tuple[Order, ...]:
     """Return the best arrangement of two sets, all of one against all of the other."""
     best = _Best(good, norm(total(start, tables, good)))
     places = list(range(len(tables[0])))
     zero = tuple(0.0 for _ in start)
-    left = list(_arrangements(tables[0], places, places, start, fixed))
-    right = list(_arrangements(tables[1], places, places, zero, places))
-    best.join(left, right, flat=False)
+    fronts = list(_arrangements(tables[0], places, places, start, fixed))
+    rears = list(_arrangements(tables[1], places, places, zero, places))
+    best.join(fronts, rears, flat=False)
     return best.orders
 
 
-def _searched(start: Vector, tables: Sequence[Table]) -> tuple[Order, ...]:
+def _local_search(start: Vector, tables: Sequence[Table]) -> tuple[Order, ...]:
     """Return a good arrangement: exchanges from several starts, then blocks of places at a time."""
     count, chance = len(tables[0]), Random(1)
-    found = []
+    candidates = []
     for _ in range(STARTS):
         orders = [tuple(chance.sample(range(count), count)) for _ in tables]
-        found.append(_exchanged(start, tables, orders))
-    best = min(found, key=lambda orders: norm(total(start, tables, orders)))
+        candidates.append(_improve_by_exchange(start, tables, orders))
+    best = min(candidates, key=lambda orders: norm(total(start, tables, orders)))
     exact = count <= MOST_PLACES.get(len(tables), 0)
     for _ in range((count - BLOCK) // 2 if exact else ROUNDS):
-        best = _reblocked(start, tables, best, chance)
+        best = _rearrange_block(start, tables, best, chance)
     return best
 
 
-def _exchanged(start: Vector, tables: Sequence[Table], orders: list[Order]) -> tuple[Order, ...]:
+def _improve_by_exchange(
+    start: Vector, tables: Sequence[Table], orders: list[Order]
+) -> tuple[Order, ...]:
     """Return an arrangement that no exchange of two parts improves."""
     now = total(start, tables, orders)
     pairs = list(combinations(range(len(tables[0])), 2))
@@ -177,21 +182,21 @@ def _exchanged(start: Vector, tables: Sequence[Table], orders: list[Order]) -> t
         for s, table in enumerate(tables):
             for i, j in pairs:
                 p, q = orders[s][i], orders[s][j]
-                moved = tuple(
+                exchanged = tuple(
                     x - a - b + c + d
                     for x, a, b, c, d in zip(
                         now, table[p][i], table[q][j], table[q][i], table[p][j], strict=True
                     )
                 )
-                if norm(moved) < norm(now) * (1 - SLACK):
-                    now, improved = moved, True
-                    changed = list(orders[s])
-                    changed[i], changed[j] = q, p
-                    orders[s] = tuple(changed)
+                if norm(exchanged) < norm(now) * (1 - SLACK):
+                    now, improved = exchanged, True
+                    order = list(orders[s])
+                    order[i], order[j] = q, p
+                    orders[s] = tuple(order)
     return tuple(orders)
 
 
-def _reblocked(
+def _rearrange_block(
     start: Vector, tables: Sequence[Table], orders: tuple[Order, ...], chance: Random
 ) -> tuple[Order, ...]:
     """Return the arrangement with the parts of some places rearranged, exactly."""
@@ -205,8 +210,8 @@ def _reblocked(
     others = [t if k != s else rest for k, t in enumerate(tables)]
     fixed = total(start, others, orders)
     small = [[table[order[j]][i] for i in places] for j in places]
-    best = _halved(fixed, [small], (tuple(range(len(places))),), range(len(places)))[0]
-    changed = list(order)
+    best = _by_halves(fixed, [small], (tuple(range(len(places))),), range(len(places)))[0]
+    rearrangement = list(order)
     for place, k in zip(places, best, strict=True):
-        changed[place] = order[places[k]]
-    return tuple(tuple(changed) if k == s else o for k, o in enumerate(orders))
+        rearrangement[place] = order[places[k]]
+    return tuple(tuple(rearrangement) if k == s else o for k, o in enumerate(orders))

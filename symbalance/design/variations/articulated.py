@@ -1,4 +1,4 @@
-r"""How master and link rods' forces change with their angles and lengths, on which both may depend.
+r"""Sensitivities of master and link rods: how their forces change with angles and lengths of either.
 
 With the pin r e^(i (theta + throw)), each cylinder's own w as in `symbalance.kinematics.mechanisms` and
 s = sin phi,
@@ -34,6 +34,7 @@ from symbalance.text.reals import sqrt as root
 MOVING = ("throw", "bank", "stroke", "rod", "offset")
 """Sizes that may move other cylinders than their own."""
 GUARD = 12
+"""Digits computed beyond those promised."""
 Pair = tuple[Complex, Complex]
 
 
@@ -139,7 +140,8 @@ def articulated_sensitivities(
 ) -> Iterator[Sensitivity]:
     """Yield the derivatives of masters and link rods by the sizes of `MOVING` among `names`.
 
-    `own` holds every cylinder's shares, order by order. A link rod has no throw and no stroke of its own.
+    `own` holds every cylinder's contributions, order by order. A link rod has no throw and no stroke of
+    its own.
     """
     attached = attached_cylinders(layout)
     for cylinder in layout.cylinders:
@@ -148,10 +150,10 @@ def articulated_sensitivities(
         cylinders = [cylinder, *attached.get(cylinder.number, [])]
         for name in names:
             if name in MOVING and not (cylinder.link and name in ("throw", "stroke")):
-                yield from _derived(layout, own, order, name, cylinders)
+                yield from _of_size(layout, own, order, name, cylinders)
 
 
-def _derived(
+def _of_size(
     layout: Engine,
     own: dict[int, list[Contribution]],
     order: int,
@@ -161,14 +163,14 @@ def _derived(
     """Yield one derivative's orders: the sums over the cylinders that the first one's size moves."""
     first, per = cylinders[0], [_lengths(layout, c, name) for c in cylinders]
     places = [layout.cylinders.index(c) for c in cylinders]
-    changed = [_coefficients(c.known_mechanism, name, c is first, order) for c in cylinders]
+    changes = [_coefficients(c.known_mechanism, name, c is first, order) for c in cylinders]
     for n in range(1, order + 1):
         total, arms, size = [Complex(0)] * 2, [Complex(0)] * 2, Real(0)
-        for place, cylinder, lengths, coefficients in zip(places, cylinders, per, changed, strict=True):
+        for place, cylinder, lengths, coefficients in zip(places, cylinders, per, changes, strict=True):
             contribution = own[min(own)][place]
             pair = _pair(cylinder, contribution, n, coefficients[n] * lengths)
             if name == "bank" and cylinder is first:
-                pair = _turned(pair, own.get(n), place)
+                pair = _with_axis_turn(pair, own.get(n), place)
             total = [t + x for t, x in zip(total, pair, strict=True)]
             arms = [t + x * contribution.arm for t, x in zip(arms, pair, strict=True)]
             size += sum(map(abs, pair)) * (1 + abs(contribution.arm))
@@ -194,7 +196,7 @@ def _pair(cylinder: Cylinder, contribution: Contribution, n: int, change: Comple
     return value * axis, value.conjugate() * axis
 
 
-def _turned(pair: Pair, rows: Sequence[Contribution] | None, place: int) -> Pair:
+def _with_axis_turn(pair: Pair, rows: Sequence[Contribution] | None, place: int) -> Pair:
     """Return a pair, with i c_n added: the force turns with its axis."""
     if rows is None:
         return pair

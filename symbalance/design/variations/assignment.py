@@ -1,4 +1,4 @@
-r"""Weighed parts to cylinders, so that the engine shakes least.
+r"""Assignment of weighed parts to cylinders so that the engine shakes least.
 
 A piston or rod of reciprocating mass p and rotating mass q in cylinder j adds to order n
 
@@ -48,6 +48,7 @@ if TYPE_CHECKING:
 
 MOST_CYLINDERS = 48
 GRAIN = 1e-10
+"""Arrangements whose lengths agree to this part are equal: the listed order is then kept."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -55,11 +56,11 @@ class Assignment(Result):
     """Which part goes to which cylinder; numbers are in N and N m, or in `units`.
 
     `places` maps a cylinder's number to its parts' names, by kind. `criterion` is the root mean square
-    force left, couples at the lever `lever` counted in; `listed` the same with the parts in the order
-    they are listed in, `random` its root mean square over all arrangements, `bound` what none passes
-    below; `proved`: there is no better one. `left` tells the orders apart, `left_listed` the same of the
-    listed order. `orders` are those that count, at `rpm` turns a minute; `whole` says that whole masses
-    count, not only what they differ by.
+    force left, couples at the lever `lever` counted in; `as_listed` the same with the parts in the
+    order they are listed in, `at_random` its root mean square over all arrangements, `bound` what none
+    passes below; `proved`: there is no better one. `residual` is what each order leaves,
+    `residual_as_listed` the same of the listed order. `orders` are those that count, at `rpm` turns a
+    minute; `whole` says that whole masses count, not only what they differ by.
     """
 
     engine: Engine
@@ -67,12 +68,12 @@ class Assignment(Result):
     rpm: Fraction | None
     places: dict[int, dict[str, str]]
     criterion: float
-    listed: float
-    random: float
+    as_listed: float
+    at_random: float
     bound: float
     proved: bool
-    left: tuple[Shaking, ...]
-    left_listed: tuple[Shaking, ...]
+    residual: tuple[Shaking, ...]
+    residual_as_listed: tuple[Shaking, ...]
     lever: float
     units: tuple[str, str]
     whole: bool
@@ -84,7 +85,7 @@ class Assignment(Result):
         proof = "no arrangement leaves less" if self.proved else f"at least {self.bound:.6g} is left"
         return (
             f"Assignment of parts to {self.engine.name}: {self.criterion:.6g} {self.units[0]} left, "
-            f"{self.listed:.6g} as listed; {proof}"
+            f"{self.as_listed:.6g} as listed; {proof}"
         )
 
     def document(self) -> Document:
@@ -102,14 +103,14 @@ class Assignment(Result):
             "units": {"force": self.units[0], "couple": self.units[1]},
             "places": {str(number): names for number, names in self.places.items()},
             "criterion": self.criterion,
-            "as_listed": self.listed,
-            "at_random": self.random,
+            "as_listed": self.as_listed,
+            "at_random": self.at_random,
             "bound": self.bound,
             "proved": self.proved,
             "lever": self.lever,
             "counted": "whole masses" if self.whole else "differences from the mean",
-            "left": [_shaking(one) for one in self.left],
-            "left_as_listed": [_shaking(one) for one in self.left_listed],
+            "left": [_shaking(one) for one in self.residual],
+            "left_as_listed": [_shaking(one) for one in self.residual_as_listed],
         }
 
     def records(self) -> list[dict[str, Any]]:
@@ -136,7 +137,7 @@ def assign_parts(
     lever: object = None,
     whole: bool = False,
 ) -> Assignment:
-    """Return the arrangement of weighed parts that leaves least.
+    """Return the arrangement of weighed parts with the least residual.
 
     `parts` are the pistons' masses in kg, or sets from `read_parts`; `orders` those that count; `lever`,
     in mm, is what a couple is divided by; with `rpm` and the engine's stroke (and pitch) results are in N
@@ -154,25 +155,25 @@ def assign_parts(
         rule = f"must be at most {MOST_CYLINDERS}"
         raise SymbalanceError(f"{count} cylinders", rule, "assign the parts of one engine")
     sets = checked_sets(parts, count)
-    counted = _checked_orders(orders)
-    rows = contributions(layout, max(counted))
+    numbers = _checked_orders(orders)
+    rows = contributions(layout, max(numbers))
     speed = None if rpm is None else checked_speed(rpm)
     units = units_of(layout, speed, lever, rows[1])
-    there = [n for n in counted if n in rows]
+    there = [n for n in numbers if n in rows]
     vectors = generators(layout, [rows[n] for n in there], units)
     as_built = as_built_vector(layout, there, units) if whole else None
     problem = AssignmentProblem.of(sets, vectors, whole, as_built)
-    places, best, first, placed = _compared(layout, sets, problem)
+    places, best, first, search = _compare(layout, sets, problem)
     return Assignment(
         layout,
-        tuple(counted),
+        tuple(numbers),
         speed,
         places,
         norm(best),
         norm(first),
         expected(problem.start, problem.tables),
-        min(placed.bound, norm(best)),
-        placed.proved,
+        min(search.bound, norm(best)),
+        search.proved,
         shaking_of(best, there, units),
         shaking_of(first, there, units),
         units.lever,
@@ -188,21 +189,21 @@ def _checked_orders(orders: object) -> list[int]:
     return sorted({checked_whole(n, "order", 1, 1000, "1 and 2 are usual") for n in numbers})
 
 
-def _compared(
+def _compare(
     layout: Engine, sets: Sequence[PartSet], problem: AssignmentProblem
 ) -> tuple[dict[int, dict[str, str]], Vector, Vector, Arrangement]:
     """Return the best places, what they leave, what the listed order leaves, and the search's bound.
 
     Where nothing is better than the listed order, that is the best.
     """
-    placed = problem.solution()
+    search = problem.solution()
     listed_orders = tuple(tuple(range(len(one.parts))) for one in sets)
-    best, first = (total(problem.start, problem.tables, o) for o in (placed.orders, listed_orders))
+    best, first = (total(problem.start, problem.tables, o) for o in (search.orders, listed_orders))
     as_listed = norm(first) <= norm(best) * (1 + GRAIN)
-    orders, best = (listed_orders, first) if as_listed else (placed.orders, best)
-    chosen = list(zip(sets, orders, strict=True))
+    orders, best = (listed_orders, first) if as_listed else (search.orders, best)
+    sets_in_order = list(zip(sets, orders, strict=True))
     places = {
-        c.number: {one.kind: one.parts[order[j]].name for one, order in chosen}
+        c.number: {one.kind: one.parts[order[j]].name for one, order in sets_in_order}
         for j, c in sorted(enumerate(layout.cylinders), key=lambda pair: pair[1].number)
     }
-    return places, best, first, placed
+    return places, best, first, search

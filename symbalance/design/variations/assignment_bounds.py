@@ -1,8 +1,9 @@
-"""Sums of vectors, one for each part in its place: their length, and what none of them passes below.
+"""Lower bounds on the length of a sum of vectors, one for each part in its place.
 
 For every unit vector y, |sum| >= y . sum, whose least value over all arrangements of a set is an
 assignment problem. The best y is sought in turn, as Frank and Wolfe do (Naval Research Logistics
-Quarterly 3 (1956), from memory).
+Quarterly 3 (1956), from memory). Assignment problems are solved by shortest augmenting paths with
+potentials (Kuhn 1955; so Jonker and Volgenant, Computing 38 (1987), from memory).
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ Order = tuple[int, ...]
 Generators = Sequence[tuple[Vector, Vector]]
 """What 1 kg of reciprocating and of rotating mass in each place adds."""
 STEPS = 200
+"""Directions tried at most; the bound is proved after each."""
 SLACK = 1e-9
 """What the rounding of floats may be worth."""
 

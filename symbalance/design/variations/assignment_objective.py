@@ -1,4 +1,8 @@
-"""The vectors of weighed parts in an engine, their best arrangement, and what chance would give."""
+"""The assignment of weighed parts as a sum of vectors to be made short, and what chance would give.
+
+The vectors are taken on a basis of what they span, and places that a symmetry of the engine exchanges are
+tried once.
+"""
 
 from __future__ import annotations
 
@@ -65,12 +69,15 @@ class AssignmentProblem:
         ranks = [_by_size(table) for table in tables]
         sorted_tables = [[table[p] for p in rank] for table, rank in zip(tables, ranks, strict=True)]
         fixed = representatives(self.start, self.generators)
-        found = best_arrangement(start, sorted_tables, fixed)
+        arrangement = best_arrangement(start, sorted_tables, fixed)
         orders = tuple(
-            tuple(rank[p] for p in order) for rank, order in zip(ranks, found.orders, strict=True)
+            tuple(rank[p] for p in order) for rank, order in zip(ranks, arrangement.orders, strict=True)
         )
         return Arrangement(
-            orders, sqrt(found.length**2 + rest**2), sqrt(found.bound**2 + rest**2), found.proved
+            orders,
+            sqrt(arrangement.length**2 + rest**2),
+            sqrt(arrangement.bound**2 + rest**2),
+            arrangement.proved,
         )
 
 
@@ -137,21 +144,26 @@ def on_basis(start: Vector, tables: Sequence[Table]) -> tuple[Vector, tuple[Tabl
 
 def _basis(vectors: Sequence[Vector]) -> list[Vector]:
     """Return an orthonormal basis, by Gram and Schmidt with the longest remainder first."""
-    left, basis = list(vectors), []
-    largest = max(map(norm, left), default=0.0)
-    while left:
-        longest = max(left, key=norm)
+    remainders, basis = list(vectors), []
+    largest = max(map(norm, remainders), default=0.0)
+    while remainders:
+        longest = max(remainders, key=norm)
         size = norm(longest)
         if size <= RANK * largest:
             break
         unit = tuple(x / size for x in longest)
         basis.append(unit)
-        left = [tuple(x - dot(v, unit) * u for x, u in zip(v, unit, strict=True)) for v in left]
+        remainders = [
+            tuple(x - dot(v, unit) * u for x, u in zip(v, unit, strict=True)) for v in remainders
+        ]
     return basis
 
 
 def representatives(start: Vector, generators: Generators) -> list[int]:
-    """Return one place of each class.
+    """Return one place of each class of places that a symmetry exchanges: the others need not be tried.
+
+    A permutation of the cylinders that keeps all inner products between their vectors, and with the
+    constant, is an isometry of what they span: arrangements it turns into one another are equally long.
 
     >>> one = [((1.0, 0.0), (0.0, 0.0)), ((0.0, 1.0), (0.0, 0.0)), ((-1.0, 0.0), (0.0, 0.0))]
     >>> representatives((0.0, 0.0), one)
@@ -159,11 +171,11 @@ def representatives(start: Vector, generators: Generators) -> list[int]:
     """
     count = len(generators)
     products = _products(start, generators)
-    kept: list[int] = []
+    classes: list[int] = []
     for place in range(count):
-        if not any(_extends(products, {other: place}) for other in kept):
-            kept.append(place)
-    return kept
+        if not any(_extends(products, {other: place}) for other in classes):
+            classes.append(place)
+    return classes
 
 
 Products = tuple[list[list[tuple[float, ...]]], float]

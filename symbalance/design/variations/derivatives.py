@@ -1,6 +1,6 @@
-r"""How each order of the free force and couple changes with each size of each cylinder.
+r"""Derivatives of every order of the free force and couple by each size of each cylinder.
 
-Of cylinder j, with its share c_{+-n} of `contributions`, f its harmonic and everything else held fixed:
+Of cylinder j, with its contribution c_{+-n}, f its harmonic and everything else held fixed:
 
 =========  ============================  =============================================
 parameter  the unit of its change        derivative of c_{+-n}
@@ -124,7 +124,7 @@ def _of_order(
 
 
 def _absent(contribution: Contribution, n: int) -> Contribution:
-    """Return the share of an order that a cylinder does not have."""
+    """Return the contribution to an order that a cylinder does not have."""
     return Contribution(
         contribution.number,
         n,
@@ -141,7 +141,8 @@ def _rotating(
 ) -> Iterator[Sensitivity]:
     """Yield what a rotating mass adds: on the crank pin to order 1 forward, on a link pin to all.
 
-    `first` are the cylinders' shares of order 1, `pins` what their link pins add (`link_pin_force`).
+    `first` are the cylinders' contributions to order 1, `pins` what their link pins add
+    (`link_pin_force`).
     """
     for cylinder, contribution, radius, pin_terms in zip(
         layout.cylinders, first, layout.radii, pins, strict=True
@@ -184,13 +185,13 @@ def _decimal(exact: Phasor, value: Complex) -> DecimalPhasor:
 
 
 def _over_mass(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
-    """Return r_j/r_1: the share's size with its mass taken for that of cylinder 1."""
+    """Return r_j/r_1: the contribution's size with its mass taken for that of cylinder 1."""
     mass, first = cylinder.reciprocating_mass, layout.first.reciprocating_mass
     return size * first / mass if mass and first else size
 
 
 def _over_radius(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
-    """Return m_j/m_1: the share's size with its radius taken for that of cylinder 1."""
+    """Return m_j/m_1: the contribution's size with its radius taken for that of cylinder 1."""
     own, radius = cylinder.radius, layout.first.radius
     return size * radius / own if own and radius else size
 

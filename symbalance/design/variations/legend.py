@@ -1,4 +1,4 @@
-"""Units and letters in documents of tolerances, sensitivities and weighed parts."""
+"""Units and letters that the documents of tolerances, sensitivities and weighed parts explain."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TURNING: Entry = (
 )
 AS_BUILT: Entry = (
     "what turns",
-    "counterweights, shafts and rotating masses count as they are made, without errors",
+    "counterweights, shafts and rotating masses count as built, without errors",
 )
 
 

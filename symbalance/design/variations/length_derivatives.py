@@ -1,4 +1,4 @@
-r"""How one cylinder's harmonics change with its lengths: the derivatives of A_n - i B_n, to any digits.
+r"""Derivatives of one cylinder's harmonics A_n - i B_n by crank radius, rod and offset, to any digits.
 
 Of y = cos p + lam cos phi, sin phi = (sin p - eps)/lam (lengths over r), the derivatives are
 
@@ -31,7 +31,9 @@ from symbalance.text.reals import DIGITS, Complex, Real, expjpi, fdot
 from symbalance.text.reals import sqrt as root
 
 GUARD = 10
+"""Digits computed beyond those promised."""
 MOST_POINTS = 20_000
+"""More are needed only where the rod lies almost across at mid-stroke: refused rather than slow."""
 
 
 class LengthDerivatives(NamedTuple):
@@ -61,12 +63,12 @@ def length_derivatives(
 def _slopes(mechanism: SliderCrank, order: int, digits: int) -> tuple[tuple[int, LengthDerivatives], ...]:
     forces = force_harmonics(mechanism, order, digits)
     changes = _means(mechanism, range(1, order + 1), digits)
-    found = []
+    rows = []
     for n, (by_rod, by_offset) in changes.items():
         value = Complex(forces[n][0], -forces[n][1]) if n in forces else Complex(0)
         radius = value - mechanism.ratio * by_rod - mechanism.offset * by_offset
-        found.append((n, LengthDerivatives(value, radius, by_rod, by_offset)))
-    return tuple(found)
+        rows.append((n, LengthDerivatives(value, radius, by_rod, by_offset)))
+    return tuple(rows)
 
 
 def _means(
@@ -74,22 +76,22 @@ def _means(
 ) -> dict[int, tuple[Complex, Complex]]:
     """Return n -> (df_n/dlam, df_n/deps); what symmetry makes zero is 0."""
     points, working = _points(mechanism, max(orders), digits)
-    centred, found = mechanism.offset == 0, {}
+    centred, derivatives = mechanism.offset == 0, {}
     roots = [expjpi(Fraction(2 * i, points), working) for i in range(points)]
     sines = [(z.imag - mechanism.offset) / mechanism.ratio for z in roots]
     secants = [1 / root((1 - x) * (1 + x)) for x in sines]
     tangents = [x * y for x, y in zip(sines, secants, strict=True)]
     for n in orders:
-        turned = [roots[-n * i % points] for i in range(points)]
-        by_rod = Complex(0) if centred and n % 2 else _mean(secants, turned, n)
-        by_offset = Complex(0) if centred and n % 2 == 0 else _mean(tangents, turned, n)
-        found[n] = (by_rod, by_offset)
-    return found
+        rotations = [roots[-n * i % points] for i in range(points)]
+        by_rod = Complex(0) if centred and n % 2 else _mean(secants, rotations, n)
+        by_offset = Complex(0) if centred and n % 2 == 0 else _mean(tangents, rotations, n)
+        derivatives[n] = (by_rod, by_offset)
+    return derivatives
 
 
-def _mean(samples: Sequence[Real], turned: Sequence[Complex], n: int) -> Complex:
+def _mean(samples: Sequence[Real], rotations: Sequence[Complex], n: int) -> Complex:
     """Return 2 n^2 times a coefficient: real at even n, imaginary at odd n: sin p alone matters."""
-    total = 2 * n * n * fdot(samples, turned) / len(samples)
+    total = 2 * n * n * fdot(samples, rotations) / len(samples)
     return Complex(0, total.imag) if n % 2 else Complex(total.real)
 
 

@@ -1,4 +1,4 @@
-"""Weighed parts as a CSV file lists them: pistons and rods, read strictly, refused with file and line."""
+"""Weighed pistons and rods, as a CSV file lists them: read strictly, refused with file and line."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from symbalance.text.numbers import exact, listed
 COLUMNS = ("name", "piston", "rod_reciprocating", "rod_rotating")
 SETS = ("piston", "rod")
 HEAVIEST = 10_000
+"""Kilogrammes that a part may weigh."""
 MOST_PARTS = 1000
 
 
@@ -49,7 +50,7 @@ class PartSet:
         return len({(p.reciprocating, p.rotating) for p in self.parts}) <= 1
 
 
-def checked_sets(given: object, count: int) -> tuple[PartSet, ...]:
+def checked_sets(parts: object, count: int) -> tuple[PartSet, ...]:
     """Return the sets of parts, one part for each of `count` cylinders, or refuse.
 
     A list of numbers is one set of pistons, kg.
@@ -57,7 +58,7 @@ def checked_sets(given: object, count: int) -> tuple[PartSet, ...]:
     >>> [p.name for p in checked_sets([0.45, 0.46], 2)[0].parts]
     ['piston 1', 'piston 2']
     """
-    values = listed(given, "parts", "[0.452, 0.450, 0.455, 0.449]")
+    values = listed(parts, "parts", "[0.452, 0.450, 0.455, 0.449]")
     if not all(isinstance(v, PartSet) for v in values):
         pistons = tuple(Part(f"piston {i}", v) for i, v in enumerate(values, 1))
         values = [PartSet("piston", pistons)]
@@ -97,8 +98,8 @@ def parse_parts(text: str, place: str, *, paired: bool = False) -> tuple[PartSet
         raise SymbalanceError(place, "holds no parts", "write one row a cylinder below the header")
     if len(rows) > MOST_PARTS:
         raise SymbalanceError(place, f"holds more than {MOST_PARTS} parts", "list one engine's")
-    named = [_named(header, row) for row in rows]
-    return _sets(header, named, [_masses(header, row) for row in rows], paired)
+    names = [_row_name(header, row) for row in rows]
+    return _sets(header, names, [_masses(header, row) for row in rows], paired)
 
 
 def _check_header(where: str, header: Sequence[str]) -> None:
@@ -111,7 +112,7 @@ def _check_header(where: str, header: Sequence[str]) -> None:
         raise SymbalanceError("header", "names no mass", "add a column piston, in kg", where)
 
 
-def _named(header: Sequence[str], row: Row) -> str:
+def _row_name(header: Sequence[str], row: Row) -> str:
     """Return a row's name, "" where it has none; refuses a row of another width than the header."""
     row.check_width(len(header), "write one cell for each column of the header, decimals with a point")
     return re.sub(r"\s+", " ", row.cells[header.index("name")]) if "name" in header else ""

@@ -1,4 +1,4 @@
-"""What is written of sensitivities: the worst steps first, cylinders that are alike in one row."""
+"""The document of sensitivities: the worst steps first, cylinders that are alike in one row."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Derivatives of orders by sizes: exact geometry, one number of kinematics, the worth of a step."""
+"""A sensitivity: the derivative of one order by one size of one cylinder; and the list of them all."""
 
 from __future__ import annotations
 

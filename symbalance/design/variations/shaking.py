@@ -1,4 +1,4 @@
-"""What weighed masses shake with: units, the vectors that 1 kg adds, and vectors read back as orders."""
+"""Shaking force and couple of weighed masses: their units, and the vectors that 1 kg of each adds."""
 
 from __future__ import annotations
 
@@ -72,7 +72,9 @@ class Units:
     names: tuple[str, str]
 
 
-def units_of(layout: Engine, speed: Fraction | None, lever: object, own: Sequence[Contribution]) -> Units:
+def units_of(
+    layout: Engine, speed: Fraction | None, lever: object, rows: Sequence[Contribution]
+) -> Units:
     """Return the units that the sizes given allow, and the lever that couples count at."""
     radius, pitch = layout.first.radius, layout.pitch
     force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
@@ -82,7 +84,7 @@ def units_of(layout: Engine, speed: Fraction | None, lever: object, own: Sequenc
         force, names = float(radius) / 1000 * (float(speed) * pi / 30) ** 2, ("N", "N a")
     if pitch is not None and speed is not None:
         arm, names = float(pitch) / 1000, (names[0], "N m")
-    spread = sqrt(sum(float(s.arm) ** 2 for s in own) / len(own)) or 1.0
+    spread = sqrt(sum(float(s.arm) ** 2 for s in rows) / len(rows)) or 1.0
     if lever is not None:
         length = exact(lever, "lever")
         if length <= 0 or pitch is None:
@@ -97,11 +99,11 @@ def generators(layout: Engine, orders: Sequence[Sequence[Contribution]], units: 
     vectors = []
     for place, (cylinder, own_radius) in enumerate(zip(layout.cylinders, layout.radii, strict=True)):
         radius = units.force * float(own_radius)
-        pins = link_pin_force(cylinder.mechanism, max((own[place].order for own in orders), default=0))
+        pins = link_pin_force(cylinder.mechanism, max((each[place].order for each in orders), default=0))
         sliding: list[float] = []
         turning: list[float] = []
-        for own in orders:
-            contribution = own[place]
+        for rows in orders:
+            contribution = rows[place]
             f = complex(contribution.value) * radius / 2
             axis, lead = (2 * pi * float(x % 1) for x in (contribution.axis, contribution.lead))
             pair = (f * _turn(axis + lead), f.conjugate() * _turn(axis - lead))

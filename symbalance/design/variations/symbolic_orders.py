@@ -110,7 +110,7 @@ class SymbolicOrder(Result):
     reference: Any = None
     sizes: tuple[str, ...] = ()
     """Which of masses, stations, radii, rods and offsets were given."""
-    given: tuple[Any, ...] = ()
+    all_symbols: tuple[Any, ...] = ()
     """All symbols that were given, also those that no sum of this order has."""
     values: tuple[tuple[Any, Fraction], ...] = ()
     """Symbols with the numbers put in for them (`at`)."""
@@ -122,12 +122,14 @@ class SymbolicOrder(Result):
     def summary(self) -> str:
         """Return what the formulas are of and which symbols are left in them, in one line."""
         symbols = self.symbols()
-        left = [str(symbol) for symbol in self.given if symbol in symbols]
-        more = f" and {len(left) - LISTED} more" if len(left) > LISTED else ""
+        remaining = [str(symbol) for symbol in self.all_symbols if symbol in symbols]
+        more = f" and {len(remaining) - LISTED} more" if len(remaining) > LISTED else ""
         by = "".join(f", derivative by {symbol}" for symbol in self.derivative_by)
         name = self.engine.name
-        said = f"{', '.join(left[:LISTED]) or 'none'}{more}"
-        return f"Order {self.order} of the free force and couple of {name}{by}; symbols left in: {said}"
+        listing = f"{', '.join(remaining[:LISTED]) or 'none'}{more}"
+        return (
+            f"Order {self.order} of the free force and couple of {name}{by}; symbols left in: {listing}"
+        )
 
     def document(self) -> Document:
         """Return the formulas of force and couple, then what their letters mean."""
@@ -147,7 +149,7 @@ class SymbolicOrder(Result):
             "through": self.through,
             "reference_plane": plane_key(self.reference),
             "sizes": list(self.sizes),
-            "symbols": list(map(str, self.given)),
+            "symbols": list(map(str, self.all_symbols)),
             "values": {str(symbol): str(value) for symbol, value in self.values},
             "derivative_by": list(map(str, self.derivative_by)),
             **{name: _components(getattr(self, name)) for name in ("force", "couple")},
@@ -166,12 +168,12 @@ class SymbolicOrder(Result):
         if not isinstance(values, Mapping):
             rule = "must map symbols to numbers"
             raise SymbalanceError(f"values = {shown(values)}", rule, "write it like {m1: 0.6}")
-        named = {str(s): s for s in self.given}
-        unknown = [key for key in values if str(key) not in named]
+        by_name = {str(s): s for s in self.all_symbols}
+        unknown = [key for key in values if str(key) not in by_name]
         if unknown:
-            remedy = f"they are {', '.join(sorted(named)) or 'none'}; angles stay symbols"
+            remedy = f"they are {', '.join(sorted(by_name)) or 'none'}; angles stay symbols"
             raise SymbalanceError(f"symbol {shown(unknown[0])}", "was not given", remedy)
-        numbers = {named[str(key)]: exact(value, str(key)) for key, value in values.items()}
+        numbers = {by_name[str(key)]: exact(value, str(key)) for key, value in values.items()}
         values = dict(self.values) | numbers
         return replace(self._mapped(lambda part: part.at(numbers)), values=tuple(values.items()))
 
@@ -236,32 +238,32 @@ def symbolic_order(
     )
     weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
     _check_link_pins(layout)
-    own, kept = None, None
+    kinematics, power = None, None
     if any(x is not None for x in (radii, rods, offsets)):
-        kept = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
-        own = _kinematics(layout, n, radius, rods, offsets, kept)
-    if own is None:
+        power = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
+        kinematics = _kinematics(layout, n, radius, rods, offsets, power)
+    if kinematics is None:
         _check_alike(layout)
     arms = _arms(layout, stations, reference)
-    force = _summed(layout.cylinders, n, weights, own)
-    couple = _summed(
-        layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], own
+    force = _resultant(layout.cylinders, n, weights, kinematics)
+    couple = _resultant(
+        layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], kinematics
     )
-    alike = None if own else acceleration_series(n, force_power(n))
+    alike = None if kinematics else acceleration_series(n, force_power(n))
     sizes = {"masses": masses, "stations": stations, "radii": radii, "rods": rods, "offsets": offsets}
-    given = dict.fromkeys(
+    all_symbols = dict.fromkeys(
         x for key, v in sizes.items() for x in symbols_in(cylinder_symbols(layout, v, key))
     )
     return SymbolicOrder(
         layout,
         n,
         alike,
-        kept,
+        power,
         force,
         couple,
         reference,
         tuple(key for key, value in sizes.items() if value is not None),
-        tuple(given),
+        tuple(all_symbols),
     )
 
 
@@ -284,17 +286,17 @@ def _check_alike(layout: Engine) -> None:
 
 def _arms(layout: Engine, stations: object, reference: object) -> list[Polynomial]:
     """Return every cylinder's station from the reference plane."""
-    given = cylinder_symbols(layout, stations, "stations")
-    if given is None:
-        given = [{(): c.station} if c.station else {} for c in layout.cylinders]
+    places = cylinder_symbols(layout, stations, "stations")
+    if places is None:
+        places = [{(): c.station} if c.station else {} for c in layout.cylinders]
     if reference is not None:
         plane = polynomial(reference, "reference")
     else:
         plane = {}
-        for one in given:
+        for one in places:
             plane = added(plane, one)
-        plane = multiplied(plane, {(): Fraction(1, len(given))})
-    return [added(one, multiplied(plane, {(): Fraction(-1)})) for one in given]
+        plane = multiplied(plane, {(): Fraction(1, len(places))})
+    return [added(one, multiplied(plane, {(): Fraction(-1)})) for one in places]
 
 
 Kinematics = tuple[Polynomial, Polynomial]
@@ -330,20 +332,23 @@ def _at(terms: Mapping[tuple[int, int], Fraction], rho: Polynomial, delta: Polyn
     return total
 
 
-def _summed(
-    cylinders: Sequence[Cylinder], n: int, weights: Sequence[Polynomial], own: list[Kinematics] | None
+def _resultant(
+    cylinders: Sequence[Cylinder],
+    n: int,
+    weights: Sequence[Polynomial],
+    kinematics: list[Kinematics] | None,
 ) -> SymbolResultant:
     both = []
     for signed in (n, -n):
         total = SymbolSum({})
         for place, (cylinder, weight) in enumerate(zip(cylinders, weights, strict=True)):
-            turned = cylinder.bank + cylinder.delay.scaled(signed)
-            part: SymbolPart = turned.symbols
-            number = SymbolicPhasor({part: Phasor.root(turned.turns).scaled(HALF)})
-            if own is None:
+            angle = cylinder.bank + cylinder.delay.scaled(signed)
+            part: SymbolPart = angle.symbols
+            number = SymbolicPhasor({part: Phasor.root(angle.turns).scaled(HALF)})
+            if kinematics is None:
                 total = total + SymbolSum.of(weight, number)
                 continue
-            cos, sin = own[place]
+            cos, sin = kinematics[place]
             total = total + SymbolSum.of(multiplied(weight, cos), number)
             quarter = -QUARTER if signed > 0 else QUARTER  # f_n = A_n - i B_n, f_-n its conjugate
             total = total + SymbolSum.of(multiplied(weight, sin), number.turned(quarter))
@@ -351,29 +356,29 @@ def _summed(
     return SymbolResultant(*both)
 
 
-def cylinder_symbols(layout: Engine, given: object, name: str) -> list[Polynomial] | None:
-    """Return one polynomial a cylinder, None where nothing is given."""
-    if given is None:
+def cylinder_symbols(layout: Engine, values: object, name: str) -> list[Polynomial] | None:
+    """Return one polynomial a cylinder from a letter or a list of them, None where there is neither."""
+    if values is None:
         return None
     count = len(layout.cylinders)
-    if isinstance(given, str):
+    if isinstance(values, str):
         import sympy
 
-        if not given.isidentifier() or len(given) > LONGEST_PREFIX:
-            raise SymbalanceError(f"{name} = {shown(given)}", "must be a letter or a list", 'write "m"')
+        if not values.isidentifier() or len(values) > LONGEST_PREFIX:
+            raise SymbalanceError(f"{name} = {shown(values)}", "must be a letter or a list", 'write "m"')
         return [
-            {((sympy.Symbol(f"{given}_{c.number}", real=True), 1),): Fraction(1)}
+            {((sympy.Symbol(f"{values}_{c.number}", real=True), 1),): Fraction(1)}
             for c in layout.cylinders
         ]
-    values = listed(given, name, "[m1, m2, 0.6]")
-    if len(values) != count:
-        what = f"{name} holds {len(values)} values"
+    numbers = listed(values, name, "[m1, m2, 0.6]")
+    if len(numbers) != count:
+        what = f"{name} holds {len(numbers)} values"
         raise SymbalanceError(what, f"the engine has {count} cylinders", "give one for each")
-    return [polynomial(value, f"{name}[{i}]") for i, value in enumerate(values)]
+    return [polynomial(value, f"{name}[{i}]") for i, value in enumerate(numbers)]
 
 
-def symbols_in(given: Sequence[Polynomial] | None) -> list[Any]:
+def symbols_in(values: Sequence[Polynomial] | None) -> list[Any]:
     """Return the symbols of some polynomials, each once, in their order."""
     return list(
-        dict.fromkeys(symbol for one in given or () for monomial in one for symbol, _ in monomial)
+        dict.fromkeys(symbol for one in values or () for monomial in one for symbol, _ in monomial)
     )

@@ -205,7 +205,7 @@ def _box(
 ) -> ToleranceBox:
     size, arm = weight
     values = [f.get(n, 0j) * float(size) for f in lengths]
-    level, wide = float(arm), float(relative.station)
+    level, half = float(arm), float(relative.station)
     corners = tuple(v * m for v in values for m in sorted(set(mass)))
     return ToleranceBox(
         number=cylinder.number,
@@ -214,7 +214,7 @@ def _box(
         lead=2 * pi * float(n * cylinder.delay.turns % 1),
         corners=corners,
         nominal=values[0],
-        arm=(level - wide, level + wide),
+        arm=(level - half, level + half),
         level=level,
         throw=relative.throw,
         bank=relative.bank,

@@ -23,7 +23,7 @@ UNITS = {
 PARTS_OF = {"mass": "m", "rotating": "m", "station": "a"}
 """Tolerances that may be percentages, and of what."""
 WIDEST_ANGLE = 45
-"""Degrees, plus or minus; more is a mistake of units rather than a tolerance."""
+"""Degrees, plus or minus, that a throw or a bank may have."""
 
 
 @dataclass(frozen=True, init=False)

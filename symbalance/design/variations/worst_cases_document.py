@@ -1,4 +1,4 @@
-"""What is written of worst cases: force and couple by order, then how the worst is meant."""
+"""The document of worst cases: force and couple by order, then how the worst is meant."""
 
 from __future__ import annotations
 
@@ -40,18 +40,18 @@ def worst_cases_document(result: WorstCases) -> Document:
 
 def _given(result: WorstCases) -> Words:
     """Return the tolerances, plus or minus."""
-    said: list[Words] = []
+    parts: list[Words] = []
     for name in UNITS:
         value = getattr(result.tolerances, name)
         if not value:
             continue
-        said.append((", " if said else "") + f"{name} ±")
+        parts.append((", " if parts else "") + f"{name} ±")
         if isinstance(value, str):
-            said += [f"{as_decimal(Fraction(value[:-1]))} % of ", Name(PARTS_OF[name])]
+            parts += [f"{as_decimal(Fraction(value[:-1]))} % of ", Name(PARTS_OF[name])]
         else:
             unit = {"degrees": "°"}.get(UNITS[name], f" {UNITS[name]}")
-            said.append(f"{as_decimal(value)}{unit}")
-    return ("every cylinder: ", *(said or ["without errors"]))  # type: ignore[return-value]
+            parts.append(f"{as_decimal(value)}{unit}")
+    return ("every cylinder: ", *(parts or ["without errors"]))  # type: ignore[return-value]
 
 
 def _rows(result: WorstCases, quantity: str) -> tuple[tuple[Cell, ...], ...]:
