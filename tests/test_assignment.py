@@ -16,7 +16,12 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.design.variations import Part, PartSet, parse_parts
 from symbalance.design.variations.arrangement_search import best_arrangement
-from symbalance.design.variations.assignment_bounds import least_matching, lower_bound, norm, total
+from symbalance.design.variations.assignment_bounds import (
+    arrangement_sum,
+    least_matching,
+    lower_bound,
+    norm,
+)
 from tests.pistons import harmonics, pistons
 from tests.rotating_model import turning as rotating
 
@@ -106,7 +111,7 @@ def test_arrangements_of_any_vectors(count, size, kinds, data):
     start = tuple(chance.normal(size=size))
     found = best_arrangement(start, tables)
     orders = itertools.product(itertools.permutations(range(count)), repeat=kinds)
-    brute = min(norm(total(start, tables, o)) for o in orders)
+    brute = min(norm(arrangement_sum(start, tables, o)) for o in orders)
     assert found.length == pytest.approx(brute, abs=1e-9)
     assert lower_bound(start, tables) <= brute + 1e-9
 

@@ -16,7 +16,7 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.codegen.evaluators import plan_for
-from symbalance.codegen.harmonic_sum import FORCE, HarmonicSum, Term
+from symbalance.codegen.harmonic_sum import FORCE, HarmonicSum, HarmonicTerm
 from symbalance.codegen.plans import choose_plan
 from symbalance.codegen.targets import files
 from symbalance.engine.catalogue import preset_names
@@ -155,7 +155,7 @@ def test_half_orders_and_phases_need_nothing_new():
     """A spectrum as torque has it: orders 1/2, 1, 3/2 with unlike phases, and 2 turns to a period."""
     half = Fraction(1, 2)
     terms = tuple(
-        Term(n * half, mp.mpf(c), mp.mpf(s)) for n, c, s in ((1, 3, 1), (2, -1, 0.5), (3, 0, 2))
+        HarmonicTerm(n * half, mp.mpf(c), mp.mpf(s)) for n, c, s in ((1, 3, 1), (2, -1, 0.5), (3, 0, 2))
     )
     wave = HarmonicSum("force.vertical", FORCE, "a torque", terms, 3)
     (source,) = files(choose_plan([wave], Fraction(4), "numpy"), "numpy", "half", "half").values()

@@ -18,8 +18,8 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from symbalance.codegen.cosines import split
-from symbalance.codegen.expression_ir import Kernel, Line
+from symbalance.codegen.cosines import split_on_grids
+from symbalance.codegen.expression_ir import Kernel, Statement
 from symbalance.text.reals import pi
 
 FARTHEST_ANGLE = 2.0**50
@@ -49,7 +49,7 @@ def extend_range(near: Kernel) -> Kernel:
     kernel = Kernel(list(near.constants), [])
     span = 2 * pi(60) * TURNS
     rest = span - round(span)
-    first, second, third = split(rest, 39, 39, 2)
+    first, second, third = split_on_grids(rest, 39, 39, 2)
     per = kernel.constant("PER_RADIAN_MANY", 1 / span, f"times {TURNS} turns in a radian")
     whole = kernel.constant("MANY_TURNS", round(span), f"{TURNS} turns in radians, cut in four")
     part = kernel.constant("MANY_TURNS_REST", rest, "what lies beyond the whole number")
@@ -73,7 +73,7 @@ def extend_range(near: Kernel) -> Kernel:
     return kernel.pruned({line.name for line in near.lines})
 
 
-def _corrected(line: Line) -> list[Line]:
+def _corrected(line: Statement) -> list[Statement]:
     """Return a line with the rest of the angle put in, where the period's own rest is."""
     folded = FOLD.fullmatch(line.name)
     if folded:
@@ -84,5 +84,5 @@ def _corrected(line: Line) -> list[Line]:
         return [replace(line, formula=f"{line.formula} - beyond")]
     if line.name in DISPLACEMENT:
         changed = replace(line, formula=DISPLACEMENT[line.name].format(line.formula))
-        return [changed, Line("pe", "pd - beyond_2")] if line.name == "pd" else [changed]
+        return [changed, Statement("pe", "pd - beyond_2")] if line.name == "pd" else [changed]
     return [line]

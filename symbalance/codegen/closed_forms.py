@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.codegen.cosines import LIMIT, Cosine, per_point, sine_lines, sine_tail, split
+from symbalance.codegen.cosines import LIMIT, Cosine, per_point, sine_lines, sine_tail, split_on_grids
 from symbalance.codegen.expression_ir import Kernel
 from symbalance.codegen.harmonic_sum import ClosedForm
 from symbalance.text.reals import Real, cos, pi, sin, sqrt
@@ -87,7 +87,7 @@ def add_reduced_range_square(kernel: Kernel, closed_form: ClosedForm, name: str)
     turn = 2 * pi(90)
     bits = 53 - (int(LIMIT / turn) + 3).bit_length()
     shift = -turn * _nearest(closed_form.places[0][1])
-    period, at = ([*split(value, bits - 3, bits, 2)] for value in (turn, shift))
+    period, at = ([*split_on_grids(value, bits - 3, bits, 2)] for value in (turn, shift))
     p1, p2, p3 = (kernel.constant(f"TURN_{i}", part) for i, part in enumerate(period, 1))
     s1, s2, s3 = (kernel.constant(f"TOP_{i}", part) for i, part in enumerate(at, 1))
     turns = kernel.constant("PER_RADIAN_P", 1 / turn, "turns in a radian")

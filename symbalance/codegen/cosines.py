@@ -126,7 +126,7 @@ def sine_tail(kernel: Kernel, u: str) -> str:
     return horner(terms, u)
 
 
-def split(value: Real, grid: int, bits: int, parts: int) -> list[Real]:
+def split_on_grids(value: Real, grid: int, bits: int, parts: int) -> list[Real]:
     """Cut a number into `parts` multiples of 2^-grid, 2^-(grid + bits), ..., and the rest."""
     pieces, rest = [], value
     for i in range(parts):
@@ -205,7 +205,7 @@ def _split_period(
     """Cut the period into parts on grids and a last double, till what is left does not matter."""
     bits = 53 - most.bit_length()
     count = next(k for k in (1, 2, 3) if ldexp(most, 5 - grid - (k - 1) * bits) < period)
-    parts = split(period, grid, bits, count)
+    parts = split_on_grids(period, grid, bits, count)
     parts[-1] *= times
     note = "the period, cut so that n times the first part is exact"
     return [
@@ -219,7 +219,7 @@ def _on_grid(value: Real, bits: int) -> Real:
 
 
 def _two_parts(kernel: Kernel, name: str, value: Real, grid: int, times: Exact = 1) -> tuple[str, str]:
-    high, low = split(value, grid, 0, 1)
+    high, low = split_on_grids(value, grid, 0, 1)
     return kernel.constant(f"{name}_1", high), kernel.constant(f"{name}_2", low * times)
 
 

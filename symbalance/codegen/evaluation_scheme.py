@@ -74,7 +74,7 @@ class _Scheme:
     @staticmethod
     def of(family: Family, size: float) -> _Scheme:
         """Return the shortest scheme that rounds little beside `size`, else the one that rounds least."""
-        psi = rounding.angles(max(len(family.even), len(family.odd)))
+        psi = rounding.resolving_angles(max(len(family.even), len(family.odd)))
         rows = (("T", family.even), ("U", family.odd))
         even, odd = (_horner_or_clenshaw(row, kind, psi) for kind, row in rows)
         error = float(np.max(even[1] + odd[1]))

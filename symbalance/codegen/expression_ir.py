@@ -18,7 +18,7 @@ NAME = re.compile(r"[A-Za-z]\w*")
 
 
 @dataclass(frozen=True)
-class Line:
+class Statement:
     """One assignment, `name = formula`, and why."""
 
     name: str
@@ -27,7 +27,7 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Constant:
+class NamedConstant:
     """A named double, and what it is."""
 
     name: str
@@ -39,13 +39,13 @@ class Constant:
 class Kernel:
     """Constants and lines, in order; what is added twice under one name must be the same."""
 
-    constants: list[Constant] = field(default_factory=list)
-    lines: list[Line] = field(default_factory=list)
+    constants: list[NamedConstant] = field(default_factory=list)
+    lines: list[Statement] = field(default_factory=list)
 
     def constant(self, name: str, value: object, note: str = "") -> str:
         """Add a constant, rounded once to a double, and return its name."""
         if all(c.name != name for c in self.constants):
-            self.constants.append(Constant(name, float(value), note))  # pyright: ignore[reportArgumentType]
+            self.constants.append(NamedConstant(name, float(value), note))  # pyright: ignore[reportArgumentType]
         return name
 
     def names(self) -> set[str]:
@@ -64,7 +64,7 @@ class Kernel:
     def line(self, name: str, formula: str, note: str = "") -> str:
         """Add a line and return its name."""
         if all(line.name != name for line in self.lines):
-            self.lines.append(Line(name, formula, note))
+            self.lines.append(Statement(name, formula, note))
         return name
 
 

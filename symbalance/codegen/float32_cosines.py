@@ -25,7 +25,7 @@ from fractions import Fraction
 from functools import lru_cache
 from math import lcm
 
-from symbalance.codegen.cosines import Cosine, sine_polynomial, split
+from symbalance.codegen.cosines import Cosine, sine_polynomial, split_on_grids
 from symbalance.codegen.expression_ir import Kernel, horner
 from symbalance.codegen.harmonic_sum import ClosedForm
 from symbalance.codegen.reinsch import Crest
@@ -79,7 +79,7 @@ def turn_lines(kernel: Kernel, under: int) -> None:
         kernel.line(f"to_{after}", f"{rest} - {_times(name, power)}", "exact")
         rest = f"to_{after}"
         share = ldexp(turns, power)
-        parts = split(share - nint(share), 12, 12, 2)
+        parts = split_on_grids(share - nint(share), 12, 12, 2)
         note = f"2^{power}/(2 pi{f' {under}' if under > 1 else ''}) less whole turns, cut in three"
         for j, part in enumerate(parts, 1):
             kernel.constant(f"{name.upper()}{j}", part, note if j == 1 else "")
@@ -107,7 +107,7 @@ class _Float32Lines:
 
     def part(self, step: Fraction, phase: Real, mark: str) -> tuple[str, str]:
         """Return step theta - phase in turns: the exact part, as a line's name, and the rest."""
-        high, low = split(phase, 12, 0, 1)
+        high, low = split_on_grids(phase, 12, 0, 1)
         exact = self._less(f"{float(step * self.under)!r}*f", high, f"PHASE{mark}_1")
         rest = self._less(f"{float(step * self.under)!r}*e", low, f"PHASE{mark}_2")
         return self.kernel.line(f"y{mark}", exact, "exact"), rest

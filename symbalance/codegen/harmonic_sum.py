@@ -17,7 +17,7 @@ ZERO = Real(0)
 
 
 @dataclass(frozen=True)
-class Term:
+class HarmonicTerm:
     """One harmonic, cos * cos(order theta) + sin * sin(order theta); `order` is n or n/2."""
 
     order: Fraction
@@ -40,7 +40,7 @@ class Term:
 
 
 @dataclass(frozen=True)
-class Unit:
+class OutputUnit:
     """What a value is measured in: a product of the keyword arguments, and its SI unit in words."""
 
     factors: tuple[str, ...]
@@ -52,15 +52,15 @@ class Unit:
         return "*".join(self.factors) or "1.0"
 
 
-FORCE = Unit(("mass", "radius", "omega", "omega"), "N")
-COUPLE = Unit(("mass", "radius", "omega", "omega", "pitch"), "N m")
-LENGTH = Unit(("radius",), "m")
-SPEED = Unit(("radius", "omega"), "m/s")
-TORQUE = Unit(("mass", "radius", "radius", "omega", "omega"), "N m")
-RODS = Unit(("omega", "omega"), "N m")
-TORQUE_PER_RADIUS = Unit(("radius",), "N m")
-TORQUE_ITSELF = Unit((), "N m")
-ACCELERATION = Unit(("radius", "omega", "omega"), "m/s^2")
+FORCE = OutputUnit(("mass", "radius", "omega", "omega"), "N")
+COUPLE = OutputUnit(("mass", "radius", "omega", "omega", "pitch"), "N m")
+LENGTH = OutputUnit(("radius",), "m")
+SPEED = OutputUnit(("radius", "omega"), "m/s")
+TORQUE = OutputUnit(("mass", "radius", "radius", "omega", "omega"), "N m")
+RODS = OutputUnit(("omega", "omega"), "N m")
+TORQUE_PER_RADIUS = OutputUnit(("radius",), "N m")
+TORQUE_ITSELF = OutputUnit((), "N m")
+ACCELERATION = OutputUnit(("radius", "omega", "omega"), "m/s^2")
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class ClosedForm:
     kind: str
     ratio: Fraction
     places: tuple[tuple[Real, Fraction], ...]
-    first: tuple[Term, ...] = ()
+    first: tuple[HarmonicTerm, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "places", tuple((Real(weight), turns) for weight, turns in self.places))
@@ -121,9 +121,9 @@ class HarmonicSum:
     """
 
     name: str
-    unit: Unit
+    unit: OutputUnit
     meaning: str
-    terms: tuple[Term, ...] = ()
+    terms: tuple[HarmonicTerm, ...] = ()
     through: int = 0
     left_out: float | None = None
     closed_form: ClosedForm | None = None

@@ -12,7 +12,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from symbalance.codegen.expression_ir import Kernel, horner
-from symbalance.codegen.harmonic_sum import Term
+from symbalance.codegen.harmonic_sum import HarmonicTerm
 from symbalance.text.reals import DIGITS, Complex, Real, atan2, expjpi, nint, pi
 
 ALIGNED = Fraction(1, 10 ** (DIGITS - 8))
@@ -33,12 +33,12 @@ class Family:
     odd: tuple[Real, ...]
 
 
-def family(terms: Sequence[Term]) -> Family:
+def family(terms: Sequence[HarmonicTerm]) -> Family:
     """Return harmonics on their common step, and on a phase where all are cosines, or all sines.
 
     Where there is none of either the largest needs no sine.
 
-    >>> one = Term(Fraction(2), Real(0), Real(3))
+    >>> one = HarmonicTerm(Fraction(2), Real(0), Real(3))
     >>> harmonics = family([one])
     >>> harmonics.step, float(harmonics.phase), float(harmonics.even[1])
     (Fraction(2, 1), 0.25, 3.0)
@@ -60,7 +60,7 @@ def family(terms: Sequence[Term]) -> Family:
     return Family(step, phase, _row(aligned, count, "real"), _row(aligned, count, "imag", chief))
 
 
-def decompositions(terms: Sequence[Term]) -> list[list[Family]]:
+def decompositions(terms: Sequence[HarmonicTerm]) -> list[list[Family]]:
     """Return the ways to cut harmonics into families, the shortest to compute first.
 
     Centred cylinders have the first order and even ones: on a cosine of their own the even orders need

@@ -20,7 +20,7 @@ from symbalance.codegen.harmonic_sum import (
     SPEED,
     ClosedForm,
     HarmonicSum,
-    Term,
+    HarmonicTerm,
 )
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -166,7 +166,7 @@ class _Request:
         if terms is None:
             return self._by_closed_form(tolerance, bound)
         # Like cylinders whose orders all cancel leave nothing out, whatever each of them does.
-        left_out = 0.0 if empty and self.result.kinematics is not None else rounded_up(bound)
+        left_out = 0.0 if empty and self.result.kinematics is not None else double_above(bound)
         through = int(terms[-1].order) if terms else 0
         closed_form = self.closed_form() if terms else None
         return self.harmonic_sum(terms=terms, through=through, left_out=left_out, closed_form=closed_form)
@@ -182,7 +182,7 @@ class _Request:
         remedy = f"{HIGHEST_ORDER} orders leave out up to {float(bound):.2g}: ask for that"
         raise SymbalanceError(what, rule, remedy)
 
-    def terms(self, order: int) -> tuple[Term, ...]:
+    def terms(self, order: int) -> tuple[HarmonicTerm, ...]:
         """Return the harmonics that survive, to an order."""
         if self.result.kinematics is None:
             return self._nonuniform_terms(order)
@@ -193,9 +193,11 @@ class _Request:
         spectrum = self._spectrum(order)
         parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
         harmonics = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
-        return tuple(Term(Fraction(n), values[n] * cos, values[n] * sin) for n, (cos, sin) in harmonics)
+        return tuple(
+            HarmonicTerm(Fraction(n), values[n] * cos, values[n] * sin) for n, (cos, sin) in harmonics
+        )
 
-    def _nonuniform_terms(self, order: int) -> tuple[Term, ...]:
+    def _nonuniform_terms(self, order: int) -> tuple[HarmonicTerm, ...]:
         """Return the harmonics of unlike cylinders, whose components hold the kinematics too."""
         if self.kind == "piston":
             rule = "is there for centred cylinders that are all alike"
@@ -203,7 +205,7 @@ class _Request:
         spectrum = self._spectrum(order)
         parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
         harmonics = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
-        return tuple(Term(Fraction(n), cos, sin) for n, (cos, sin) in harmonics)
+        return tuple(HarmonicTerm(Fraction(n), cos, sin) for n, (cos, sin) in harmonics)
 
     def _spectrum(self, order: int) -> Spectrum:
         result = self.result
@@ -262,12 +264,12 @@ class _Request:
 
 
 def fewest_within(
-    terms_to: Callable[[int], tuple[Term, ...]],
+    terms_to: Callable[[int], tuple[HarmonicTerm, ...]],
     beyond: Callable[[int], Real],
     tolerance: float,
     order: int,
     default_size: Real | None = None,
-) -> tuple[tuple[Term, ...] | None, Real, bool]:
+) -> tuple[tuple[HarmonicTerm, ...] | None, Real, bool]:
     """Return the fewest harmonics within a tolerance, their proved bound, and whether none survive.
 
     `terms_to` gives the harmonics to an order, `beyond` a bound on all above it; their sum over what is
@@ -291,7 +293,7 @@ def fewest_within(
         order = min(4 * order, HIGHEST_ORDER)
 
 
-def visible_terms(terms: tuple[Term, ...]) -> tuple[Term, ...]:
+def visible_terms(terms: tuple[HarmonicTerm, ...]) -> tuple[HarmonicTerm, ...]:
     """Return the harmonics without the last ones that cannot show in a double: 2^-57 of the largest."""
     sizes = [t.size for t in terms]
     least = ldexp(max(sizes, default=Real(0)), INVISIBLE)
@@ -299,12 +301,12 @@ def visible_terms(terms: tuple[Term, ...]) -> tuple[Term, ...]:
     return terms[:count]
 
 
-def _advanced(n: int, coefficient: Real, turns: Fraction) -> Term:
+def _advanced(n: int, coefficient: Real, turns: Fraction) -> HarmonicTerm:
     """Return coefficient * cos n (theta + 2 pi turns)."""
     phase = 2 * n * turns
-    return Term(Fraction(n), coefficient * cospi(phase), -coefficient * sinpi(phase))
+    return HarmonicTerm(Fraction(n), coefficient * cospi(phase), -coefficient * sinpi(phase))
 
 
-def rounded_up(bound: Real) -> float:
+def double_above(bound: Real) -> float:
     """Return a bound as a double that is not below it."""
     return float(bound) * (1 + 2.0**-50)

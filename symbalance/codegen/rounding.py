@@ -17,7 +17,7 @@ SUMS = 1.0
 """Each product and each sum rounds by at most u of itself."""
 
 
-def angles(highest: int) -> Grid:
+def resolving_angles(highest: int) -> Grid:
     """Return angles from 0 to pi that resolve harmonics to `highest`."""
     return np.linspace(0.0, np.pi, 16 * max(16, highest) + 1)
 

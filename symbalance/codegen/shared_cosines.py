@@ -42,7 +42,7 @@ class SharedCosines:
         return "sq"
 
     def kernel(self, where: str, used: set[str]) -> tuple[Kernel, tuple[str, ...]]:
-        """Return the lines of what is `used`, and the names they define; `where` is a key of `SQUARES`."""
+        """Return the lines of what is `used` and the names they define; `where` is a key of `SQUARES`."""
         kernel, names = Kernel(), []
         for i, cosine in enumerate(self.cosines, 1):
             names.append(f"c{i}")

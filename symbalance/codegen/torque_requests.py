@@ -16,9 +16,9 @@ from symbalance.codegen.harmonic_sum import (
     TORQUE_ITSELF,
     TORQUE_PER_RADIUS,
     HarmonicSum,
-    Term,
+    HarmonicTerm,
 )
-from symbalance.codegen.requests import FIRST_ORDER, fewest_within, rounded_up, visible_terms
+from symbalance.codegen.requests import FIRST_ORDER, double_above, fewest_within, visible_terms
 from symbalance.errors import SymbalanceError
 from symbalance.forces.resultants import Balance
 from symbalance.kinematics.inertia import torque_left_out
@@ -80,7 +80,7 @@ def _sum(name: str, **fields: object) -> HarmonicSum:
     return HarmonicSum(name, UNITS[name], MEANINGS[name], **fields)  # type: ignore[arg-type]
 
 
-def _terms(result: Result, name: str, ratio: Fraction, order: int) -> tuple[Term, ...]:
+def _terms(result: Result, name: str, ratio: Fraction, order: int) -> tuple[HarmonicTerm, ...]:
     torques: dict[str, Callable[..., TorqueBalance]]
     torques = {INERTIA: inertia_torque, ROD: rod_torque, FRAME: roll_moment}
     layout, scale = result.layout, Fraction(1)
@@ -89,7 +89,7 @@ def _terms(result: Result, name: str, ratio: Fraction, order: int) -> tuple[Term
     if name == ROD:
         scale = first_excess(layout) / MILLI**2
     terms = torques[name](layout, order).terms(digits=DIGITS)
-    return tuple(Term(n, cos * scale, sin * scale) for n, cos, sin in terms)
+    return tuple(HarmonicTerm(n, cos * scale, sin * scale) for n, cos, sin in terms)
 
 
 def _within(result: Result, ratio: Fraction, tolerance: float) -> HarmonicSum:
@@ -107,7 +107,7 @@ def _within(result: Result, ratio: Fraction, tolerance: float) -> HarmonicSum:
         remedy = f"{HIGHEST_ORDER} orders leave out up to {float(bound):.2g}: ask for that"
         raise SymbalanceError(f"tolerance = {tolerance:g}", rule, remedy)
     through = int(terms[-1].order) if terms else 0
-    return _sum(INERTIA, terms=terms, through=through, left_out=rounded_up(bound))
+    return _sum(INERTIA, terms=terms, through=through, left_out=double_above(bound))
 
 
 def _checked_running(result: Result, name: str) -> CrankTorque:
@@ -125,5 +125,5 @@ def _running(torque: CrankTorque, name: str, order: int, tolerance: float | None
     terms, mean, scale = torque.terms(order), torque.mean, 1.0
     if name == GAS:
         terms, scale = torque.gas_terms(order), torque.radius
-    scaled = tuple(Term(n, Real(cos) / scale, Real(sin) / scale) for n, cos, sin in terms)
+    scaled = tuple(HarmonicTerm(n, Real(cos) / scale, Real(sin) / scale) for n, cos, sin in terms)
     return _sum(name, terms=visible_terms(scaled), through=order, mean=Real(mean) / scale)

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.expression_ir import Line
+from symbalance.codegen.expression_ir import Statement
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import comment_text, identifier, paragraphs
 from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
@@ -412,7 +412,7 @@ def _scales(plan: Plan) -> str:
 
 
 def _base_function(
-    name: str, arguments: str, lines: Iterable[Line], basis: tuple[str, ...], where: str
+    name: str, arguments: str, lines: Iterable[Statement], basis: tuple[str, ...], where: str
 ) -> list[str]:
     if not basis:
         return []

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.expression_ir import Line
+from symbalance.codegen.expression_ir import Statement
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import paragraphs
 from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
@@ -249,7 +249,7 @@ def _bases(plan: Plan) -> str:
     return f"{head}{near}\n    }} else {{\n{far}\n    }}\n"
 
 
-def _assigned(lines: Iterable[Line], basis: tuple[str, ...]) -> list[str]:
+def _assigned(lines: Iterable[Statement], basis: tuple[str, ...]) -> list[str]:
     """Return assignments, those of `basis` to variables that are there already."""
     texts = SYNTAX.lines(lines, "      ")
     starts = tuple(f"      const {base} = " for base in basis)

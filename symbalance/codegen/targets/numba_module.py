@@ -14,7 +14,7 @@ from symbalance.codegen.targets.numpy_module import (
     grid_function,
     module_text,
     return_statement,
-    self_test,
+    self_test_text,
 )
 from symbalance.codegen.targets.syntax import Syntax
 
@@ -198,6 +198,6 @@ def numba_source(plan: Plan, engine: str, grid: bool) -> str:
         + body
         + (grid_call(plan, GRID_FILL.format(scales=values)) + loop if grid else ""),
         functions,
-        self_test(plan, grid),
+        self_test_text(plan, grid),
     )
     return text.replace(CONTENT, sha256(text.encode()).hexdigest()[: len(CONTENT)], 1)

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 from symbalance.codegen.checks import KEYWORDS, Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.expression_ir import Line
+from symbalance.codegen.expression_ir import Statement
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import paragraphs
 from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
@@ -246,7 +246,7 @@ def basis_call(name: str, plan: Plan, arguments: str = "theta", zero: str = "the
 def base_function(
     syntax: Syntax,
     name: str,
-    lines: list[Line],
+    lines: list[Statement],
     basis: tuple[str, ...],
     where: str,
     decorator: str = "",
@@ -288,7 +288,7 @@ def return_statement(formulas: list[str]) -> list[str]:
     return ["    return (", *(f"        {formula}," for formula in formulas), "    )"]
 
 
-def self_test(plan: Plan, grid: bool) -> str:
+def self_test_text(plan: Plan, grid: bool) -> str:
     """Return the checks and the function that makes them; `grid` where there is `on_grid` to check."""
     points = grid_points(plan)
     grid_rows = GRID_ROWS.format(points=points, rows=_rows(grid_checks(plan))) if grid else ""
@@ -388,5 +388,5 @@ def numpy_source(plan: Plan, engine: str, grid: bool) -> str:
         [*head, *constants(NUMPY, plan)],
         body + (grid_call(plan, fill) if grid else ""),
         functions,
-        self_test(plan, grid),
+        self_test_text(plan, grid),
     )

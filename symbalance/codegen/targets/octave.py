@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from symbalance.codegen.checks import KEYWORDS, Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.expression_ir import NAME, Kernel, Line
+from symbalance.codegen.expression_ir import NAME, Kernel, Statement
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.header_text import identifier, paragraphs
 from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
@@ -252,7 +252,7 @@ def _bases(plan: Plan) -> str:
     return "\n".join(f"    {line}" for line in lines)
 
 
-def _constants(plan: Plan, lines: Iterable[Line], more: Iterable[str] = ()) -> list[str]:
+def _constants(plan: Plan, lines: Iterable[Statement], more: Iterable[str] = ()) -> list[str]:
     """Return the definitions of the constants that lines, and formulas more, use."""
     formulas = [*(line.formula for line in lines), *more]
     used = {name for formula in formulas for name in NAME.findall(formula)}

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from symbalance.codegen.expression_ir import Constant, Line
+from symbalance.codegen.expression_ir import NamedConstant, Statement
 from symbalance.codegen.plans import Plan
 
 CALL = re.compile(r"\b(rint|abs|sqrt|side|cos|sin)\(")
@@ -38,7 +38,7 @@ class Syntax:
         """Return what precedes a call."""
         return text.replace("*", ".*").replace("/", "./") if self.elementwise else text
 
-    def outputs(self, plan: Plan, zero: str) -> tuple[list[Line], list[str]]:
+    def outputs(self, plan: Plan, zero: str) -> tuple[list[Statement], list[str]]:
         """Return the lines and the formulas of the outputs times scale0, scale1, ....
 
         Where a formula is linear in its own constants the scale goes into those: that happens once,
@@ -57,14 +57,14 @@ class Syntax:
                 formulas.append(f"{scale}*({zero if output.formula == '0.0' else output.formula})")
         return lines, formulas
 
-    def lines(self, lines: Iterable[Line], indent: str) -> list[str]:
+    def lines(self, lines: Iterable[Statement], indent: str) -> list[str]:
         """Return assignments, their notes as comments beside them."""
         assignments = [
             (self.line.format(line.name, self.formula(line.formula)), line.note) for line in lines
         ]
         return [indent + self._with_note(text, note) for text, note in assignments]
 
-    def constants(self, constants: Iterable[Constant], indent: str = "") -> list[str]:
+    def constants(self, constants: Iterable[NamedConstant], indent: str = "") -> list[str]:
         """Return definitions, their notes as comments beside them."""
         definitions = [(self.constant.format(c.name, repr(c.value)), c.note) for c in constants]
         return [indent + self._with_note(text, note) for text, note in definitions]
@@ -82,9 +82,9 @@ def _split_at_close(text: str) -> tuple[str, str]:
     raise ValueError(f"unbalanced formula {text!r}")
 
 
-def unique(groups: Iterable[Iterable[Constant]]) -> list[Constant]:
+def unique(groups: Iterable[Iterable[NamedConstant]]) -> list[NamedConstant]:
     """Return the constants of several kernels, each name once."""
-    by_name: dict[str, Constant] = {}
+    by_name: dict[str, NamedConstant] = {}
     for constant in (c for group in groups for c in group):
         if by_name.setdefault(constant.name, constant).value != constant.value:
             raise ValueError(f"two values for the constant {constant.name}")

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from symbalance.design.balancing.design_facts import (
+    design_weights,
     device_name,
     residual_ellipses,
     sentence,
     throw_counterweights,
-    weights,
 )
 from symbalance.design.balancing.design_limits import Limits
 from symbalance.design.balancing.designs import Claim, Design
@@ -103,7 +103,7 @@ def design_records(design: Design) -> list[dict[str, Any]]:
     """
     none = dict.fromkeys(_KEYS)
     rows = []
-    for weight in weights(design):
+    for weight in design_weights(design):
         part = Component(weight.vector)
         share, degrees = polar(weight.vector)
         exact = {"exact_up": str(part.cos), "exact_right": str(part.sin)}

@@ -6,11 +6,11 @@ from symbalance.design.balancing.design_facts import (
     PlacedWeight,
     achievement,
     by_order,
+    design_weights,
     device_name,
     requirements,
     residual_ellipses,
     throw_counterweights,
-    weights,
 )
 from symbalance.design.balancing.designs import Design
 from symbalance.design.balancing.ellipse_document import READING, ellipse_table
@@ -85,7 +85,7 @@ def _size(design: Design) -> Formula:
 
 
 def _proposed(design: Design) -> tuple[Block, ...]:
-    rows = tuple(map(_row, weights(design)))
+    rows = tuple(map(_row, design_weights(design)))
     title: Words = (
         "Proposed weights: mass times radius ",
         equal(_U, _size(design)),
@@ -124,7 +124,7 @@ def _reading(design: Design) -> list[tuple[Words, Words]]:
     entries: list[tuple[Words, Words]] = []
     if limits := _limits(design):
         entries.append(("limits", "; ".join(limits)))
-    if weights(design):
+    if design_weights(design):
         if design.layout.has_common_harmonics:
             first = equal(Subscript(Name("A"), number(1)), 1)
             entries.append((_A_N, ("coefficient of one cylinder at speed ", _N, "; ", first)))

@@ -23,7 +23,7 @@ class PlacedWeight:
     unbalance: Real | None
 
 
-def weights(design: Design) -> list[PlacedWeight]:
+def design_weights(design: Design) -> list[PlacedWeight]:
     """Return every weight that stands at a station, device by device."""
     return [
         PlacedWeight(device, station, vector, design.unbalance(device, vector))

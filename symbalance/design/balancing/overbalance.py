@@ -55,7 +55,7 @@ def overbalanced(layout: Engine, share: object = Fraction(1, 2)) -> Engine:
 
 
 @dataclass(frozen=True)
-class FirstOrder:
+class FirstOrderParts:
     """The first order of a force or couple as a function of overbalance: f - k g forward, b backward."""
 
     forward: Amplitude
@@ -63,7 +63,7 @@ class FirstOrder:
     backward: Amplitude
 
 
-def first_order(layout: Engine, kind: str = "force") -> FirstOrder:
+def first_order(layout: Engine, kind: str = "force") -> FirstOrderParts:
     """Return f, g and b of a layout without counterweights.
 
     >>> from symbalance.engine.builders import inline
@@ -78,7 +78,7 @@ def first_order(layout: Engine, kind: str = "force") -> FirstOrder:
     weights = [Fraction(1)] * len(layout.cylinders) if kind == "force" else layout.arms()
     rows = zip(layout.cylinders, weights, layout.sizes, strict=True)
     pins = [directed(Phasor.of(1, {0: weight * size}), c.throw) for c, weight, size in rows]
-    return FirstOrder(terms.get(1, ZERO), total(pins), terms.get(-1, ZERO))
+    return FirstOrderParts(terms.get(1, ZERO), total(pins), terms.get(-1, ZERO))
 
 
 def best_overbalance(
@@ -146,7 +146,7 @@ def best_forward(backward: Amplitude, vertical: object = 1, lateral: object = 1)
     return backward.conjugate().scaled(-_tilt(vertical, lateral))
 
 
-def _least_largest(parts: FirstOrder, vertical: Fraction, lateral: Fraction) -> sympy.Expr:
+def _least_largest(parts: FirstOrderParts, vertical: Fraction, lateral: Fraction) -> sympy.Expr:
     """Return the k where the larger weighted amplitude is least, of parts that lie askew.
 
     Each squared amplitude is a parabola in k; the least of the larger is at the bottom of one or where
@@ -179,7 +179,7 @@ def _crossings(gap: Sequence[Real], level: bool) -> list[tuple[Real, int]]:
     return [((b + sign * sqrt(square)) / a, sign) for sign in (1, -1)] if square >= 0 else []
 
 
-def _parabola(parts: FirstOrder, sign: int, weight: Fraction) -> list[Amplitude]:
+def _parabola(parts: FirstOrderParts, sign: int, weight: Fraction) -> list[Amplitude]:
     """Return a, b and c of weight |conj(f - k g) + sign b|^2 = a k^2 - 2 b k + c."""
     constant = parts.forward.conjugate() + parts.backward.scaled(sign)
     slope = parts.per_share.conjugate()
@@ -187,7 +187,7 @@ def _parabola(parts: FirstOrder, sign: int, weight: Fraction) -> list[Amplitude]
     return [number.scaled(weight) for number in (slope.norm(), cross, constant.norm())]
 
 
-def amplitudes(parts: FirstOrder, share: Fraction) -> tuple[Real, Real]:
+def amplitudes(parts: FirstOrderParts, share: Fraction) -> tuple[Real, Real]:
     """Return the vertical and the lateral amplitude left at an overbalance, in decimals.
 
     >>> from symbalance.engine.builders import inline

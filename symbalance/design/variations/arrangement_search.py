@@ -28,10 +28,10 @@ from symbalance.design.variations.assignment_bounds import (
     Order,
     Table,
     Vector,
+    arrangement_sum,
     lower_bound,
     norm,
-    plus,
-    total,
+    vector_sum,
 )
 
 MOST_PLACES = {1: 10, 2: 7}
@@ -70,9 +70,11 @@ def best_arrangement(
     places = list(range(count)) if fixed is None else list(fixed)
     if count <= MOST_PLACES.get(len(tables), 0):
         orders = (_by_halves if len(tables) == 1 else _by_pairs)(start, tables, good, places)
-        length = norm(total(start, tables, orders))
+        length = norm(arrangement_sum(start, tables, orders))
         return Arrangement(orders, length, length, True)
-    return Arrangement(good, norm(total(start, tables, good)), lower_bound(start, tables), False)
+    return Arrangement(
+        good, norm(arrangement_sum(start, tables, good)), lower_bound(start, tables), False
+    )
 
 
 def _arrangements(
@@ -89,7 +91,7 @@ def _arrangements(
         component_amplitude.append(table[part])
         rest = [p for p in parts if p != part]
         for vector, order in _arrangements(
-            table, rest, places[1:], plus(start, table[part][places[0]]), fixed
+            table, rest, places[1:], vector_sum(start, table[part][places[0]]), fixed
         ):
             yield vector, (part, *order)
 
@@ -127,7 +129,7 @@ def _by_halves(
 ) -> tuple[Order, ...]:
     """Return the best arrangement of one set, by halves."""
     (table,), count = tables, len(tables[0])
-    best = _Best(good, norm(total(start, tables, good)))
+    best = _Best(good, norm(arrangement_sum(start, tables, good)))
     half = (count + 1) // 2
     first, second = list(range(half)), list(range(half, count))
     zero = tuple(0.0 for _ in start)
@@ -147,7 +149,7 @@ def _by_pairs(
     start: Vector, tables: Sequence[Table], good: tuple[Order, ...], fixed: Sequence[int]
 ) -> tuple[Order, ...]:
     """Return the best arrangement of two sets, all of one against all of the other."""
-    best = _Best(good, norm(total(start, tables, good)))
+    best = _Best(good, norm(arrangement_sum(start, tables, good)))
     places = list(range(len(tables[0])))
     zero = tuple(0.0 for _ in start)
     fronts = list(_arrangements(tables[0], places, places, start, fixed))
@@ -163,7 +165,7 @@ def _local_search(start: Vector, tables: Sequence[Table]) -> tuple[Order, ...]:
     for _ in range(STARTS):
         orders = [tuple(chance.sample(range(count), count)) for _ in tables]
         candidates.append(_improve_by_exchange(start, tables, orders))
-    best = min(candidates, key=lambda orders: norm(total(start, tables, orders)))
+    best = min(candidates, key=lambda orders: norm(arrangement_sum(start, tables, orders)))
     exact = count <= MOST_PLACES.get(len(tables), 0)
     for _ in range((count - BLOCK) // 2 if exact else ROUNDS):
         best = _rearrange_block(start, tables, best, chance)
@@ -174,7 +176,7 @@ def _improve_by_exchange(
     start: Vector, tables: Sequence[Table], orders: list[Order]
 ) -> tuple[Order, ...]:
     """Return an arrangement that no exchange of two parts improves."""
-    now = total(start, tables, orders)
+    now = arrangement_sum(start, tables, orders)
     pairs = list(combinations(range(len(tables[0])), 2))
     improved = True
     while improved:
@@ -208,7 +210,7 @@ def _rearrange_block(
         for p in range(len(order))
     ]
     others = [t if k != s else rest for k, t in enumerate(tables)]
-    fixed = total(start, others, orders)
+    fixed = arrangement_sum(start, others, orders)
     small = [[table[order[j]][i] for i in places] for j in places]
     best = _by_halves(fixed, [small], (tuple(range(len(places))),), range(len(places)))[0]
     rearrangement = list(order)

@@ -25,15 +25,15 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.variations.arrangement_search import Arrangement
-from symbalance.design.variations.assignment_bounds import Vector, norm, total
-from symbalance.design.variations.assignment_objective import AssignmentProblem, expected
-from symbalance.design.variations.contributions import checked_layout, contributions
+from symbalance.design.variations.assignment_bounds import Vector, arrangement_sum, norm
+from symbalance.design.variations.assignment_objective import AssignmentProblem, expected_length
+from symbalance.design.variations.contributions import checked_numeric_engine, contributions
 from symbalance.design.variations.legend import as_decimal
 from symbalance.design.variations.part_sets import PartSet, checked_sets
 from symbalance.design.variations.shaking import (
     Shaking,
     as_built_vector,
-    checked_speed,
+    checked_rpm,
     generators,
     shaking_of,
     units_of,
@@ -149,7 +149,7 @@ def assign_parts(
     >>> {number: names["piston"] for number, names in best.places.items()}, best.proved
     ({1: 'piston 4', 2: 'piston 2', 3: 'piston 1', 4: 'piston 3'}, True)
     """
-    checked_layout(layout)
+    checked_numeric_engine(layout)
     count = len(layout.cylinders)
     if count > MOST_CYLINDERS:
         rule = f"must be at most {MOST_CYLINDERS}"
@@ -157,7 +157,7 @@ def assign_parts(
     sets = checked_sets(parts, count)
     numbers = _checked_orders(orders)
     rows = contributions(layout, max(numbers))
-    speed = None if rpm is None else checked_speed(rpm)
+    speed = None if rpm is None else checked_rpm(rpm)
     units = units_of(layout, speed, lever, rows[1])
     there = [n for n in numbers if n in rows]
     vectors = generators(layout, [rows[n] for n in there], units)
@@ -171,7 +171,7 @@ def assign_parts(
         places,
         norm(best),
         norm(first),
-        expected(problem.start, problem.tables),
+        expected_length(problem.start, problem.tables),
         min(search.bound, norm(best)),
         search.proved,
         shaking_of(best, there, units),
@@ -198,7 +198,9 @@ def _compare(
     """
     search = problem.solution()
     listed_orders = tuple(tuple(range(len(one.parts))) for one in sets)
-    best, first = (total(problem.start, problem.tables, o) for o in (search.orders, listed_orders))
+    best, first = (
+        arrangement_sum(problem.start, problem.tables, o) for o in (search.orders, listed_orders)
+    )
     as_listed = norm(first) <= norm(best) * (1 + GRAIN)
     orders, best = (listed_orders, first) if as_listed else (search.orders, best)
     sets_in_order = list(zip(sets, orders, strict=True))

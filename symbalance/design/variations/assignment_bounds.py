@@ -31,25 +31,25 @@ def norm(vector: Vector) -> float:
     return sqrt(sum(x * x for x in vector))
 
 
-def plus(one: Vector, other: Vector) -> Vector:
+def vector_sum(one: Vector, other: Vector) -> Vector:
     """Return the sum of two vectors."""
     return tuple(map(add, one, other))
 
 
-def total(start: Vector, tables: Sequence[Table], orders: Sequence[Order]) -> Vector:
+def arrangement_sum(start: Vector, tables: Sequence[Table], orders: Sequence[Order]) -> Vector:
     """Return c + sum of v for an arrangement."""
     for table, order in zip(tables, orders, strict=True):
         for place, part in enumerate(order):
-            start = plus(start, table[part][place])
+            start = vector_sum(start, table[part][place])
     return start
 
 
-def dot(one: Vector, other: Vector) -> float:
+def inner_product(one: Vector, other: Vector) -> float:
     """Return the inner product of two vectors."""
     return sum(x * y for x, y in zip(one, other, strict=True))
 
 
-def minus(one: Vector, other: Vector) -> Vector:
+def difference(one: Vector, other: Vector) -> Vector:
     """Return the difference of two vectors."""
     return tuple(x - y for x, y in zip(one, other, strict=True))
 
@@ -57,7 +57,7 @@ def minus(one: Vector, other: Vector) -> Vector:
 def lower_bound(start: Vector, tables: Sequence[Table]) -> float:
     """Return a length that no arrangement passes below, by linear bounds in directions sought in turn."""
     count = len(tables[0])
-    point = total(start, tables, [tuple(range(count))] * len(tables))
+    point = arrangement_sum(start, tables, [tuple(range(count))] * len(tables))
     best = 0.0
     for _ in range(STEPS):
         size = norm(point)
@@ -66,13 +66,13 @@ def lower_bound(start: Vector, tables: Sequence[Table]) -> float:
         direction = tuple(x / size for x in point)
         corner = start
         for table in tables:
-            costs = [[dot(direction, v) for v in row] for row in table]
+            costs = [[inner_product(direction, v) for v in row] for row in table]
             order = least_matching(costs)
-            corner = total(corner, [table], [order])
-        best = max(best, dot(direction, corner))
+            corner = arrangement_sum(corner, [table], [order])
+        best = max(best, inner_product(direction, corner))
         step = tuple(c - x for c, x in zip(corner, point, strict=True))
-        length = dot(step, step)
-        fraction = min(1.0, max(0.0, -dot(point, step) / length)) if length else 0.0
+        length = inner_product(step, step)
+        fraction = min(1.0, max(0.0, -inner_product(point, step) / length)) if length else 0.0
         if fraction <= 0:
             break
         point = tuple(x + fraction * d for x, d in zip(point, step, strict=True))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symbalance.design.variations.assignment import Assignment
-from symbalance.design.variations.legend import Entry, as_decimal, letters, units
+from symbalance.design.variations.legend import Entry, as_decimal, letters_entry, unit_formulas
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Upright, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words
@@ -51,7 +51,7 @@ _RESIDUAL = tuple(map(Column, ("order", "force", "couple", "force as listed", "c
 
 
 def _units(result: Assignment) -> tuple[Upright, Upright]:
-    return units(result.engine, result.rpm is not None, Upright("kg"))  # type: ignore[return-value]
+    return unit_formulas(result.engine, result.rpm is not None, Upright("kg"))  # type: ignore[return-value]
 
 
 def _legend(result: Assignment) -> Block:
@@ -70,6 +70,6 @@ def _legend(result: Assignment) -> Block:
         ("criterion", criterion),
         ("orders counted", ", ".join(map(str, result.orders))),
         ("parts count with", counting),
-        letters(result.engine),
+        letters_entry(result.engine),
     )
     return Facts(entries, "How to read it")

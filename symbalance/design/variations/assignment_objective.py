@@ -12,7 +12,14 @@ from fractions import Fraction
 from math import sqrt
 
 from symbalance.design.variations.arrangement_search import Arrangement, best_arrangement
-from symbalance.design.variations.assignment_bounds import Generators, Table, Vector, dot, minus, norm
+from symbalance.design.variations.assignment_bounds import (
+    Generators,
+    Table,
+    Vector,
+    difference,
+    inner_product,
+    norm,
+)
 from symbalance.design.variations.part_sets import PartSet
 
 RANK = 1e-12
@@ -89,7 +96,7 @@ def _by_size(table: Table) -> list[int]:
     return sorted(range(len(table)), key=lambda p: -max(norm(v) for v in table[p]))
 
 
-def expected(start: Vector, tables: Sequence[Table]) -> float:
+def expected_length(start: Vector, tables: Sequence[Table]) -> float:
     """Return the root mean square length over all arrangements, each as likely.
 
     The variance of one set's sum is that of its table, freed of the means of rows and columns, summed and
@@ -132,12 +139,13 @@ def on_basis(start: Vector, tables: Sequence[Table]) -> tuple[Vector, tuple[Tabl
         ]
         for column in mean:
             shared = tuple(x + y for x, y in zip(shared, column, strict=True))
-        levelled.append([[minus(v, m) for v, m in zip(row, mean, strict=True)] for row in table])
+        levelled.append([[difference(v, m) for v, m in zip(row, mean, strict=True)] for row in table])
     basis = _basis([v for table in levelled for row in table for v in row])
-    constant = tuple(dot(shared, b) for b in basis)
+    constant = tuple(inner_product(shared, b) for b in basis)
     rest = sqrt(max(norm(shared) ** 2 - norm(constant) ** 2, 0.0))
     on_basis = tuple(
-        [[tuple(dot(v, b) for b in basis) or (0.0,) for v in row] for row in table] for table in levelled
+        [[tuple(inner_product(v, b) for b in basis) or (0.0,) for v in row] for row in table]
+        for table in levelled
     )
     return constant or (0.0,), on_basis, rest
 
@@ -154,7 +162,8 @@ def _basis(vectors: Sequence[Vector]) -> list[Vector]:
         unit = tuple(x / size for x in longest)
         basis.append(unit)
         remainders = [
-            tuple(x - dot(v, unit) * u for x, u in zip(v, unit, strict=True)) for v in remainders
+            tuple(x - inner_product(v, unit) * u for x, u in zip(v, unit, strict=True))
+            for v in remainders
         ]
     return basis
 
@@ -183,7 +192,10 @@ Products = tuple[list[list[tuple[float, ...]]], float]
 
 def _products(start: Vector, generators: Generators) -> Products:
     table = [
-        [tuple(dot(x, y) for x in (*one, start) for y in (*other, start)) for other in generators]
+        [
+            tuple(inner_product(x, y) for x in (*one, start) for y in (*other, start))
+            for other in generators
+        ]
         for one in generators
     ]
     return table, max((abs(x) for row in table for cell in row for x in cell), default=0.0) * SAME

@@ -37,7 +37,7 @@ class Contribution:
     """f_n to 40 digits."""
 
 
-def checked_layout(layout: object) -> Engine:
+def checked_numeric_engine(layout: object) -> Engine:
     """Return a layout whose angles and rod ratios are numbers, or refuse."""
     if not isinstance(layout, Engine):
         remedy = 'load one: load("v12-60")'
@@ -70,7 +70,7 @@ def contributions(layout: Engine, order: int, reference: object = None) -> dict[
     {1: ['0', '1/2', '1/2', '0'], 2: ['0', '1', '1', '0']}
     """
     checked_order(order)
-    checked_layout(layout)
+    checked_numeric_engine(layout)
     forces = [piston_force(mechanism_to(layout, c, order), order) for c in layout.cylinders]
     arms = layout.arms(layout.plane(reference))
     rows = list(zip(layout.cylinders, arms, layout.sizes, forces, strict=True))

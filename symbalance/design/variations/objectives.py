@@ -36,16 +36,16 @@ def objective_of(forward: complex, backward: complex, mode: str) -> Objective:
     match mode:
         case "vertical" | "lateral":
             sign = 1 if mode == "vertical" else -1
-            phase = unit((forward.conjugate() + sign * backward).conjugate())
+            phase = unit_phase((forward.conjugate() + sign * backward).conjugate())
             return phase.conjugate(), sign * phase
         case "forward":
-            return unit(forward.conjugate()), 0j
+            return unit_phase(forward.conjugate()), 0j
         case "backward":
-            return 0j, unit(backward.conjugate())
-    return unit(forward.conjugate()), unit(backward.conjugate())
+            return 0j, unit_phase(backward.conjugate())
+    return unit_phase(forward.conjugate()), unit_phase(backward.conjugate())
 
 
-def unit(number: complex) -> complex:
+def unit_phase(number: complex) -> complex:
     """Return a number over its modulus, 0 for 0."""
     return number / abs(number) if number else 0j
 

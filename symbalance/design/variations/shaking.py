@@ -29,7 +29,7 @@ class Scale(NamedTuple):
     units: tuple[str, str]
 
 
-def checked_speed(rpm: object) -> Fraction:
+def checked_rpm(rpm: object) -> Fraction:
     """Return a speed in turns a minute, or refuse."""
     speed = exact(rpm, "rpm")
     if not 0 < speed <= FASTEST:
@@ -37,7 +37,7 @@ def checked_speed(rpm: object) -> Fraction:
     return speed
 
 
-def scale_of(engine: Engine, speed: Fraction | None) -> Scale:
+def speed_scale(engine: Engine, speed: Fraction | None) -> Scale:
     """Return what m r omega^2 and m r omega^2 a of cylinder 1 are at a speed, in N and N m."""
     if speed is None:
         return Scale(1.0, 1.0, ("m r ω²", "m r ω² a"))

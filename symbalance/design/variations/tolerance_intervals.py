@@ -17,7 +17,7 @@ from itertools import product
 from math import ceil, cos, floor, pi
 
 from symbalance.design.variations.annular_sectors import AnnularSector
-from symbalance.design.variations.contributions import checked_layout, mechanism_to
+from symbalance.design.variations.contributions import checked_numeric_engine, mechanism_to
 from symbalance.design.variations.tolerances import RelativeTolerances
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -33,20 +33,20 @@ Harmonics = dict[int, complex]
 """n -> r f_n over the nominal radius, at one corner of the lengths' box."""
 
 
-def times(one: Interval, other: Interval) -> Interval:
+def interval_product(one: Interval, other: Interval) -> Interval:
     """Return the interval of products.
 
-    >>> times((-1, 2), (3, 4))
+    >>> interval_product((-1, 2), (3, 4))
     (-4, 8)
     """
     ends = [a * b for a in one for b in other]
     return min(ends), max(ends)
 
 
-def cosines(low: float, high: float) -> Interval:
+def cosine_interval(low: float, high: float) -> Interval:
     """Return the least and the largest cosine of an interval of angles.
 
-    >>> cosines(-0.1, 0.2)[1]
+    >>> cosine_interval(-0.1, 0.2)[1]
     1.0
     """
     ends = (cos(low), cos(high))
@@ -90,20 +90,20 @@ class ToleranceBox:
     def weights(self, quantity: str) -> Iterator[tuple[Interval, float]]:
         """Yield the intervals of the weight, times the arm for a couple, with their phases."""
         for interval, phase in self.parts:
-            yield (times(interval, self.arm) if quantity == "couple" else interval), phase
+            yield (interval_product(interval, self.arm) if quantity == "couple" else interval), phase
 
     def component_sectors(self, quantity: str, direction: float) -> list[AnnularSector]:
         """Return sectors of what it may add to the component along a direction, as C + iS would turn."""
         slant = direction - self.axis
         if self.bank:
-            window = cosines(slant - self.bank, slant + self.bank)
+            window = cosine_interval(slant - self.bank, slant + self.bank)
         else:
             flat = cos(slant)
             # Across its axis a cylinder has nothing: banks are fractions, so this is rounding.
             window = (flat, flat) if abs(flat) > FLAT else (0.0, 0.0)
         half = self.order * (self.throw + self.bank)
         return [
-            AnnularSector(*times(interval, window), self.lead + phase, min(half, pi))
+            AnnularSector(*interval_product(interval, window), self.lead + phase, min(half, pi))
             for interval, phase in self.weights(quantity)
         ]
 
@@ -134,7 +134,7 @@ def tolerance_boxes(
     layout: Engine, relative: RelativeTolerances, order: int, reference: object = None
 ) -> dict[int, list[ToleranceBox]]:
     """Return n -> every cylinder's box, for each order to `order` that some engine in tolerance has."""
-    checked_layout(layout)
+    checked_numeric_engine(layout)
     cylinders = zip(layout.cylinders, layout.sizes, layout.arms(layout.plane(reference)), strict=True)
     parts = []
     by_kind: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}

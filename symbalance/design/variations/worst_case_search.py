@@ -37,7 +37,7 @@ from symbalance.design.variations.annular_sectors import (
     largest_sum,
 )
 from symbalance.design.variations.as_built import NOTHING, AsBuilt, as_built_parts
-from symbalance.design.variations.contributions import checked_layout
+from symbalance.design.variations.contributions import checked_numeric_engine
 from symbalance.design.variations.derivatives import sensitivities
 from symbalance.design.variations.legend import as_decimal
 from symbalance.design.variations.objectives import (
@@ -51,7 +51,7 @@ from symbalance.design.variations.objectives import (
     objective_of,
 )
 from symbalance.design.variations.sensitivity import Sensitivity
-from symbalance.design.variations.shaking import Scale, checked_speed, scale_of
+from symbalance.design.variations.shaking import Scale, checked_rpm, speed_scale
 from symbalance.design.variations.tolerance_intervals import ToleranceBox, tolerance_boxes
 from symbalance.design.variations.tolerances import UNITS, RelativeTolerances, Tolerances
 from symbalance.document.result import Result
@@ -131,7 +131,7 @@ class WorstCases(Result, Sequence[WorstCase]):
     @property
     def scale(self) -> Scale:
         """What m r omega^2 and m r omega^2 a of cylinder 1 are in the units of the cases."""
-        return scale_of(self.engine, self.rpm)
+        return speed_scale(self.engine, self.rpm)
 
     def unit(self, case: WorstCase) -> str:
         """Return the unit of one of the cases: that of a force or that of a couple."""
@@ -213,7 +213,7 @@ def worst_cases(
     >>> cases
     Worst cases of engine to order 1: force ≤ 0.04 m r ω² (order 1), couple ≤ 0.04 m r ω² a (order 1)
     """
-    checked_layout(layout)
+    checked_numeric_engine(layout)
     modes = tuple(listed(of, "of", '["largest"]'))
     unknown = [mode for mode in modes if mode not in MODES]
     if unknown:
@@ -223,8 +223,8 @@ def worst_cases(
         rule, remedy = "must be Tolerances", 'write Tolerances(mass="1%")'
         raise SymbalanceError(f"tolerances = {shown(tolerances)}", rule, remedy)
     plane = None if reference is None else exact(reference, "reference")
-    speed = None if rpm is None else checked_speed(rpm)
-    scale = scale_of(layout, speed)
+    speed = None if rpm is None else checked_rpm(rpm)
+    scale = speed_scale(layout, speed)
     cases = _worst_cases(layout, tolerances.relative(layout), order, modes, plane)
     return WorstCases(
         layout, tolerances, order, plane, speed, tuple(_scaled(case, scale) for case in cases)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.design.variations.legend import AS_BUILT, Entry, as_decimal, letters, units
+from symbalance.design.variations.legend import AS_BUILT, Entry, as_decimal, letters_entry, unit_formulas
 from symbalance.design.variations.tolerances import PARTS_OF, UNITS
 from symbalance.design.variations.worst_case_search import WorstCase, WorstCases
 from symbalance.document.decimals import rounded
@@ -22,7 +22,7 @@ _COLUMNS = tuple(map(Column, ("order", "of", "as drawn", "worst", "at most", "RS
 def worst_cases_document(result: WorstCases) -> Document:
     """Return worst cases as a document: what is reached and what is proved, of force and couple."""
     speed = "" if result.rpm is None else f", at {as_decimal(result.rpm)} rpm"
-    force, couple = units(result.engine, result.rpm is not None)
+    force, couple = unit_formulas(result.engine, result.rpm is not None)
     titles: dict[str, Words] = {
         "force": ("Force, unit ", force),
         "couple": (f"Couple about {plane(result.reference)}, unit ", couple),
@@ -80,5 +80,5 @@ def _legend(result: WorstCases) -> Block:
         entries.append(("largest", "the largest modulus over a turn"))
     if of - {"largest"}:
         entries.append((", ".join(sorted(of - {"largest"})), "the amplitude of this component"))
-    entries.append(letters(result.engine))
+    entries.append(letters_entry(result.engine))
     return Facts((*entries, *([AS_BUILT] if result.engine.balancers else [])), "How to read it")
