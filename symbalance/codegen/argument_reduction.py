@@ -37,6 +37,7 @@ DISPLACEMENT = {
 }
 """A displacement near dead centre takes the parts one by one: its differences stay exact."""
 GRID = 4294967296.0
+"""Steps to a radian of the grid of g: so few that a difference below 2^20 rad is exact on it."""
 
 
 def extend_range(near: Kernel) -> Kernel:
@@ -65,7 +66,7 @@ def extend_range(near: Kernel) -> Kernel:
     kernel.line("beyond_3", f"many*{names[2]}")
     kernel.line("beyond", "beyond_1 + (beyond_2 + beyond_3)")
     kernel.line("theta", f"(theta - many*{whole}) - g", "below 2^20, by whole turns the same angle")
-    corrected = [new for line in near.lines for new in _corrected(line)]
+    corrected = [new for line in near.lines for new in _correct(line)]
     reductions = sum(line.formula.startswith("rint(theta*") for line in near.lines)
     if sum("beyond" in line.formula for line in corrected if line.name not in ("pa", "pe")) != reductions:
         raise ValueError("a reduction of theta has no place for what lies beyond it")
@@ -73,7 +74,7 @@ def extend_range(near: Kernel) -> Kernel:
     return kernel.pruned({line.name for line in near.lines})
 
 
-def _corrected(line: Statement) -> list[Statement]:
+def _correct(line: Statement) -> list[Statement]:
     """Return a line with the rest of the angle put in, where the period's own rest is."""
     folded = FOLD.fullmatch(line.name)
     if folded:

@@ -37,6 +37,7 @@ LIMIT32 = 2.0**31
 CUTS = (("z", 20), ("a", 8), ("b", -4), ("c", -16))
 """The parts of theta: names, and the powers of two they count."""
 FLOAT32_SINE_DEGREE = 11
+"""Odd; the polynomial of degree 9 would err by 0.6 u32, this one does by 0.01."""
 REST = 2.0**-11
 """More than |e|, in turns."""
 

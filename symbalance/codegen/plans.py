@@ -30,6 +30,7 @@ from symbalance.text.reals import Exact, Real
 ROOT = {"numpy": 3, "octave": 3}
 """Additions or multiplications one division or square root is worth; compiled: `COMPILED_ROOT`."""
 COMPILED_ROOT = 6
+"""The same where the source is compiled: there an addition costs less beside a division."""
 CLOSED_FORM_ERROR = 8.0
 """What a closed form rounds, in u of the sum of its parts' sizes."""
 MOST_ROUNDING = 12.0

@@ -130,25 +130,25 @@ def power_lines(kernel: Kernel, prefix: str, coefficients: Sequence[Real], c: st
     even, odd = (
         _nested(kernel, f"{own}{word}", names[i::2], z) for i, word in enumerate(("even", "odd"))
     )
-    return " + ".join(p for p in (even, f"{c}*{_bracketed(odd)}" if odd else "") if p)
+    return " + ".join(p for p in (even, f"{c}*{_in_brackets(odd)}" if odd else "") if p)
 
 
 def _nested(kernel: Kernel, name: str, names: list[str], variable: str) -> str:
     """Return Horner's rule as a formula; beyond `LONG` brackets it begins on lines of its own."""
-    names = _trimmed(names)
+    names = _trim(names)
     while len(names) > LONG + 1:
         upper = kernel.line(f"{name}{len(names) - LONG}", horner(names[-LONG:], variable))
         names = [*names[:-LONG], upper]
     return horner(names, variable) if names else ""
 
 
-def _trimmed(names: list[str]) -> list[str]:
+def _trim(names: list[str]) -> list[str]:
     while names and not names[-1]:
         names = names[:-1]
     return names
 
 
-def _bracketed(formula: str) -> str:
+def _in_brackets(formula: str) -> str:
     return f"({formula})" if " " in formula else formula
 
 

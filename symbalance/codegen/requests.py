@@ -189,7 +189,7 @@ class _Request:
         values = acceleration_values(order, self.ratio, DIGITS)
         if self.kind == "piston":
             turns = self.result.layout.first.delay.turns
-            return tuple(_advanced(n, a, turns) for n, a in values.items())
+            return tuple(_shifted_term(n, a, turns) for n, a in values.items())
         spectrum = self._spectrum(order)
         parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
         harmonics = ((n, c.decimal(DIGITS)) for n, c in parts if not c.is_zero())
@@ -301,7 +301,7 @@ def visible_terms(terms: tuple[HarmonicTerm, ...]) -> tuple[HarmonicTerm, ...]:
     return terms[:count]
 
 
-def _advanced(n: int, coefficient: Real, turns: Fraction) -> HarmonicTerm:
+def _shifted_term(n: int, coefficient: Real, turns: Fraction) -> HarmonicTerm:
     """Return coefficient * cos n (theta + 2 pi turns)."""
     phase = 2 * n * turns
     return HarmonicTerm(Fraction(n), coefficient * cospi(phase), -coefficient * sinpi(phase))

@@ -356,14 +356,14 @@ def _functions(plan: Plan, prototypes: dict[str, str], outs: list[str]) -> str:
         "}",
     ]
     for kind in ("double", "float"):
-        stored = [f"out{i}[i] = {'' if kind == 'double' else '(float)'}value[{i}];" for i in count]
+        stores = [f"out{i}[i] = {'' if kind == 'double' else '(float)'}value[{i}];" for i in count]
         loops = LOOPS.format(
             kind=kind,
             scale_parameters=", ".join(f"double scale{i}" for i in count),
             out_parameters=", ".join(f"{kind} *restrict out{i}" for i in count),
-            near="\n".join(_called("near", "angle", basis)),
+            near="\n".join(_call_lines("near", "angle", basis)),
             either="\n".join(_either(basis)),
-            stores="\n".join([*_values(plan, "angle"), *(f"        {line}" for line in stored)]),
+            stores="\n".join([*_values(plan, "angle"), *(f"        {line}" for line in stores)]),
             prototype=prototypes[kind],
             scales=_scales(plan),
             scale_names=scales,
@@ -373,7 +373,9 @@ def _functions(plan: Plan, prototypes: dict[str, str], outs: list[str]) -> str:
     return "\n".join(parts)
 
 
-def _called(function: str, arguments: str, basis: tuple[str, ...], indent: str = "        ") -> list[str]:
+def _call_lines(
+    function: str, arguments: str, basis: tuple[str, ...], indent: str = "        "
+) -> list[str]:
     """Return the lines that declare the basis and have a function write them."""
     if not basis:
         return []
@@ -386,7 +388,7 @@ def _called(function: str, arguments: str, basis: tuple[str, ...], indent: str =
 def _either(basis: tuple[str, ...]) -> list[str]:
     if not basis:
         return []
-    declared, near = _called("near", "angle", basis)
+    declared, near = _call_lines("near", "angle", basis)
     far = near.replace("near(", "far(")
     return [
         declared,
@@ -433,15 +435,15 @@ def _grid(plan: Plan, prototype: str, outs: list[str]) -> str:
     basis, lines = plan.basis, plan.on_grid.lines
     functions = _base_function("on_grid", "index, points", lines, basis, "theta = 2 pi index/points")
     period, calls_gcd = points_per_period(plan)
-    stored = [f"        {out}[i] = value[{j}];" for j, out in enumerate(outs)]
-    called = _called("on_grid", "(double)i, (double)points", basis)
+    stores = [f"        {out}[i] = value[{j}];" for j, out in enumerate(outs)]
+    called = _call_lines("on_grid", "(double)i, (double)points", basis)
     return GRID.format(
         functions="\n".join(functions),
         gcd=GCD if calls_gcd else "",
         prototype=prototype,
         scales=_scales(plan),
         period=period,
-        stores="\n".join([*called, *_values(plan, "(double)i"), *stored]),
+        stores="\n".join([*called, *_values(plan, "(double)i"), *stores]),
         copies="\n".join(f"        {out}[i] = {out}[i - period];" for out in outs),
     )
 

@@ -40,14 +40,14 @@ def paragraphs(plan: Plan, engine: str, reduction: str = REDUCTION) -> Iterator[
     yield f"{comment_text(engine)}, lambda = l/r = {ratio_text}; made by symbalance {__version__}."
     yield ""
     for output in plan.outputs:
-        yield from wrap(_described(output), WIDTH, subsequent_indent="    ")
+        yield from wrap(_describe(output), WIDTH, subsequent_indent="    ")
     torque = [TORQUE] if any(o.harmonic_sum.name.startswith("torque") for o in plan.outputs) else []
     for text in (*CONVENTIONS, *torque, reduction):
         yield ""
         yield from wrap(text, WIDTH)
 
 
-def _described(output: Output) -> str:
+def _describe(output: Output) -> str:
     harmonic_sum = output.harmonic_sum
     orders = [str(t.order) for t in harmonic_sum.terms]
     listing = ", ".join(orders if len(orders) < 12 else [*orders[:6], "...", orders[-1]])

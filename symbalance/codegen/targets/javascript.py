@@ -223,7 +223,7 @@ def javascript_source(plan: Plan, engine: str, grid: bool) -> str:
         grid=GRID.format(period=period, gcd=GCD if calls_gcd else "") if grid else "",
         outs=outs,
         scales=scales,
-        basis=_bases(plan),
+        basis=_basis_lines(plan),
         outputs=_outputs(plan, "i"),
         fill_grid=fill_grid if grid else "",
         rows=_rows(checks(plan)),
@@ -238,18 +238,19 @@ def _rows(rows: Iterable[Check]) -> str:
     return "\n".join(f"  [{c.theta!r}, {list(c.values)}, {list(c.allowed)}]," for c in rows)
 
 
-def _bases(plan: Plan) -> str:
+def _basis_lines(plan: Plan) -> str:
     """Return the lines of what the outputs are made of, near and far."""
     if not plan.basis:
         return ""
     near, far = (
-        "\n".join(_assigned(kernel.lines, plan.basis)) for kernel in (plan.reduced_range, plan.full_range)
+        "\n".join(_assignments(kernel.lines, plan.basis))
+        for kernel in (plan.reduced_range, plan.full_range)
     )
     head = f"    let {', '.join(plan.basis)};\n    if (Math.abs(theta) <= LIMIT) {{\n"
     return f"{head}{near}\n    }} else {{\n{far}\n    }}\n"
 
 
-def _assigned(lines: Iterable[Statement], basis: tuple[str, ...]) -> list[str]:
+def _assignments(lines: Iterable[Statement], basis: tuple[str, ...]) -> list[str]:
     """Return assignments, those of `basis` to variables that are there already."""
     texts = SYNTAX.lines(lines, "      ")
     starts = tuple(f"      const {base} = " for base in basis)
@@ -258,5 +259,5 @@ def _assigned(lines: Iterable[Statement], basis: tuple[str, ...]) -> list[str]:
 
 def _outputs(plan: Plan, place: str) -> str:
     lines, formulas = SYNTAX.outputs(plan, "0.0*" + (plan.basis or ("theta",))[0])
-    stored = (f"    out{i}[{place}] = {SYNTAX.formula(f)};" for i, f in enumerate(formulas))
-    return "\n".join([*SYNTAX.lines(lines, "    "), *stored])
+    stores = (f"    out{i}[{place}] = {SYNTAX.formula(f)};" for i, f in enumerate(formulas))
+    return "\n".join([*SYNTAX.lines(lines, "    "), *stores])

@@ -158,7 +158,7 @@ def numba_source(plan: Plan, engine: str, grid: bool) -> str:
     head += ["from numba import njit", "", "MAGIC = 6755399441055744.0  # 1.5 * 2^52: adding it rounds"]
     count = range(len(plan.outputs))
     scales = ", ".join(f"scale{i}" for i in count)
-    stored = ", ".join(f"out{i}[i]" for i in count)
+    stores = ", ".join(f"out{i}[i]" for i in count)
     basis = ", ".join(plan.basis)
     at = "np.float64(theta[i])"
     values = ", ".join(f"float({o.harmonic_sum.unit.formula})" for o in plan.outputs)
@@ -171,13 +171,13 @@ def numba_source(plan: Plan, engine: str, grid: bool) -> str:
         out_parts=", ".join(f"out{i}[start:start + BLOCK]" for i in count),
         near=f"{basis} = _near({at})" if basis else "pass",
         far=f"{basis} = _far({at})" if basis else "pass",
-        stores=f"{stored} = _outputs({basis or at}, {scales})",
+        stores=f"{stores} = _outputs({basis or at}, {scales})",
     )
     loop = GRID_LOOP.format(
         scale_names=scales,
         out_names=", ".join(f"out{i}" for i in count),
         basis=f"{basis} = _on_grid(index, points)" if basis else "pass",
-        stores=f"{stored} = _outputs({basis or 'index'}, {scales})",
+        stores=f"{stores} = _outputs({basis or 'index'}, {scales})",
     )
     jit = "@_inlined"
     lines, formulas = NUMBA.outputs(plan, "0.0*" + (plan.basis or ("theta",))[0])

@@ -201,7 +201,7 @@ def octave_source(plan: Plan, engine: str, name: str, grid: bool) -> str:
         grid_help=GRID_HELP.format(name=name) if grid else "",
         grid_call=GRID_CALL if grid else "",
         words=", ''grid'' or ''self-test''" if grid else " or ''self-test''",
-        basis=_bases(plan),
+        basis=_basis_lines(plan),
         outputs=_call(plan, outs),
         singles="\n".join(f"        {out} = single({out});" for out in outs),
         result=_result(outs),
@@ -236,7 +236,7 @@ def _call(plan: Plan, outs: Sequence[str]) -> str:
     return f"    {_several(outs)} = outputs({arguments}, mass, radius, omega, pitch);"
 
 
-def _bases(plan: Plan) -> str:
+def _basis_lines(plan: Plan) -> str:
     """Return the lines that compute the basis, near angles at once, far ones where there are any."""
     if not plan.basis:
         return "    theta(~(abs(theta) < inf)) = nan;"

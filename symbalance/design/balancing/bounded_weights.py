@@ -45,7 +45,7 @@ def bounded_vectors(
     vectors = _in_fewest(force, couple, arms, most, length)
     if vectors is None:
         near = _nearest(force, couple, arms, most, length)
-        vectors = _repaired(force, couple, near, arms, most, length) or near
+        vectors = _repair(force, couple, near, arms, most, length) or near
     return [(arm, w) for arm, w in vectors if not w.is_zero()]
 
 
@@ -75,7 +75,7 @@ def _within_bound(vectors: Sequence[PlacedVector], most: Fraction) -> bool:
     return all(w.size() <= most for _, w in vectors)
 
 
-def _repaired(
+def _repair(
     force: Amplitude,
     couple: Amplitude,
     near: Sequence[PlacedVector],
@@ -151,7 +151,7 @@ def _descend(
         if len(residual) == 2 and tilt:
             residual = [_weighted(one, other, tilt) for one, other in (residual, residual[::-1])]
         stepped = [
-            [_clipped(w + (force + z * couple) / steepest) for z, w in zip(arms, side, strict=True)]
+            [_clip(w + (force + z * couple) / steepest) for z, w in zip(arms, side, strict=True)]
             for (force, couple), side in zip(residual, extrapolated, strict=True)
         ]
         next_momentum = (1 + (1 + 4 * momentum * momentum) ** 0.5) / 2
@@ -177,7 +177,7 @@ def _weighted(one: Residual, other: Residual, tilt: float) -> Residual:
     return one[0] + tilt * other[0].conjugate(), one[1] + tilt * other[1].conjugate()
 
 
-def _clipped(weight: complex) -> complex:
+def _clip(weight: complex) -> complex:
     return weight / abs(weight) if abs(weight) > 1 else weight
 
 

@@ -59,7 +59,7 @@ def design_document(design: Design) -> Document:
     return Document(
         f"{design.layout.name}: {achievement(design)}",
         blocks(
-            _proposed(design),
+            _proposal(design),
             _certificate(design),
             ellipse_table("Residual of the orders to remove", ellipses) if ellipses else None,
             Heading(f"What remains, to order {design.remains.highest}"),
@@ -84,7 +84,7 @@ def _size(design: Design) -> Formula:
     return (_S * _A_N * _M * _R if design.layout.has_common_harmonics else _S * _M * _R) / _N**2
 
 
-def _proposed(design: Design) -> tuple[Block, ...]:
+def _proposal(design: Design) -> tuple[Block, ...]:
     rows = tuple(map(_row, design_weights(design)))
     title: Words = (
         "Proposed weights: mass times radius ",

@@ -12,6 +12,7 @@ from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.numbers import checked_whole, exact, listed
 
 MOST_SHAFTS = 1000
+"""The largest number of shafts that may be given, far above what any engine has."""
 
 
 @dataclass(frozen=True)

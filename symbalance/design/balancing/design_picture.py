@@ -16,6 +16,7 @@ from symbalance.text.reals import expjpi
 
 ENDINGS = (".png", ".pdf", ".svg")
 POINTS = 361
+"""Of a drawn ellipse: one a degree, and the first again to close it."""
 
 
 def design_picture(design: Design, path: str) -> bytes:

@@ -73,7 +73,7 @@ def _cells(ellipse: Ellipse) -> tuple[Cell, ...]:
     decimals = (None, None) if ellipse.has_symbols else ellipse.decimal_axes
     sizes = [_axis(*pair) for pair in zip(axes, decimals, strict=True)]
     tilt = "" if ellipse.shape == "circle" else _tilt(ellipse)
-    return number(ellipse.order), ellipse.of, *sizes, tilt, ellipse.drawn
+    return number(ellipse.order), ellipse.of, *sizes, tilt, ellipse.description
 
 
 def _axis(axis: sympy.Expr, decimal: Real | None) -> Cell:

@@ -57,7 +57,7 @@ class Ellipse(Result):
 
     def summary(self) -> str:
         """Return which order this is of, and what it draws, in one line."""
-        return f"Free {self.of} of order {self.order} of {self.balance.layout.name}: {self.drawn}"
+        return f"Free {self.of} of order {self.order} of {self.balance.layout.name}: {self.description}"
 
     def document(self) -> Document:
         """Return the semi-axes and the two rotating parts, then how to read them."""
@@ -111,7 +111,7 @@ class Ellipse(Result):
             {
                 "order": self.order,
                 "of": self.of,
-                "drawn": self.drawn,
+                "drawn": self.description,
                 "major": major,
                 "minor": minor,
                 "direction_deg": degrees,
@@ -176,7 +176,7 @@ class Ellipse(Result):
         return "ellipse" if self.sense else "line"
 
     @property
-    def drawn(self) -> str:
+    def description(self) -> str:
         """What it draws in words, and in which sense: "circle, against the crank"."""
         if self.shape == "circle":
             return f"circle, {'with' if self.backward.is_zero() else 'against'} the crank"

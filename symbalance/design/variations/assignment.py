@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
 MOST_CYLINDERS = 48
+"""More are no engine's; it bounds the time that the search takes."""
 GRAIN = 1e-10
 """Arrangements whose lengths agree to this part are equal: the listed order is then kept."""
 

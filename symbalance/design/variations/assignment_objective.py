@@ -62,7 +62,7 @@ class AssignmentProblem:
             tables.append(
                 [
                     [
-                        _mixed(float(p.reciprocating - means[0]), float(p.rotating - means[1]), *pair)
+                        _combine(float(p.reciprocating - means[0]), float(p.rotating - means[1]), *pair)
                         for pair in generators
                     ]
                     for p in one.parts
@@ -88,7 +88,7 @@ class AssignmentProblem:
         )
 
 
-def _mixed(sliding_mass: float, turning_mass: float, sliding: Vector, turning: Vector) -> Vector:
+def _combine(sliding_mass: float, turning_mass: float, sliding: Vector, turning: Vector) -> Vector:
     return tuple(sliding_mass * x + turning_mass * y for x, y in zip(sliding, turning, strict=True))
 
 

@@ -18,6 +18,7 @@ SETS = ("piston", "rod")
 HEAVIEST = 10_000
 """Kilogrammes that a part may weigh."""
 MOST_PARTS = 1000
+"""Rows that a file may hold, far above any engine's cylinders."""
 
 
 @dataclass(frozen=True, init=False)

@@ -94,16 +94,16 @@ class Sensitivity:
     @cached_property
     def values(self) -> tuple[complex, complex]:
         """The change of c_n and c_-n for one unit, kinematics in it; of the couple where a station's."""
-        return self._valued(self.geometry)
+        return self._with_factor(self.geometry)
 
     def pair(self, quantity: str) -> tuple[complex, complex]:
         """Return the change of c_n and c_-n of the "force" or the "couple" for one unit."""
         if self.couples is not None and quantity == "couple":
-            return self._valued(self.couples)
+            return self._with_factor(self.couples)
         weight = self.weight(quantity)
         return self.values[0] * weight, self.values[1] * weight
 
-    def _valued(self, pair: tuple[Amplitude, Amplitude]) -> tuple[complex, complex]:
+    def _with_factor(self, pair: tuple[Amplitude, Amplitude]) -> tuple[complex, complex]:
         forward, backward = (complex(part.evaluated()) * float(self.factor) for part in pair)
         return forward, backward
 

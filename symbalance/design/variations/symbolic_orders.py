@@ -175,7 +175,7 @@ class SymbolicOrder(Result):
             raise SymbalanceError(f"symbol {shown(unknown[0])}", "was not given", remedy)
         numbers = {by_name[str(key)]: exact(value, str(key)) for key, value in values.items()}
         values = dict(self.values) | numbers
-        return replace(self._mapped(lambda part: part.at(numbers)), values=tuple(values.items()))
+        return replace(self._map(lambda part: part.at(numbers)), values=tuple(values.items()))
 
     def symbols(self) -> set[Any]:
         """Return the symbols that stand for masses, stations and lengths."""
@@ -184,10 +184,10 @@ class SymbolicOrder(Result):
 
     def differentiated(self, symbol: Any) -> SymbolicOrder:
         """Return the derivative by one of the symbols that stand for masses, stations or lengths."""
-        derivative = self._mapped(lambda part: part.differentiated(symbol))
+        derivative = self._map(lambda part: part.differentiated(symbol))
         return replace(derivative, derivative_by=(*self.derivative_by, symbol))
 
-    def _mapped(self, change: Any) -> SymbolicOrder:
+    def _map(self, change: Any) -> SymbolicOrder:
         force, couple = (
             SymbolResultant(change(r.positive), change(r.negative)) for r in (self.force, self.couple)
         )
