@@ -24,7 +24,7 @@ from symbalance.codegen.expression_ir import Kernel
 from symbalance.codegen.rounding import Grid
 from symbalance.text.reals import Real, pi
 
-ARGUMENT = 7.0
+ARGUMENT_ERROR = 7.0
 """What m errs at most, in u of itself: the reduction, s r/2, the sine, its square."""
 
 
@@ -113,4 +113,4 @@ def reinsch_rounding(row: Sequence[float], psi: Grid, kind: str = "T") -> Grid:
     if kind == "U":
         total = total * 2 + np.abs(np.sin(near) * b) * 4
     slope = sum(k * a * (np.sin(k * psi) if kind == "T" else np.cos(k * psi)) for k, a in enumerate(row))
-    return total + np.abs(m * b) + ARGUMENT * np.tan(near / 2) * np.abs(slope)
+    return total + np.abs(m * b) + ARGUMENT_ERROR * np.tan(near / 2) * np.abs(slope)

@@ -56,7 +56,7 @@ def checked_limits(
     most: object,
     per_throw: bool,
 ) -> Limits:
-    """Return limits as they are asked for, or refuse what cannot be one."""
+    """Return limits from what a user gives, or refuse what cannot be one."""
     if spread not in SPREADS:
         rule = f"must be one of {', '.join(SPREADS)}"
         raise SymbalanceError(f"spread = {shown(spread)}", rule, "ends takes the fewest weights")

@@ -3,7 +3,7 @@ r"""Selection of the orders that get a balance shaft where there are too few sha
 Orders do not disturb each other, and twice the mean square of a vector over a turn is the sum over orders
 of v |C_v|^2 + l |C_l|^2 (vertical and lateral amplitudes, weighted). With a = c_n and b = c_-n that is
 (v + l)(|a|^2 + |b|^2) + 2 (v - l) Re(a b), the vertical amplitude being |conj(a) + b|. A device at +n
-chooses a freely, one at -n b; the best beside the other part left as it is, is -(v - l)/(v + l) of its
+chooses a freely, one at -n b; the best beside the other part unchanged is -(v - l)/(v + l) of its
 conjugate, and leaves 4 v l/(v + l) of its square. Force and couple (over a length) each count so, times
 A_n^2. Where the weights there may be cannot have every force and couple (one station, a bound on their
 size), what they miss counts too. The choice is then a knapsack over orders with at most four
@@ -30,7 +30,7 @@ cannot have every force and couple."""
 
 
 def parts_of(result: Balance, orders: Sequence[int]) -> dict[int, Pair]:
-    """Return force and couple of the signed orders that are there, of the orders asked for.
+    """Return force and couple of the signed orders that are there, of the orders in question.
 
     >>> from symbalance.engine.catalogue import load
     >>> from symbalance.forces.resultants import balance

@@ -10,7 +10,8 @@ A turn of the pin (throw) has dw = i w, one of the own axis dw = -i w, a longer 
 pin is moved by its master, W = pin + L e^(i (bank + psi - phi)) with dW = dpin + i (W - pin)(dbank
 - dphi), of bank, phi and dphi of the master. Then c_n changes by n^2 times the Fourier coefficient of dy,
 times m and e^(i bank), and by i c_n where the axis itself turns. All of that is summed over the cylinders
-that a size moves: of a master's, its own and those hung on it. The pin is the master's, so is its throw.
+that a size moves: of a master's, its own and those attached to it. The pin is the master's, and so is
+its throw.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ Pair = tuple[Complex, Complex]
 
 
 def attached_cylinders(layout: Engine) -> dict[int, list[Cylinder]]:
-    """Return the cylinders hung on each master, by its number."""
+    """Return the cylinders attached to each master, by its number."""
     coefficients: dict[int, list[Cylinder]] = {}
     for cylinder in layout.cylinders:
         if cylinder.link:
@@ -120,7 +121,7 @@ def _grid(mechanism: Mechanism, order: int) -> tuple[int, int]:
     needed = order + nepers / half if half else float("inf")
     if needed > MOST_POINTS:
         what = f"length = {float(mechanism.length):.12g}"
-        rule = "lets the rod lie across so nearly that its slopes are not found"
+        rule = "lets the rod lie across so nearly that its derivatives are not computed"
         raise SymbalanceError(what, rule, "lengthen the rod, or ask for fewer orders")
     return 1 << ceil(needed).bit_length(), ceil(nepers / log(2)) + 48
 

@@ -57,9 +57,9 @@ def sensitivities(
 
     `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
     "rotating" (default: all but the last). Orders that cancel in the engine as drawn are among them.
-    A master's angles and lengths move the cylinders hung on it too: its derivatives are of all of them. A
-    link rod has neither throw nor stroke of its own, they are its master's. Counterweights, shafts and
-    rotating masses, those on link pins too, stay where they are: a size moves pistons and rods alone.
+    A master's angles and lengths move the cylinders attached to it too: its derivatives are of all of
+    them. A link rod has neither throw nor stroke of its own, they are its master's. Counterweights, shafts
+    and rotating masses, those on link pins too, stay where they are: a size moves pistons and rods alone.
 
     >>> from symbalance.engine.builders import inline
     >>> changes = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
@@ -69,7 +69,7 @@ def sensitivities(
     names = _checked_parameters(parameters)
     plane = None if reference is None else exact(reference, "reference")
     by_order = contributions(layout, order, plane)
-    lengths = _slopes(layout, order) if set(names) & set(LENGTHS) else {}
+    lengths = _length_derivatives(layout, order) if set(names) & set(LENGTHS) else {}
     pins = [link_pin_force(c.mechanism, order) for c in layout.cylinders] if "rotating" in names else []
     changes = [*articulated_sensitivities(layout, by_order, order, names)]
     for n in range(1, order + 1):
@@ -93,8 +93,8 @@ def _checked_parameters(parameters: object) -> tuple[str, ...]:
     return names
 
 
-def _slopes(layout: Engine, order: int) -> dict[int, dict[int, LengthDerivatives]]:
-    """Return, by cylinder, the slopes of those that hang on no other and bear no other."""
+def _length_derivatives(layout: Engine, order: int) -> dict[int, dict[int, LengthDerivatives]]:
+    """Return, by cylinder, the derivatives by lengths, but of masters and link rods."""
     masters, by_cylinder = attached_cylinders(layout), {}
     for cylinder in layout.cylinders:
         mechanism = mechanism_to(layout, cylinder, order)
@@ -113,7 +113,7 @@ def _of_order(
     """Yield what one parameter, not "rotating", changes in one order, but for masters and link rods."""
     if n not in by_order and name not in LENGTHS:
         return
-    # An order that no cylinder has may still have slopes: an offset brings the odd ones.
+    # An order that no cylinder has may still have derivatives by lengths: an offset brings the odd ones.
     rows, masters = by_order.get(n) or [_absent(s, n) for s in by_order[1]], attached_cylinders(layout)
     for cylinder, contribution in zip(layout.cylinders, rows, strict=True):
         if name in MOVING and (cylinder.link or cylinder.number in masters):

@@ -56,11 +56,11 @@ def length_derivatives(
     >>> [nstr(x.real, 8) for x in length_derivatives(SliderCrank(4), 2)[2][:3]]
     ['0.25402504', '0.51634683', '-0.065580447']
     """
-    return dict(_slopes(mechanism, order, digits))
+    return dict(_rows(mechanism, order, digits))
 
 
 @lru_cache(maxsize=256)
-def _slopes(mechanism: SliderCrank, order: int, digits: int) -> tuple[tuple[int, LengthDerivatives], ...]:
+def _rows(mechanism: SliderCrank, order: int, digits: int) -> tuple[tuple[int, LengthDerivatives], ...]:
     forces = force_harmonics(mechanism, order, digits)
     changes = _means(mechanism, range(1, order + 1), digits)
     rows = []
@@ -106,7 +106,7 @@ def _points(mechanism: SliderCrank, order: int, digits: int) -> tuple[int, int]:
     if needed > MOST_POINTS:
         what, rule = (
             f"ratio = {lam:.12g}",
-            "lets the rod lie across so nearly that its slopes are not found",
+            "lets the rod lie across so nearly that its derivatives are not computed",
         )
         raise SymbalanceError(what, rule, "lengthen the rod, or ask for fewer orders")
     return ceil(needed), digits + GUARD + ceil(mechanism.strip * order / log(10)) + 12
