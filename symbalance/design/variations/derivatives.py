@@ -58,8 +58,9 @@ def sensitivities(
     `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
     "rotating" (default: all but the last). Orders that cancel in the engine as drawn are among them.
     A master's angles and lengths move the cylinders attached to it too: its derivatives are of all of
-    them. A link rod has neither throw nor stroke of its own, they are its master's. Counterweights, shafts
-    and rotating masses, those on link pins too, stay where they are: a size moves pistons and rods alone.
+    them. A link rod has neither throw nor stroke of its own, they are its master's. Counterweights,
+    shafts and rotating masses, those on link pins too, stay where they are: a size moves pistons and rods
+    alone.
 
     >>> from symbalance.engine.builders import inline
     >>> changes = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
