@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.forces.resultants import Balance
+from symbalance.forces.free_forces import Balance
 from symbalance.forces.rows import Row
 from symbalance.forces.shafts import has_shafts_aside, shaft_moment
 

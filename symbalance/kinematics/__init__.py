@@ -5,7 +5,7 @@ lambda, proved bounds on what a truncation leaves out, and the derivation step b
 
     slider_crank            harmonics of the centred slider-crank
     mechanisms              offset axes, link rods, the rod's own inertia;  pistons: in floating point
-    truncation              bounds on the orders left out;  truncation_bounds: as a table
+    truncation              bounds on the orders left out;  truncation_table: as a table
     inertia, rod, kinetic   the torque's harmonics, closed and for any mechanism
     bodies                  what moves with a mechanism: piston, rod, link rod's big end
     coefficients            A_n, t_n, u_n, k_n, which like cylinders have in common
