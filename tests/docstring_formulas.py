@@ -39,8 +39,8 @@ from symbalance.checking import check
 from symbalance.document.formula import Equation
 from symbalance.document.latex_writer import formula_latex
 from symbalance.document.text_writer import formula_text
-from symbalance.kinematics.inertia import torque_series
-from symbalance.kinematics.rod import rocking_couple_series, rod_torque_series
+from symbalance.kinematics.piston_torque import torque_series
+from symbalance.kinematics.rod_torque import rocking_couple_series, rod_torque_series
 from symbalance.kinematics.series_printing import series_formula
 from symbalance.kinematics.slider_crank import Series, acceleration_series, harmonics, rod_angle_series
 from symbalance.notes.checking.verdicts import (

@@ -41,7 +41,7 @@ from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.balance_data import balance_data
 from symbalance.forces.resultants import balance
 from symbalance.kinematics.derivation import derive
-from symbalance.kinematics.derivation.bounds import printed_error
+from symbalance.kinematics.derivation.remainder_step import printed_error
 from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics
 from symbalance.kinematics.truncation import left_out
 from symbalance.text.numbers import exact

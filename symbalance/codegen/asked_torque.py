@@ -14,11 +14,11 @@ from symbalance.codegen.asked import shown_terms, upward
 from symbalance.codegen.waves import RODS, TORQUE, TORQUE_ITSELF, TORQUE_PER_RADIUS, Term, Wave
 from symbalance.errors import SymbalanceError
 from symbalance.forces.resultants import Balance
-from symbalance.kinematics.inertia import torque_left_out
+from symbalance.kinematics.piston_torque import torque_left_out
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.reals import DIGITS, Real, fsum, ldexp
 from symbalance.torque import CrankTorque, TorqueBalance, inertia_torque, rod_torque, roll_moment
-from symbalance.torque.groups import has_common_torque
+from symbalance.torque.body_groups import has_common_torque
 from symbalance.torque.roll import MILLI, first_excess
 
 MANY_ORDERS = 96

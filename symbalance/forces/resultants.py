@@ -22,7 +22,7 @@ from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import Component, Spectrum
-from symbalance.forces.planar_vectors import planar_vectors
+from symbalance.forces.force_sums import planar_vectors
 from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import exact
@@ -151,8 +151,9 @@ class Balance(Result):
         for one in self.orders:
             if one.order == order:
                 return one
-        kept = ", ".join(str(o.order) for o in self.orders) or "none"
-        raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
+        present = ", ".join(str(o.order) for o in self.orders) or "none"
+        why = f"it cancels or lies above {self.highest} (left: {present})"
+        raise KeyError(f"order {order} is absent: {why}")
 
     def coefficient(self, order: int) -> Series | None:
         """Return A_order as a series in 1/lambda, through `power` or two terms; None if not apart."""
@@ -225,11 +226,11 @@ def _with_power(result: Balance, power: int | None) -> Balance:
         return result
     checked_power(power)
     orders = sorted({*result.force.orders(), *result.couple.orders()})
-    lost = [n for n in orders if n - 1 > power]
-    if lost:
+    empty = [n for n in orders if n - 1 > power]
+    if empty:
         raise SymbalanceError(
             f"power = {power}",
-            f"keeps no term of order {lost[-1]}",
-            f"the least power of 1/lambda that keeps every order here is {lost[-1] - 1}",
+            f"keeps no term of order {empty[-1]}",
+            f"the least power of 1/lambda that keeps every order here is {empty[-1] - 1}",
         )
     return replace(result, power=power)

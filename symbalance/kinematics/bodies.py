@@ -17,7 +17,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from symbalance.kinematics.kinetic import (
+from symbalance.kinematics.mechanism_torque import (
     beside_harmonics,
     inertia_harmonics,
     link_pin_harmonics,
@@ -116,7 +116,7 @@ def bodies(mechanism: Mechanism) -> tuple[Body, ...]:
     >>> [body.measure for body in bodies(LinkRod(SliderCrank(4), "1/9", "3/4", "13/4", "1/9"))]
     ['reciprocating mass', 'J_x', 'rotating mass']
     """
-    both: tuple[Body, ...] = (PistonMass(mechanism), RodInertia(mechanism))
+    piston_and_rod: tuple[Body, ...] = (PistonMass(mechanism), RodInertia(mechanism))
     if has_link_pin(mechanism):
-        return (*both, LinkPinMass(mechanism))
-    return both
+        return (*piston_and_rod, LinkPinMass(mechanism))
+    return piston_and_rod

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.kinematics.inertia import default_power as torque_power
-from symbalance.kinematics.inertia import torque_series, torque_values
-from symbalance.kinematics.rod import (
+from symbalance.kinematics.piston_torque import default_power as torque_power
+from symbalance.kinematics.piston_torque import torque_series, torque_values
+from symbalance.kinematics.rod_torque import (
     rocking_couple_series,
     rocking_couple_values,
     rod_torque_series,

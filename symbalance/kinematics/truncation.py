@@ -81,8 +81,8 @@ def _rest(first: int, ratio: Fraction, quantity: str) -> Real:
     digits = 30
     while True:
         values = acceleration_values(first - 1, ratio, digits)
-        kept = fsum(abs(values[n]) * w for n, w in weights.items())
-        rest = _sum_of_all(quantity, ratio, digits) - kept
+        included = fsum(abs(values[n]) * w for n, w in weights.items())
+        rest = _sum_of_all(quantity, ratio, digits) - included
         if rest > Fraction(1, 10 ** (digits - 10)):
             return rest * ROUNDING
         digits *= 2
@@ -117,8 +117,8 @@ def _rod_angle_left_out(first: int, ratio: Fraction) -> Real:
 def _rod_angle_rest(first: int, ratio: Fraction) -> Real:
     digits = 30
     while True:
-        kept = fsum(abs(rod_angle_value(n, ratio, digits)) for n in range(1, first, 2))
-        rest = asin(1 / ratio, digits) - kept
+        included = fsum(abs(rod_angle_value(n, ratio, digits)) for n in range(1, first, 2))
+        rest = asin(1 / ratio, digits) - included
         if rest > Fraction(1, 10 ** (digits - 10)):
             return rest * ROUNDING
         digits *= 2

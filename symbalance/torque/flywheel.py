@@ -54,7 +54,7 @@ class Fluctuation:
         return value
 
 
-def extremes(function: Callable[[float], float], cycle: float) -> tuple[float, float]:
+def least_and_largest(function: Callable[[float], float], cycle: float) -> tuple[float, float]:
     """Return the least and the largest value over a cycle: the best of a grid, then a golden section.
 
     >>> from math import sin
@@ -65,20 +65,20 @@ def extremes(function: Callable[[float], float], cycle: float) -> tuple[float, f
     values = [function(i * step) for i in range(POINTS)]
     least = min(range(POINTS), key=values.__getitem__)
     largest = max(range(POINTS), key=values.__getitem__)
-    low = -_narrowed(lambda a: -function(a), least * step, step)
-    high = _narrowed(function, largest * step, step)
+    low = -_golden_section(lambda a: -function(a), least * step, step)
+    high = _golden_section(function, largest * step, step)
     return min(low, values[least]), max(high, values[largest])
 
 
-def _narrowed(function: Callable[[float], float], place: float, step: float) -> float:
+def _golden_section(function: Callable[[float], float], place: float, step: float) -> float:
     """Return the largest value within a step of a place."""
     low, high = place - step, place + step
     for _ in range(_FINE):
-        left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-        if function(left) < function(right):
-            low = left
+        lower, upper = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+        if function(lower) < function(upper):
+            low = lower
         else:
-            high = right
+            high = upper
     return function((low + high) / 2)
 
 

@@ -162,8 +162,8 @@ def from_rows(rows: list[Point], cycle: int, name: str = "the trace") -> Pressur
         _check_step(place, before, after)
     rows = _closed(rows, cycle)
     _check_top(rows, cycle)
-    turned = ((angle % cycle, bar) for _, angle, bar in rows)
-    points = sorted((angle if angle < cycle else 0.0, bar) for angle, bar in turned)
+    wrapped = ((angle % cycle, bar) for _, angle, bar in rows)
+    points = sorted((angle if angle < cycle else 0.0, bar) for angle, bar in wrapped)
     return PressureTrace(tuple(a for a, _ in points), tuple(bar for _, bar in points), cycle // 180)
 
 

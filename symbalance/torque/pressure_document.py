@@ -5,7 +5,7 @@ from __future__ import annotations
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, Power, Product, Upright, equal
 from symbalance.document.nodes import Column, Document, Facts, Table, Words
-from symbalance.torque.ideal import IdealCycle
+from symbalance.torque.ideal_cycles import IdealCycle
 from symbalance.torque.pressure import PressureTrace
 
 ROWS = 24

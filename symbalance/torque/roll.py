@@ -24,12 +24,12 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
-from symbalance.forces.shafts import shaft_moment, shaft_terms
+from symbalance.forces.shaft_moments import shaft_moment, shaft_terms
 from symbalance.kinematics.bodies import EXCESS
 from symbalance.kinematics.coefficients import OF_RODS, ROCKING, RODS, Kinematics
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.reals import DIGITS, Complex
-from symbalance.torque.groups import has_common_torque, summed_moment, summed_torque, torque_groups
+from symbalance.torque.body_groups import has_common_torque, torque_groups, total_moment, total_torque
 from symbalance.torque.inertia_balance import (
     TorqueBalance,
     checked_layout,
@@ -81,7 +81,7 @@ def beside_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> T
     """
     layout = _at_ratio(layout, order, ratio)
     groups = [] if has_common_torque(layout) else torque_groups(layout)
-    moments = summed_moment(groups, order)
+    moments = total_moment(groups, order)
     return TorqueBalance(layout, order, moments, kinematics=None, quantity=BESIDE_MOMENT)
 
 
@@ -227,8 +227,8 @@ def _of_rods(layout: Engine, order: int, ratio: object, kinematics: Kinematics) 
     if unit and has_common_torque(layout) and {*excesses(layout)} == {unit}:
         components = {n: c for n, c in sine_components(layout, order).items() if n % 2 == couple}
     elif unit:
-        own, summed = None, summed_moment if couple else summed_torque
-        total = summed(torque_groups(layout, [EXCESS]), order)
+        own, total_of = None, total_moment if couple else total_torque
+        total = total_of(torque_groups(layout, [EXCESS]), order)
         components = {n: Component(c.number.scaled(1 / unit)) for n, c in total.items()}
     quantity = ROD_COUPLE if couple else ROD_TORQUE
     return TorqueBalance(layout, order, components, kinematics=own, unit=OF_RODS, quantity=quantity)

@@ -9,7 +9,7 @@ from symbalance.forces.balance_data import component_values
 from symbalance.text.numbers import decimal_text
 from symbalance.torque.inertia_balance import TorqueBalance
 from symbalance.torque.roll import TorqueReport
-from symbalance.torque.stars import FiringStars
+from symbalance.torque.star_diagrams import FiringStars
 
 DIGITS = 20
 

@@ -23,7 +23,7 @@ from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, SliderCrank
-from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.mechanisms.mechanism_types import simplified
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 
 FLAT = 1e-14
@@ -136,7 +136,7 @@ def boxes(layout: Engine, own: Relative, order: int, reference: object = None) -
     parts = []
     kinds: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}
     for cylinder, size, arm in cylinders:
-        key = (plain(mechanism_to(layout, cylinder, order)), _radius(layout, cylinder))
+        key = (simplified(mechanism_to(layout, cylinder, order)), _radius(layout, cylinder))
         if key not in kinds:
             kinds[key] = list(_corners(key[0], key[1], own, order))
         parts.append((cylinder, (size, arm), kinds[key], _own_mass(layout, cylinder, own)))

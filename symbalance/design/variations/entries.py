@@ -8,7 +8,7 @@ from typing import Any
 
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
-from symbalance.exact.symbol_sums import Polynomial, polynomial
+from symbalance.exact.symbolic_polynomials import Polynomial, polynomial
 from symbalance.text.numbers import listed
 
 LONGEST_PREFIX = 20

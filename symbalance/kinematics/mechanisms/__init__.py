@@ -22,8 +22,14 @@ symmetries make zero is left out, or is an exact 0:
   link rod with 2 chi whole: then y has order 1 and even ones, phi has odd ones.
 """
 
+from symbalance.kinematics.mechanisms.dead_centre_angles import (
+    DeadCentres,
+    dead_centres,
+    exact_dead_centres,
+)
+from symbalance.kinematics.mechanisms.force_bounds import force_tail
 from symbalance.kinematics.mechanisms.fourier import force_harmonics, harmonics_of, rod_angle_harmonics
-from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank, has_link_pin
+from symbalance.kinematics.mechanisms.mechanism_types import LinkRod, Mechanism, SliderCrank, has_link_pin
 from symbalance.kinematics.mechanisms.motion import Motion, height, height_motion, rod_angle, rod_motion
 from symbalance.kinematics.mechanisms.offset_powers import (
     OffsetPowers,
@@ -32,9 +38,7 @@ from symbalance.kinematics.mechanisms.offset_powers import (
     offset_left_out,
     offset_series,
 )
-from symbalance.kinematics.mechanisms.rod import RodSplit, rocking_series, side_thrust
-from symbalance.kinematics.mechanisms.strokes import DeadCentres, dead_centres, exact_dead_centres
-from symbalance.kinematics.mechanisms.tails import force_tail
+from symbalance.kinematics.mechanisms.rod_masses import RodSplit, rocking_series, side_thrust
 
 __all__ = [
     "DeadCentres",

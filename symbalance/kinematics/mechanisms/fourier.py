@@ -21,12 +21,12 @@ from functools import lru_cache
 from math import ceil, log
 
 from symbalance.errors import SymbalanceError
-from symbalance.kinematics.mechanisms.linkages import (
+from symbalance.kinematics.mechanisms.mechanism_types import (
     LinkRod,
     Mechanism,
     alternates,
     depends_on_sine,
-    plain,
+    simplified,
 )
 from symbalance.kinematics.mechanisms.motion import height, rod_angle
 from symbalance.kinematics.slider_crank import checked_order
@@ -58,7 +58,7 @@ def harmonics_of(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int
     2 (0.032564602 + 0.0j)
     3 (0.0 + 0.00054119972j)
     """
-    return dict(_harmonics(plain(mechanism), *_checked(order, digits), "height"))
+    return dict(_harmonics(simplified(mechanism), *_checked(order, digits), "height"))
 
 
 def force_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, tuple[Real, Real]]:
@@ -87,7 +87,7 @@ def rod_angle_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> d
     >>> {n: nstr(c, 8) for n, c in rod_angle_harmonics(SliderCrank(4), 4).items()}
     {1: '(0.0 - 0.12600023j)', 3: '(0.0 + 0.00033743188j)'}
     """
-    return dict(_harmonics(plain(mechanism), *_checked(order, digits), "rod-angle"))
+    return dict(_harmonics(simplified(mechanism), *_checked(order, digits), "rod-angle"))
 
 
 def series_of(mechanism: Mechanism, order: int, digits: int, quantity: str) -> dict[int, Complex]:
@@ -95,7 +95,7 @@ def series_of(mechanism: Mechanism, order: int, digits: int, quantity: str) -> d
 
     For products of series, whose factors are needed beyond the order of the product.
     """
-    return dict(_harmonics(plain(mechanism), order, digits, quantity))
+    return dict(_harmonics(simplified(mechanism), order, digits, quantity))
 
 
 def _checked(order: int, digits: int) -> tuple[int, int]:
@@ -173,12 +173,12 @@ def _sums(
         return samples, [0]
     even = _sums(samples[::2], cosines[::2], sines[::2], bits)
     odd = _sums(samples[1::2], cosines[::2], sines[::2], bits)
-    turned = [
+    rotated = [
         ((c * x + s * y) >> bits, (c * y - s * x) >> bits)
         for c, s, x, y in zip(cosines, sines, *odd, strict=True)
     ]
-    real = [x + t for x, (t, _) in zip(even[0], turned, strict=True)]
-    imaginary = [y + t for y, (_, t) in zip(even[1], turned, strict=True)]
-    real += [x - t for x, (t, _) in zip(even[0], turned, strict=True)]
-    imaginary += [y - t for y, (_, t) in zip(even[1], turned, strict=True)]
+    real = [x + t for x, (t, _) in zip(even[0], rotated, strict=True)]
+    imaginary = [y + t for y, (_, t) in zip(even[1], rotated, strict=True)]
+    real += [x - t for x, (t, _) in zip(even[0], rotated, strict=True)]
+    imaginary += [y - t for y, (_, t) in zip(even[1], rotated, strict=True)]
     return real, imaginary

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Generic, NamedTuple, TypeVar
 
-from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank
+from symbalance.kinematics.mechanisms.mechanism_types import LinkRod, Mechanism, SliderCrank
 from symbalance.text.reals import Complex, Exact, Real, asin, expj, expjpi, pi, sqrt
 
 Number = TypeVar("Number", Real, Complex)
@@ -80,7 +80,7 @@ def _cosine(sine: Real) -> Real:
 
 def _arm(link: LinkRod, digits: int) -> Complex:
     """Return L e^(i chi)."""
-    return expjpi(2 * link.lead, digits) * link.link_radius
+    return expjpi(2 * link.pin_direction, digits) * link.link_radius
 
 
 def _master_angle(link: LinkRod, p: Real) -> Real:

@@ -26,7 +26,7 @@ from math import comb
 from typing import TYPE_CHECKING, NamedTuple
 
 from symbalance.document.symbols import symbol
-from symbalance.kinematics.mechanisms.linkages import SliderCrank
+from symbalance.kinematics.mechanisms.mechanism_types import SliderCrank
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.numbers import checked_whole
 
@@ -99,11 +99,11 @@ def offset_series(order: int, through: int) -> OffsetSeries:
         for i in range(n, 2 * m + 1, 2):
             spread = Fraction(2 * comb(2 * m, i) * comb(i, (i - n) // 2), 2**i)
             terms[i - 1, 2 * m - i] = n * n * (-1) ** ((n + 1) // 2) * root * spread
-    found = OffsetPowers(terms, through)
+    powers = OffsetPowers(terms, through)
     if n % 2 == 0:
-        return OffsetSeries(found, OffsetPowers({}, through, complete=True))
+        return OffsetSeries(powers, OffsetPowers({}, through, complete=True))
     first = {(0, 0): Fraction(1)} if n == 1 else {}
-    return OffsetSeries(OffsetPowers(first, through, complete=True), found)
+    return OffsetSeries(OffsetPowers(first, through, complete=True), powers)
 
 
 def offset_left_out(order: int, through: int, mechanism: SliderCrank) -> Fraction:

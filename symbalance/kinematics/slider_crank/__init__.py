@@ -39,16 +39,7 @@ which converges like q^2: well before rho nears 1 and far beyond where powers of
 Source: expanded afresh; the classical expansion is in Biezeno and Grammel, Technische Dynamik, ch. XI.
 """
 
-from symbalance.kinematics.slider_crank.exact import (
-    acceleration_value,
-    acceleration_values,
-    exact_coefficient,
-    rho_root_q,
-    rod_angle_value,
-    root_mean,
-)
-from symbalance.kinematics.slider_crank.floats import acceleration_floats
-from symbalance.kinematics.slider_crank.limits import (
+from symbalance.kinematics.slider_crank.arguments import (
     HIGHEST_ORDER,
     HIGHEST_POWER,
     QUANTITIES,
@@ -58,7 +49,16 @@ from symbalance.kinematics.slider_crank.limits import (
     checked_ratio,
     surviving,
 )
-from symbalance.kinematics.slider_crank.powers import (
+from symbalance.kinematics.slider_crank.closed_forms import (
+    acceleration_value,
+    acceleration_values,
+    exact_coefficient,
+    rho_root_q,
+    rod_angle_value,
+    root_mean,
+)
+from symbalance.kinematics.slider_crank.floats import acceleration_floats
+from symbalance.kinematics.slider_crank.power_series import (
     Harmonics,
     acceleration_integers,
     acceleration_series,

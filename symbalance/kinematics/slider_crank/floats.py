@@ -25,7 +25,7 @@ from itertools import count
 from math import acosh, isqrt, ldexp, log, log2
 
 from symbalance.errors import SymbalanceError, shown, written
-from symbalance.kinematics.slider_crank.limits import HIGHEST_ORDER, checked_order
+from symbalance.kinematics.slider_crank.arguments import HIGHEST_ORDER, checked_order
 
 _BITS = 80
 """Fraction bits of the tables and of the way down; 60 would do without 500 roundings and their growth."""
@@ -80,11 +80,11 @@ def _octaves(over: int, under: int) -> float:
 @cache
 def _binomials() -> list[int]:
     """Return |C(1/2, k)| = Catalan(k-1) / 2^(2k-1), k = 0, 1, ..., with `_BITS` fraction bits."""
-    found, catalan = [1 << _BITS], 1
+    values, catalan = [1 << _BITS], 1
     for k in range(1, HIGHEST_ORDER):
-        found.append((catalan << _BITS + 1) >> 2 * k)
+        values.append((catalan << _BITS + 1) >> 2 * k)
         catalan = catalan * (4 * k - 2) // (k + 1)
-    return found
+    return values
 
 
 @cache
@@ -130,21 +130,21 @@ def _downward(half: int, over: int, under: int, octaves: float) -> dict[int, flo
     too: together 500 * 2^-78/(1 - x) < 2^-66, as extra <= 8 + K/3 keeps 1 - x above 1/5.
     """
     exponent, extra = int(octaves / 2), int(_START / octaves)
-    square, left = under * under, over * over - under * under
-    lift = max(0, _BITS - left.bit_length() // 2)
-    root, crank = (over << lift) + isqrt(left << 2 * lift), under << lift
-    growth = _quotient(4 * left + 2 * square, square, _BITS - exponent)
+    square, rest = under * under, over * over - under * under
+    lift = max(0, _BITS - rest.bit_length() // 2)
+    root, crank = (over << lift) + isqrt(rest << 2 * lift), under << lift
+    growth = _quotient(4 * rest + 2 * square, square, _BITS - exponent)
     q = _quotient(crank * crank, root * root, _BITS + exponent)
     *places, last = _descent(growth, q, 2 * exponent, _weights()[half + extra : 0 : -1])
     mean = _mean(q * q >> _BITS + 2 * exponent, extra)
     bits = last.bit_length() - exponent // 2
     scale = _quotient(mean * root, last * crank, bits)
-    found, powers = {1: 1.0}, count(-bits - 2 * _BITS - exponent, -exponent)
+    values, powers = {1: 1.0}, count(-bits - 2 * _BITS - exponent, -exponent)
     for n, shape, place, power in zip(
         range(2, 2 * half + 1, 2), _shapes(), places[::-1], powers, strict=False
     ):
-        found[n] = ldexp(shape * place * scale, power)
-    return found
+        values[n] = ldexp(shape * place * scale, power)
+    return values
 
 
 def _descent(growth: int, q: int, twice: int, weights: list[int]) -> list[int]:
@@ -176,11 +176,11 @@ def _upward(half: int, over: int, under: int, octaves: float) -> dict[int, float
     bits = 68 + int(octaves * half) + 3 * half.bit_length()
     here, above = _first_two(over, under, bits)
     growth = (4 * over * over - 2 * under * under << bits) // (under * under)
-    found, power = {1: 1.0}, -bits - _BITS
+    values, power = {1: 1.0}, -bits - _BITS
     for n, shape, (rise, fall) in zip(range(2, 2 * half + 1, 2), _shapes(), _rises(), strict=False):
-        found[n] = ldexp(shape * above, power)
+        values[n] = ldexp(shape * above, power)
         here, above = above, ((growth * above >> bits) - here) * rise // fall
-    return found
+    return values
 
 
 def _first_two(over: int, under: int, bits: int) -> tuple[int, int]:
@@ -190,8 +190,8 @@ def _first_two(over: int, under: int, bits: int) -> tuple[int, int]:
     complete elliptic integrals K = pi l/(2 M) and E = K S/l^2. The rod l gets as many bits more as
     sqrt(l^2 - r^2), and S, which is about l^2/log(4/k'), have leading zeros.
     """
-    square, left = over * over, over * over - under * under
-    deep = (square.bit_length() - left.bit_length()) // 2 + 1
+    square, rest = over * over, over * over - under * under
+    deep = (square.bit_length() - rest.bit_length()) // 2 + 1
     lift = max(0, bits + deep + 2 * deep.bit_length() + 8 - over.bit_length())
     rod, crank = over << lift, under << lift
     mean, rest = _elliptic(rod, crank)

@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.kinematics.inertia import torque_series, torque_values
 from symbalance.kinematics.mechanisms import rocking_series
+from symbalance.kinematics.piston_torque import torque_series, torque_values
 from symbalance.kinematics.slider_crank import Series, checked_order, rod_angle_value
 from symbalance.text.reals import Real
 

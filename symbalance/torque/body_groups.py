@@ -22,7 +22,7 @@ from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.kinematics.bodies import EXCESS, RECIPROCATING, ROTATING, Body, bodies
 from symbalance.text.reals import Complex
-from symbalance.torque.stars import summed
+from symbalance.torque.star_diagrams import unit_vector_sum
 
 MASSES = (RECIPROCATING, ROTATING)
 
@@ -72,17 +72,17 @@ def has_common_torque(layout: Engine) -> bool:
     return layout.has_common_harmonics and {*layout.sizes} == {*layout.radii} == {1}
 
 
-def summed_torque(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
+def total_torque(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
     """Return the orders of the groups' torque on the crank that do not vanish: n -> C + iS."""
-    return _summed([(group, group.body.torque(order)) for group in groups])
+    return _total([(group, group.body.torque(order)) for group in groups])
 
 
-def summed_moment(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
+def total_moment(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
     """Return the same of what the frame gets besides the torque's opposite."""
-    return _summed([(group, group.body.moment(order)) for group in groups])
+    return _total([(group, group.body.moment(order)) for group in groups])
 
 
-def _summed(parts: Sequence[tuple[TorqueGroup, Mapping[int, Complex]]]) -> dict[int, Component]:
+def _total(parts: Sequence[tuple[TorqueGroup, Mapping[int, Complex]]]) -> dict[int, Component]:
     """Return the sum of the groups' harmonics times their stars, to 40 digits."""
     total: dict[int, DecimalPhasor] = {}
     for group, harmonics in parts:
@@ -96,5 +96,5 @@ def _summed(parts: Sequence[tuple[TorqueGroup, Mapping[int, Complex]]]) -> dict[
 
 def star_number(cylinders: tuple[Cylinder, ...], n: int) -> Complex:
     """Return the sum of e^(-i n delta_j), an exact 0 where it vanishes."""
-    star = summed([c.delay.scaled(-n) for c in cylinders])
+    star = unit_vector_sum([c.delay.scaled(-n) for c in cylinders])
     return Complex(0) if star.is_zero() else star.evaluated()

@@ -79,7 +79,7 @@ class LinkRod:
     and `length` the link rod's own length, over r; `bank_difference`, in turns, is this cylinder's axis
     minus the master's; `offset` is this cylinder's own, over r. All are held exactly.
 
-    >>> LinkRod(SliderCrank(4), "1/9", "3/4", "13/4", "1/9").lead
+    >>> LinkRod(SliderCrank(4), "1/9", "3/4", "13/4", "1/9").pin_direction
     Fraction(0, 1)
     """
 
@@ -113,11 +113,11 @@ class LinkRod:
 
     @property
     def is_centred(self) -> bool:
-        """Never: even a fork-and-blade rod is told apart, and `plain` says what it is."""
+        """Never: even a fork-and-blade rod is told apart, and `simplified` says what it is."""
         return False
 
     @property
-    def lead(self) -> Fraction:
+    def pin_direction(self) -> Fraction:
         """The angle chi = link angle - bank difference in turns, from 0 up to 1."""
         return (self.link_angle - self.bank_difference) % 1
 
@@ -144,10 +144,10 @@ def has_link_pin(mechanism: Mechanism | None) -> TypeGuard[LinkRod]:
     return isinstance(mechanism, LinkRod) and mechanism.link_radius != 0
 
 
-def plain(mechanism: Mechanism) -> Mechanism:
+def simplified(mechanism: Mechanism) -> Mechanism:
     """Return the slider-crank that a fork-and-blade rod is, and anything else as it stands.
 
-    >>> plain(LinkRod(SliderCrank(4), 0, 0, 3, "1/6"))
+    >>> simplified(LinkRod(SliderCrank(4), 0, 0, 3, "1/6"))
     SliderCrank(ratio=Fraction(3, 1), offset=Fraction(0, 1))
     """
     if isinstance(mechanism, LinkRod) and not has_link_pin(mechanism):
@@ -165,7 +165,7 @@ def alternates(mechanism: Mechanism) -> bool:
     if isinstance(mechanism, SliderCrank):
         return mechanism.offset == 0
     centred = mechanism.offset == 0 and mechanism.master.offset == 0
-    return centred and mechanism.lead % Fraction(1, 2) == 0
+    return centred and mechanism.pin_direction % Fraction(1, 2) == 0
 
 
 def _area_cosine(above: float) -> float:
@@ -176,6 +176,6 @@ def _area_cosine(above: float) -> float:
 def _link_reach(rod: LinkRod, c: float) -> float:
     """Return a bound on l |sin phi| for |Im p| <= acosh c."""
     slant = (c + float(abs(rod.master.offset))) / float(rod.master.ratio)
-    chi = 2 * pi * float(rod.lead)
-    swing = abs(sin(chi)) * sqrt(1 + slant * slant) + abs(cos(chi)) * slant
-    return c + float(rod.link_radius) * swing + float(abs(rod.offset))
+    chi = 2 * pi * float(rod.pin_direction)
+    reach = abs(sin(chi)) * sqrt(1 + slant * slant) + abs(cos(chi)) * slant
+    return c + float(rod.link_radius) * reach + float(abs(rod.offset))

@@ -13,7 +13,7 @@ known harmonics first and bounds only those far out, where all of it is nothing.
 
 from __future__ import annotations
 
-from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, plain
+from symbalance.kinematics.mechanisms.mechanism_types import LinkRod, Mechanism, simplified
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.reals import Real, exp, sqrt
 
@@ -30,12 +30,12 @@ def force_tail(mechanism: Mechanism, order: int) -> Real:
     >>> offset = SliderCrank(4, "1/2")
     >>> nstr(force_tail(offset, 12), 3)
     '3.12e-8'
-    >>> found = force_harmonics(offset, 40)
-    >>> nstr(fsum(hypot(*found[n]) for n in found if n > 12), 3)
+    >>> forces = force_harmonics(offset, 40)
+    >>> nstr(fsum(hypot(*forces[n]) for n in forces if n > 12), 3)
     '1.73e-10'
     """
     checked_order(order)
-    mechanism = plain(mechanism)
+    mechanism = simplified(mechanism)
     first = order + 1
     size = sqrt(2, 30) * mechanism.length
     if isinstance(mechanism, LinkRod):

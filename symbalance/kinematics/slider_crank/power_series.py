@@ -10,7 +10,7 @@ from math import comb
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
-from symbalance.kinematics.slider_crank.limits import checked_order, checked_power, checked_quantity
+from symbalance.kinematics.slider_crank.arguments import checked_order, checked_power, checked_quantity
 from symbalance.kinematics.slider_crank.series import Series
 
 if TYPE_CHECKING:
@@ -121,13 +121,13 @@ def harmonics(quantity: str, order: int, through: int | None = None) -> Harmonic
     if through is not None:
         checked_power(through, "through")
     if quantity == "rod-angle":
-        kept = order if through is None else through
-        odd = {n: rod_angle_series(n, kept) for n in range(1, order + 1, 2)}
-        return Harmonics(quantity, "sin", Series({}, kept, complete=True), odd)
-    kept = order - 1 if through is None else through
+        power = order if through is None else through
+        odd = {n: rod_angle_series(n, power) for n in range(1, order + 1, 2)}
+        return Harmonics(quantity, "sin", Series({}, power, complete=True), odd)
+    power = order - 1 if through is None else through
     orders = [1, *range(2, order + 1, 2)]
-    rows = {n: acceleration_series(n, kept).scaled(integrated(quantity, n)) for n in orders}
-    constant = _rest_position(kept) if quantity == "displacement" else Series({}, kept, complete=True)
+    rows = {n: acceleration_series(n, power).scaled(integrated(quantity, n)) for n in orders}
+    constant = _rest_position(power) if quantity == "displacement" else Series({}, power, complete=True)
     return Harmonics(quantity, "sin" if quantity == "velocity" else "cos", constant, rows)
 
 

@@ -117,9 +117,9 @@ def _rod_rates(order: int, rho: Real, root: Real, q: Real) -> dict[int, Real]:
     """
     top = order // 2 + 1
     values = [_laplace(k, root, q) for k in (top, top - 1)]
-    both = q + 1 / q
+    middle = q + 1 / q
     for k in range(top - 1, 0, -1):
-        values.append(-(k * both * values[-1] + (k + 0.5) * values[-2]) / (k - 0.5))
+        values.append(-(k * middle * values[-1] + (k + 0.5) * values[-2]) / (k - 0.5))
     values.reverse()
     return {2 * i + 1: rho * (values[i] + values[i + 1]) / 2 for i in range(top)}
 

@@ -17,7 +17,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from symbalance.kinematics.mechanisms.linkages import Mechanism, SliderCrank, plain
+from symbalance.kinematics.mechanisms.mechanism_types import Mechanism, SliderCrank, simplified
 from symbalance.kinematics.mechanisms.motion import height, height_motion
 from symbalance.text.reals import DIGITS, Real, asin, nint, pi, sqrt
 
@@ -76,7 +76,7 @@ def dead_centres(mechanism: Mechanism, digits: int = DIGITS) -> DeadCentres:
     >>> nstr(dead_centres(SliderCrank(4, 1)).stroke, 12)
     '2.07055236082'
     """
-    mechanism = plain(mechanism)
+    mechanism = simplified(mechanism)
     if isinstance(mechanism, SliderCrank):
         lam, eps = (Real(x, digits) for x in (mechanism.ratio, mechanism.offset))
         return _lined_up(lam, eps, sqrt, asin, pi(digits))
@@ -111,13 +111,13 @@ def _turning_points(mechanism: Mechanism, digits: int) -> list[Real]:
 
     angles = [FIRST_LOOK + 2 * pi(digits + GUARD) * i / LOOKS for i in range(LOOKS + 1)]
     slopes = [slope(p) for p in angles[:-1]]
-    found = []
+    roots = []
     for (start, before), (end, after) in pairwise(zip(angles, [*slopes, slopes[0]], strict=True)):
         if before == 0:
-            found.append(start)
+            roots.append(start)
         elif before * after < 0:
-            found.append(_root(slope, start, end, before, after).rounded(digits))
-    return found
+            roots.append(_root(slope, start, end, before, after).rounded(digits))
+    return roots
 
 
 def _root(slope: Callable[[Real], Real], start: Real, end: Real, before: Real, after: Real) -> Real:
@@ -129,12 +129,12 @@ def _root(slope: Callable[[Real], Real], start: Real, end: Real, before: Real, a
     least = Fraction(1, 10 ** (end.digits - GUARD + 2))
     while True:
         place = end - after * (end - start) / (after - before)
-        here = slope(place)
-        if here == 0 or abs(place - end) < least:
+        value = slope(place)
+        if value == 0 or abs(place - end) < least:
             return place
-        if here * after < 0:
+        if value * after < 0:
             start, before = end, after
         else:
-            kept = 1 - here / after
-            before *= kept if kept > 0 else Fraction(1, 2)
-        end, after = place, here
+            share = 1 - value / after
+            before *= share if share > 0 else Fraction(1, 2)
+        end, after = place, value

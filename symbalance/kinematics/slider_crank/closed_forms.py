@@ -7,7 +7,7 @@ from math import comb
 from typing import TYPE_CHECKING
 
 from symbalance.document.symbols import symbol
-from symbalance.kinematics.slider_crank.limits import checked_order
+from symbalance.kinematics.slider_crank.arguments import checked_order
 from symbalance.text.reals import DIGITS, Real, ellipe, hyp2f1, pi, sqrt
 
 if TYPE_CHECKING:
@@ -64,10 +64,10 @@ def acceleration_values(order: int, ratio: Fraction, digits: int = 20) -> dict[i
     top = order // 2
     values = {n: acceleration_value(n, ratio, digits) for n in (1, 2 * top - 2, 2 * top) if n > 0}
     *_, q = rho_root_q(ratio, digits + 10)
-    both = (1 + q * q) / q
+    middle = (1 + q * q) / q
     for k in range(top - 1, 1, -1):
         above, here = values[2 * k + 2] / (k + 1) ** 2, values[2 * k] / k**2
-        below = -(both * k * here + (k + 1.5) * above) / (k - 1.5)
+        below = -(middle * k * here + (k + 1.5) * above) / (k - 1.5)
         values[2 * k - 2] = below * (k - 1) ** 2
     return dict(sorted(values.items()))
 

@@ -145,8 +145,8 @@ def _spectra_of(
     for mass in masses:
         forces = mass.body.force(order)
         for total, weight in zip(totals, by_number, strict=True):
-            own = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
-            sums = _exact_sums(mass.cylinders, layout.modulus, range(1, order + 1), own)
+            factors = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
+            sums = _exact_sums(mass.cylinders, layout.modulus, range(1, order + 1), factors)
             for n, phasor in sums.items():
                 if n in forces:
                     part = DecimalPhasor(phasor.evaluated() * forces[n])
@@ -199,7 +199,7 @@ def _exact_sums(
         for signed in (n, -n):
             residue = signed % modulus
             if residue not in by_residue:
-                total = Phasor.of(modulus, _summed(rows, residue, modulus))
+                total = Phasor.of(modulus, _exponent_sums(rows, residue, modulus))
                 by_residue[residue] = ZERO if total.is_zero() else total.scaled(Fraction(1, denominator))
             if by_residue[residue] is not ZERO:
                 terms[signed] = by_residue[residue]
@@ -210,7 +210,7 @@ def _units(turns: Fraction, modulus: int) -> int:
     return turns.numerator * (modulus // turns.denominator)
 
 
-def _summed(rows: Iterable[tuple[int, int, int]], n: int, modulus: int) -> dict[int, int]:
+def _exponent_sums(rows: Iterable[tuple[int, int, int]], n: int, modulus: int) -> dict[int, int]:
     total: dict[int, int] = {}
     for bank, delay, weight in rows:
         exponent = (bank + n * delay) % modulus
@@ -226,9 +226,9 @@ def _with_symbols(
         for signed in (n, -n):
             total = SymbolicPhasor({})
             for cylinder, weight in zip(cylinders, weights, strict=True):
-                turned = cylinder.bank + cylinder.delay.scaled(signed)
-                part: SymbolPart = turned.symbols
-                phasor = Phasor.root(turned.turns).scaled(weight)
+                rotated = cylinder.bank + cylinder.delay.scaled(signed)
+                part: SymbolPart = rotated.symbols
+                phasor = Phasor.root(rotated.turns).scaled(weight)
                 total = total + SymbolicPhasor.of({part: phasor})
             terms[signed] = total
     return Spectrum.of(terms)

@@ -23,7 +23,7 @@ from fractions import Fraction
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms.fourier import rod_angle_harmonics
-from symbalance.kinematics.mechanisms.linkages import Mechanism
+from symbalance.kinematics.mechanisms.mechanism_types import Mechanism
 from symbalance.kinematics.mechanisms.motion import rod_motion
 from symbalance.kinematics.slider_crank import Series, rod_angle_series
 from symbalance.text.numbers import exact
