@@ -27,6 +27,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
+import unicodedata
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -58,8 +59,6 @@ PACKAGE = Path(symbalance.__file__).parent
 PROVED, UNDECIDED, UNREAD = "proved", "undecided", "unread"
 STATUSES = (PROVED, DEFINITION, REFUTED, UNDECIDED, UNREAD)
 NOT_MARKED = "not marked as a formula"
-EVERY_POWER = "all powers written"
-"""What the checker says of two sides that agree through every power of a series."""
 POWER = 15
 """Through which power of r/l the library's series are put in; more terms only cost time."""
 
@@ -252,10 +251,16 @@ def judge(block: Block) -> list[Entry]:
         checked = check(_document((*before, *nearly)), symbols)
         closed = [_entry(text, checked, 2 * k + 1) for k, text in enumerate((*before, *block.formulas))]
         entries = [
-            new if old.status == REFUTED and new.reason == f"through {EVERY_POWER}" else old
+            new if old.status == REFUTED and _is_through_all(new.reason) else old
             for old, new in zip(entries, closed, strict=True)
         ]
     return entries[len(first) :]
+
+
+def _is_through_all(reason: str) -> bool:
+    """Tell whether two sides agree through every power that the library's series were put in with."""
+    power = unicodedata.normalize("NFKC", reason.split(",")[0]).removeprefix("through ρ")
+    return reason.startswith("through all powers") or (power.isdigit() and int(power) >= POWER - 1)
 
 
 def _document(formulas: tuple[str, ...]) -> str:

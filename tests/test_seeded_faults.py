@@ -142,12 +142,12 @@ def test_a_digit_in_the_thirtieth_place(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def _with_rows(monkeypatch: pytest.MonkeyPatch, change: Callable[[int, int, int], tuple]) -> None:
-    sound = force_sums._summed
+    sound = force_sums._exponent_sums
 
     def faulty(rows: Any, n: int, modulus: int) -> dict[int, int]:
         return sound([change(*row) for row in rows], n, modulus)
 
-    monkeypatch.setattr(force_sums, "_summed", faulty)
+    monkeypatch.setattr(force_sums, "_exponent_sums", faulty)
 
 
 def test_a_bank_on_the_wrong_side(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -185,13 +185,13 @@ def test_a_rewriting_rule_with_a_wrong_shift(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_a_rewriting_rule_with_a_wrong_sign(monkeypatch: pytest.MonkeyPatch) -> None:
-    sound = phasor._Powers.__missing__
+    sound = phasor._ReductionTable.__missing__
 
     def faulty(self: Any, exponent: int) -> tuple:
         self[exponent] = tuple((place, 1) for place, _ in sound(self, exponent))
         return self[exponent]
 
-    monkeypatch.setattr(phasor._Powers, "__missing__", faulty)
+    monkeypatch.setattr(phasor._ReductionTable, "__missing__", faulty)
     assert_seen(compare_seven)
 
 

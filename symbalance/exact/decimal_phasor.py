@@ -1,4 +1,4 @@
-"""A complex number to 40 digits, where the engine's sizes leave nothing exact to hold.
+"""Amplitudes in decimals of 40 digits, for engines whose sizes have no exact harmonics.
 
 The one rule for its zero: a sum that is 10^-25 of its parts, or less, is 0, and so is a real or imaginary
 part of that size beside the other. The reason for 25: engine files hold numbers of 30 digits, so that

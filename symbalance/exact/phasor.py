@@ -1,6 +1,6 @@
-"""Exact amplitudes: numbers of a cyclotomic field, in normal form.
+"""Exact amplitudes: numbers of a cyclotomic field in a normal form that decides whether they are zero.
 
-Every angle of a layout is a fraction of a turn, so every sum over its cylinders is a rational
+Every angle of an engine is a fraction of a turn, so every sum over its cylinders is a rational
 combination of powers of one root of unity, zeta = e^(2 pi i/m). All linear relations between those
 powers follow from
 
@@ -10,6 +10,15 @@ powers follow from
 at p is p-1, they leave a basis of the field: two numbers are equal exactly when their reduced terms
 are, and a number is zero exactly when no term is left. Nothing is simplified, and nothing is guessed.
 The terms stay sparse, so a modulus of millions (angles typed as decimals) costs no more than a small one.
+
+For p = 2, 3, 5 and 7:
+
+Formulas:
+    1 + e^(i pi) = 0
+    1 + z + z^2 = 0
+    1 + y + y^2 + y^3 + y^4 = 0
+    cos(2 pi/7) + cos(4 pi/7) + cos(6 pi/7) = -1/2
+    with z = e^(2 i pi/3); y = e^(2 i pi/5)
 """
 
 from __future__ import annotations
@@ -78,7 +87,7 @@ def _steps(modulus: int) -> tuple[tuple[int, int, int, int], ...]:
 
 
 class _ReductionTable(dict[int, tuple[tuple[int, int], ...]]):
-    """The powers of one zeta_m on the basis, as (exponent, sign) pairs, each found when first asked."""
+    """The powers of one zeta_m on the basis, as (exponent, sign) pairs, each computed on first use."""
 
     def __init__(self, modulus: int) -> None:
         super().__init__()

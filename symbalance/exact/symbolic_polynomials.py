@@ -1,6 +1,6 @@
-"""Sums with symbols left in: monomials, each with an exact coefficient.
+"""Polynomials in symbols with exact coefficients, whose zero is decided term by term.
 
-A `Polynomial` maps a monomial to a rational, a `SymbolSum` maps one to a number of the layout's field
+A `Polynomial` maps a monomial to a rational, a `SymbolSum` maps one to a number of the engine's field
 (a `SymbolicPhasor`, for a bank angle may be a symbol too). Monomials in independent symbols, powers of
 either sign, are linearly independent over the complex numbers, also beside exponentials of symbols: a sum
 is zero for all values exactly when no term is left. Nothing is simplified to know that.

@@ -1,4 +1,4 @@
-"""What is written of a balance: the free force and couple by order, then what its letters mean."""
+"""A balance as a document: the free force and couple by order, then what its letters mean."""
 
 from __future__ import annotations
 

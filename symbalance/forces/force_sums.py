@@ -1,4 +1,4 @@
-r"""The planar force and couple of an engine: sums over its cylinders, and what turns beside them.
+"""Free force and couple of an engine: exact sums over its cylinders, and over what rotates beside them.
 
 A mass that moves with a cylinder's mechanism pushes with h_n e^(inp) for every n of either sign
 (`symbalance.kinematics.bodies`), p = theta + throw - bank, in the cylinder's frame.
@@ -10,6 +10,13 @@ mass over that and w a weight (1 for the force, the lever arm for the couple),
 The inner sum is geometry, a number of a cyclotomic field: where it vanishes the order is gone, exactly.
 Where there is one group of centred cylinders, h_n = A_n/2 for both signs stands apart: components are the
 geometry itself, whatever lambda is, and angles may hold symbols. Else c_n is a number of 40 digits.
+
+A cylinder's force along its axis is half a vector that turns with the crank and half one that turns
+against it; b is the bank angle and d the delay throw - bank:
+
+Formulas:
+    cos n (theta + d) e^(i b) = (1/2) (e^(i (b + n d)) e^(i n theta) + e^(i (b - n d)) e^(-i n theta))
+    with n a whole number; b, d angles
 """
 
 from __future__ import annotations

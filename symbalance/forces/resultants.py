@@ -1,4 +1,4 @@
-r"""Free forces and couples of a layout, order by order, exactly.
+"""Free forces and couples of an engine, order by order: the result that `balance` returns.
 
 A cylinder pushes along its axis with F = A_n m r omega^2 cos n(theta + throw - bank). Its planar vector,
 vertical + i lateral, is that times e^(i bank); summed over all cylinders,
@@ -8,6 +8,13 @@ vertical + i lateral, is that times e^(i bank); summed over all cylinders,
 w_j = 1 for the force (unit F_n = A_n m r omega^2) and the station for the couple (unit F_n a, about the
 reference plane): the vertical couple is positive when the front is pushed up, the lateral when right.
 These sums are geometry alone; A_n is the kinematics of one cylinder; tables print the two apart.
+
+Per cylinder, with bank angle b and delay d = throw - bank:
+
+Formulas:
+    cos n (theta + d) = cos n d cos n theta - sin n d sin n theta
+    cos n (theta + d) e^(i b) = cos n (theta + d) cos b + i cos n (theta + d) sin b
+    with n a whole number; b, d angles
 """
 
 from __future__ import annotations
@@ -34,7 +41,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Resultant:
-    """One order of a force or couple, seen as components; units F_n, or F_n a."""
+    """One order of a force or couple with its components; units F_n, or F_n a."""
 
     spectrum: Spectrum
     order: int
@@ -84,7 +91,12 @@ class Balance(Result):
 
     `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
     says what A_n is where components are geometry, in units of A_n m r omega^2; it is None where they
-    hold the kinematics too, to 40 digits, in units of m r omega^2 of cylinder 1.
+    hold the kinematics too, to 40 digits, in units of m r omega^2 of cylinder 1. Of an in-line four:
+
+    Formulas:
+        cos a + cos(a + pi) + cos(a + 3 pi) + cos(a + 2 pi) = 0
+        cos 2 a + cos 2 (a + pi) + cos 2 (a + 3 pi) + cos 2 (a + 2 pi) = 4 cos 2 a
+        with a an angle
 
     >>> from symbalance.engine.builders import inline
     >>> left = balance(inline("1-2-4-5-3"), order=4)
@@ -183,6 +195,13 @@ def balance(
 
     `ratio` overrides the layout's rod ratio lambda = l/r, `power` keeps that many powers of 1/lambda in
     the printed series, `reference` is the station couples are taken about (default: the stations' mean).
+
+    The vertical and lateral force of a 90-degree V-twin on one pin, over m r omega^2 A_1: it turns with the
+    crank, and a counterweight balances it.
+
+    Formulas:
+        cos(theta - pi/4) cos(pi/4) + cos(theta + pi/4) cos(-pi/4) = cos theta
+        cos(theta - pi/4) sin(pi/4) + cos(theta + pi/4) sin(-pi/4) = sin theta
     """
     order = checked_order(order)
     if not isinstance(layout, Engine):

@@ -1,4 +1,4 @@
-"""The rows of a table of free forces and couples: one component of one order each."""
+"""Rows of a table of free forces, couples and roll moments: one component of one order each."""
 
 from __future__ import annotations
 

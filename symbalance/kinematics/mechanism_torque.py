@@ -1,4 +1,4 @@
-r"""What a kinetic energy gives back, for any mechanism: harmonics of products of its series.
+"""Inertia torque of any mechanism: harmonics of the power that its moving masses take from the crank.
 
 At constant omega a mass m whose place along a line is f(p), or a moment of inertia whose angle it is,
 takes the power of its kinetic energy from the crank. With f = sum of c_n e^(inp), c_-n = conj(c_n),
@@ -9,6 +9,12 @@ takes the power of its kinetic energy from the crank. With f = sum of c_n e^(inp
 In the strip |Im p| <= a of the mechanism |c_k| <= M e^(-a |k|), so that stopping at k = `order` + K
 leaves out less than e^(-a (n + 2K)) of the largest: K is chosen to bring that below 10^-digits.
 Centred slider-cranks have closed forms, which are taken instead.
+
+Of one harmonic alone, f = A cos p, that is
+
+Formulas:
+    -(1/2) dW/dtheta = -(A^2/2) sin 2 theta
+    with W = (A sin theta)^2; A a number
 """
 
 from __future__ import annotations
@@ -35,6 +41,7 @@ from symbalance.text.reals import Complex, Real, csum, digits_of, fixed, ldexp
 GUARD = 12.0
 """Nepers for what the bounds' constants and the sums over k may add."""
 LEAST_STRIP = 1e-9
+"""A narrower strip would ask for more terms than there are; so near to lying across `fourier` refuses."""
 
 
 def inertia_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Complex]:

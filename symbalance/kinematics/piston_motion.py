@@ -1,8 +1,8 @@
-"""One piston in floating point, from its own top dead centre: way, speed, acceleration, the rod's swing.
+"""One piston in floating point: displacement, velocity and acceleration from its own top dead centre.
 
 Angles `a` are the crank's, in radians after the piston's own top dead centre, which an offset axis or a
-link rod moves away from p = 0 of `mechanisms`. Way and stroke are over r, velocities over r omega,
-towards the crank.
+link rod moves away from p = 0 of `mechanisms`. Displacement and stroke are over r, velocities over
+r omega, towards the crank.
 """
 
 from __future__ import annotations
@@ -21,13 +21,22 @@ VISIBLE = 40
 
 
 def velocity(angle: float, crank: float) -> float:
-    """Return v/(r omega) of a centred piston at an angle after top dead centre, for lambda = `crank`."""
+    """Return v/(r omega) of a centred piston at an angle after top dead centre, for lambda = `crank`.
+
+    Formulas:
+        v/(r omega) = sin theta (1 + cos theta/sqrt(lambda^2 - sin^2 theta))
+    """
     sine, cosine = sin(angle), cos(angle)
     return sine * (1 + cosine / sqrt((crank - sine) * (crank + sine)))
 
 
 def acceleration(angle: float, crank: float) -> float:
-    """Return a/(r omega^2), the velocity's derivative, at an angle after top dead centre."""
+    """Return a/(r omega^2), the velocity's derivative, at an angle after top dead centre.
+
+    Formulas:
+        a/(r omega^2) = cos theta + (w^2 cos 2 theta + (sin theta cos theta)^2)/w^3
+        with w = sqrt(lambda^2 - sin^2 theta)
+    """
     sine, cosine = sin(angle), cos(angle)
     square = (crank - sine) * (crank + sine)
     return cosine + ((cosine - sine) * (cosine + sine) * square + (sine * cosine) ** 2) / square**1.5
@@ -35,7 +44,7 @@ def acceleration(angle: float, crank: float) -> float:
 
 @dataclass(frozen=True)
 class Piston:
-    """A mechanism's piston.
+    """The piston of a mechanism, from its own top dead centre.
 
     >>> vr6 = Piston(SliderCrank("3.4", "0.3"))
     >>> round(vr6.stroke, 6), round(vr6.down * 180 / pi, 3), round(vr6.velocity(1.0), 6)
@@ -63,16 +72,22 @@ class Piston:
 
     @cached_property
     def down(self) -> float:
-        """The crank angle the way down takes, in radians."""
+        """The crank angle that the downward stroke takes, in radians."""
         return pi if self._centred else float(self._centres.down)
 
     @cached_property
     def stroke(self) -> float:
-        """The way between the dead centres."""
+        """The distance between the dead centres, over r."""
         return 2.0 if self._centred else float(self._centres.stroke)
 
     def displacement(self, a: float) -> float:
-        """Return the way from top dead centre."""
+        """Return the displacement from top dead centre, over r.
+
+        Of a centred piston:
+
+        Formulas:
+            x/r = 2 sin^2(theta/2) + lambda - sqrt(lambda^2 - sin^2 theta)
+        """
         if self._centred:
             return 2 * sin(a / 2) ** 2 + self._centred - sqrt(self._centred**2 - sin(a) ** 2)
         return float(self._centres.highest) - self._motion(a)[0]

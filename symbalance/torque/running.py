@@ -110,7 +110,7 @@ class CrankTorque(Result):
     highest: int = HIGHEST
     delta: float = DELTA
 
-    group: ClassVar[str] = "running-torque"
+    kind: ClassVar[str] = "running-torque"
 
     def summary(self) -> str:
         """Return the mean torque, its extremes and the power, in one line."""
@@ -139,7 +139,7 @@ class CrankTorque(Result):
             "cylinders": [
                 {
                     "number": cylinder.number,
-                    "top_degrees": own.top * 180 / pi,
+                    "top_degrees": own.firing_angle * 180 / pi,
                     "stroke_mm": 2 * MILLI * own.radius,
                     "reciprocating_mass_kg": own.mass,
                     "rod_excess_kg_m2": own.excess,

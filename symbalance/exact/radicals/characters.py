@@ -1,4 +1,4 @@
-"""Radicals, from the parts a number has under the characters of its field's Galois group."""
+"""Radicals of a real cyclotomic number, from its parts under the characters of the Galois group."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cosines and sines, as few as the vanishing sums of roots of unity allow."""
+"""Short sums of cosines or sines for a real cyclotomic number, by vanishing sums of roots of unity."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Square roots with their square factors taken out."""
+"""Square roots of exact numbers with their square factors taken out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is written of a derivation: its steps, each a heading, paragraphs and displayed equations."""
+"""A derivation as a document: each step a heading, paragraphs and displayed equations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,13 @@
-"""The steps of a derivation from the geometry to the collected and differentiated harmonics."""
+"""The steps of a derivation that expand the geometry in powers of sin theta, then in multiple angles.
+
+Formulas:
+    x = r (1 - cos theta) + l (1 - cos phi)
+    cos phi = sqrt(1 - rho^2 sin^2 theta)
+    sqrt(1 - X) = 1 - X/2 - X^2/8 - X^3/16 - ...
+    sin^4 theta = (3 - 4 cos 2 theta + cos 4 theta)/8
+    sin^5 theta = (10 sin theta - 5 sin 3 theta + sin 5 theta)/16
+    with X a number
+"""
 
 from __future__ import annotations
 

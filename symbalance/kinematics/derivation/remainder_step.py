@@ -1,4 +1,15 @@
-r"""The last step of a derivation: the general term, the exact form, and what is left out."""
+"""The last step of a derivation: the general term, the exact form, and what is left out, in figures.
+
+The coefficients printed lack terms of their own sign only, so that the printed formula differs from
+the exact quantity by at most
+
+    sum over the harmonics printed of (|exact| - |printed|), and the harmonics left out.
+
+All harmonics add up at a quarter turn, where the exact quantity is known; of the rod angle:
+
+Formulas:
+    asin rho = R_1 - R_3 + R_5 - R_7 + R_9 - R_11 + R_13 - R_15 + ...
+"""
 
 from __future__ import annotations
 
@@ -164,7 +175,9 @@ def _bound_piston(request: Request, coefficient: Subscript) -> Parts:
         return words, Equation(error, (("≤", tail),))
     adding_up = _adding_up(coefficient, K, cos(2 * K * THETA))
     whole = (MEAN - KAPPA) / RHO if request.quantity == "displacement" else RHO / sqrt(1 - RHO**2)
-    rest = (("=", whole - _kept(K, 1, request.order // 2, coefficient)),) if request.order > 1 else ()
+    if request.order == 1:
+        return adding_up, equal(every, whole), Equation(error, (("≤", tail),))
+    rest = (("=", whole - _sum_of_sizes(K, 1, request.order // 2, coefficient)),)
     return adding_up, equal(every, whole), Equation(error, (("≤", tail), *rest))
 
 
@@ -176,7 +189,7 @@ def _adding_up(coefficient: Subscript, index: Name, function: Formula) -> Paragr
     )  # fmt: skip
 
 
-def _kept(index: Name, first: int, last: int, coefficient: Subscript) -> Formula:
+def _sum_of_sizes(index: Name, first: int, last: int, coefficient: Subscript) -> Formula:
     """Return the sum of the sizes of the coefficients that are kept."""
     if first == last:
         return absolute(Subscript(coefficient.base, number(2 if index == K else 1)))
@@ -199,14 +212,14 @@ def _angle(request: Request) -> Parts:
     every = total(INDEX_I, number(0), None, absolute(coefficient))
     first = (request.order + 1) // 2
     tail = total(INDEX_I, number(first), None, absolute(coefficient))
-    last_power = _kept(INDEX_I, 0, first - 1, coefficient)
+    included = _sum_of_sizes(INDEX_I, 0, first - 1, coefficient)
     adding_up = _adding_up(coefficient, INDEX_I, sin(odd * THETA))
     return (
         equal(PHI, total(INDEX_I, number(0), None, coefficient * sin(odd * THETA))),
         Equation(coefficient, (("=", powers), ("=", exact))),
         adding_up,
         equal(every, Call("asin", RHO)),
-        Equation(absolute(_error(PHI)), (("≤", tail), ("=", Call("asin", RHO) - last_power))),
+        Equation(absolute(_error(PHI)), (("≤", tail), ("=", Call("asin", RHO) - included))),
     )
 
 

@@ -1,4 +1,4 @@
-"""What a derivation is about, and the letters it is written with."""
+"""Quantity, order and convention that a derivation is asked for, and the letters it is written with."""
 
 from __future__ import annotations
 

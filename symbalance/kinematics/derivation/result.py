@@ -89,6 +89,12 @@ def derive(
 
     `power` keeps powers of 1/lambda to it; it must leave every harmonic at least one term.
 
+    Formulas:
+        sin phi = rho sin theta
+        v = omega dx/dtheta
+        a = omega dv/dtheta
+        F = m a
+
     >>> [step.title for step in derive("displacement", 2).steps][:3]
     ['Geometry', 'The root', 'The root as a series']
     >>> derive("force", 6, power=3)

@@ -1,10 +1,17 @@
-r"""A proved bound on the harmonics of a mechanism's force above an order: offset axes and link rods too.
+"""Proved bound on the harmonics of a mechanism's force above an order, link rods included.
 
-In the strip |Im p| <= a of `linkages` y - cos p is analytic and at most M (`fourier`), so that its
+In the strip |Im p| <= a of `mechanism_types` y - cos p is analytic and at most M (`fourier`), so that its
 coefficients obey |c_n| <= M e^(-a n). With A_n - i B_n = 2 n^2 c_n and x = e^(-a), all orders n >= N >= 2
 together are at most, at whatever crank angle,
 
     sum of |A_n - i B_n| <= 2 M sum of n^2 x^n = 2 M x^N (N^2/(1-x) + 2 N x/(1-x)^2 + x (1+x)/(1-x)^3).
+
+The sum S from N on, with X = x^N, and the sum from N + 1 on differ by the first term alone:
+
+Formulas:
+    S - Q = N^2 X
+    with S = X (N^2/(1 - x) + 2 N x/(1 - x)^2 + x (1 + x)/(1 - x)^3);
+    Q = X x ((N + 1)^2/(1 - x) + 2 (N + 1) x/(1 - x)^2 + x (1 + x)/(1 - x)^3); X, x, N numbers
 
 M e^(-a n) has the true rate e^(-a n) of a slider-crank, whose nearest branch point lies on the strip's
 edge, but not its n^(-3/2): the bound is some 10 n^(3/2) too large. So whoever needs it sharp adds up

@@ -1,6 +1,6 @@
-"""The harmonics of a mechanism to any number of digits, by the trapezoidal rule with a proved error.
+"""Harmonics of a mechanism to any number of digits, by the trapezoidal rule with a proved error.
 
-In the strip |Im p| <= a of `linkages` the function f = y - cos p, or f = phi, is analytic with
+In the strip |Im p| <= a of `mechanism_types` the function f = y - cos p, or f = phi, is analytic with
 |sin phi| <= 1, hence bounded:
 
     |phi| <= pi/2,    |y - cos p| <= sqrt(2) l + sqrt(3) L
@@ -34,6 +34,7 @@ from symbalance.text.numbers import checked_whole
 from symbalance.text.reals import Complex, Real, cos, digits_of, expjpi, fixed, ldexp, pi
 
 MOST_POINTS = 20_000
+"""A rod that lies across so nearly that this is too few is refused: it would take minutes."""
 MOST_DIGITS = 1000
 GUARD = 8.0
 """Nepers between what a coefficient may be wrong by and what the bounds add up to."""
@@ -64,7 +65,10 @@ def harmonics_of(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int
 def force_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, tuple[Real, Real]]:
     """Return n -> (A_n, B_n), n = 1..order: the inertia force A_n cos np + B_n sin np over m r omega^2.
 
-    A_n - i B_n = 2 n^2 c_n of `harmonics_of`, with its errors times that.
+    A_n - i B_n = 2 n^2 c_n of `harmonics_of`, with its errors times that. A centred slider-crank has
+
+    Formulas:
+        F/(m r omega^2) = cos theta + A_2 cos 2 theta + A_4 cos 4 theta + ...
 
     >>> from symbalance.text.reals import nstr
     >>> from symbalance.kinematics.mechanisms import SliderCrank

@@ -1,4 +1,4 @@
-r"""The force of every mass that a mechanism moves: at its piston, and at its link pin.
+"""Harmonics of the force of every mass that a mechanism moves, at its piston and at its link pin.
 
 A mass whose place is w(p) = sum of w_n e^(inp) over r (height + i lateral, in the cylinder's frame)
 pushes with -w'' = sum of n^2 w_n e^(inp), in m r omega^2.
@@ -8,6 +8,11 @@ pushes with -w'' = sum of n^2 w_n e^(inp), in m r omega^2.
 - A link pin stands at w = e^(ip) + L e^(i (chi - phi(p + D))), phi the master rod's angle, lam and eps
   its ratio and offset. With q = p + D, e^(-i phi(q)) = cos phi - i sin phi, where cos phi =
   (y(q) - cos q)/lam of the master's height y, and sin phi = (sin q - eps)/lam: known harmonics.
+
+Formulas:
+    L e^(i (c - b)) = L e^(i c) (cos b - i sin b)
+    -d^2w/dp^2 = n^2 w
+    with w = e^(i n p); p, b, c angles; n a whole number; L positive
 """
 
 from __future__ import annotations

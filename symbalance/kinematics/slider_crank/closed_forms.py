@@ -1,4 +1,12 @@
-"""The harmonics exact in lambda: formulas with 2F1, and their values to any number of digits."""
+"""Harmonics exact in lambda: hypergeometric closed forms, and their values to any number of digits.
+
+Formulas:
+    q = (rho/(1 + k'))^2 = (1 - k')/(1 + k')
+    q + 1/q = 4/rho^2 - 2
+    q + 1/q = 4 lambda^2 - 2
+    1 - q = 2 k'/(1 + k')
+    with k' = sqrt(1 - rho^2); q = (1 - k')/(1 + k')
+"""
 
 from __future__ import annotations
 
@@ -16,6 +24,13 @@ if TYPE_CHECKING:
 
 def exact_coefficient(order: int) -> sympy.Expr:
     """Return A_order exact in rho, as a SymPy expression with a hypergeometric function.
+
+    Its series in powers of rho = r/l begins
+
+    Formulas:
+        A_2 = rho + rho^3/4 + 15 rho^5/128 + ...
+        A_4 = -rho^3/4 - 3 rho^5/16 - ...
+        A_6 = 9 rho^5/128 + ...
 
     >>> exact_coefficient(2).subs(symbol("rho"), 0.25).evalf(12)
     0.254025042307
