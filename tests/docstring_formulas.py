@@ -7,19 +7,24 @@ A docstring marks its formulas by a heading; below it, indented, one formula a l
         with k' = sqrt(1 - rho^2)
 
 A line that begins with a relation or a sign goes on with the one before. Words after four spaces are a
-remark. What stands after "with" says what the letters of the block are, items parted by semicolons: a
-definition (`k' = sqrt(1 - rho^2)`), a role the checker knows (`p the crank angle`), or that a letter is
-free (`x, y numbers`, `n a whole number`, `a, b positive`). The letters in `ROLES` have their role without
-being told; those in `QUANTITIES`, such as A_2, are what the library computes for them, through
-(r/l)^POWER, so that a formula for them holds only if the code agrees with it.
+remark. What stands after "with" says what the letters of the block are, items parted by semicolons:
+
+    k' = sqrt(1 - rho^2)                a definition
+    p the crank angle                   a role that the checker knows
+    x, y numbers; n a whole number      free letters; also: positive, lengths, angles
+    S the force of order 2 of inline-4  of a preset, in F_n: the formula S = ... is held against it
+
+The letters in `ROLES` have their role without being told; those in `QUANTITIES`, such as A_2, are what
+the library computes for them, through (r/l)^POWER: a formula for them holds only if the code agrees.
 
     proved       every relation of the line holds, or holds through the powers that are written (...)
     definition   it only gives a letter its value: nothing to prove, nothing proved
     refuted      a relation is wrong, and the checker has a witness
     undecided    the checker cannot tell
-    unread       the checker's reader does not know the notation, or the equation is not marked as a formula
+    unread       the reader does not know the notation, or the equation is not marked as a formula
 
-`survey()` gives all of them; `python -m tests.docstring_formulas` prints the counts and what is not proved.
+`survey()` gives all of them; `python -m tests.docstring_formulas` prints how many there are of each kind
+and those that are not proved.
 """
 
 from __future__ import annotations
@@ -34,6 +39,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from textwrap import dedent
+from typing import Any
 
 import symbalance
 from symbalance.checking import check
@@ -108,6 +114,7 @@ _EQUATION = re.compile(r"\S ?(?<![<>=!:\w(])= ?\S|\w+\)? = \S|≈")
 _GOES_ON = re.compile(r"^([=≈+]|- )")
 _LETTER = re.compile(r"[^\W\d_]+'*(?:_(?:\d+|[^\W\d_]\b))?'*")
 _INDEXED = re.compile(r"^([A-Za-z])_(\d+)$")
+_OF_AN_ENGINE = re.compile(r"^(?P<role>[a-z.]+) of order (?P<order>\d+) of (?P<engine>[\w-]+)$")
 _KINDS = (
     (re.compile(r"^(?P<letters>.+?) the (?P<role>.+)$"), ""),
     (re.compile(r"^(?P<letters>.+?) (?:an? )?whole numbers?$"), "integer"),
@@ -170,7 +177,8 @@ def _docstrings(node: ast.AST, name: str) -> Iterator[Docstring]:
 def blocks(text: str) -> tuple[list[Block], list[str]]:
     """Return the blocks of formulas of a docstring, and its equations outside of them.
 
-    >>> (block,), rest = blocks("Return y.\\n\\nFormulas:\\n    y = 2 x    for short\\n    with x a number")
+    >>> text = "Return y.\\n\\nFormulas:\\n    y = 2 x    for short\\n    with x a number"
+    >>> (block,), rest = blocks(text)
     >>> block.formulas, block.symbols, rest
     (('y = 2 x',), (('x', 'variable'),), [])
     """
@@ -229,7 +237,7 @@ def _declared(item: str) -> Iterator[tuple[str, str]]:
 def judge(block: Block) -> list[Entry]:
     """Return an entry, with no name yet, for each formula of a block, and for each letter it defines."""
     texts = (*block.definitions, *block.formulas)
-    symbols = dict(block.symbols)
+    symbols: dict[str, Any] = dict(block.symbols)
     defined = {_RELATION.split(text)[0].strip() for text in block.definitions}
     letters = {letter for text in texts for letter in _letters(text)}
     first: list[str] = []
@@ -241,8 +249,22 @@ def judge(block: Block) -> list[Entry]:
             first.append(f"{letter} = {_series_text(indexed[1], int(indexed[2]))}")
             symbols.setdefault("rho", ROLES["rho"])
     symbols |= dict.fromkeys(defined, "variable")
+    engines = {letter: match for letter, text in symbols.items() if (match := _OF_AN_ENGINE.match(text))}
     # What one definition uses is defined after it in prose, and before it in a derivation.
     before = (*first, *reversed(block.definitions))
+    binds = [
+        {
+            "line": 2 * k + 1,
+            "quantity": engines[letter]["role"],
+            "order": int(engines[letter]["order"]),
+            "engine": engines[letter]["engine"],
+            "unit": "F_n",
+        }
+        for k, text in enumerate(block.formulas, len(before))
+        if (letter := _RELATION.split(text)[0].strip()) in engines
+    ]
+    if binds:
+        symbols = {"symbols": symbols | dict.fromkeys(engines, "variable"), "bind": binds}
     checked = check(_document((*before, *block.formulas)), symbols)
     entries = [_entry(text, checked, 2 * k + 1) for k, text in enumerate((*before, *block.formulas))]
     if first and any(entry.status == REFUTED for entry in entries):
@@ -259,7 +281,7 @@ def judge(block: Block) -> list[Entry]:
 
 def _is_through_all(reason: str) -> bool:
     """Tell whether two sides agree through every power that the library's series were put in with."""
-    power = unicodedata.normalize("NFKC", reason.split(",")[0]).removeprefix("through ρ")
+    power = unicodedata.normalize("NFKC", reason.split(",", maxsplit=1)[0]).removeprefix("through ρ")
     return reason.startswith("through all powers") or (power.isdigit() and int(power) >= POWER - 1)
 
 

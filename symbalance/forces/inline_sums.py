@@ -108,13 +108,16 @@ def dirichlet_quotient(count: Count, order: Count, spacing: sympy.Expr) -> sympy
 def inline_sum(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
     """Return the sum of cos n(theta + j h) over N evenly firing cylinders, N and n numbers or symbols.
 
-    Of a three and a six:
+    Of a three, and of presets of five and six:
 
     Formulas:
+        F = 5 cos 5 theta
+        S = 0
         cos theta + cos(theta + h) + cos(theta + 2 h) = 0
         cos 3 theta + cos 3 (theta + h) + cos 3 (theta + 2 h) = 3 cos 3 theta
         1 + z + z^2 + z^3 + z^4 + z^5 = 0
-        with h = 4 pi/3; z = e^(2 i pi/3)
+        with h = 4 pi/3; z = e^(2 i pi/3);
+        F the force of order 5 of inline-5; S the force of order 2 of inline-6
 
     >>> inline_sum(4, 2), inline_sum(5, 4)
     (4*cos(2*theta), 0)
@@ -135,7 +138,7 @@ def inline_couple(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
     Firing order 1-2-...-N; amplitude N/(2 |sin(n h/2)|), zero where u is whole. Of a three, then a four:
 
     Formulas:
-        cos(theta) - cos(theta - 2 h) = sqrt(3) cos(theta + pi/6)
+        cos theta - cos(theta - 2 h) = sqrt(3) cos(theta + pi/6)
         1 - z^2 = 3/(1 - z)
         3/2 + y/2 - y^2/2 - 3 y^3/2 = 4/(1 - y)
         with h = 4 pi/3; z = e^(2 i pi/3); y = e^(i pi)

@@ -91,12 +91,13 @@ class Balance(Result):
 
     `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
     says what A_n is where components are geometry, in units of A_n m r omega^2; it is None where they
-    hold the kinematics too, to 40 digits, in units of m r omega^2 of cylinder 1. Of an in-line four:
+    hold the kinematics too, to 40 digits, in units of m r omega^2 of cylinder 1. Of an in-line four the
+    first order cancels and the second does not, in units of F_1 and F_2:
 
     Formulas:
-        cos a + cos(a + pi) + cos(a + 3 pi) + cos(a + 2 pi) = 0
-        cos 2 a + cos 2 (a + pi) + cos 2 (a + 3 pi) + cos 2 (a + 2 pi) = 4 cos 2 a
-        with a an angle
+        S = 0
+        T = 4 cos 2 theta
+        with S the force of order 1 of inline-4; T the force of order 2 of inline-4
 
     >>> from symbalance.engine.builders import inline
     >>> left = balance(inline("1-2-4-5-3"), order=4)
@@ -196,12 +197,13 @@ def balance(
     `ratio` overrides the layout's rod ratio lambda = l/r, `power` keeps that many powers of 1/lambda in
     the printed series, `reference` is the station couples are taken about (default: the stations' mean).
 
-    The vertical and lateral force of a 90-degree V-twin on one pin, over m r omega^2 A_1: it turns with the
-    crank, and a counterweight balances it.
+    The primary force of a 90-degree V-twin on one pin has the size F_1 and turns with the crank, theta
+    counting from cylinder 1: a counterweight balances it.
 
     Formulas:
-        cos(theta - pi/4) cos(pi/4) + cos(theta + pi/4) cos(-pi/4) = cos theta
-        cos(theta - pi/4) sin(pi/4) + cos(theta + pi/4) sin(-pi/4) = sin theta
+        V = cos(theta - pi/4)
+        H = sin(theta - pi/4)
+        with V the force.vertical of order 1 of v2-90; H the force.lateral of order 1 of v2-90
     """
     order = checked_order(order)
     if not isinstance(layout, Engine):

@@ -31,11 +31,12 @@ def shaft_moment(layout: Engine) -> dict[int, Component]:
     """Return the roll moment of an engine's balance shafts by order, C + iS each, in units F_n r.
 
     F_n = A_n m r omega^2 (m r omega^2 where that is the unit of the balance); positive in the sense of
-    rotation, on the frame. Refused without a stroke, as x and y are in mm. A pair at n times the crank's
-    speed with weights W, one at height h turning forward, the other at -h backward:
+    rotation, on the frame. Refused without a stroke, as x and y are in mm. A vector W e^(i n theta) at
+    height h and one W e^(-i n theta) at -h have the moment
 
     Formulas:
-        h W sin n theta - (-h) W sin n theta = 2 h W sin n theta
+        h W (e^(i n theta) - e^(-i n theta))/(2 i) + (-h) W (e^(-i n theta) - e^(i n theta))/(2 i)
+        = 2 h W sin n theta
         with h, W numbers; n a whole number
 
     >>> from symbalance.engine.balancers import BalanceShaft, Weight

@@ -1,4 +1,4 @@
-r"""Torques of groups of like cylinders: each group's harmonics times the exact star of its cylinders.
+"""Torques of groups of like bodies: each group's harmonics times the exact star of its cylinders.
 
 Cylinder j has C_n cos n p_j + S_n sin n p_j, p_j = theta + delta_j, with z_n = C_n + i S_n of its group:
 the engine has z_n sum of e^(-i n delta_j), the sum over like cylinders decided exactly, so that an order
@@ -7,6 +7,11 @@ that cancels among them is gone. What is left of several groups is a number of 4
 Link rods turn the crank through their master rod. By virtual work that changes nothing: the torque is
 the power of what moves, over omega. Counted are the masses that go along the cylinders
 (`reciprocating_mass`), those on link pins (`rotating_mass` of link rods) and the couples of J_x.
+
+Formulas:
+    C cos n (theta + d) + S sin n (theta + d) = P cos n theta + Q sin n theta
+    (C + i S) e^(-i n d) = P + i Q
+    with P = C cos n d + S sin n d; Q = S cos n d - C sin n d; C, S numbers; n a whole number; d an angle
 """
 
 from __future__ import annotations

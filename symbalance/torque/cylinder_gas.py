@@ -1,4 +1,4 @@
-"""The gas torque of one cylinder: its tangential pressure, work and harmonics.
+"""Gas torque of one cylinder: tangential pressure, work and harmonics.
 
 The gas turns the crank with T = (p - p_ambient) A r v/(r omega), A the piston's area: torque over A r is
 the tangential pressure, in bar. That is virtual work, and true of any mechanism, a link rod's included.
@@ -9,6 +9,10 @@ centred piston A_m/(2i m)), its two-sided series is
 
 p_s from the straight lines between the trace's points exactly: no quadrature. Only the v_m that are below
 a double's last digit are left out.
+
+Formulas:
+    v/(r omega) = sin theta + A_2/2 sin 2 theta + A_4/4 sin 4 theta + ...
+    A_2/(4 i) e^(2 i theta) - A_2/(4 i) e^(-2 i theta) = A_2/2 sin 2 theta
 """
 
 from __future__ import annotations

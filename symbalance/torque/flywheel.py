@@ -1,11 +1,14 @@
-"""How a torque fluctuates over its cycle, and the flywheel that evens the speed.
+"""Fluctuation of a torque over its cycle, and the flywheel that evens the speed.
 
 What a torque T(theta) does beyond its mean is stored in all that turns, of moment of inertia J. Under a
-constant load
+constant load its energy E, the integral of T - mean, swings by dE = max E - min E, and the speed between
+omega_max and omega_min, p and n here, delta = (p - n)/omega of its mean omega = (p + n)/2:
 
-    J (omega_max^2 - omega_min^2)/2 = dE = max E - min E,    E = integral of T - mean,
-    delta = (omega_max - omega_min)/omega,  omega = (omega_max + omega_min)/2:    J = dE/(delta omega^2).
+Formulas:
+    J (p^2 - n^2)/2 = J delta omega^2
+    with delta = (p - n)/omega; omega = (p + n)/2; J, p, n positive
 
+so that J = dE/(delta omega^2).
 Source: Shigley, Mechanical Engineering Design, flywheels (delta is its C_s).
 """
 
@@ -19,6 +22,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.text.measurements import measured, positive
 
 POINTS = 1440
+"""Of the grid on which extremes are sought: two a degree of a four-stroke's cycle."""
 _FINE = 48
 """Steps of the golden section: each narrows the bracket to 0.618 of it."""
 _GOLDEN = (sqrt(5) - 1) / 2
@@ -85,6 +89,10 @@ def _golden_section(function: Callable[[float], float], place: float, step: floa
 def flywheel_inertia(energy: float, omega: float, delta: object) -> float:
     """Return J = dE/(delta omega^2) in kg m^2: `energy` in J, `omega` in rad/s.
 
+    Formulas:
+        J ((omega (1 + delta/2))^2 - (omega (1 - delta/2))^2)/2 = K
+        with J = K/(delta omega^2); K, delta positive
+
     >>> flywheel_inertia(500.0, 100.0, "1/50")
     2.5
     """
@@ -102,6 +110,11 @@ def checked_delta(delta: object, name: str = "delta") -> float:
 
 def speed_fluctuation(energy: float, omega: float, inertia: object) -> float:
     """Return delta = dE/(J omega^2), (omega_max - omega_min)/omega, for J in kg m^2.
+
+    Formulas:
+        (omega (1 + delta/2) - omega (1 - delta/2))/omega = delta
+        J delta omega^2 = K
+        with delta = K/(J omega^2); K, J positive
 
     >>> speed_fluctuation(500.0, 100.0, 2.5)
     0.02

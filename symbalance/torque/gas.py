@@ -1,4 +1,4 @@
-"""The gas torque of a layout: one cylinder's harmonics times the stars of its firing order."""
+"""Gas torque of an engine: one cylinder's harmonics times the star diagrams of its firing order."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GasGroup:
-    """Like cylinders: one's tangential pressure, their firing tops (degrees), r over the first's."""
+    """Like cylinders: one's tangential pressure, their firing angles in degrees, r over cylinder 1's."""
 
     tangential: TangentialPressure
     firing_angles: Mapping[int, Fraction]
@@ -165,7 +165,7 @@ def gas_torque(
     """Return the gas torque of a layout whose cylinders all have one pressure trace, or one ideal cycle.
 
     `ratio` overrides the layout's rod ratio, `ambient` is the pressure below the pistons, bar absolute.
-    An ideal cycle gives every kind of cylinder the trace of its own piston's way.
+    An ideal cycle gives every kind of cylinder the trace of its own piston's displacement.
 
     >>> from symbalance.engine.catalogue import load
     >>> from symbalance.torque.ideal_cycles import ideal_cycle

@@ -1,4 +1,4 @@
-"""What is written of an engine's gas torque, and of the stars that say which of its orders are left."""
+"""Gas torque and firing stars of an engine as documents: which orders survive, and why."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ideal cycle of a spark-ignition or Diesel engine: air as an ideal gas, heat added at dead centre.
+"""Ideal cycles of spark-ignition and Diesel engines: an ideal gas, heated at the top dead centre.
 
 From the firing top dead centre on: heat at constant volume (Otto), then, where a peak pressure limits
 it, at constant pressure (Seiliger's mixed cycle; Diesel's if the peak is the compression's end), then
@@ -9,6 +9,15 @@ With the swept volume V_h and the clearance V_c = V_h/(eps - 1), the heat Q is g
 bar = 100 J per litre): p_3 = p_2 + (gamma - 1) (eps - 1) Q/V_h, p_2 = p_intake eps^gamma.
 Source: Heywood, Internal Combustion Engine Fundamentals, ch. 5 (constant-volume, constant-pressure and
 limited-pressure cycles).
+
+Of heat at constant volume alone, with E the compression ratio, K = E^gamma and pressures p_1 to p_4 before
+and after compression and expansion, the closed work over the heat is the efficiency:
+
+Formulas:
+    p_3 - p_2 = (gamma - 1) (E - 1) Q
+    W/Q = 1 - E/K
+    with W = (p_3 - p_4 E - p_2 + p_1 E)/((gamma - 1) (E - 1)); p_4 = p_3/K;
+    p_3 = p_2 + (gamma - 1) (E - 1) Q; p_2 = p_1 K; gamma, E, p_1, Q, K positive
 """
 
 from __future__ import annotations
@@ -33,6 +42,7 @@ if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
 POINTS = 2880
+"""Every quarter of a degree of a four-stroke: straight lines between add 4e-6 of the work."""
 MOST_POINTS = 100_000
 HIGHEST_COMPRESSION = 100
 MOST_HEAT = 1000
@@ -40,6 +50,7 @@ MOST_HEAT = 1000
 NEAR = 1e-9
 """Degrees within which a point of the grid is a dead centre."""
 HALVINGS = 60
+"""Steps of a bisection: more than a double has bits."""
 
 
 @dataclass(frozen=True, repr=False)

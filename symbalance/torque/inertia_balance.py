@@ -1,4 +1,4 @@
-"""The inertia torque of a layout, order by order, exactly.
+"""Inertia torque of an engine, order by order, exactly.
 
 With delta_j = throw_j - bank_j a cylinder has the torque t_n m r^2 omega^2 sin n(theta + delta_j). Over
 all cylinders that is T_n (C cos n theta + S sin n theta), T_n = t_n m r^2 omega^2,
@@ -11,6 +11,11 @@ order is absent exactly where its geometry is zero.
 
 Where cylinders are not alike (offset axes, link rods, masses and strokes of their own) the components
 hold the kinematics too, to 40 digits, in units of m r^2 omega^2 of cylinder 1 (`groups`).
+
+Formulas:
+    sin n (theta + d) = C cos n theta + S sin n theta
+    C + i S = i e^(-i n d)
+    with C = sin n d; S = cos n d; n a whole number; d an angle
 """
 
 from __future__ import annotations

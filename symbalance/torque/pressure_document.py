@@ -1,4 +1,4 @@
-"""What is written of a cylinder's pressure: a trace against the crank angle, and an ideal cycle."""
+"""Pressure traces and ideal cycles as documents."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""What rolls the frame, and what the rods' own inertia adds to the crank's torque.
+"""Roll moment on the frame, and what the rods' own inertia adds to the torque on the crank.
 
 Let H be the moment of momentum about the crank's axis of all that moves, T the torque the crank gets and
 hands on at its end. The frame has the rest of what changes H:
@@ -11,6 +11,11 @@ A mass on a link pin neither turns steadily nor goes along an axis: its force ac
 What is left of the rod is its couple. T holds, by virtual work, the masses' kinetic energy, the rods'
 (-J_x omega^2 phi' phi'') and the gas, which enters M by T alone: with centred cylinders and rods that are
 two masses M = -T. Balance shafts off the crank's axis add their moment (`shafts`).
+
+Formulas:
+    -D dD/dtheta = u_2 sin 2 theta + u_4 sin 4 theta + ...        the rods, on the crank
+    D = rho cos theta/cos phi
+    with D = dphi/dtheta
 """
 
 from __future__ import annotations

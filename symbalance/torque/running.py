@@ -1,4 +1,4 @@
-"""The torque of a running engine against the crank angle, and what its flywheel makes of it.
+"""Torque of a running engine against the crank angle, its fluctuation and its flywheel.
 
 With v^ = v/(r omega) and the rod's angle phi at each cylinder's own angle,
 
@@ -8,6 +8,10 @@ the inertia part is the closed form, all orders at once. Every cylinder has its 
 radius, and all have one bore. The frame's moment is that of `roll`.
 The mean is the gas's alone: indicated, without friction. The inertia part is that of constant omega, its
 change with the speed's own swing left out: of the size of delta times that part.
+
+Formulas:
+    -w dw/dtheta = t_1 sin theta + t_2 sin 2 theta + t_3 sin 3 theta + t_4 sin 4 theta + ...
+    with w = v/(r omega)
 """
 
 from __future__ import annotations

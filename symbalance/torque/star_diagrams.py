@@ -1,9 +1,17 @@
-"""Star diagrams: the exact sum of one unit vector a cylinder, for every order, half orders included.
+"""Star diagrams: the exact sum of one unit vector for each cylinder, at every order, halves included.
 
 A cylinder that does the same as cylinder 1, but at theta_j, has its order n at the angle n theta_j: drawn
-from one point these vectors are the star of that order, and their sum is all that the layout does to it.
+from one point these vectors are the star of that order, and their sum is all that the engine does to it.
 In a four-stroke the cycle is 720 degrees, so that n = 1/2, 1, 3/2, .... Whether a star closes (sum zero)
 is decided exactly.
+
+The half order and the first one of a four that fires every half turn, and the first of a three:
+
+Formulas:
+    1 + z + z^2 + z^3 = 0
+    1 + y + y^2 + y^3 = 0
+    1 + w + w^2 = 0
+    with z = e^(i pi/2); y = e^(i pi); w = e^(4 i pi/3)
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Torques as plain values for JSON and tables of rows: exact numbers are strings that SymPy reads."""
+"""Torques as plain values for JSON and tables of rows, exact numbers as strings that SymPy reads."""
 
 from __future__ import annotations
 

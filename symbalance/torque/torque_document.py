@@ -1,4 +1,4 @@
-"""What is written of a torque: its orders on crank and frame, exact, then what its letters mean."""
+"""Torques as documents: the orders on crank and frame, exact, then what their letters mean."""
 
 from __future__ import annotations
 
