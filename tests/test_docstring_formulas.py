@@ -74,13 +74,33 @@ def wrong(formula: str) -> str:
     return f"{formula} + 1"
 
 
-@pytest.mark.parametrize("name", sorted({e.name for e in marked_formulas()}))
-def test_a_planted_fault_is_caught(name):
+def undetected(name: str) -> list[str]:
+    """Return the formulas of a docstring that stay proved with a fault in them."""
     (text,) = (d.text for d in docstrings() if d.name == name)
-    for block in blocks(text)[0]:
-        for formula in block.formulas:
-            (entry,) = judge(Block((wrong(formula),), block.definitions, block.symbols))[-1:]
-            assert entry.status != PROVED, entry.text
+    faulty = [
+        judge(Block((wrong(formula),), block.definitions, block.symbols))[-1]
+        for block in blocks(text)[0]
+        for formula in block.formulas
+    ]
+    return [entry.text for entry in faulty if entry.status == PROVED]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "symbalance.kinematics.mechanisms.rod_masses.RodSplit",
+        "symbalance.kinematics.coefficients",
+        "symbalance.forces.resultants.balance",
+        "symbalance.torque.star_diagrams",
+    ],
+)
+def test_a_planted_fault_is_caught(name):
+    assert undetected(name) == []
+
+
+@pytest.mark.slow  # the checker looks for a correction of each: two minutes
+def test_a_planted_fault_is_caught_in_every_formula():
+    assert [f for name in sorted({e.name for e in marked_formulas()}) for f in undetected(name)] == []
 
 
 def test_a_letter_stands_for_what_the_library_computes():

@@ -10,8 +10,8 @@ bar = 100 J per litre): p_3 = p_2 + (gamma - 1) (eps - 1) Q/V_h, p_2 = p_intake 
 Source: Heywood, Internal Combustion Engine Fundamentals, ch. 5 (constant-volume, constant-pressure and
 limited-pressure cycles).
 
-Of heat at constant volume alone, with E the compression ratio, K = E^gamma and pressures p_1 to p_4 before
-and after compression and expansion, the closed work over the heat is the efficiency:
+Of heat at constant volume alone, with E the compression ratio, K = E^gamma, and pressures p_1 to p_4
+before and after compression and expansion, the closed work over the heat is the efficiency:
 
 Formulas:
     p_3 - p_2 = (gamma - 1) (E - 1) Q
