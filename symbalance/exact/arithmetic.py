@@ -1,4 +1,4 @@
-"""Sums of amplitudes of any kind, and ratios of two amplitudes where these are rational."""
+"""Sums of amplitudes of any kind, and the ratio of two where it is rational."""
 
 from __future__ import annotations
 

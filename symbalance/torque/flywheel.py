@@ -62,7 +62,7 @@ def least_and_largest(function: Callable[[float], float], cycle: float) -> tuple
     """Return the least and the largest value over a cycle: the best of a grid, then a golden section.
 
     >>> from math import sin
-    >>> [round(v, 12) for v in extremes(lambda a: sin(a + 0.123), 6.283185307179586)]
+    >>> [round(v, 12) for v in least_and_largest(lambda a: sin(a + 0.123), 6.283185307179586)]
     [-1.0, 1.0]
     """
     step = cycle / POINTS

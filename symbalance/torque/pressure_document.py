@@ -1,4 +1,4 @@
-"""Pressure traces and ideal cycles as documents."""
+"""A pressure trace or an ideal cycle as a document: peak, pressures against the crank angle, work."""
 
 from __future__ import annotations
 

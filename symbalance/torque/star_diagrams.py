@@ -107,7 +107,7 @@ def firing_pin_passings(layout: Engine) -> dict[int, Fraction]:
     Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
     at theta = 0, the one with fires = 0 does within the first turn. In a two-stroke every top dead
     centre fires; in a four-stroke the cylinders' `fires` say which. A cylinder whose dead centre an
-    offset or a link rod moves stands there `tops.lead_of` degrees later.
+    offset or a link rod moves stands there later, by what its dead centre is shifted.
 
     >>> from symbalance.engine.builders import inline
     >>> {n: str(top) for n, top in firing_pin_passings(inline("1-3-4-2")).items()}

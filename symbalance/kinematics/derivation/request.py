@@ -126,7 +126,7 @@ class Request:
     ) -> Formula:
         """Return factor rho^exponent in the letters of the convention, times `of`.
 
-        >>> Setting("force", 6, 5, "l/s").rho_power(3) == 1 / (8 * LAM**3)
+        >>> Request("force", 6, 5, "l/s").rho_power(3) == 1 / (8 * LAM**3)
         True
         """
         letter, direction, scale = CONVENTIONS[self.convention]
