@@ -21,7 +21,6 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-import kinematics
 import numpy as np
 from mpmath import mp
 
@@ -29,7 +28,8 @@ from symbalance.cli import run as command
 from symbalance.codegen import planned_for, to_function
 from symbalance.codegen.plans import Plan
 from symbalance.engine.catalogue import load
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
+from tests import kinematics
 
 U, U32 = 2.0**-53, 2.0**-24
 KEYWORDS = {"mass": 2.0, "radius": 4.0, "omega": 8.0, "pitch": 16.0}

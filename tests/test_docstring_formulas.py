@@ -90,7 +90,7 @@ def undetected(name: str) -> list[str]:
     [
         "symbalance.kinematics.mechanisms.rod_masses.RodSplit",
         "symbalance.kinematics.coefficients",
-        "symbalance.forces.resultants.balance",
+        "symbalance.forces.free_forces.balance",
         "symbalance.torque.star_diagrams",
     ],
 )

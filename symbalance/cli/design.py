@@ -5,11 +5,60 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
+from symbalance.cli.options import ENGINE, add_output, command
 from symbalance.cli.output import medium, printed, whole_number, write, write_files
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
     from symbalance.design.balancing import Design
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands,
+        "design",
+        run,
+        "Counterweights and balance shafts that end given orders, with a certificate.",
+    )
+    parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
+    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to end; default: 1,2")
+    parser.add_argument(
+        "--shafts", metavar="N", help="at most so many shafts; default: as many as it takes"
+    )
+    parser.add_argument(
+        "--no-counter-rotation", action="store_true", help="no shaft may turn against the crank"
+    )
+    parser.add_argument(
+        "--no-counterweights", action="store_true", help="nothing may be put on the crank"
+    )
+    parser.add_argument(
+        "--stations",
+        metavar="A,…",
+        help="places for weights, in pitches, as --stations=1,-1; default: one if that does, or the ends",
+    )
+    parser.add_argument(
+        "--spread", choices=("ends", "even"), default="ends", help="even: a weight at every station"
+    )
+    parser.add_argument(
+        "--per-throw",
+        action="store_true",
+        help="counterweights on every throw, half the reciprocating mass",
+    )
+    parser.add_argument(
+        "--vertical", metavar="W", default="1", help="weight of the vertical in what is left; default: 1"
+    )
+    parser.add_argument(
+        "--lateral", metavar="W", default="1", help="weight of the lateral in what is left; default: 1"
+    )
+    parser.add_argument(
+        "--length", metavar="L", default="1", help="pitches over which couples count; default: 1"
+    )
+    parser.add_argument("--most", metavar="KGMM", help="no weight may have a larger unbalance, kg mm")
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    add_output(parser)
+    parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
+    parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
 
 
 def run(options: argparse.Namespace) -> int:

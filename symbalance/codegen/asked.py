@@ -22,7 +22,7 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.force_sums import left_out_above
-from symbalance.forces.resultants import Balance, balance
+from symbalance.forces.free_forces import Balance, balance
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, acceleration_values, checked_ratio
 from symbalance.kinematics.truncation import left_out
 from symbalance.text.numbers import listed

@@ -13,7 +13,7 @@ from fractions import Fraction
 from symbalance.codegen.asked import shown_terms, upward
 from symbalance.codegen.waves import RODS, TORQUE, TORQUE_ITSELF, TORQUE_PER_RADIUS, Term, Wave
 from symbalance.errors import SymbalanceError
-from symbalance.forces.resultants import Balance
+from symbalance.forces.free_forces import Balance
 from symbalance.kinematics.piston_torque import torque_left_out
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.reals import DIGITS, Real, fsum, ldexp

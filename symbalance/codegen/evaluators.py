@@ -17,7 +17,7 @@ from symbalance.codegen.source_cache import source_file
 from symbalance.codegen.targets import FILES, IN_MEMORY, files
 from symbalance.codegen.waves import Wave
 from symbalance.errors import MissingPartError, SymbalanceError, shown
-from symbalance.forces.resultants import Balance, balance, checked_balance
+from symbalance.forces.free_forces import Balance, balance, checked_balance
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.torque import CrankTorque, TorqueBalance
 
@@ -110,7 +110,7 @@ def to_function(
     0 all that can show in a double. A tolerance leaves the choice between harmonics and the closed form
     to the cheaper (`codegen.plans`).
 
-    >>> from symbalance.forces.resultants import balance
+    >>> from symbalance.forces.free_forces import balance
     >>> from symbalance.engine.catalogue import load
     >>> force = to_function(balance(load("inline-4"), order=4))
     >>> float(force(0.0).round(6)), force.orders

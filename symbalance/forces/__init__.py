@@ -2,7 +2,7 @@
 
 In: an `Engine`. Out: a `Balance`: force and couple of each order that survives, in four exact components.
 
-    force_sums        the sums over cylinders;  resultants: the result
+    force_sums        the sums over cylinders;  free_forces: the result
     inline_sums       closed forms for a symbolic number of cylinders
     shaft_moments     the roll moment of balance shafts
     rows              components as rows of a table

@@ -8,10 +8,10 @@ from typing import Any
 
 import sympy
 
-from symbalance.engine.balancers import Balancers, Counterweight, Weight
+from symbalance.engine.balance_masses import Balancers, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
 from symbalance.exact.spectrum import COMPONENTS, Component
-from symbalance.forces.resultants import Balance, Order, Resultant
+from symbalance.forces.free_forces import Balance, Order, Resultant
 from symbalance.forces.rows import plane_key, roll_rows
 from symbalance.kinematics.mechanisms import LinkRod
 from symbalance.text.numbers import decimal_text

@@ -38,11 +38,11 @@ from symbalance.engine.engine_document import (
     SIGNS,
     balancer_entries,
     engine_title,
+    group_table,
     origin_facts,
     size_facts,
 )
-from symbalance.engine.kinds import kind_table
-from symbalance.forces.resultants import Balance
+from symbalance.forces.free_forces import Balance
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, roll_rows, rotating, rows
 from symbalance.kinematics.coefficients import Kinematics
 from symbalance.kinematics.series_printing import series_formula
@@ -104,7 +104,7 @@ def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tu
         ORDER,
     )
     facts = Facts(entries, "How to read it")
-    return (facts,) if alike else (kind_table(layout), facts)
+    return (facts,) if alike else (group_table(layout), facts)
 
 
 def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:

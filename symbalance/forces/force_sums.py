@@ -124,14 +124,14 @@ def _with_rotors(
 def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
     """Return what turns adds to the force, or to the couple about `plane`, up to an order.
 
-    >>> from symbalance.engine.balancers import Counterweight
+    >>> from symbalance.engine.balance_masses import Counterweight
     >>> from symbalance.engine.builders import inline
     >>> single = inline("1").balanced_by(Counterweight(throw=1, overbalance="1/2"))
     >>> rotor_spectrum(single, 12, None).component(1, "vertical").cos
     -1/2
     """
     total: dict[int, Amplitude] = {}
-    for rotor in layout.rotors:
+    for rotor in layout.rotating_masses:
         if abs(rotor.speed) <= highest:
             arm = Fraction(1) if plane is None else rotor.station - plane
             part = rotor.vector.scaled(arm)

@@ -10,7 +10,7 @@ import sympy
 
 from symbalance.document.decimals import SHOWN_DIGITS, shown
 from symbalance.exact.spectrum import Component
-from symbalance.forces.resultants import Balance, Order, Resultant
+from symbalance.forces.free_forces import Balance, Order, Resultant
 from symbalance.forces.shaft_moments import has_shafts_aside, shaft_moment
 from symbalance.text.reals import atan2, hypot, pi
 

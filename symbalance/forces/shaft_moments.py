@@ -6,7 +6,7 @@ Im(conj(p) u e^(i n theta)) for a vector u at n times the crank's speed: exact h
 shafts at +-2 that take 2 F_2 each of an in-line four, the one that turns with the crank h above the
 other, have the moment -2 (h/r) A_2 sin 2 theta in m r^2 omega^2; the pistons leave -4 t_2 sin 2 theta.
 With t_2 = -1/2 and A_2 = r/l to leading order, h = l, one rod length, ends force and roll moment at once;
-Mitsubishi's silent shafts take a part of that height (Nakamura, SAE 760111, 1976, from memory).
+Gas torque asks for another height, so one that is built is a compromise: derivations/balancing.md.
 
 Formulas:
     (P - Q)/(2 i) = y l - x v
@@ -19,7 +19,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import share_unit
+from symbalance.engine.rotating_masses import unit_of_share
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
@@ -39,16 +39,16 @@ def shaft_moment(layout: Engine) -> dict[int, Component]:
         = 2 h W sin n theta
         with h, W numbers; n a whole number
 
-    >>> from symbalance.engine.balancers import BalanceShaft, Weight
+    >>> from symbalance.engine.balance_masses import BalanceShaft, Weight
     >>> from symbalance.engine.builders import inline
-    >>> from symbalance.engine.trains import CrankTrain
+    >>> from symbalance.engine.crank_train import CrankTrain
     >>> four = inline("1-3-4-2", crank_train=CrankTrain(stroke=Fraction(80), rod=Fraction(140)))
     >>> pair = [BalanceShaft(s, [Weight(share=2, phase=180)], y=y) for s, y in ((2, 70), (-2, -70))]
     >>> shaft_moment(four.balanced_by(*pair))[2].sin  # -2 * 140/40
     -7
     """
     total: dict[int, Amplitude] = {}
-    for rotor in layout.rotors if has_shafts_aside(layout) else ():
+    for rotor in layout.rotating_masses if has_shafts_aside(layout) else ():
         if not (rotor.x or rotor.y):
             continue
         radius = layout.first.radius
@@ -75,5 +75,5 @@ def shaft_terms(layout: Engine, order: int) -> Iterator[tuple[int, Real, Real]]:
     for n, part in shaft_moment(layout).items():
         if n <= order:
             cos, sin = part.decimal(DIGITS)
-            unit = share_unit(layout, n) if layout.counts_in_orders else 1
+            unit = unit_of_share(layout, n) if layout.counts_in_orders else 1
             yield n, cos * unit, sin * unit

@@ -6,7 +6,7 @@ lambda, proved bounds on what a truncation leaves out, and the derivation step b
     slider_crank            harmonics of the centred slider-crank
     mechanisms              offset axes, link rods, the rod's two masses and its couple
     piston_motion           any mechanism's piston in floating point
-    truncation              bounds on the orders left out;  truncation_bounds: as a table
+    truncation              bounds on the orders left out;  truncation_table: as a table
     piston_torque, rod_torque, mechanism_torque   the torque's harmonics: closed, and of any mechanism
     bodies                  what moves with a mechanism: piston, rod, link rod's big end
     coefficients            A_n, t_n, u_n, k_n, which like cylinders have in common

@@ -8,7 +8,7 @@ from symbalance.document.formula import Call, Formula, Name, equal, number
 from symbalance.document.nodes import Cell, Column, Document, Facts, Table
 from symbalance.kinematics.series_printing import series_formula
 from symbalance.kinematics.slider_crank import Harmonics
-from symbalance.kinematics.truncation_bounds import UNITS
+from symbalance.kinematics.truncation_table import UNITS
 
 _THETA = Name("theta")
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
-from symbalance.forces.resultants import listed_orders
+from symbalance.forces.free_forces import listed_orders
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.mechanism_types import simplified
 from symbalance.kinematics.slider_crank import checked_order

@@ -7,8 +7,7 @@ from fractions import Fraction
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, Subscript, number
 from symbalance.document.nodes import Column, Document, Facts, Table, blocks
-from symbalance.engine.engine_document import ORDER, engine_words, origin_facts
-from symbalance.engine.facts import angle_text
+from symbalance.engine.engine_document import ORDER, angle_text, engine_words, origin_facts
 from symbalance.exact.angles import Angle
 from symbalance.forces.balance_document import component_table, order_cell
 from symbalance.forces.rows import Row

@@ -30,7 +30,7 @@ from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import QUARTER, Component
-from symbalance.forces.resultants import listed_orders
+from symbalance.forces.free_forces import listed_orders
 from symbalance.kinematics.coefficients import INERTIA, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.text.reals import Real

@@ -31,7 +31,7 @@ from symbalance.exact.angles import Angle
 from symbalance.exact.phasor import Phasor, checked_modulus
 from symbalance.exact.spectrum import Component
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
-from symbalance.forces.resultants import listed_orders
+from symbalance.forces.free_forces import listed_orders
 from symbalance.kinematics.slider_crank import checked_order
 
 if TYPE_CHECKING:

@@ -10,10 +10,10 @@ from symbalance.engine.engine_document import (
     ORDER,
     balancer_entries,
     engine_words,
+    group_table,
     origin_facts,
     size_facts,
 )
-from symbalance.engine.kinds import kind_table
 from symbalance.forces.balance_document import coefficient_table, component_table
 from symbalance.forces.rows import Row
 from symbalance.kinematics.coefficients import INERTIA, OF_RODS
@@ -116,7 +116,7 @@ def _legend(layout: Engine, title: str, *more: tuple[Words, Words]) -> tuple[Blo
         SIGNS,
         ORDER,
     ]
-    return blocks(None if alike else kind_table(layout), Facts(tuple(entries), title))
+    return blocks(None if alike else group_table(layout), Facts(tuple(entries), title))
 
 
 def _rods(layout: Engine) -> list[tuple[Words, Words]]:

@@ -12,7 +12,7 @@ from symbalance.codegen.plans import Plan
 from symbalance.codegen.waves import Wave
 from symbalance.engine.catalogue import load
 from symbalance.engine.engine import Engine
-from symbalance.forces.resultants import Balance, balance
+from symbalance.forces.free_forces import Balance, balance
 
 ALL = "all"
 

@@ -33,7 +33,7 @@ from symbalance.bench.stability.truth import (
 from symbalance.codegen import Evaluator, planned_for, to_function
 from symbalance.codegen.targets import IN_MEMORY, files
 from symbalance.engine.engine import Engine
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 
 Array = Any
 Function = Callable[[Array], Array]

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from symbalance.engine.crank_train import ROD
 from symbalance.engine.engine_keys import DEGREES, ENGINE_FILE, KG, KG_MM2, MM, ROD_KEYS
-from symbalance.engine.trains import ROD
 from symbalance.text.key_tables import Excludes, Key, Needs, OneOf, Some, TableKeys, Together, Unit
 from symbalance.text.kinds import ListOf, Measured, OneOrList, Text, Whole
 from symbalance.torque.cylinder_gas import AMBIENT

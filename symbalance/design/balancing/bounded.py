@@ -2,7 +2,7 @@ r"""Weights that may not be larger than so much: force and couple exactly if tha
 
 First the fewest planes are looked for over which the weights of least squares are small enough: these are
 exact. Else |force - sum of w_i|^2 + |couple - sum of z_i w_i|^2/length^2 with |w_i| <= most is convex; a
-projected gradient with Nesterov's momentum (Nesterov 1983, from memory) finds its least in doubles. The
+projected gradient with Nesterov's momentum (Soviet Math. Dokl. 27 (1983)) finds its least in doubles. The
 result is written in fractions a billionth of `most` fine, within the bound. What these miss is put,
 exactly, on planes whose weights are not at the bound, if it is little more than rounding; else it is
 left, counted exactly.

@@ -1,6 +1,6 @@
 """What a design has done to each order: proved on the engine with the design built in.
 
-The designer's own sums are not asked: `symbalance.forces.resultants.balance` adds up cylinders,
+The designer's own sums are not asked: `symbalance.forces.free_forces.balance` adds up cylinders,
 counterweights and shafts anew, and a number is zero where its normal form is (decimals: where the parts
 cancel to their rounding).
 """
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Component, Spectrum
-from symbalance.forces.resultants import Balance
+from symbalance.forces.free_forces import Balance
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def claims(before: Balance, after: Balance, orders: Sequence[int]) -> list[Claim
     """Return a claim for force and couple of every signed order of `orders`, absent ones included.
 
     >>> from symbalance.engine.catalogue import load
-    >>> from symbalance.forces.resultants import balance
+    >>> from symbalance.forces.free_forces import balance
     >>> four = balance(load("inline-4"), 2)
     >>> [c.verdict for c in claims(four, four, [1, 2])][:5]
     ['absent', 'absent', 'absent', 'absent', 'unchanged']

@@ -16,10 +16,10 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from symbalance.design.balancing.limits import Weighting
-from symbalance.engine.rotors import share_unit
+from symbalance.engine.rotating_masses import unit_of_share
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
-from symbalance.forces.resultants import Balance
+from symbalance.forces.free_forces import Balance
 from symbalance.text.reals import Complex, Real
 
 Pair = tuple[Amplitude, Amplitude]
@@ -32,7 +32,7 @@ def parts_of(found: Balance, orders: Sequence[int]) -> dict[int, Pair]:
     """Return force and couple of the signed orders that are there, of the orders asked for.
 
     >>> from symbalance.engine.catalogue import load
-    >>> from symbalance.forces.resultants import balance
+    >>> from symbalance.forces.free_forces import balance
     >>> sorted(parts_of(balance(load("v2-90"), 2), [1, 2]))
     [-2, 1, 2]
     """
@@ -105,7 +105,7 @@ def left_at(
     total = Real(0)
     if left is not None and served:
         pairs, served = pairs | left(pairs, served), []
-    unit = share_unit(found.layout, n) if found.kinematics else Real(1)
+    unit = unit_of_share(found.layout, n) if found.kinematics else Real(1)
     for which, over in ((0, Fraction(1)), (1, weighting.length)):
         ahead, against = (pairs[s][which].evaluated() if s in pairs else Complex(0) for s in (n, -n))
         total += _mean_square(ahead, against, n in served, -n in served, weighting) / over**2

@@ -28,10 +28,10 @@ from symbalance.document.nodes import (
     Words,
     blocks,
 )
-from symbalance.engine.balancer_facts import direction, rounded, signed
+from symbalance.engine.balance_mass_facts import direction, five_digits, with_minus
 from symbalance.engine.engine_document import engine_words
 from symbalance.forces.balance_document import conventions, resultant_blocks
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 
 VERDICTS = {
     "absent": "none before",
@@ -107,7 +107,7 @@ def _row(weight: PlacedWeight) -> tuple[Cell, ...]:
         station_cell(weight.station),
         size_cell(weight.vector),
         direction(weight.vector),
-        "" if weight.unbalance is None else Decimal(rounded(weight.unbalance)),
+        "" if weight.unbalance is None else Decimal(five_digits(weight.unbalance)),
     )
 
 
@@ -144,7 +144,7 @@ def _limits(design: Design) -> list[str]:
         f"at most {limits.shafts} shaft{'' if limits.shafts == 1 else 's'}": limits.shafts is not None,
         "no shaft against the crank": not limits.counter_rotation,
         "no counterweights on the crank": not limits.counterweights,
-        f"weights at stations {', '.join(map(signed, limits.stations or ()))}": limits.stations,
+        f"weights at stations {', '.join(map(with_minus, limits.stations or ()))}": limits.stations,
         "a weight at every station": limits.spread == "even",
         "half the reciprocating mass on each throw": limits.per_throw,
         f"at most {limits.most} kg mm a weight": limits.most is not None,

@@ -9,7 +9,7 @@ from symbalance.design.balancing.certifying import Claim
 from symbalance.design.balancing.designing import Design
 from symbalance.design.balancing.devices import Device
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
-from symbalance.engine.balancers import Counterweight
+from symbalance.engine.balance_masses import Counterweight
 from symbalance.exact.amplitude import Amplitude
 from symbalance.text.reals import Real
 

@@ -9,9 +9,9 @@ from typing import Any
 
 from symbalance.design.balancing import Design
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
-from symbalance.engine.rotors import share_unit
+from symbalance.engine.rotating_masses import unit_of_share
 from symbalance.errors import MissingPartError, SymbalanceError
-from symbalance.forces.resultants import Balance
+from symbalance.forces.free_forces import Balance
 from symbalance.text.reals import expjpi
 
 ENDINGS = (".png", ".pdf", ".svg")
@@ -76,7 +76,7 @@ def _draw(axis: Any, design: Design, order: int, kind: str) -> None:
 
 def _points(result: Balance, drawn: Ellipse) -> tuple[list[float], list[float]]:
     """Return the points an order's vector goes through in a turn of it, lateral and vertical."""
-    unit = share_unit(result.layout, drawn.order) if result.kinematics else 1
+    unit = unit_of_share(result.layout, drawn.order) if result.kinematics else 1
     ahead, against = (complex(n.evaluated(20) * unit) for n in (drawn.forward, drawn.backward))
     turns = [complex(expjpi(Fraction(2 * i, POINTS - 1), 20)) for i in range(POINTS)]
     places = [ahead * z + against * z.conjugate() for z in turns]

@@ -9,7 +9,7 @@ the number of their signed orders, +1 apart, that are not zero; and one weight o
 where the couple is the force times an arm. Where limits forbid that, an order that keeps one of its
 parts gets the best of the other (`symbalance.design.balancing.choosing`).
 
-What a design claims is proved by `symbalance.forces.resultants.balance` of the engine with the design
+What a design claims is proved by `symbalance.forces.free_forces.balance` of the engine with the design
 built in.
 """
 
@@ -25,10 +25,10 @@ from symbalance.design.balancing.devices import Device, devices_for, for_rotatin
 from symbalance.design.balancing.limits import Limits, checked_limits, checked_orders
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import share_unit
+from symbalance.engine.rotating_masses import unit_of_share
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.amplitude import Amplitude
-from symbalance.forces.resultants import Balance, balance
+from symbalance.forces.free_forces import Balance, balance
 from symbalance.text.reals import Real
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ class Design(Result):
         needs_ratio = abs(device.speed) > 1 and self.balanced.has_common_harmonics
         if unit is None or (needs_ratio and self.balanced.ratio is None) or self.balanced.has_symbols:
             return None
-        return vector.size() * share_unit(self.balanced, device.speed) * unit / device.speed**2
+        return vector.size() * unit_of_share(self.balanced, device.speed) * unit / device.speed**2
 
 
 def design_balance(

@@ -12,15 +12,15 @@ from symbalance.design.balancing.bounded import bounded, jointly
 from symbalance.design.balancing.choosing import Left, Pair, chosen, parts_of, targets_of
 from symbalance.design.balancing.limits import Limits
 from symbalance.design.balancing.planes import Placed, in_planes
-from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight, directed
+from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight, directed
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import has_unit_share, share_unit
+from symbalance.engine.rotating_masses import has_unit_share, unit_of_share
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.arithmetic import station_of, total
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.forces.resultants import Balance
+from symbalance.forces.free_forces import Balance
 
 
 @dataclass(frozen=True)
@@ -163,7 +163,7 @@ def _share(layout: Engine, speed: int, vector: Amplitude) -> Amplitude:
     """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
     if has_unit_share(layout, speed):
         return vector
-    return DecimalPhasor(vector.evaluated() / share_unit(layout, speed))
+    return DecimalPhasor(vector.evaluated() / unit_of_share(layout, speed))
 
 
 def _bound(layout: Engine, speed: int, most: Fraction) -> Fraction:
@@ -174,7 +174,7 @@ def _bound(layout: Engine, speed: int, most: Fraction) -> Fraction:
         raise SymbalanceError(f"most = {most}", rule, remedy)
     if abs(speed) == 1 or not layout.counts_in_orders:
         return most * speed * speed / unit
-    per_share = share_unit(layout, speed)
+    per_share = unit_of_share(layout, speed)
     share = most * speed * speed / unit
     return Fraction(floor(abs(share * 10**12 / per_share)), 10**12)
 

@@ -14,7 +14,7 @@ from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal, Name, Subscript, number
 from symbalance.document.nodes import Cell, Column, Document, Exact, Table, Words
 from symbalance.document.text_writer import formula_text
-from symbalance.engine.balancer_facts import LONGEST, direction, rounded
+from symbalance.engine.balance_mass_facts import LONGEST, direction, five_digits
 from symbalance.forces.balance_document import conventions, unit
 from symbalance.text.reals import Real, pi
 
@@ -88,7 +88,7 @@ def _axis(axis: sympy.Expr, decimal: Real | None) -> Cell:
 
 
 def _plain(value: Any) -> str:
-    return rounded(value).removesuffix(".0")
+    return five_digits(value).removesuffix(".0")
 
 
 def _tilt(ellipse: Ellipse) -> Words:

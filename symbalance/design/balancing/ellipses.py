@@ -3,8 +3,8 @@ r"""The ellipse that one order of a force or couple draws, from its two rotating
 forward e^(i n theta) + backward e^(-i n theta) draws an ellipse with semi-axes |forward| + |backward| and
 ||forward| - |backward||, the long one at half the sum of the parts' directions. It is a circle where one
 part is 0 and a straight line where both are equal; it is run through with the crank where the forward
-part is the larger. (Two counter-rotating vectors: Den Hartog, Mechanical Vibrations, section 5.2, from
-memory.)
+part is the larger. (Both follow from where the
+two counter-rotating vectors stand in line.)
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.decimal_phasor import LEAST
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Component
-from symbalance.forces.resultants import Balance, checked_balance
+from symbalance.forces.free_forces import Balance, checked_balance
 from symbalance.text.numbers import checked_whole
 from symbalance.text.reals import Exact, Real, atan2, expj
 
@@ -37,7 +37,7 @@ class Ellipse(Result):
     the unit is F_n = A_n m r omega^2 (couples F_n a), or m r omega^2 where cylinders are unlike.
 
     >>> from symbalance.engine.builders import inline
-    >>> from symbalance.forces.resultants import balance
+    >>> from symbalance.forces.free_forces import balance
     >>> line = ellipse(balance(inline("1", name="single"), 1))
     >>> line
     Free force of order 1 of single: line
@@ -154,7 +154,7 @@ def ellipse(result: Balance, order: int = 1, kind: str = "force") -> Ellipse:
     """Return the ellipse of one order of a balance's free force, or of its couple.
 
     >>> from symbalance.engine.catalogue import load
-    >>> from symbalance.forces.resultants import balance
+    >>> from symbalance.forces.free_forces import balance
     >>> twin = ellipse(balance(load("v2-90"), 1))
     >>> twin.major, twin.minor, twin.shape
     (1, 1, 'circle')

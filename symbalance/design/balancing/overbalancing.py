@@ -24,14 +24,14 @@ from fractions import Fraction
 
 import sympy
 
-from symbalance.engine.balancers import Counterweight, directed
+from symbalance.engine.balance_masses import Counterweight, directed
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.arithmetic import quotient, total
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.exact.spectrum import Component
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 from symbalance.text.numbers import exact
 from symbalance.text.reals import Real, sqrt
 

@@ -2,8 +2,8 @@ r"""Rotating parts: sum of m_i r_i, the force and couple they leave, and the cou
 
 A part of mass m at radius r and angle a has the unbalance m r e^(i a); a crank is in static balance where
 their sum is 0, in dynamic balance where the sum of station * m r e^(i a) is 0 too. For one throw that is
-the second equation of a founding document, sum of m_i r_i = m_4 r_4. For a crank two planes always do
-(Den Hartog, Mechanical Vibrations, section 6.2, from memory); `symbalance.design.balancing.planes`
+the second equation of a founding document, sum of m_i r_i = m_4 r_4. For a crank two planes always do:
+w_1 + w_2 = force and z_1 w_1 + z_2 w_2 = couple have one solution; `symbalance.design.balancing.planes`
 shares the weights out over more.
 """
 
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.balancing.planes import in_planes
 from symbalance.document.result import Result
-from symbalance.engine.balancers import Counterweight, Weight
+from symbalance.engine.balance_masses import Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.amplitude import Amplitude
@@ -137,7 +137,7 @@ def rotating_weights(layout: Engine) -> list[Weight]:
     """Return the rotating masses of an engine, in kg mm if its sizes are known, else in shares.
 
     >>> from symbalance.engine.builders import inline
-    >>> from symbalance.engine.trains import CrankTrain
+    >>> from symbalance.engine.crank_train import CrankTrain
     >>> train = CrankTrain(reciprocating_mass=Fraction(1, 2), rotating_mass=Fraction(3, 4))
     >>> [w.vector.rational() for w in rotating_weights(inline("1-2", crank_train=train))]
     [Fraction(3, 2), Fraction(3, 2)]

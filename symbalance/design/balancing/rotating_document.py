@@ -9,7 +9,7 @@ from symbalance.design.balancing.rotating import RotatingBalance
 from symbalance.design.balancing.weight_cells import size_cell, station_cell
 from symbalance.document.formula import Formula, Name, Upright
 from symbalance.document.nodes import Cell, Column, Document, Facts, Table, Words
-from symbalance.engine.balancer_facts import direction
+from symbalance.engine.balance_mass_facts import direction
 from symbalance.exact.amplitude import Amplitude
 
 _M, _R, _A, _THETA = Name("m"), Name("r"), Name("a"), Name("theta")

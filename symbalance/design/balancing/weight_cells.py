@@ -9,7 +9,7 @@ import sympy
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal, Formula
 from symbalance.document.nodes import Cell, Exact
-from symbalance.engine.balancer_facts import nearly, size
+from symbalance.engine.balance_mass_facts import nearly, size
 from symbalance.exact.amplitude import Amplitude
 
 

@@ -2,7 +2,7 @@
 
 For every unit vector y, |sum| >= y . sum, whose least value over all arrangements of a set is an
 assignment problem. The best y is sought in turn, as Frank and Wolfe do (Naval Research Logistics
-Quarterly 3 (1956), from memory).
+Quarterly 3 (1956), An algorithm for quadratic programming).
 """
 
 from __future__ import annotations

@@ -52,7 +52,7 @@ from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.phasor import ZERO
-from symbalance.forces.resultants import Balance, balance
+from symbalance.forces.free_forces import Balance, balance
 from symbalance.forces.rows import plane_key
 from symbalance.kinematics.slider_crank import acceleration_value
 from symbalance.text.numbers import exact, listed

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from symbalance.design.variations.sectors import Sector
 from symbalance.engine.engine import Engine
-from symbalance.engine.rotors import share_unit
+from symbalance.engine.rotating_masses import unit_of_share
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Spectrum
 from symbalance.forces.force_sums import turning_vectors
@@ -45,7 +45,7 @@ def _point(number: complex) -> list[Sector]:
 def made_parts(layout: Engine, order: int, reference: object = None) -> dict[int, dict[str, Made]]:
     """Return n -> what turns adds to the "force" and to the "couple", for the orders it has.
 
-    >>> from symbalance.engine.balancers import Counterweight
+    >>> from symbalance.engine.balance_masses import Counterweight
     >>> from symbalance.engine.builders import inline
     >>> single = inline("1", ratio=4).balanced_by(Counterweight(throw=1, overbalance="1/2"))
     >>> made_parts(single, 4)[1]["force"].ahead
@@ -57,7 +57,7 @@ def made_parts(layout: Engine, order: int, reference: object = None) -> dict[int
 
 
 def _part(layout: Engine, spectrum: Spectrum, n: int) -> Made:
-    factor = float(share_unit(layout, n)) if layout.counts_in_orders else 1.0
+    factor = float(unit_of_share(layout, n)) if layout.counts_in_orders else 1.0
     ahead, against = (complex(spectrum.terms.get(s, ZERO).evaluated()) for s in (n, -n))
     return Made(ahead * factor, against * factor)
 

@@ -1,7 +1,7 @@
 """The assignment problem: each row to a column of its own at least cost.
 
-Shortest augmenting paths with potentials (Kuhn 1955; so Jonker and Volgenant, Computing 38 (1987), from
-memory).
+Shortest augmenting paths with potentials (H. W. Kuhn, Naval Research Logistics Quarterly 2 (1955),
+83-97; R. Jonker and A. Volgenant, Computing 38 (1987), 325-340).
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
-from symbalance.forces.resultants import Resultant
+from symbalance.forces.free_forces import Resultant
 from symbalance.forces.rows import plane_key
 from symbalance.text.numbers import decimal_text
 from symbalance.text.reals import Real

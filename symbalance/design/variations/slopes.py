@@ -14,7 +14,7 @@ and of the force m omega^2 r f_n(l/r, e/r), at fixed m and omega and over m omeg
 
 The coefficients are means over N points. In the strip |Im p| <= a with (cosh a + |eps|)/lam = s < 1 both
 functions are at most M = 1/sqrt(1 - s^2), so N points alias onto order n at most 2 M e^(-a (N - n))/(1 -
-e^(-a N)) (Trefethen and Weideman, SIAM Review 56 (2014), theorem 3.2, numbered from memory).
+e^(-a N)): coefficient k is at most M e^(-a |k|), and those of all k = n + j N, j != 0, are added to n's.
 """
 
 from __future__ import annotations
