@@ -26,13 +26,13 @@ from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
+from symbalance.forces.force_sums import left_out_above
 from symbalance.forces.free_forces import Balance, balance
-from symbalance.forces.planar_vectors import left_out_above
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, acceleration_values, checked_ratio
 from symbalance.kinematics.truncation import left_out
 from symbalance.text.numbers import listed
 from symbalance.text.reals import DIGITS, Real, cospi, fsum, ldexp, sinpi
-from symbalance.torque.groups import has_common_torque
+from symbalance.torque.body_groups import has_common_torque
 
 PISTON = ("displacement", "velocity", "acceleration")
 OUTPUTS = (

@@ -21,11 +21,11 @@ from symbalance.codegen.harmonic_sum import (
 from symbalance.codegen.requests import FIRST_ORDER, double_above, fewest_within, visible_terms
 from symbalance.errors import SymbalanceError
 from symbalance.forces.free_forces import Balance
-from symbalance.kinematics.inertia import torque_left_out
+from symbalance.kinematics.piston_torque import torque_left_out
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.reals import DIGITS, Real
 from symbalance.torque import CrankTorque, TorqueBalance, inertia_torque, rod_torque, roll_moment
-from symbalance.torque.groups import has_common_torque
+from symbalance.torque.body_groups import has_common_torque
 from symbalance.torque.roll import MILLI, first_excess
 
 MANY_ORDERS = 96

@@ -96,7 +96,8 @@ def _samples(mechanism: Mechanism, name: str, own: bool, points: int, digits: in
         if isinstance(mechanism, LinkRod):
             axis = expjpi(2 * mechanism.bank_difference, digits)
             sine = _rod(pin * axis, mechanism.master).sine
-            swing = expjpi(2 * mechanism.lead, digits) * Complex(root((1 - sine) * (1 + sine)), -sine)
+            cosine = root((1 - sine) * (1 + sine))
+            swing = expjpi(2 * mechanism.pin_direction, digits) * Complex(cosine, -sine)
             arm = mechanism.link_radius * swing
         rod = _rod(pin + arm, mechanism)
         if own:

@@ -15,7 +15,7 @@ from symbalance.engine.engine import Engine
 from symbalance.engine.rotating_masses import unit_of_share
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Spectrum
-from symbalance.forces.planar_vectors import turning_vectors
+from symbalance.forces.force_sums import turning_vectors
 
 
 @dataclass(frozen=True)

@@ -27,16 +27,16 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import COMPONENTS
-from symbalance.exact.symbol_sums import (
+from symbalance.exact.symbolic_phasor import SymbolicPhasor
+from symbalance.exact.symbolic_polynomials import (
     Polynomial,
     SymbolComponent,
     SymbolSum,
-    added,
-    multiplied,
+    add,
+    multiply,
     polynomial,
-    powered,
+    raise_to_power,
 )
-from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.forces.rows import plane_key
 from symbalance.kinematics.coefficients import force_power
 from symbalance.kinematics.mechanisms import offset_series
@@ -236,7 +236,7 @@ def symbolic_order(
         cylinder_symbols(layout, v, k) or [UNIT] * len(layout.cylinders)
         for v, k in ((masses, "masses"), (radii, "radii"))
     )
-    weights = [multiplied(m, r) for m, r in zip(mass, radius, strict=True)]
+    weights = [multiply(m, r) for m, r in zip(mass, radius, strict=True)]
     _check_link_pins(layout)
     kinematics, power = None, None
     if any(x is not None for x in (radii, rods, offsets)):
@@ -247,7 +247,7 @@ def symbolic_order(
     arms = _arms(layout, stations, reference)
     force = _resultant(layout.cylinders, n, weights, kinematics)
     couple = _resultant(
-        layout.cylinders, n, [multiplied(w, a) for w, a in zip(weights, arms, strict=True)], kinematics
+        layout.cylinders, n, [multiply(w, a) for w, a in zip(weights, arms, strict=True)], kinematics
     )
     alike = None if kinematics else acceleration_series(n, force_power(n))
     sizes = {"masses": masses, "stations": stations, "radii": radii, "rods": rods, "offsets": offsets}
@@ -294,9 +294,9 @@ def _arms(layout: Engine, stations: object, reference: object) -> list[Polynomia
     else:
         plane = {}
         for one in places:
-            plane = added(plane, one)
-        plane = multiplied(plane, {(): Fraction(1, len(places))})
-    return [added(one, multiplied(plane, {(): Fraction(-1)})) for one in places]
+            plane = add(plane, one)
+        plane = multiply(plane, {(): Fraction(1, len(places))})
+    return [add(one, multiply(plane, {(): Fraction(-1)})) for one in places]
 
 
 Kinematics = tuple[Polynomial, Polynomial]
@@ -317,8 +317,8 @@ def _kinematics(
         raise SymbalanceError(f"through = {through}", rule, f"{max(n - 1, 1)} is the least")
     kinematics = []
     for r, l_, e in zip(radius, rod, offset, strict=True):
-        inverse = powered(l_, -1, "rods")
-        rho, delta = multiplied(r, inverse), multiplied(e, inverse)
+        inverse = raise_to_power(l_, -1, "rods")
+        rho, delta = multiply(r, inverse), multiply(e, inverse)
         parts = (_at(part.terms, rho, delta) for part in series)
         kinematics.append(tuple(parts))
     return kinematics
@@ -327,8 +327,8 @@ def _kinematics(
 def _at(terms: Mapping[tuple[int, int], Fraction], rho: Polynomial, delta: Polynomial) -> Polynomial:
     total: Polynomial = {}
     for (i, j), c in terms.items():
-        power = multiplied(powered(rho, i, "radii"), powered(delta, j, "offsets"))
-        total = added(total, multiplied(power, {(): c}))
+        power = multiply(raise_to_power(rho, i, "radii"), raise_to_power(delta, j, "offsets"))
+        total = add(total, multiply(power, {(): c}))
     return total
 
 
@@ -349,9 +349,9 @@ def _resultant(
                 total = total + SymbolSum.of(weight, number)
                 continue
             cos, sin = kinematics[place]
-            total = total + SymbolSum.of(multiplied(weight, cos), number)
+            total = total + SymbolSum.of(multiply(weight, cos), number)
             quarter = -QUARTER if signed > 0 else QUARTER  # f_n = A_n - i B_n, f_-n its conjugate
-            total = total + SymbolSum.of(multiplied(weight, sin), number.turned(quarter))
+            total = total + SymbolSum.of(multiply(weight, sin), number.turned(quarter))
         both.append(total)
     return SymbolResultant(*both)
 

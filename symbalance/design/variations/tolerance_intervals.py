@@ -23,7 +23,7 @@ from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, SliderCrank
-from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.mechanisms.mechanism_types import simplified
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 
 FLAT = 1e-14
@@ -139,7 +139,7 @@ def tolerance_boxes(
     parts = []
     by_kind: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}
     for cylinder, size, arm in cylinders:
-        key = (plain(mechanism_to(layout, cylinder, order)), _radius(layout, cylinder))
+        key = (simplified(mechanism_to(layout, cylinder, order)), _radius(layout, cylinder))
         if key not in by_kind:
             by_kind[key] = list(_corners(key[0], key[1], relative, order))
         parts.append((cylinder, (size, arm), by_kind[key], _mass_interval(layout, cylinder, relative)))

@@ -1,4 +1,4 @@
-r"""The roll moment of balance shafts beside or above the crank.
+"""Roll moment of balance shafts that run beside or above the crank.
 
 A force (vertical v, lateral l) at a point x to the right of the crank's axis and y above it has the
 moment y l - x v about it, positive in the sense of rotation. With p = y + i x that is
@@ -7,6 +7,10 @@ shafts at +-2 that take 2 F_2 each of an in-line four, the one that turns with t
 other, have the moment -2 (h/r) A_2 sin 2 theta in m r^2 omega^2; the pistons leave -4 t_2 sin 2 theta.
 With t_2 = -1/2 and A_2 = r/l to leading order, h = l, one rod length, ends force and roll moment at once;
 Gas torque asks for another height, so one that is built is a compromise: derivations/balancing.md.
+
+Formulas:
+    (P - Q)/(2 i) = y l - x v
+    with P = (y - i x) (v + i l); Q = (y + i x) (v - i l); x, y, v, l numbers
 """
 
 from __future__ import annotations
@@ -27,7 +31,13 @@ def shaft_moment(layout: Engine) -> dict[int, Component]:
     """Return the roll moment of an engine's balance shafts by order, C + iS each, in units F_n r.
 
     F_n = A_n m r omega^2 (m r omega^2 where that is the unit of the balance); positive in the sense of
-    rotation, on the frame. Refused without a stroke, as x and y are in mm.
+    rotation, on the frame. Refused without a stroke, as x and y are in mm. A vector W e^(i n theta) at
+    height h and one W e^(-i n theta) at -h have the moment
+
+    Formulas:
+        h W (e^(i n theta) - e^(-i n theta))/(2 i) + (-h) W (e^(-i n theta) - e^(i n theta))/(2 i)
+        = 2 h W sin n theta
+        with h, W numbers; n a whole number
 
     >>> from symbalance.engine.balance_masses import BalanceShaft, Weight
     >>> from symbalance.engine.builders import inline

@@ -1,4 +1,12 @@
-"""The harmonics exact in lambda: formulas with 2F1, and their values to any number of digits."""
+"""Harmonics exact in lambda: hypergeometric closed forms, and their values to any number of digits.
+
+Formulas:
+    q = (rho/(1 + k'))^2 = (1 - k')/(1 + k')
+    q + 1/q = 4/rho^2 - 2
+    q + 1/q = 4 lambda^2 - 2
+    1 - q = 2 k'/(1 + k')
+    with k' = sqrt(1 - rho^2); q = (1 - k')/(1 + k')
+"""
 
 from __future__ import annotations
 
@@ -7,7 +15,7 @@ from math import comb
 from typing import TYPE_CHECKING
 
 from symbalance.document.symbols import symbol
-from symbalance.kinematics.slider_crank.limits import checked_order
+from symbalance.kinematics.slider_crank.arguments import checked_order
 from symbalance.text.reals import DIGITS, Real, ellipe, hyp2f1, pi, sqrt
 
 if TYPE_CHECKING:
@@ -16,6 +24,13 @@ if TYPE_CHECKING:
 
 def exact_coefficient(order: int) -> sympy.Expr:
     """Return A_order exact in rho, as a SymPy expression with a hypergeometric function.
+
+    Its series in powers of rho = r/l begins
+
+    Formulas:
+        A_2 = rho + rho^3/4 + 15 rho^5/128 + ...
+        A_4 = -rho^3/4 - 3 rho^5/16 - ...
+        A_6 = 9 rho^5/128 + ...
 
     >>> exact_coefficient(2).subs(symbol("rho"), 0.25).evalf(12)
     0.254025042307
@@ -64,10 +79,10 @@ def acceleration_values(order: int, ratio: Fraction, digits: int = 20) -> dict[i
     top = order // 2
     values = {n: acceleration_value(n, ratio, digits) for n in (1, 2 * top - 2, 2 * top) if n > 0}
     *_, q = rho_root_q(ratio, digits + 10)
-    both = (1 + q * q) / q
+    middle = (1 + q * q) / q
     for k in range(top - 1, 1, -1):
         above, here = values[2 * k + 2] / (k + 1) ** 2, values[2 * k] / k**2
-        below = -(both * k * here + (k + 1.5) * above) / (k - 1.5)
+        below = -(middle * k * here + (k + 1.5) * above) / (k - 1.5)
         values[2 * k - 2] = below * (k - 1) ** 2
     return dict(sorted(values.items()))
 

@@ -1,6 +1,6 @@
-"""Sums with symbols left in: monomials, each with an exact coefficient.
+"""Polynomials in symbols with exact coefficients, whose zero is decided term by term.
 
-A `Polynomial` maps a monomial to a rational, a `SymbolSum` maps one to a number of the layout's field
+A `Polynomial` maps a monomial to a rational, a `SymbolSum` maps one to a number of the engine's field
 (a `SymbolicPhasor`, for a bank angle may be a symbol too). Monomials in independent symbols, powers of
 either sign, are linearly independent over the complex numbers, also beside exponentials of symbols: a sum
 is zero for all values exactly when no term is left. Nothing is simplified to know that.
@@ -30,35 +30,35 @@ Numbers = Mapping[Any, Fraction]
 MOST_TERMS = 20_000
 
 
-def product(left: Monomial, right: Monomial) -> Monomial:
+def monomial_product(first: Monomial, second: Monomial) -> Monomial:
     """Return the product of two monomials."""
-    if not left or not right:
-        return left or right
-    powers = dict(left)
-    for symbol, power in right:
+    if not first or not second:
+        return first or second
+    powers = dict(first)
+    for symbol, power in second:
         powers[symbol] = powers.get(symbol, 0) + power
     return tuple(sorted(((s, p) for s, p in powers.items() if p), key=lambda term: str(term[0])))
 
 
-def multiplied(left: Polynomial, right: Polynomial) -> Polynomial:
+def multiply(first: Polynomial, second: Polynomial) -> Polynomial:
     """Return the product of two polynomials."""
     total: dict[Monomial, Fraction] = {}
-    for one, c in left.items():
-        for other, d in right.items():
-            both = product(one, other)
-            total[both] = total.get(both, Fraction(0)) + c * d
+    for monomial_of_first, c in first.items():
+        for monomial_of_second, d in second.items():
+            monomial = monomial_product(monomial_of_first, monomial_of_second)
+            total[monomial] = total.get(monomial, Fraction(0)) + c * d
     return {monomial: c for monomial, c in total.items() if c}
 
 
-def added(left: Polynomial, right: Polynomial) -> Polynomial:
+def add(first: Polynomial, second: Polynomial) -> Polynomial:
     """Return the sum of two polynomials."""
-    total = dict(left)
-    for monomial, c in right.items():
+    total = dict(first)
+    for monomial, c in second.items():
         total[monomial] = total.get(monomial, Fraction(0)) + c
     return {monomial: c for monomial, c in total.items() if c}
 
 
-def powered(base: Polynomial, power: int, name: str) -> Polynomial:
+def raise_to_power(base: Polynomial, power: int, name: str) -> Polynomial:
     """Return a whole power; of one term any, of more terms none below 0."""
     if power < 0:
         if len(base) != 1:
@@ -68,7 +68,7 @@ def powered(base: Polynomial, power: int, name: str) -> Polynomial:
         base, power = {tuple((s, -p) for s, p in monomial): 1 / c}, -power
     total: Polynomial = {(): Fraction(1)}
     for _ in range(power):
-        total = multiplied(total, base)
+        total = multiply(total, base)
     return total
 
 
@@ -95,11 +95,11 @@ def polynomial(value: object, name: str) -> Polynomial:
     if terms is None:
         rule = "must be a polynomial in symbols with rational coefficients"
         raise SymbalanceError(f"{name} = {shown(value)}", rule, "write it like m1 or m + m1/2")
-    found = {}
+    coefficients = {}
     for powers, c in terms:
         monomial = tuple((s, p) for s, p in zip(symbols, powers, strict=True) if p)
-        found[monomial] = Fraction(int(c.p), int(c.q))
-    return found
+        coefficients[monomial] = Fraction(int(c.p), int(c.q))
+    return coefficients
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +157,7 @@ class SymbolSum:
             power = dict(monomial).get(symbol, 0)
             if power:
                 total = total + SymbolSum.of(
-                    {product(monomial, ((symbol, -1),)): Fraction(power)}, number
+                    {monomial_product(monomial, ((symbol, -1),)): Fraction(power)}, number
                 )
         return total
 
@@ -165,8 +165,8 @@ class SymbolSum:
         """Return the number that is left when no monomial holds a symbol, else None."""
         if any(self.terms):
             return None
-        found = self.terms.get((), SymbolicPhasor({}))
-        return found.parts.get((), Phasor(1, {})) if set(found.parts) <= {()} else found
+        constant = self.terms.get((), SymbolicPhasor({}))
+        return constant.parts.get((), Phasor(1, {})) if set(constant.parts) <= {()} else constant
 
     def real_part(self) -> sympy.Expr:
         """Return the real part as a SymPy expression."""

@@ -1,4 +1,4 @@
-r"""The planar force and couple of an engine: sums over its cylinders, and what turns beside them.
+"""Free force and couple of an engine: exact sums over its cylinders, and over what rotates beside them.
 
 A mass that moves with a cylinder's mechanism pushes with h_n e^(inp) for every n of either sign
 (`symbalance.kinematics.bodies`), p = theta + throw - bank, in the cylinder's frame.
@@ -10,6 +10,13 @@ mass over that and w a weight (1 for the force, the lever arm for the couple),
 The inner sum is geometry, a number of a cyclotomic field: where it vanishes the order is gone, exactly.
 Where there is one group of centred cylinders, h_n = A_n/2 for both signs stands apart: components are the
 geometry itself, whatever lambda is, and angles may hold symbols. Else c_n is a number of 40 digits.
+
+A cylinder's force along its axis is half a vector that turns with the crank and half one that turns
+against it; b is the bank angle and d the delay throw - bank:
+
+Formulas:
+    cos n (theta + d) e^(i b) = (1/2) (e^(i (b + n d)) e^(i n theta) + e^(i (b - n d)) e^(-i n theta))
+    with n a whole number; b, d angles
 """
 
 from __future__ import annotations
@@ -145,8 +152,8 @@ def _spectra_of(
     for mass in masses:
         forces = mass.body.force(order)
         for total, weight in zip(totals, by_number, strict=True):
-            own = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
-            sums = _exact_sums(mass.cylinders, layout.modulus, range(1, order + 1), own)
+            factors = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
+            sums = _exact_sums(mass.cylinders, layout.modulus, range(1, order + 1), factors)
             for n, phasor in sums.items():
                 if n in forces:
                     part = DecimalPhasor(phasor.evaluated() * forces[n])
@@ -199,7 +206,7 @@ def _exact_sums(
         for signed in (n, -n):
             residue = signed % modulus
             if residue not in by_residue:
-                total = Phasor.of(modulus, _summed(rows, residue, modulus))
+                total = Phasor.of(modulus, _exponent_sums(rows, residue, modulus))
                 by_residue[residue] = ZERO if total.is_zero() else total.scaled(Fraction(1, denominator))
             if by_residue[residue] is not ZERO:
                 terms[signed] = by_residue[residue]
@@ -210,7 +217,7 @@ def _units(turns: Fraction, modulus: int) -> int:
     return turns.numerator * (modulus // turns.denominator)
 
 
-def _summed(rows: Iterable[tuple[int, int, int]], n: int, modulus: int) -> dict[int, int]:
+def _exponent_sums(rows: Iterable[tuple[int, int, int]], n: int, modulus: int) -> dict[int, int]:
     total: dict[int, int] = {}
     for bank, delay, weight in rows:
         exponent = (bank + n * delay) % modulus
@@ -226,9 +233,9 @@ def _with_symbols(
         for signed in (n, -n):
             total = SymbolicPhasor({})
             for cylinder, weight in zip(cylinders, weights, strict=True):
-                turned = cylinder.bank + cylinder.delay.scaled(signed)
-                part: SymbolPart = turned.symbols
-                phasor = Phasor.root(turned.turns).scaled(weight)
+                rotated = cylinder.bank + cylinder.delay.scaled(signed)
+                part: SymbolPart = rotated.symbols
+                phasor = Phasor.root(rotated.turns).scaled(weight)
                 total = total + SymbolicPhasor.of({part: phasor})
             terms[signed] = total
     return Spectrum.of(terms)

@@ -1,9 +1,17 @@
-"""Star diagrams: the exact sum of one unit vector a cylinder, for every order, half orders included.
+"""Star diagrams: the exact sum of one unit vector for each cylinder, at every order, halves included.
 
 A cylinder that does the same as cylinder 1, but at theta_j, has its order n at the angle n theta_j: drawn
-from one point these vectors are the star of that order, and their sum is all that the layout does to it.
+from one point these vectors are the star of that order, and their sum is all that the engine does to it.
 In a four-stroke the cycle is 720 degrees, so that n = 1/2, 1, 3/2, .... Whether a star closes (sum zero)
 is decided exactly.
+
+The half order and the first one of a four that fires every half turn, and the first of a three:
+
+Formulas:
+    1 + z + z^2 + z^3 = 0
+    1 + y + y^2 + y^3 = 0
+    1 + w + w^2 = 0
+    with z = e^(i pi/2); y = e^(i pi); w = e^(4 i pi/3)
 """
 
 from __future__ import annotations
@@ -64,8 +72,8 @@ class FiringStars(SequenceResult[Star]):
     def summary(self) -> str:
         """Return which orders are left, in one line."""
         orders = [star.order for star in self.open]
-        left = f"open in order {listed_orders(orders)}" if orders else "all closed"
-        return f"Firing stars of {self.layout.name} to order {self.highest}: {left}"
+        words = f"open in order {listed_orders(orders)}" if orders else "all closed"
+        return f"Firing stars of {self.layout.name} to order {self.highest}: {words}"
 
     def document(self) -> Document:
         """Return the sums of the stars that are open, then every star's vectors."""
@@ -99,7 +107,7 @@ def firing_pin_passings(layout: Engine) -> dict[int, Fraction]:
     Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
     at theta = 0, the one with fires = 0 does within the first turn. In a two-stroke every top dead
     centre fires; in a four-stroke the cylinders' `fires` say which. A cylinder whose dead centre an
-    offset or a link rod moves stands there `tops.dead_centre_shift_of` degrees later.
+    offset or a link rod moves stands there later, by what its dead centre is shifted.
 
     >>> from symbalance.engine.builders import inline
     >>> {n: str(top) for n, top in firing_pin_passings(inline("1-3-4-2")).items()}
@@ -109,10 +117,10 @@ def firing_pin_passings(layout: Engine) -> dict[int, Fraction]:
     first = next((c for c in layout.cylinders if c.fires is not None), None)
     start = Fraction(0) if first is None else _top(first) - (first.fires or 0)
     start %= 360
-    tops = {}
+    firing_angles = {}
     for cylinder in layout.cylinders:
         if layout.strokes == 2:
-            tops[cylinder.number] = _top(cylinder) % cycle
+            firing_angles[cylinder.number] = _top(cylinder) % cycle
         elif cylinder.fires is None:
             rule = "has no firing angle, and every other top dead centre of a four-stroke fires"
             remedy = "build it from a firing order, or give each cylinder fires"
@@ -120,8 +128,8 @@ def firing_pin_passings(layout: Engine) -> dict[int, Fraction]:
         else:
             top = _top(cylinder)
             turns = round((start + cylinder.fires - top) / 360)
-            tops[cylinder.number] = (top + 360 * turns) % cycle
-    return tops
+            firing_angles[cylinder.number] = (top + 360 * turns) % cycle
+    return firing_angles
 
 
 def _top(cylinder: Cylinder) -> Fraction:
@@ -149,23 +157,23 @@ def firing_stars(layout: Engine, order: int = 6) -> FiringStars:
     return FiringStars(layout, order, stars)
 
 
-def stars_of(tops: Mapping[int, Fraction], strokes: int, order: int) -> tuple[Star, ...]:
+def stars_of(firing_angles: Mapping[int, Fraction], strokes: int, order: int) -> tuple[Star, ...]:
     """Return the stars of some cylinders' firing top dead centres, in degrees."""
     checked_order(order)
     cycle = 180 * strokes
-    parts = {number: top / cycle for number, top in tops.items()}
+    parts = {number: top / cycle for number, top in firing_angles.items()}
     modulus = checked_modulus(lcm(*(part.denominator for part in parts.values())))
-    seen: dict[int, Component] = {}
+    sums: dict[int, Component] = {}
     stars = []
     for k in range(1, order * strokes // 2 + 1):
         vectors = tuple((number, part * k % 1) for number, part in parts.items())
-        if k % modulus not in seen:
-            seen[k % modulus] = Component(summed([Angle(turns) for _, turns in vectors]))
-        stars.append(Star(Fraction(2 * k, strokes), vectors, seen[k % modulus]))
+        if k % modulus not in sums:
+            sums[k % modulus] = Component(unit_vector_sum([Angle(turns) for _, turns in vectors]))
+        stars.append(Star(Fraction(2 * k, strokes), vectors, sums[k % modulus]))
     return tuple(stars)
 
 
-def summed(angles: Sequence[Angle]) -> Amplitude:
+def unit_vector_sum(angles: Sequence[Angle]) -> Amplitude:
     """Return the sum of e^(i angle), exactly."""
     if any(a.symbols for a in angles):
         total = SymbolicPhasor({})

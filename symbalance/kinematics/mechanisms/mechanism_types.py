@@ -1,4 +1,4 @@
-"""The linkages between crank and piston: what is given, and whether the rod reaches at every angle.
+"""The mechanisms between crank and piston, slider-crank and link rod, and whether the rod reaches.
 
 A rod reaches where |sin phi| < 1. For complex crank angles |Im p| <= a, with C = cosh a,
 
@@ -26,14 +26,20 @@ from symbalance.text.numbers import LARGEST_QUOTIENT, exact
 SAFE = 1 - 1e-9
 """Covers the rounding of floats in what must be a lower bound."""
 HALVINGS = 60
+"""Steps of a bisection: more than a double has bits."""
 
 
 @dataclass(frozen=True)
 class SliderCrank:
-    """A crank, a rod and a piston whose axis passes the crank at a distance.
+    """A slider-crank: a crank, a rod and a piston whose axis passes the crank at a distance.
 
     `ratio` is lambda = l/r, `offset` is eps = e/r, positive towards the side the pin moves to after
     p = 0; both are held exactly. Refused unless ratio > 1 + |offset|: the crank could not turn.
+
+    Formulas:
+        y = cos p + sqrt(lambda^2 - (sin p - e)^2)
+        dy/dp = -sin p - cos p tan f
+        with y = cos p + lambda cos f; f = asin((sin p - e)/lambda); p an angle; e a number
 
     >>> SliderCrank("7/2", 0.25)
     SliderCrank(ratio=Fraction(7, 2), offset=Fraction(1, 4))
@@ -72,14 +78,21 @@ class SliderCrank:
 
 @dataclass(frozen=True)
 class LinkRod:
-    """A rod hung on another cylinder's master rod: articulated, or fork and blade with link_radius 0.
+    """A rod articulated on another cylinder's master rod, or fork and blade with link_radius 0.
 
     `link_angle`, in turns, is the link pin's direction seen from the crank pin, counted from the
     master rod (crank pin towards master piston) in the sense of rotation; `link_radius` is its distance
     and `length` the link rod's own length, over r; `bank_difference`, in turns, is this cylinder's axis
-    minus the master's; `offset` is this cylinder's own, over r. All are held exactly.
+    minus the master's; `offset` is this cylinder's own, over r. All are held exactly. The link pin
+    stands at height h and u to the side, b being the master rod's angle, c `pin_direction` and L
+    `link_radius`:
 
-    >>> LinkRod(SliderCrank(4), "1/9", "3/4", "13/4", "1/9").lead
+    Formulas:
+        h + i u = e^(i p) + L e^(i (c - b))
+        h^2 + u^2 = 1 + L^2 + 2 L cos(p - c + b)
+        with h = cos p + L cos(c - b); u = sin p + L sin(c - b); p, b, c angles; L positive
+
+    >>> LinkRod(SliderCrank(4), "1/9", "3/4", "13/4", "1/9").pin_direction
     Fraction(0, 1)
     """
 
@@ -113,11 +126,11 @@ class LinkRod:
 
     @property
     def is_centred(self) -> bool:
-        """Never: even a fork-and-blade rod is told apart, and `plain` says what it is."""
+        """Never: a fork-and-blade rod is one of its own too, and `simplified` says what it is."""
         return False
 
     @property
-    def lead(self) -> Fraction:
+    def pin_direction(self) -> Fraction:
         """The angle chi = link angle - bank difference in turns, from 0 up to 1."""
         return (self.link_angle - self.bank_difference) % 1
 
@@ -144,10 +157,10 @@ def has_link_pin(mechanism: Mechanism | None) -> TypeGuard[LinkRod]:
     return isinstance(mechanism, LinkRod) and mechanism.link_radius != 0
 
 
-def plain(mechanism: Mechanism) -> Mechanism:
+def simplified(mechanism: Mechanism) -> Mechanism:
     """Return the slider-crank that a fork-and-blade rod is, and anything else as it stands.
 
-    >>> plain(LinkRod(SliderCrank(4), 0, 0, 3, "1/6"))
+    >>> simplified(LinkRod(SliderCrank(4), 0, 0, 3, "1/6"))
     SliderCrank(ratio=Fraction(3, 1), offset=Fraction(0, 1))
     """
     if isinstance(mechanism, LinkRod) and not has_link_pin(mechanism):
@@ -165,7 +178,7 @@ def alternates(mechanism: Mechanism) -> bool:
     if isinstance(mechanism, SliderCrank):
         return mechanism.offset == 0
     centred = mechanism.offset == 0 and mechanism.master.offset == 0
-    return centred and mechanism.lead % Fraction(1, 2) == 0
+    return centred and mechanism.pin_direction % Fraction(1, 2) == 0
 
 
 def _area_cosine(above: float) -> float:
@@ -176,6 +189,6 @@ def _area_cosine(above: float) -> float:
 def _link_reach(rod: LinkRod, c: float) -> float:
     """Return a bound on l |sin phi| for |Im p| <= acosh c."""
     slant = (c + float(abs(rod.master.offset))) / float(rod.master.ratio)
-    chi = 2 * pi * float(rod.lead)
-    swing = abs(sin(chi)) * sqrt(1 + slant * slant) + abs(cos(chi)) * slant
-    return c + float(rod.link_radius) * swing + float(abs(rod.offset))
+    chi = 2 * pi * float(rod.pin_direction)
+    reach = abs(sin(chi)) * sqrt(1 + slant * slant) + abs(cos(chi)) * slant
+    return c + float(rod.link_radius) * reach + float(abs(rod.offset))

@@ -1,20 +1,29 @@
-r"""The inertia torque of one cylinder: its harmonics, in powers of rho and exact in lambda.
+"""Inertia torque of one centred cylinder: its harmonics t_n, in powers of rho and exact in lambda.
 
-At constant omega the torque is what the piston's kinetic energy gives back, T = -dE/dtheta, so with the
-velocity v/(r omega) = s + s phi', s = sin theta and phi the rod's angle (phi' = rho cos theta/w, w^2 =
-1 - rho^2 s^2),
+At constant omega the torque is what the piston's kinetic energy gives back, T = -dE/dtheta: with the
+velocity v/(r omega) = s + s phi', s = sin theta and phi the rod's angle, T/(m r^2 omega^2) is the sum of
+t_n sin n theta.
 
-    T/(m r^2 omega^2) = -1/2 d/dtheta (s^2 + 2 s^2 phi' + s^2 phi'^2) = sum of t_n sin n theta.
+Formulas:
+    E = s^2 + 2 s^2 D + s^2 D^2
+    -(1/2) dE/dtheta = t_1 sin theta + t_2 sin 2 theta + t_3 sin 3 theta + t_4 sin 4 theta + ...
+    D = rho cos theta/w
+    s^2 D^2 = s^2 - 1 + 1/rho^2 - (1/rho^2 - 1)/w^2
+    with E = (v/(r omega))^2; D = dphi/dtheta; w = sqrt(1 - rho^2 s^2); s = sin theta
 
-The first and last part hold the even orders, the middle one the odd. The last is a fraction of two
-polynomials in s^2: s^2 phi'^2 = s^2 - 1 + 1/rho^2 - (1/rho^2 - 1)/w^2. With k' = sqrt(1 - rho^2), q =
-(rho/(1 + k'))^2 and 1/w^2 = (1 + 2 sum of (-q)^k cos 2k theta)/k',
+The first and last part of E hold the even orders, the middle one the odd. The last is a fraction of two
+polynomials in s^2. With 1/w^2 = (1 + 2 sum of (-q)^k cos 2k theta)/k' the even orders are elementary,
+t_2k = -2 k (k'/rho^2) (-q)^k for k > 1; the odd ones follow from phi' = sum of D_n cos n theta, n odd,
+D_n = n R_n, D_-n = D_n, by t_n = (n/2) (D_n - (D_{n-2} + D_{n+2})/2):
 
-    t_2 = -1 + 2 k'/(1 + k')^2,    t_2k = -2 k (k'/rho^2) (-q)^k for k > 1:    elementary.
-
-With phi' = sum of D_n cos n theta, D_n = n R_n, n odd, and D_-n = D_n,
-
-    t_n = (n/2) (D_n - (D_{n-2} + D_{n+2})/2),    n odd.
+Formulas:
+    t_2 = -1 + 2 k'/(1 + k')^2
+    rho^2 t_4 = -4 k' q^2
+    rho^2 t_6 = 6 k' q^3
+    t_1 = (1/2) (D_1 - (D_1 + D_3)/2)
+    t_3 = (3/2) (D_3 - (D_1 + D_5)/2)
+    D_3 = 3 R_3
+    with q = (rho/(1 + k'))^2; k' = sqrt(1 - rho^2)
 
 D_{2i+1} = rho (E_i + E_{i+1})/2 with the Laplace coefficients 1/w = sum of (E_k/2) e^(2 i k theta),
 
@@ -49,6 +58,12 @@ from symbalance.text.reals import Real, fsum, hyp2f1, log
 @lru_cache(maxsize=4096)
 def torque_series(order: int, through: int) -> Series:
     """Return t_order, in units of m r^2 omega^2, kept through (1/lambda)^through.
+
+    Formulas:
+        t_1 = rho/4 + rho^3/16 + ...
+        t_2 = -1/2 - rho^4/32 - ...
+        t_3 = -3 rho/4 - 9 rho^3/32 - ...
+        t_4 = -rho^2/4 - rho^4/8 - ...
 
     >>> [torque_series(n, 4).in_powers_of_rho() for n in (1, 2, 3, 4)]
     [rho**3/16 + rho/4, -rho**4/32 - 1/2, -9*rho**3/32 - 3*rho/4, -rho**4/8 - rho**2/4]
@@ -117,15 +132,15 @@ def _rod_rates(order: int, rho: Real, root: Real, q: Real) -> dict[int, Real]:
     """
     top = order // 2 + 1
     values = [_laplace(k, root, q) for k in (top, top - 1)]
-    both = q + 1 / q
+    middle = q + 1 / q
     for k in range(top - 1, 0, -1):
-        values.append(-(k * both * values[-1] + (k + 0.5) * values[-2]) / (k - 0.5))
+        values.append(-(k * middle * values[-1] + (k + 0.5) * values[-2]) / (k - 0.5))
     values.reverse()
     return {2 * i + 1: rho * (values[i] + values[i + 1]) / 2 for i in range(top)}
 
 
 def _laplace(k: int, root: Real, q: Real) -> Real:
-    """Return E_k."""
+    """Return the Laplace coefficient E_k."""
     lead = Fraction(comb(2 * k, k), 4**k) * (-q) ** k
     return 4 / (1 + root) * lead * hyp2f1(0.5, k + 0.5, k + 1, q * q)
 

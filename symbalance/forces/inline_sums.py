@@ -1,4 +1,4 @@
-r"""Sums over a symbolic number of cylinders: the closed forms behind every in-line table.
+"""Closed forms of the force and couple of evenly firing in-line engines, for any number of cylinders.
 
 N cylinders fire evenly, one after another along the crank, h = 4 pi/N apart (four strokes; 2 pi/N in a
 two-stroke). For order n, with the geometric sum of e^(i n h j),
@@ -18,6 +18,11 @@ that is N/(2 |sin(2 pi n/N)|) in size: from three cylinders on, every evenly fir
 has a first-order couple.
 
 Source: derived here; the force's condition is the u of 000_6d19e3a8fb7bcb72.txt.
+
+Formulas:
+    c_0 + c_1 + c_2 = sin(3 h/2)/sin(h/2) cos(a + h)
+    c_0 + c_1 + c_2 + c_3 = sin(2 h)/sin(h/2) cos(a + 3 h/2)
+    with c_0 = cos a; c_1 = cos(a + h); c_2 = cos(a + 2 h); c_3 = cos(a + 3 h); a, h angles
 """
 
 from __future__ import annotations
@@ -60,7 +65,7 @@ def _counted(count: Count) -> Any:
 
 
 def spacing(count: Count, strokes: int = 4) -> sympy.Expr:
-    """Return the even firing interval h in radians.
+    """Return the even firing interval h = strokes pi/N in radians.
 
     >>> spacing(5)
     4*pi/5
@@ -103,6 +108,17 @@ def dirichlet_quotient(count: Count, order: Count, spacing: sympy.Expr) -> sympy
 def inline_sum(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
     """Return the sum of cos n(theta + j h) over N evenly firing cylinders, N and n numbers or symbols.
 
+    Of a three, and of presets of five and six:
+
+    Formulas:
+        F = 5 cos 5 theta
+        S = 0
+        cos theta + cos(theta + h) + cos(theta + 2 h) = 0
+        cos 3 theta + cos 3 (theta + h) + cos 3 (theta + 2 h) = 3 cos 3 theta
+        1 + z + z^2 + z^3 + z^4 + z^5 = 0
+        with h = 4 pi/3; z = e^(2 i pi/3);
+        F the force of order 5 of inline-5; S the force of order 2 of inline-6
+
     >>> inline_sum(4, 2), inline_sum(5, 4)
     (4*cos(2*theta), 0)
     >>> import sympy
@@ -119,7 +135,13 @@ def inline_sum(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
 def inline_couple(count: Count, order: Count, strokes: int = 4) -> sympy.Expr:
     """Return the couple of N evenly firing cylinders in a row, unit F_n a, positive front up.
 
-    Firing order 1-2-...-N; amplitude N/(2 |sin(n h/2)|), zero where u is whole.
+    Firing order 1-2-...-N; amplitude N/(2 |sin(n h/2)|), zero where u is whole. Of a three, then a four:
+
+    Formulas:
+        cos theta - cos(theta - 2 h) = sqrt(3) cos(theta + pi/6)
+        1 - z^2 = 3/(1 - z)
+        3/2 + y/2 - y^2/2 - 3 y^3/2 = 4/(1 - y)
+        with h = 4 pi/3; z = e^(2 i pi/3); y = e^(i pi)
 
     >>> inline_couple(3, 1), inline_couple(3, 3)
     (sqrt(3)*cos(theta + pi/6), 0)

@@ -1,4 +1,4 @@
-"""What a derivation is about, and the letters it is written with."""
+"""Quantity, order and convention that a derivation is asked for, and the letters it is written with."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ UNITS = {"displacement": 0, "velocity": 1, "acceleration": 2, "force": 2}
 
 
 @dataclass(frozen=True)
-class Setting:
+class Request:
     """A checked question: a quantity to an order, with the power of 1/lambda to keep."""
 
     quantity: str
@@ -126,7 +126,7 @@ class Setting:
     ) -> Formula:
         """Return factor rho^exponent in the letters of the convention, times `of`.
 
-        >>> Setting("force", 6, 5, "l/s").rho_power(3) == 1 / (8 * LAM**3)
+        >>> Request("force", 6, 5, "l/s").rho_power(3) == 1 / (8 * LAM**3)
         True
         """
         letter, direction, scale = CONVENTIONS[self.convention]
@@ -157,9 +157,11 @@ def harmonic(function: str, n: int) -> Call:
     return Call(function, THETA if n == 1 else n * THETA)
 
 
-def closed(setting: Setting, over: Sequence[Formula], under: Sequence[Formula], power: int) -> Quotient:
+def general_term(
+    request: Request, over: Sequence[Formula], under: Sequence[Formula], power: int
+) -> Quotient:
     """Return over/under times rho^power in the letters of the convention, numbers as they are."""
-    letter, direction, scale = CONVENTIONS[setting.convention]
+    letter, direction, scale = CONVENTIONS[request.convention]
     base = Name(letter) if scale == 1 else scale * Name(letter)
     if direction > 0:
         return Quotient(Product((*over, base**power)), Product(tuple(under)))

@@ -1,8 +1,8 @@
-"""One piston in floating point, from its own top dead centre: way, speed, acceleration, the rod's swing.
+"""One piston in floating point: displacement, velocity and acceleration from its own top dead centre.
 
 Angles `a` are the crank's, in radians after the piston's own top dead centre, which an offset axis or a
-link rod moves away from p = 0 of `mechanisms`. Way and stroke are over r, velocities over r omega,
-towards the crank.
+link rod moves away from p = 0 of `mechanisms`. Displacement and stroke are over r, velocities over
+r omega, towards the crank.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from math import ceil, cos, pi, sin, sqrt
 
 from symbalance.kinematics.mechanisms import DeadCentres, LinkRod, Mechanism, SliderCrank, dead_centres
 from symbalance.kinematics.mechanisms.fourier import series_of
-from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.mechanisms.mechanism_types import simplified
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, acceleration_floats
 
 VISIBLE = 40
@@ -21,13 +21,22 @@ VISIBLE = 40
 
 
 def velocity(angle: float, crank: float) -> float:
-    """Return v/(r omega) of a centred piston at an angle after top dead centre, for lambda = `crank`."""
+    """Return v/(r omega) of a centred piston at an angle after top dead centre, for lambda = `crank`.
+
+    Formulas:
+        v/(r omega) = sin theta (1 + cos theta/sqrt(lambda^2 - sin^2 theta))
+    """
     sine, cosine = sin(angle), cos(angle)
     return sine * (1 + cosine / sqrt((crank - sine) * (crank + sine)))
 
 
 def acceleration(angle: float, crank: float) -> float:
-    """Return a/(r omega^2), the velocity's derivative, at an angle after top dead centre."""
+    """Return a/(r omega^2), the velocity's derivative, at an angle after top dead centre.
+
+    Formulas:
+        a/(r omega^2) = cos theta + (w^2 cos 2 theta + (sin theta cos theta)^2)/w^3
+        with w = sqrt(lambda^2 - sin^2 theta)
+    """
     sine, cosine = sin(angle), cos(angle)
     square = (crank - sine) * (crank + sine)
     return cosine + ((cosine - sine) * (cosine + sine) * square + (sine * cosine) ** 2) / square**1.5
@@ -35,7 +44,7 @@ def acceleration(angle: float, crank: float) -> float:
 
 @dataclass(frozen=True)
 class Piston:
-    """A mechanism's piston.
+    """The piston of a mechanism, from its own top dead centre.
 
     >>> vr6 = Piston(SliderCrank("3.4", "0.3"))
     >>> round(vr6.stroke, 6), round(vr6.down * 180 / pi, 3), round(vr6.velocity(1.0), 6)
@@ -47,7 +56,7 @@ class Piston:
     @cached_property
     def _centred(self) -> float | None:
         """lambda of a centred slider-crank, whose closed forms are quicker."""
-        mechanism = plain(self.mechanism)
+        mechanism = simplified(self.mechanism)
         if isinstance(mechanism, SliderCrank) and not mechanism.offset:
             return float(mechanism.ratio)
         return None
@@ -63,16 +72,22 @@ class Piston:
 
     @cached_property
     def down(self) -> float:
-        """The crank angle the way down takes, in radians."""
+        """The crank angle that the downward stroke takes, in radians."""
         return pi if self._centred else float(self._centres.down)
 
     @cached_property
     def stroke(self) -> float:
-        """The way between the dead centres."""
+        """The distance between the dead centres, over r."""
         return 2.0 if self._centred else float(self._centres.stroke)
 
-    def way(self, a: float) -> float:
-        """Return the way from top dead centre."""
+    def displacement(self, a: float) -> float:
+        """Return the displacement from top dead centre, over r.
+
+        Of a centred piston:
+
+        Formulas:
+            x/r = 2 sin^2(theta/2) + lambda - sqrt(lambda^2 - sin^2 theta)
+        """
         if self._centred:
             return 2 * sin(a / 2) ** 2 + self._centred - sqrt(self._centred**2 - sin(a) ** 2)
         return float(self._centres.highest) - self._motion(a)[0]
@@ -85,7 +100,7 @@ class Piston:
         """Return the velocity's derivative by the crank angle."""
         return acceleration(a, self._centred) if self._centred else -self._motion(a)[2]
 
-    def swing(self, a: float) -> tuple[float, float]:
+    def rod_rates(self, a: float) -> tuple[float, float]:
         """Return phi' and phi'', the rod's angular speed and acceleration over omega and omega^2."""
         return self._motion(a)[3:]
 
@@ -96,7 +111,7 @@ class Piston:
         pin, first, second = turn, 1j * turn, -turn
         if isinstance(self.mechanism, LinkRod):
             pin, first, second = (x + y for x, y in zip((pin, first, second), self._arm(p), strict=True))
-        return _swung(pin, first, second, *self._sizes)
+        return _rod_driven(pin, first, second, *self._sizes)
 
     @cached_property
     def _sizes(self) -> tuple[float, float]:
@@ -109,9 +124,9 @@ class Piston:
         lean = p + 2 * pi * float(link.bank_difference)
         turn = complex(cos(lean), sin(lean))
         length, offset = float(link.master.ratio), float(link.master.offset)
-        *_, rate, change = _swung(turn, 1j * turn, -turn, length, offset)
+        *_, rate, change = _rod_driven(turn, 1j * turn, -turn, length, offset)
         sine = (turn.imag - offset) / length
-        chi = 2 * pi * float(link.lead)
+        chi = 2 * pi * float(link.pin_direction)
         direction = complex(cos(chi), sin(chi)) * complex(sqrt((1 - sine) * (1 + sine)), -sine)
         arm = float(link.link_radius) * direction
         return arm, -1j * rate * arm, -arm * (1j * change + rate**2)
@@ -121,16 +136,16 @@ class Piston:
         """The v_m, m > 0, of the speed as sum of v_m e^(ima), v_-m = conj(v_m), that show in a double."""
         most = min(HIGHEST_ORDER, 2 * (2 + ceil(VISIBLE / (2 * max(self.mechanism.strip, 1e-9)))))
         if self._centred:
-            ratio = plain(self.mechanism).length
+            ratio = simplified(self.mechanism).length
             return {m: a / (2j * m) for m, a in acceleration_floats(most, ratio).items()}
         heights = series_of(self.mechanism, most, 20, "height")
-        turned = {
+        rotated = {
             m: complex(c) * complex(cos(m * self.top), sin(m * self.top)) for m, c in heights.items()
         }
-        return {m: -1j * m * c for m, c in turned.items() if m}
+        return {m: -1j * m * c for m, c in rotated.items() if m}
 
 
-def _swung(
+def _rod_driven(
     pin: complex, first: complex, second: complex, length: float, offset: float
 ) -> tuple[float, float, float, float, float]:
     """Return y, y', y'', phi', phi'' of a piston whose rod turns on a moving pin."""

@@ -1,4 +1,4 @@
-"""The harmonics in powers of 1/lambda, from integers."""
+"""Harmonics as power series in 1/lambda with rational coefficients, from integer recurrences."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from math import comb
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
-from symbalance.kinematics.slider_crank.limits import checked_order, checked_power, checked_quantity
+from symbalance.kinematics.slider_crank.arguments import checked_order, checked_power, checked_quantity
 from symbalance.kinematics.slider_crank.series import Series
 
 if TYPE_CHECKING:
@@ -45,6 +45,10 @@ def acceleration_series(order: int, through: int) -> Series:
     """Return A_order kept through (1/lambda)^through; A_1 = 1, odd orders above it vanish.
 
     The same series serves the inertia force, in units of m r omega^2.
+
+    Formulas:
+        A_2 = rho + rho^3/4 + 15 rho^5/128 + ...
+        A_4 = -rho^3/4 - 3 rho^5/16 - ...
     """
     checked_order(order)
     if order % 2:
@@ -56,6 +60,10 @@ def acceleration_series(order: int, through: int) -> Series:
 
 def rod_angle_series(order: int, through: int) -> Series:
     """Return R_order, the rod angle's coefficient of sin(order theta), through (1/lambda)^through.
+
+    Formulas:
+        R_1 = rho + rho^3/8 + 3 rho^5/64 + ...
+        R_3 = -rho^3/24 - 3 rho^5/128 - ...
 
     >>> rod_angle_series(3, through=5).in_powers_of_rho()
     -3*rho**5/128 - rho**3/24
@@ -113,6 +121,12 @@ def harmonics(quantity: str, order: int, through: int | None = None) -> Harmonic
     The default keeps what a hand expansion to sin^order keeps: `through` = order - 1 (order, for the
     rod's angle). Units: r, r omega, r omega^2, m r omega^2 and rad.
 
+    Formulas:
+        x/r = B_0 - cos theta - B_2 cos 2 theta - B_4 cos 4 theta - ...
+        v/(r omega) = sin theta + A_2/2 sin 2 theta + A_4/4 sin 4 theta + ...
+        a/(r omega^2) = cos theta + A_2 cos 2 theta + A_4 cos 4 theta + ...
+        phi = R_1 sin theta + R_3 sin 3 theta + ...
+
     >>> harmonics("displacement", 4).terms[4].in_powers_of_rho()
     rho**3/64
     """
@@ -121,18 +135,22 @@ def harmonics(quantity: str, order: int, through: int | None = None) -> Harmonic
     if through is not None:
         checked_power(through, "through")
     if quantity == "rod-angle":
-        kept = order if through is None else through
-        odd = {n: rod_angle_series(n, kept) for n in range(1, order + 1, 2)}
-        return Harmonics(quantity, "sin", Series({}, kept, complete=True), odd)
-    kept = order - 1 if through is None else through
+        power = order if through is None else through
+        odd = {n: rod_angle_series(n, power) for n in range(1, order + 1, 2)}
+        return Harmonics(quantity, "sin", Series({}, power, complete=True), odd)
+    power = order - 1 if through is None else through
     orders = [1, *range(2, order + 1, 2)]
-    rows = {n: acceleration_series(n, kept).scaled(integrated(quantity, n)) for n in orders}
-    constant = _rest_position(kept) if quantity == "displacement" else Series({}, kept, complete=True)
+    rows = {n: acceleration_series(n, power).scaled(integrated(quantity, n)) for n in orders}
+    constant = _rest_position(power) if quantity == "displacement" else Series({}, power, complete=True)
     return Harmonics(quantity, "sin" if quantity == "velocity" else "cos", constant, rows)
 
 
 def integrated(quantity: str, n: int) -> Fraction:
     """Return what A_n is multiplied by: the quantity is the acceleration, integrated so often.
+
+    Formulas:
+        A_2 = 4 B_2
+        A_6 = 36 B_6
 
     >>> integrated("displacement", 4), integrated("force", 4)
     (Fraction(-1, 16), Fraction(1, 1))
@@ -141,7 +159,11 @@ def integrated(quantity: str, n: int) -> Fraction:
 
 
 def _rest_position(through: int) -> Series:
-    """Return B_0 = 1 + (1 - c_0)/rho, the mean piston position below top dead centre, over r."""
+    """Return B_0 = 1 + (1 - c_0)/rho, the mean piston position below top dead centre, over r.
+
+    Formulas:
+        B_0 = 1 + rho/4 + 3 rho^3/64 + ...
+    """
     terms = {0: Fraction(1)}
     for m in range(1, (through + 1) // 2 + 1):
         terms[2 * m - 1] = Fraction(2 * (comb(2 * m - 2, m - 1) // m) * comb(2 * m, m), 1 << 4 * m)

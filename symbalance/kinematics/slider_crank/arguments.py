@@ -1,4 +1,4 @@
-"""What may be asked of a slider-crank: orders, powers, rod ratios, quantities."""
+"""Checks of what a slider-crank may be asked for: orders, powers, rod ratios, quantities."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.text.numbers import LARGEST_QUOTIENT, checked_whole, exact
 
 HIGHEST_ORDER = 1000
+"""`floats` keeps tables of this length; no engine has a use for more."""
 HIGHEST_POWER = 10_000
 QUANTITIES = ("displacement", "velocity", "acceleration", "force", "rod-angle")
 

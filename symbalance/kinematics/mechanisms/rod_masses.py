@@ -1,19 +1,27 @@
-r"""The rod's own inertia: two masses at its ends and one couple, together exactly the real rod.
+"""A connecting rod as two masses at its ends and one inertia couple, together exactly the real rod.
 
-A rod of mass m_rod and length l, its centre of gravity a from the big end and its moment of inertia J
-about that centre, has for every motion the momentum and the kinetic energy of
+A rod of mass M and length L, its centre of gravity c from the big end and its moment of inertia J
+about that centre, has for every motion the momentum and the kinetic energy of m_1 at the piston's pin,
+m_2 at the crank's pin, and a massless body of moment of inertia J_x that turns with the rod: mass, centre
+of gravity and moment of inertia agree.
 
-    m_rod a/l at the piston's pin,  m_rod (1 - a/l) at the crank's pin,
-    and a massless body of moment of inertia  J_x = J - m_rod a (l - a),  turning with the rod.
+Formulas:
+    m_1 + m_2 = M
+    m_1 L = M c
+    m_1 (L - c)^2 + m_2 c^2 + J_x = J
+    with m_1 = M c/L; m_2 = M (1 - c/L); J_x = J - M c (L - c); M, c, L, J positive
 
 J_x is negative where the rod's mass lies further in than at its ends, which is usual. The first mass
 only goes along the cylinder, the second only round with the crank (a link rod's goes with its link pin,
 and belongs to the master rod): they count as reciprocating and as rotating mass. What is left is the
 inertia couple of J_x. The rod points from its pin along -phi, so that, positive in the sense of rotation,
+the couple is J_x omega^2 phi'' about the crank's axis, the same wherever the cylinder stands: it rolls
+the engine and does nothing else. Without offset:
 
-    couple = J_x omega^2 phi'',    -phi'' = (rho + rho^3/8 + ...) sin p - (3 rho^3/8 + ...) sin 3p + ...
-
-about the crank's axis, the same wherever the cylinder stands: it rolls the engine and does nothing else.
+Formulas:
+    k_1 = -rho - rho^3/8 - ...
+    k_3 = 3 rho^3/8 + ...
+    d^2phi/dtheta^2 = -rho (1 - rho^2) sin theta/cos^3 phi
 """
 
 from __future__ import annotations
@@ -23,7 +31,7 @@ from fractions import Fraction
 
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms.fourier import rod_angle_harmonics
-from symbalance.kinematics.mechanisms.linkages import Mechanism
+from symbalance.kinematics.mechanisms.mechanism_types import Mechanism
 from symbalance.kinematics.mechanisms.motion import rod_motion
 from symbalance.kinematics.slider_crank import Series, rod_angle_series
 from symbalance.text.numbers import exact
@@ -35,6 +43,10 @@ class RodSplit:
     """A rod: mass, length, distance of the centre of gravity from the big end, and J about that centre.
 
     Any units that agree: kg, m, m, kg m^2 or kg, mm, mm, kg mm^2. All are held exactly, as fractions.
+
+    Formulas:
+        m_1 (L - c)^2 + m_2 c^2 = M c (L - c)
+        with m_1 = M c/L; m_2 = M (1 - c/L); M, c, L positive
 
     >>> rod = RodSplit(mass="0.6", length=150, centre=45, inertia=2500)
     >>> rod.reciprocating, rod.rotating, rod.excess
@@ -93,6 +105,12 @@ class RodSplit:
 def rocking_series(order: int, through: int) -> Series:
     """Return the coefficient of sin(order p) in -phi'', centred, kept through (1/lambda)^through.
 
+    It is n^2 R_n, or -k_n:
+
+    Formulas:
+        -k_3 = 9 R_3
+        -k_5 = 25 R_5
+
     >>> [rocking_series(n, through=5).in_powers_of_rho() for n in (1, 3, 5)]
     [3*rho**5/64 + rho**3/8 + rho, -27*rho**5/128 - 3*rho**3/8, 15*rho**5/128]
     """
@@ -109,6 +127,11 @@ def side_thrust(
     `axial` is F, all that pushes the piston along the axis away from the crank: gas (negative when it
     drives) and inertia -y'' of the reciprocating mass, the rod's share included; `excess` is J_x. Units
     m r omega^2 and m r^2 with one m of your choice, so omega = r = 1.
+
+    Without offset the thrust of a force along the axis is
+
+    Formulas:
+        tan phi = rho sin theta/cos phi
 
     From d'Alembert: along the axis the rod holds the piston against F; across it the wall gives what the
     moments about the rod's lower pin need, and pushes the piston with -N. The crank's bearings push the

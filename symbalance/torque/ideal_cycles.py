@@ -1,4 +1,4 @@
-"""The ideal cycle of a spark-ignition or Diesel engine: air as an ideal gas, heat added at dead centre.
+"""Ideal cycles of spark-ignition and Diesel engines: an ideal gas, heated at the top dead centre.
 
 From the firing top dead centre on: heat at constant volume (Otto), then, where a peak pressure limits
 it, at constant pressure (Seiliger's mixed cycle; Diesel's if the peak is the compression's end), then
@@ -9,6 +9,15 @@ With the swept volume V_h and the clearance V_c = V_h/(eps - 1), the heat Q is g
 bar = 100 J per litre): p_3 = p_2 + (gamma - 1) (eps - 1) Q/V_h, p_2 = p_intake eps^gamma.
 Source: Heywood, Internal Combustion Engine Fundamentals, ch. 5 (constant-volume, constant-pressure and
 limited-pressure cycles).
+
+Of heat at constant volume alone, with E the compression ratio, K = E^gamma, and pressures p_1 to p_4
+before and after compression and expansion, the closed work over the heat is the efficiency:
+
+Formulas:
+    p_3 - p_2 = (gamma - 1) (E - 1) Q
+    W/Q = 1 - E/K
+    with W = (p_3 - p_4 E - p_2 + p_1 E)/((gamma - 1) (E - 1)); p_4 = p_3/K;
+    p_3 = p_2 + (gamma - 1) (E - 1) Q; p_2 = p_1 K; gamma, E, p_1, Q, K positive
 """
 
 from __future__ import annotations
@@ -23,7 +32,7 @@ from symbalance.document.result import Result
 from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank
-from symbalance.kinematics.pistons import Piston
+from symbalance.kinematics.piston_motion import Piston
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.measurements import measured
 from symbalance.text.numbers import checked_whole
@@ -33,6 +42,7 @@ if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
 POINTS = 2880
+"""Every quarter of a degree of a four-stroke: straight lines between add 4e-6 of the work."""
 MOST_POINTS = 100_000
 HIGHEST_COMPRESSION = 100
 MOST_HEAT = 1000
@@ -40,6 +50,7 @@ MOST_HEAT = 1000
 NEAR = 1e-9
 """Degrees within which a point of the grid is a dead centre."""
 HALVINGS = 60
+"""Steps of a bisection: more than a double has bits."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -141,12 +152,10 @@ class IdealCycle(Result):
         centres = [360.0 * turn + part for turn in range(self.strokes // 2) for part in (0.0, down)]
         grid = (180 * self.strokes * i / points for i in range(points))
         angles = sorted({*centres, *(a for a in grid if min(abs(a - c) for c in centres) > NEAR)})
-        found = [
-            p for a in angles for p in self._points(a, bisect_right(centres, a) - 1, centres, piston)
-        ]
+        rows = [p for a in angles for p in self._points(a, bisect_right(centres, a) - 1, centres, piston)]
         if self.cutoff > 1:
-            found = sorted([*found, (self._cutoff_angle(piston), 1, self.peak)])
-        return PressureTrace(tuple(f[0] for f in found), tuple(f[2] for f in found), self.strokes)
+            rows = sorted([*rows, (self._cutoff_angle(piston), 1, self.peak)])
+        return PressureTrace(tuple(r[0] for r in rows), tuple(r[2] for r in rows), self.strokes)
 
     def _points(
         self, degrees: float, stroke: int, centres: list[float], piston: Piston
@@ -161,16 +170,16 @@ class IdealCycle(Result):
         return [(degrees, 1, level)]
 
     def _closed_pressure(self, degrees: float, piston: Piston, down: bool) -> float:
-        share = min(max(piston.way(degrees * pi / 180) / piston.stroke, 0.0), 1.0)
+        share = min(max(piston.displacement(degrees * pi / 180) / piston.stroke, 0.0), 1.0)
         return self.pressure(1 + (self.compression_ratio - 1) * share, down)
 
     def _cutoff_angle(self, piston: Piston) -> float:
         """Return the degrees after top dead centre at the cutoff, by bisection."""
-        way = (self.cutoff - 1) / (self.compression_ratio - 1) * piston.stroke
+        displacement = (self.cutoff - 1) / (self.compression_ratio - 1) * piston.stroke
         low, high = 0.0, piston.down
         for _ in range(HALVINGS):
             middle = (low + high) / 2
-            low, high = (middle, high) if piston.way(middle) < way else (low, middle)
+            low, high = (middle, high) if piston.displacement(middle) < displacement else (low, middle)
         return high * 180 / pi
 
 
@@ -205,11 +214,11 @@ def ideal_cycle(
         rule = "must be the intake's: the gas of a two-stroke changes at bottom dead centre"
         raise SymbalanceError(f"exhaust = {shown(exhaust)}", rule, "leave it out")
     pressed = bottom * volume**index
-    peak, cutoff, added = _heated(heat, peak_pressure, volume, index, pressed)
+    peak, cutoff, added = _add_heat(heat, peak_pressure, volume, index, pressed)
     return IdealCycle(volume, index, bottom, out, pressed, peak, cutoff, added, strokes)
 
 
-def _heated(
+def _add_heat(
     heat: object, peak_pressure: object, volume: float, index: float, pressed: float
 ) -> tuple[float, float, float]:
     """Return the peak pressure, the cutoff and the heat."""
@@ -228,11 +237,13 @@ def _heated(
         )
     if added is None:
         return peak, 1.0, (peak - pressed) / scale
-    left = added - (peak - pressed) / scale
-    cutoff = 1 + left * (volume - 1) * (index - 1) / (index * peak)
-    if left < -1e-12 * added or cutoff > volume:
-        rule = "is not reached with this heat" if left < 0 else "leaves heat beyond bottom dead centre"
-        remedy = "leave peak_pressure out" if left < 0 else "raise it, or add less heat"
+    remaining = added - (peak - pressed) / scale
+    cutoff = 1 + remaining * (volume - 1) * (index - 1) / (index * peak)
+    if remaining < -1e-12 * added or cutoff > volume:
+        rule = (
+            "is not reached with this heat" if remaining < 0 else "leaves heat beyond bottom dead centre"
+        )
+        remedy = "leave peak_pressure out" if remaining < 0 else "raise it, or add less heat"
         raise SymbalanceError(f"peak_pressure = {shown(peak_pressure)}", rule, remedy)
     return peak, max(cutoff, 1.0), added
 

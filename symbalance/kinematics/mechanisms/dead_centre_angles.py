@@ -1,12 +1,19 @@
-"""Where the piston turns round: the dead centres and the stroke of a mechanism.
+"""Dead centres of a mechanism: the crank angles at which its piston turns round, and its stroke.
 
 At its dead centres an offset slider-crank's crank and rod lie in one line, stretched or folded:
 
     top     sin p =  eps/(lam + 1),            y = sqrt((lam + 1)^2 - eps^2),
     bottom  sin p = -eps/(lam - 1), cos p < 0, y = sqrt((lam - 1)^2 - eps^2).
 
-With eps > 0 the way down takes more than half a turn, and the stroke exceeds 2 r. A link rod's dead
-centres are roots of y', bracketed and found to all digits.
+At the top sin phi = (sin p - eps)/lam = -sin p, so that crank and rod add up to y = (lam + 1) cos p:
+
+Formulas:
+    (s - e)/L = -s
+    ((L + 1) c)^2 = (L + 1)^2 - e^2
+    with c = sqrt(1 - s^2); s = e/(L + 1); L, e positive
+
+With eps > 0 the downward stroke takes more than half a turn, and the stroke exceeds 2 r. A link rod's
+dead centres are roots of y', bracketed and computed to all digits.
 """
 
 from __future__ import annotations
@@ -17,15 +24,15 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from symbalance.kinematics.mechanisms.linkages import Mechanism, SliderCrank, plain
+from symbalance.kinematics.mechanisms.mechanism_types import Mechanism, SliderCrank, simplified
 from symbalance.kinematics.mechanisms.motion import height, height_motion
 from symbalance.text.reals import DIGITS, Real, asin, nint, pi, sqrt
 
-LOOKS = 96
-"""At how many crank angles a link rod's piston is looked at to find where it turns round."""
+SAMPLES = 96
+"""At how many crank angles a link rod's velocity is computed to bracket its changes of sign."""
 GUARD = 10
 """Digits beyond those wanted, in which a root is sought."""
-FIRST_LOOK = -2
+FIRST_SAMPLE = -2
 """Any angle in rad; this one is far from the dead centres of common engines."""
 
 
@@ -44,12 +51,12 @@ class DeadCentres:
 
     @property
     def stroke(self) -> Any:
-        """The piston's way between the dead centres, over r; 2 without offset."""
+        """The distance between the dead centres, over r; 2 without offset."""
         return self.highest - self.lowest
 
     @property
     def down(self) -> Any:
-        """The crank angle in rad that the way down takes; pi without offset."""
+        """The crank angle in rad that the downward stroke takes; pi without offset."""
         return self.bottom - self.top
 
 
@@ -72,11 +79,17 @@ def dead_centres(mechanism: Mechanism, digits: int = DIGITS) -> DeadCentres:
 
     Of several turning points of a link rod's piston the highest and the lowest count.
 
+    Of a slider-crank, where the piston's velocity is 0, as crank and rod are in line:
+
+    Formulas:
+        -s - c (s - e)/(L c) = 0
+        with c = sqrt(1 - s^2); s = e/(L + 1); L, e positive
+
     >>> from symbalance.text.reals import nstr
     >>> nstr(dead_centres(SliderCrank(4, 1)).stroke, 12)
     '2.07055236082'
     """
-    mechanism = plain(mechanism)
+    mechanism = simplified(mechanism)
     if isinstance(mechanism, SliderCrank):
         lam, eps = (Real(x, digits) for x in (mechanism.ratio, mechanism.offset))
         return _lined_up(lam, eps, sqrt, asin, pi(digits))
@@ -109,15 +122,15 @@ def _turning_points(mechanism: Mechanism, digits: int) -> list[Real]:
     def slope(p: Real) -> Real:
         return height_motion(mechanism, p).first
 
-    angles = [FIRST_LOOK + 2 * pi(digits + GUARD) * i / LOOKS for i in range(LOOKS + 1)]
+    angles = [FIRST_SAMPLE + 2 * pi(digits + GUARD) * i / SAMPLES for i in range(SAMPLES + 1)]
     slopes = [slope(p) for p in angles[:-1]]
-    found = []
+    roots = []
     for (start, before), (end, after) in pairwise(zip(angles, [*slopes, slopes[0]], strict=True)):
         if before == 0:
-            found.append(start)
+            roots.append(start)
         elif before * after < 0:
-            found.append(_root(slope, start, end, before, after).rounded(digits))
-    return found
+            roots.append(_root(slope, start, end, before, after).rounded(digits))
+    return roots
 
 
 def _root(slope: Callable[[Real], Real], start: Real, end: Real, before: Real, after: Real) -> Real:
@@ -129,12 +142,12 @@ def _root(slope: Callable[[Real], Real], start: Real, end: Real, before: Real, a
     least = Fraction(1, 10 ** (end.digits - GUARD + 2))
     while True:
         place = end - after * (end - start) / (after - before)
-        here = slope(place)
-        if here == 0 or abs(place - end) < least:
+        value = slope(place)
+        if value == 0 or abs(place - end) < least:
             return place
-        if here * after < 0:
+        if value * after < 0:
             start, before = end, after
         else:
-            kept = 1 - here / after
-            before *= kept if kept > 0 else Fraction(1, 2)
-        end, after = place, here
+            share = 1 - value / after
+            before *= share if share > 0 else Fraction(1, 2)
+        end, after = place, value

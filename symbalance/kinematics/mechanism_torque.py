@@ -1,4 +1,4 @@
-r"""What a kinetic energy gives back, for any mechanism: harmonics of products of its series.
+"""Inertia torque of any mechanism: harmonics of the power that its moving masses take from the crank.
 
 At constant omega a mass m whose place along a line is f(p), or a moment of inertia whose angle it is,
 takes the power of its kinetic energy from the crank. With f = sum of c_n e^(inp), c_-n = conj(c_n),
@@ -9,6 +9,12 @@ takes the power of its kinetic energy from the crank. With f = sum of c_n e^(inp
 In the strip |Im p| <= a of the mechanism |c_k| <= M e^(-a |k|), so that stopping at k = `order` + K
 leaves out less than e^(-a (n + 2K)) of the largest: K is chosen to bring that below 10^-digits.
 Centred slider-cranks have closed forms, which are taken instead.
+
+Of one harmonic alone, f = A cos p, that is
+
+Formulas:
+    -(1/2) dW/dtheta = -(A^2/2) sin 2 theta
+    with W = (A sin theta)^2; A a number
 """
 
 from __future__ import annotations
@@ -17,8 +23,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from math import ceil, log
 
-from symbalance.exact.decimal_phasor import total
-from symbalance.kinematics.inertia import torque_values
+from symbalance.exact.decimal_phasor import rounded_sum
 from symbalance.kinematics.mechanisms import (
     LinkRod,
     Mechanism,
@@ -27,25 +32,27 @@ from symbalance.kinematics.mechanisms import (
     rod_angle_harmonics,
 )
 from symbalance.kinematics.mechanisms.fourier import series_of
-from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.mechanisms.mechanism_types import simplified
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_path
-from symbalance.kinematics.rod import rod_torque_values
+from symbalance.kinematics.piston_torque import torque_values
+from symbalance.kinematics.rod_torque import rod_torque_values
 from symbalance.text.reals import Complex, Real, csum, digits_of, fixed, ldexp
 
 GUARD = 12.0
 """Nepers for what the bounds' constants and the sums over k may add."""
 LEAST_STRIP = 1e-9
+"""A narrower strip would ask for more terms than there are; so near to lying across `fourier` refuses."""
 
 
 def inertia_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Complex]:
     """Return n -> C + iS of the torque of a mass on a mechanism's piston, over m r^2 omega^2.
 
     >>> from symbalance.text.reals import nstr
-    >>> found = inertia_harmonics(SliderCrank(4, "1/2"), 2)
-    >>> [nstr(found[n], 6) for n in found]
+    >>> torques = inertia_harmonics(SliderCrank(4, "1/2"), 2)
+    >>> [nstr(torques[n], 6) for n in torques]
     ['(0.00862598 + 0.0651292j)', '(0.132415 - 0.492229j)']
     """
-    mechanism = plain(mechanism)
+    mechanism = simplified(mechanism)
     if isinstance(mechanism, SliderCrank) and not mechanism.offset:
         return {n: Complex(0, t) for n, t in torque_values(order, mechanism.ratio, digits).items()}
     return _of_square(mechanism, order, digits, "height")
@@ -53,7 +60,7 @@ def inertia_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dic
 
 def rod_harmonics(mechanism: Mechanism, order: int, digits: int = 40) -> dict[int, Complex]:
     """Return n -> C + iS of the torque of a moment of inertia that turns with the rod, over J omega^2."""
-    mechanism = plain(mechanism)
+    mechanism = simplified(mechanism)
     if isinstance(mechanism, SliderCrank) and not mechanism.offset:
         return {n: Complex(0, u) for n, u in rod_torque_values(order, mechanism.ratio, digits).items()}
     return _of_square(mechanism, order, digits, "rod-angle")
@@ -133,9 +140,9 @@ def link_pin_moments(mechanism: LinkRod, order: int, digits: int = 40) -> dict[i
     moments = {}
     for n in range(1, order + 1, 2 if mechanism.master.is_centred else 1):
         parts = _correlation(forces, place, n), _correlation(forces, place, -n).conjugate()
-        both = total(parts[0], -parts[1])
-        if both:
-            moments[n] = Complex(both.imag, both.real)
+        moment = rounded_sum(parts[0], -parts[1])
+        if moment:
+            moments[n] = Complex(moment.imag, moment.real)
     return moments
 
 
@@ -147,6 +154,6 @@ def _whole_path(mechanism: LinkRod, order: int, digits: int) -> dict[int, Comple
     return place | {1: place.get(1, Complex(0, 0, digits + 10)) + 1}
 
 
-def _correlation(left: Mapping[int, Complex], right: Mapping[int, Complex], n: int) -> Complex:
+def _correlation(first: Mapping[int, Complex], second: Mapping[int, Complex], n: int) -> Complex:
     """Return the sum over k of left_k conj(right_{k-n})."""
-    return csum(x * right[k - n].conjugate() for k, x in left.items() if k - n in right)
+    return csum(x * second[k - n].conjugate() for k, x in first.items() if k - n in second)

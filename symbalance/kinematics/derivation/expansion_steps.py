@@ -1,4 +1,13 @@
-"""The steps of a derivation from the geometry to the collected and differentiated harmonics."""
+"""The steps of a derivation that expand the geometry in powers of sin theta, then in multiple angles.
+
+Formulas:
+    x = r (1 - cos theta) + l (1 - cos phi)
+    cos phi = sqrt(1 - rho^2 sin^2 theta)
+    sqrt(1 - X) = 1 - X/2 - X^2/8 - X^3/16 - ...
+    sin^4 theta = (3 - 4 cos 2 theta + cos 4 theta)/8
+    sin^5 theta = (10 sin theta - 5 sin 3 theta + sin 5 theta)/16
+    with X a number
+"""
 
 from __future__ import annotations
 
@@ -27,7 +36,7 @@ from symbalance.document.formula import (
     total,
 )
 from symbalance.document.nodes import Paragraph
-from symbalance.kinematics.derivation.setting import (
+from symbalance.kinematics.derivation.request import (
     INDEX_I,
     PHI,
     THETA,
@@ -35,11 +44,11 @@ from symbalance.kinematics.derivation.setting import (
     K,
     L,
     R,
+    Request,
     S,
-    Setting,
     Step,
     X,
-    closed,
+    general_term,
     harmonic,
     prose,
 )
@@ -49,11 +58,11 @@ ROOT_TERMS = 5
 BIG_X = Name("X")
 
 
-def geometry(setting: Setting) -> Step:
+def geometry(request: Request) -> Step:
     """Return step 1: the crank, the rod, and where everything is measured from."""
-    letters = setting.letters
+    letters = request.letters
     about = [
-        "The crank pin turns at ", *_crank(setting), " about the crankshaft; ", THETA,
+        "The crank pin turns at ", *_crank(request), " about the crankshaft; ", THETA,
         " is the crank angle, ", equal(THETA, number(0)), " at top dead centre. The rod, of length ", L,
         " between centres, joins the pin to a piston whose axis passes through the crankshaft, and makes"
         " the angle ", PHI, " with that axis",
@@ -61,7 +70,7 @@ def geometry(setting: Setting) -> Step:
     pin = equal(L * sin(PHI), letters.radius * sin(THETA))
     ratio = prose("With ", letters.ratio, " (", letters.meaning, ")")
     slope = equal(sin(PHI), letters.sine)
-    if setting.rod_angle:
+    if request.rod_angle:
         side = " (positive towards the side of the pin after top dead centre)."
         return Step("Geometry", (Paragraph((*about, side)), pin, ratio, slope))
     measured = prose(
@@ -74,16 +83,16 @@ def geometry(setting: Setting) -> Step:
     return Step("Geometry", (Paragraph((*about, ".")), measured, pin, position, ratio, slope))
 
 
-def _crank(setting: Setting) -> tuple[str | Formula | Equation, ...]:
-    if setting.convention == "l/s":
+def _crank(request: Request) -> tuple[str | Formula | Equation, ...]:
+    if request.convention == "l/s":
         return ("the radius ", S / number(2), ", half the stroke ", S, ",")
     return ("the radius ", R)
 
 
-def root(setting: Setting) -> Step:
+def root(request: Request) -> Step:
     """Return step 2: cos phi as a root, positive since the rod is longer than the crank."""
-    letters = setting.letters
-    value = sqrt(1 - _square(setting))
+    letters = request.letters
+    value = sqrt(1 - _square(request))
     piston = letters.radius * (1 - cos(THETA)) + letters.rod * (1 - value)
     words = prose(
         "The rod is longer than the crank, so ", PHI, " stays within a right angle and ", cos(PHI),
@@ -92,15 +101,15 @@ def root(setting: Setting) -> Step:
     return Step("The root", (words, equal(cos(PHI), sqrt(1 - sin(PHI, 2)), value), equal(X, piston)))
 
 
-def _square(setting: Setting) -> Formula:
+def _square(request: Request) -> Formula:
     """Return sin^2 phi in the crank angle."""
-    return setting.rho_power(2, of=sin(THETA, 2))
+    return request.rho_power(2, of=sin(THETA, 2))
 
 
-def root_series(setting: Setting) -> Step:
+def root_series(request: Request) -> Step:
     """Return step 3: sqrt(1 - X) = 1 - sum of C(2m, m)/(2m - 1) (X/4)^m, and what is kept of it."""
-    shown = ROOT_TERMS if setting.long else max(ROOT_TERMS, setting.last // 2)
-    terms = [Negative(_power_of_x(_root_term(m), m)) for m in range(1, shown + 1)]
+    count = ROOT_TERMS if request.long else max(ROOT_TERMS, request.last // 2)
+    terms = [Negative(_power_of_x(_root_term(m), m)) for m in range(1, count + 1)]
     general = binomial(2 * J, J) / (2 * J - 1) * Power(BIG_X / number(4), J)
     series = Equation(
         sqrt(1 - BIG_X),
@@ -110,20 +119,20 @@ def root_series(setting: Setting) -> Step:
         ),
     )
     words = prose(
-        "The binomial series, which converges as ", equal(BIG_X, _square(setting)), " stays below 1:"
+        "The binomial series, which converges as ", equal(BIG_X, _square(request)), " stays below 1:"
     )
-    rod = setting.letters.rod * (1 - sqrt(1 - BIG_X))
-    if setting.last == 0:
-        kept = prose("Order 1 keeps none of its powers: the root is replaced by 1, so that ",
+    rod = request.letters.rod * (1 - sqrt(1 - BIG_X))
+    if request.last == 0:
+        truncated = prose("Order 1 keeps none of its powers: the root is replaced by 1, so that ",
                      Equation(rod, (("≈", number(0)),)), ".")  # fmt: skip
-        return Step("The root as a series", (words, series, kept))
-    rows = [setting.rho_power(p - 1, _root_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()]
-    m = setting.last // 2
-    end = closed(
-        setting, [_central(m), sin(THETA, 2 * m)], [number(2 * m - 1), number(4) ** m], 2 * m - 1
+        return Step("The root as a series", (words, series, truncated))
+    rows = [request.rho_power(p - 1, _root_term(p // 2), sin(THETA, p)) for p in request.sine_powers()]
+    m = request.last // 2
+    end = general_term(
+        request, [_central(m), sin(THETA, 2 * m)], [number(2 * m - 1), number(4) ** m], 2 * m - 1
     )
-    kept = Equation(rod, (("≈", setting.letters.radius * _elided(setting, rows, end)),))
-    return Step("The root as a series", (words, series, _kept_to(setting), kept))
+    truncated = Equation(rod, (("≈", request.letters.radius * _elided(request, rows, end)),))
+    return Step("The root as a series", (words, series, _kept_to(request), truncated))
 
 
 def _root_term(m: int) -> Fraction:
@@ -135,64 +144,64 @@ def _power_of_x(coefficient: Fraction, exponent: int) -> Formula:
     return monomial(coefficient, BIG_X, exponent)
 
 
-def _kept_to(setting: Setting) -> Paragraph:
+def _kept_to(request: Request) -> Paragraph:
     also = ""
-    if setting.long:
+    if request.long:
         also = " (the derivation being long, only the first and the last are written out)"
-    return prose("Kept to ", sin(THETA, setting.last), also, ":")
+    return prose("Kept to ", sin(THETA, request.last), also, ":")
 
 
-def _elided(setting: Setting, rows: list[Formula], end: Formula) -> Sum:
+def _elided(request: Request, rows: list[Formula], end: Formula) -> Sum:
     """Return the rows as a sum: of a long derivation the first three, dots and the last as `end`."""
-    return Sum((*rows[:3], Dots(), end) if setting.long and len(rows) > 4 else tuple(rows))
+    return Sum((*rows[:3], Dots(), end) if request.long and len(rows) > 4 else tuple(rows))
 
 
 def _central(j: int) -> Formula:
     return binomial(2 * j, j)
 
 
-def inverse_sine(setting: Setting) -> Step:
+def inverse_sine(request: Request) -> Step:
     """Return step 2 of the rod's angle."""
     words = prose("The rod is longer than the crank, so ", PHI, " stays within a right angle:")
-    return Step("The inverse sine", (words, equal(PHI, Call("asin", setting.letters.sine))))
+    return Step("The inverse sine", (words, equal(PHI, Call("asin", request.letters.sine))))
 
 
-def inverse_sine_series(setting: Setting) -> Step:
+def inverse_sine_series(request: Request) -> Step:
     """Return step 3 of the rod's angle: asin X = sum of C(2j, j) X^(2j+1)/(4^j (2j + 1))."""
-    shown = ROOT_TERMS if setting.long else max(ROOT_TERMS, setting.last // 2 + 1)
-    terms = [_power_of_x(_inverse_sine_term(j), 2 * j + 1) for j in range(shown)]
+    count = ROOT_TERMS if request.long else max(ROOT_TERMS, request.last // 2 + 1)
+    terms = [_power_of_x(_inverse_sine_term(j), 2 * j + 1) for j in range(count)]
     general = Quotient(binomial(2 * J, J), Power(number(4), J) * (2 * J + 1)) * Power(BIG_X, 2 * J + 1)
-    left = Call("asin", BIG_X)
-    series = equal(left, Sum((*terms, Dots())), total(J, number(0), None, general))
+    arcsine = Call("asin", BIG_X)
+    series = equal(arcsine, Sum((*terms, Dots())), total(J, number(0), None, general))
     words = prose(
-        "The series, which converges as ", equal(BIG_X, setting.letters.sine), " stays below 1:"
+        "The series, which converges as ", equal(BIG_X, request.letters.sine), " stays below 1:"
     )
     rows = [
-        setting.rho_power(p, _inverse_sine_term(p // 2), sin(THETA, p)) for p in setting.sine_powers()
+        request.rho_power(p, _inverse_sine_term(p // 2), sin(THETA, p)) for p in request.sine_powers()
     ]
-    p, j = setting.last, setting.last // 2
-    end = closed(setting, [_central(j), sin(THETA, p)], [number(p), number(4) ** j], p)
-    kept = Equation(PHI, (("≈", _elided(setting, rows, end)),))
-    return Step("The inverse sine as a series", (words, series, _kept_to(setting), kept))
+    p, j = request.last, request.last // 2
+    end = general_term(request, [_central(j), sin(THETA, p)], [number(p), number(4) ** j], p)
+    truncated = Equation(PHI, (("≈", _elided(request, rows, end)),))
+    return Step("The inverse sine as a series", (words, series, _kept_to(request), truncated))
 
 
 def _inverse_sine_term(j: int) -> Fraction:
     return Fraction(comb(2 * j, j), (2 * j + 1) * 4**j)
 
 
-def even_powers(setting: Setting) -> Step:
+def even_powers(request: Request) -> Step:
     """Return step 4: sin^2m theta = (C(2m, m)/2 + sum of (-1)^k C(2m, m-k) cos 2k theta) / 2^(2m-1)."""
-    if setting.last == 0:
+    if request.last == 0:
         return Step(
             "Multiple angles", (prose("At order 1 no power of ", sin(THETA), " is left to resolve."),)
         )
-    lines = [_even_power(power // 2) for power in _shown(setting)]
+    lines = [_even_power(power // 2) for power in _powers_written(request)]
     body = alternating(K) * binomial(2 * J, J - K) * cos(2 * K * THETA)
     general = equal(
         sin(THETA, 2 * J),
         1 / Power(number(4), J) * (binomial(2 * J, J) + 2 * total(K, number(1), J, body)),
     )
-    return _multiple_angles(setting, lines, general)
+    return _multiple_angles(request, lines, general)
 
 
 def _even_power(m: int) -> Equation:
@@ -202,19 +211,19 @@ def _even_power(m: int) -> Equation:
     return equal(sin(THETA, 2 * m), _shared(Sum(tuple(terms)), 2 ** (2 * m - 1)))
 
 
-def odd_powers(setting: Setting) -> Step:
+def odd_powers(request: Request) -> Step:
     """Return step 4 of the rod's angle.
 
     sin^(2j+1) theta = sum of (-1)^i C(2j+1, j-i) sin (2i+1) theta / 4^j.
     """
-    lines = [_odd_power(power // 2) for power in _shown(setting) if power > 1]
+    lines = [_odd_power(power // 2) for power in _powers_written(request) if power > 1]
     body = alternating(INDEX_I) * binomial(2 * J + 1, J - INDEX_I) * sin((2 * INDEX_I + 1) * THETA)
     general = equal(sin(THETA, 2 * J + 1), 1 / Power(number(4), J) * total(INDEX_I, number(0), J, body))
     if not lines:
         return Step(
             "Multiple angles", (prose("The first power of ", sin(THETA), " is a harmonic already."),)
         )
-    return _multiple_angles(setting, lines, general)
+    return _multiple_angles(request, lines, general)
 
 
 def _odd_power(j: int) -> Equation:
@@ -234,11 +243,11 @@ def _shared(terms: Sum, under: int) -> Formula:
     return terms / number(under) if len(terms.terms) < 5 else 1 / number(under) * terms
 
 
-def _shown(setting: Setting) -> list[int]:
-    powers = list(setting.sine_powers())
-    return powers[:4] if setting.long else powers
+def _powers_written(request: Request) -> list[int]:
+    powers = list(request.sine_powers())
+    return powers[:4] if request.long else powers
 
 
-def _multiple_angles(setting: Setting, lines: list[Equation], general: Equation) -> Step:
-    goes_on = (prose("and so on: in general"),) if setting.long else (prose("These are cases of"),)
+def _multiple_angles(request: Request, lines: list[Equation], general: Equation) -> Step:
+    goes_on = (prose("and so on: in general"),) if request.long else (prose("These are cases of"),)
     return Step("Multiple angles", (*lines, *goes_on, general))

@@ -1,4 +1,4 @@
-r"""Torques of groups of like cylinders: each group's harmonics times the exact star of its cylinders.
+"""Torques of groups of like bodies: each group's harmonics times the exact star of its cylinders.
 
 Cylinder j has C_n cos n p_j + S_n sin n p_j, p_j = theta + delta_j, with z_n = C_n + i S_n of its group:
 the engine has z_n sum of e^(-i n delta_j), the sum over like cylinders decided exactly, so that an order
@@ -7,6 +7,11 @@ that cancels among them is gone. What is left of several groups is a number of 4
 Link rods turn the crank through their master rod. By virtual work that changes nothing: the torque is
 the power of what moves, over omega. Counted are the masses that go along the cylinders
 (`reciprocating_mass`), those on link pins (`rotating_mass` of link rods) and the couples of J_x.
+
+Formulas:
+    C cos n (theta + d) + S sin n (theta + d) = P cos n theta + Q sin n theta
+    (C + i S) e^(-i n d) = P + i Q
+    with P = C cos n d + S sin n d; Q = S cos n d - C sin n d; C, S numbers; n a whole number; d an angle
 """
 
 from __future__ import annotations
@@ -22,7 +27,7 @@ from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.kinematics.bodies import EXCESS, RECIPROCATING, ROTATING, Body, bodies
 from symbalance.text.reals import Complex
-from symbalance.torque.stars import summed
+from symbalance.torque.star_diagrams import unit_vector_sum
 
 MASSES = (RECIPROCATING, ROTATING)
 
@@ -72,17 +77,17 @@ def has_common_torque(layout: Engine) -> bool:
     return layout.has_common_harmonics and {*layout.sizes} == {*layout.radii} == {1}
 
 
-def summed_torque(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
+def total_torque(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
     """Return the orders of the groups' torque on the crank that do not vanish: n -> C + iS."""
-    return _summed([(group, group.body.torque(order)) for group in groups])
+    return _total([(group, group.body.torque(order)) for group in groups])
 
 
-def summed_moment(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
+def total_moment(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:
     """Return the same of what the frame gets besides the torque's opposite."""
-    return _summed([(group, group.body.moment(order)) for group in groups])
+    return _total([(group, group.body.moment(order)) for group in groups])
 
 
-def _summed(parts: Sequence[tuple[TorqueGroup, Mapping[int, Complex]]]) -> dict[int, Component]:
+def _total(parts: Sequence[tuple[TorqueGroup, Mapping[int, Complex]]]) -> dict[int, Component]:
     """Return the sum of the groups' harmonics times their stars, to 40 digits."""
     total: dict[int, DecimalPhasor] = {}
     for group, harmonics in parts:
@@ -96,5 +101,5 @@ def _summed(parts: Sequence[tuple[TorqueGroup, Mapping[int, Complex]]]) -> dict[
 
 def star_number(cylinders: tuple[Cylinder, ...], n: int) -> Complex:
     """Return the sum of e^(-i n delta_j), an exact 0 where it vanishes."""
-    star = summed([c.delay.scaled(-n) for c in cylinders])
+    star = unit_vector_sum([c.delay.scaled(-n) for c in cylinders])
     return Complex(0) if star.is_zero() else star.evaluated()

@@ -1,4 +1,4 @@
-"""Pressure traces as files: two columns, read strictly, refused with file, line and remedy."""
+"""Pressure traces in CSV files: two columns, read strictly, refused with file, line and remedy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The gas torque of one cylinder: its tangential pressure, work and harmonics.
+"""Gas torque of one cylinder: tangential pressure, work and harmonics.
 
 The gas turns the crank with T = (p - p_ambient) A r v/(r omega), A the piston's area: torque over A r is
 the tangential pressure, in bar. That is virtual work, and true of any mechanism, a link rod's included.
@@ -9,6 +9,10 @@ centred piston A_m/(2i m)), its two-sided series is
 
 p_s from the straight lines between the trace's points exactly: no quadrature. Only the v_m that are below
 a double's last digit are left out.
+
+Formulas:
+    v/(r omega) = sin theta + A_2/2 sin 2 theta + A_4/4 sin 4 theta + ...
+    A_2/(4 i) e^(2 i theta) - A_2/(4 i) e^(-2 i theta) = A_2/2 sin 2 theta
 """
 
 from __future__ import annotations
@@ -22,7 +26,7 @@ from itertools import pairwise
 from math import floor, pi, sqrt
 
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
-from symbalance.kinematics.pistons import Piston
+from symbalance.kinematics.piston_motion import Piston
 from symbalance.torque.pressure import PressureTrace
 
 AMBIENT = Fraction(101325, 100_000)
@@ -58,7 +62,7 @@ class TangentialPressure:
     @property
     def cycle_work(self) -> float:
         """The integral over a cycle: twice the mean effective pressure."""
-        return self._worked[-1]
+        return self._work_at_points[-1]
 
     @property
     def mean(self) -> float:
@@ -76,16 +80,16 @@ class TangentialPressure:
         cycles = floor((angle - radians[0]) / (radians[-1] - radians[0]))
         rest = min(angle - cycles * (radians[-1] - radians[0]), radians[-1])
         i = max(min(bisect_right(radians, rest), len(radians) - 1) - 1, 0)
-        return cycles * self.cycle_work + self._worked[i] + self._piece(i, rest)
+        return cycles * self.cycle_work + self._work_at_points[i] + self._piece(i, rest)
 
     @cached_property
-    def _worked(self) -> list[float]:
+    def _work_at_points(self) -> list[float]:
         """The work up to each point."""
-        total, found = 0.0, [0.0]
+        total, sums = 0.0, [0.0]
         for i, end in enumerate(self.trace.radians[1:]):
             total += self._piece(i, end)
-            found.append(total)
-        return found
+            sums.append(total)
+        return sums
 
     def _piece(self, i: int, end: float) -> float:
         """Return the integral from point i to an angle before the next, Gauss's rule in small steps."""
@@ -117,14 +121,14 @@ class TangentialPressure:
         speeds = self.piston.speeds
         step = self.trace.strokes // 2  # orders come in steps of 1/step
         pressures = self._two_sided(step * (order + max(speeds)), step)
-        found = {}
+        sums = {}
         for k in range(1, step * order + 1):
             total = sum(
                 v * _place(pressures, k - step * m) + v.conjugate() * pressures[k + step * m]
                 for m, v in speeds.items()
             )
-            found[Fraction(k, step)] = 2 * total.conjugate()
-        return found
+            sums[Fraction(k, step)] = 2 * total.conjugate()
+        return sums
 
     def _two_sided(self, most: int, step: int) -> list[complex]:
         """Return p_0, p_1/step, ... p_most/step of the pressure above ambient, exact for straight lines.
@@ -132,13 +136,13 @@ class TangentialPressure:
         Twice integrated by parts: jumps over is, and changes of slope over s^2.
         """
         lines, period = self._lines, self.trace.cycle * pi / 180
-        turned = pairwise([*lines, (lines[0][0] + period, *lines[0][1:])])
+        cyclic = pairwise([*lines, (lines[0][0] + period, *lines[0][1:])])
         corners, mean = [], 0.0
-        for (start, bar, slope), (end, after, _) in turned:
+        for (start, bar, slope), (end, after, _) in cyclic:
             width = end - start
             mean += (bar + slope * width / 2) * width / period
             corners.append((end, slope, after - bar if not width else 0.0))
-        found: list[complex] = [complex(mean)]
+        sums: list[complex] = [complex(mean)]
         for k in range(1, most + 1):
             s = k / step
             total, here = 0j, exp(-1j * s * lines[0][0])
@@ -147,8 +151,8 @@ class TangentialPressure:
                 total += slope * (here - before) / (s * s)
                 if jump:
                     total += jump * here / (1j * s)
-            found.append(total / period)
-        return found
+            sums.append(total / period)
+        return sums
 
 
 def _place(series: list[complex], k: int) -> complex:
