@@ -12,7 +12,6 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import sympy
-from cranks import sheet, written
 from sympy import Symbol
 
 import symbalance as sb
@@ -20,6 +19,7 @@ from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.reports import summarise_run
 from symbalance.crankshaft.running import configure_run, run_speeds
 from symbalance.document.result import Result
+from tests.cranks import sheet, written
 
 
 def _balance() -> Result:

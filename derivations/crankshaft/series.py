@@ -10,20 +10,21 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import matplotlib as mpl
 import numpy as np
 
 from symbalance.bench.integrating.four import CYCLE, Case, full_system
 from symbalance.crankshaft.bearings.series import equivalent_coefficients
-
-mpl.use("Agg")
-from matplotlib import pyplot
 
 BEARING = 2
 
 
 def drawn(path: Path) -> None:
     """Write the picture."""
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    from matplotlib import pyplot
+
     system = full_system(Case("2200 rpm"))
     theta = CYCLE / 720 * np.arange(720)
     film = system.film.stiffness(theta), system.film.damping(theta)

@@ -28,7 +28,7 @@ PROVED, DIFFERENT, UNDECIDED = "proved", "shown different", "undecided"
 
 
 @dataclass(frozen=True)
-class Link:
+class Relation:
     """A relation as SymPy is asked for it: lhs - rhs, and for ≈ a small letter and the order kept."""
 
     line: int
@@ -43,7 +43,7 @@ class Link:
 class Outcome:
     """What SymPy said of a relation, and after how many seconds."""
 
-    link: Link
+    link: Relation
     said: str
     seconds: float
 
@@ -53,11 +53,11 @@ class Outcome:
         return self.said == (PROVED if self.link.right else DIFFERENT)
 
 
-def links(page: Page) -> list[Link]:
+def links(page: Page) -> list[Relation]:
     """Return the relations of the page that SymPy can be asked for; definitions are none."""
     convert = page.in_sympy()
     wrong = {(error.line, error.link) for error in page.errors}
-    found: list[Link] = []
+    found: list[Relation] = []
     for chain in page.read(page.text).chains:
         sound = 0
         for k in range(len(chain.relations)):
@@ -70,19 +70,19 @@ def links(page: Page) -> list[Link]:
 
 def _link(
     chain: Chain, sound: int, k: int, place: tuple[int, int], convert: InSympy, right: bool
-) -> Link:
+) -> Relation:
     left, other = chain.sides[sound].node, chain.sides[k + 1].node
     difference = convert.of(left) - convert.of(other)
     dots = any(isinstance(part, formula.Dots) for part in formula.walk(other))
     if chain.relations[k].sign != "≈" and not dots:
-        return Link(*place, difference, right)
+        return Relation(*place, difference, right)
     large = convert.symbol("lambda")
     if large not in difference.free_symbols:
         small = convert.symbol("u")
-        return Link(*place, difference, right, small, _degree(convert.of(other), small))
+        return Relation(*place, difference, right, small, _degree(convert.of(other), small))
     small = sympy.Symbol("rho", positive=True)
     kept = _degree(convert.of(other).subs(large, 1 / small), small)
-    return Link(*place, difference.subs(large, 1 / small), right, small, kept)
+    return Relation(*place, difference.subs(large, 1 / small), right, small, kept)
 
 
 def _degree(expression: Any, letter: sympy.Symbol) -> int:
@@ -93,7 +93,7 @@ def _has_decimals(node: formula.Formula) -> bool:
     return any(isinstance(p, formula.Number) and p.last_place is not None for p in formula.walk(node))
 
 
-def simplified(chosen: Sequence[Link], limit: float = LIMIT) -> Iterator[Outcome]:
+def simplified(chosen: Sequence[Relation], limit: float = LIMIT) -> Iterator[Outcome]:
     """Yield what SymPy says of each relation, in a process of its own that is ended at the limit."""
     worker = _Worker()
     try:
@@ -120,7 +120,7 @@ class _Worker:
         self.process.kill()
         self.process.join()
 
-    def asked(self, link: Link, limit: float) -> Outcome:
+    def asked(self, link: Relation, limit: float) -> Outcome:
         self.pipe.send(link)
         if self.pipe.poll(limit):
             return Outcome(link, *self.pipe.recv())
@@ -141,7 +141,7 @@ def _serve(pipe: Any) -> None:
         pipe.send((said, perf_counter() - start))
 
 
-def decided(link: Link) -> str:
+def decided(link: Relation) -> str:
     """Return what `simplify` makes of a relation: 0 is a proof, a number that is not 0 a refutation."""
     difference = link.difference
     if link.small is not None:

@@ -16,9 +16,9 @@ def _decomposed(kind: str) -> dict[str, str]:
     """Return the raised or lowered characters, and what each is when it stands on the line."""
     every = [chr(code) for code in (0xB2, 0xB3, 0xB9, *range(0x2B0, 0x2E5), *range(0x1D2C, 0x1DC0))]
     every += [chr(code) for code in (*range(0x2070, 0x20A0), *range(0x2C7C, 0x2C7E))]
-    found = {c: unicodedata.decomposition(c).split() for c in every}
-    found = {c: chr(int(parts[1], 16)) for c, parts in found.items() if parts[:1] == [kind]}
-    return {c: "-" if plain == "−" else plain for c, plain in found.items()}
+    parts_of = {c: unicodedata.decomposition(c).split() for c in every}
+    parts_of = {c: chr(int(parts[1], 16)) for c, parts in parts_of.items() if parts[:1] == [kind]}
+    return {c: "-" if plain == "−" else plain for c, plain in parts_of.items()}
 
 
 RAISED = _decomposed("<super>")
@@ -147,11 +147,11 @@ def _table(lines: list[str], rule: int, encoding: str) -> list[str]:
         for c, (start, end) in enumerate(columns)
     ]
     gaps = [start - (columns[c - 1][1] if c else 0) for c, (start, _) in enumerate(columns)]
-    made: list[str] = []
+    new_lines: list[str] = []
     for k, line in enumerate(lines):
         if k == rule and columns:
             indent = len(line) - len(line.lstrip())
-            made.append(" " * indent + "-" * (sum(gaps) + sum(widths) - indent))
+            new_lines.append(" " * indent + "-" * (sum(gaps) + sum(widths) - indent))
         elif k in of_table:
             parts = [
                 " " * gap + (cell.rjust(width) if right else cell.ljust(width))
@@ -163,10 +163,10 @@ def _table(lines: list[str], rule: int, encoding: str) -> list[str]:
                     strict=True,
                 )
             ]
-            made.append("".join(parts).rstrip())
+            new_lines.append("".join(parts).rstrip())
         else:
-            made.append(_spelled(line, encoding))
-    return made
+            new_lines.append(_spelled(line, encoding))
+    return new_lines
 
 
 def _spelled(line: str, encoding: str) -> str:

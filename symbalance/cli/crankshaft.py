@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from symbalance.cli.options import add_output, command
 from symbalance.cli.output import medium, printed, show, whole_number, write_files
 from symbalance.errors import SymbalanceError
 
@@ -15,6 +16,47 @@ if TYPE_CHECKING:
     from symbalance.crankshaft.reports import Summary
 
 MOST_SPEEDS = 1000
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands, "crankshaft", run, "The running crankshaft: stress against the crank angle."
+    )
+    parser.add_argument(
+        "engine",
+        metavar="ENGINE",
+        help="a .toml file with [crankshaft], [bearings] and [running]",
+    )
+    parser.add_argument("--rpm", metavar="N", help="speeds: 2200, 1000,2200 or from:to:step")
+    parser.add_argument(
+        "--modes", metavar="N", default="0", help="modes kept beside the static shapes; default: 0, all"
+    )
+    parser.add_argument("--steps", metavar="N", default="720", help="steps of a cycle; default: 720")
+    parser.add_argument(
+        "--webs",
+        choices=("solid", "fitted", "formula", "nominal"),
+        default="formula",
+        help="where the webs' stiffness comes from; solid and fitted need the mesher; default: formula",
+    )
+    parser.add_argument(
+        "--connection",
+        choices=("exact", "equivalent"),
+        default="exact",
+        help="film and housing in series: exactly, or as one equivalent stiffness; default: exact",
+    )
+    parser.add_argument(
+        "--about",
+        choices=("orbit", "centre"),
+        default="orbit",
+        help="what the films are linear about: the journals' orbits, or the centre as the paper has it",
+    )
+    parser.add_argument(
+        "--passes", metavar="N", default="9", help="orbit: most iterations of the films; default: 9"
+    )
+    parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
+    add_output(parser, "FOLDER")
+    parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
 
 def run(options: argparse.Namespace) -> int:

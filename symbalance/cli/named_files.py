@@ -29,26 +29,26 @@ IN_FOLDER = ("report.*", "curves-*.csv", "loads-*.csv", "*.png", "webs.json")
 def check_named_files(options: argparse.Namespace) -> None:
     """Refuse a command line that would replace a person's own file, or write two results to one file."""
     _check_given(options)
-    written = list(_written(options))
-    if not written:
+    outputs = list(_outputs(options))
+    if not outputs:
         return
-    read = [(path, status) for path in _read(options) if (status := _regular(path)) is not None]
-    passed_over = [status for path in _passed_over(options) if (status := _regular(path)) is not None]
-    taken: dict[tuple[str, ...], str] = {}
-    for option, path in written:
+    inputs = [(path, status) for path in _inputs(options) if (status := _regular(path)) is not None]
+    sidecars = [status for path in _passed_over(options) if (status := _regular(path)) is not None]
+    claims: dict[tuple[str, ...], str] = {}
+    for option, path in outputs:
         status = _regular(path)
-        same = [r for r, of_read in read if status is not None and os.path.samestat(status, of_read)]
+        same = [r for r, of_input in inputs if status is not None and os.path.samestat(status, of_input)]
         if same:
             rule = f"is {same[0]}, which is read, and would be replaced"
             if str(path) == str(same[0]):
                 rule = "is a file that is read, and would be replaced"
             raise SymbalanceError(f"--{option} {path}", rule, "name another file")
-        if status is not None and any(os.path.samestat(status, other) for other in passed_over):
+        if status is not None and any(os.path.samestat(status, sidecar) for sidecar in sidecars):
             rule = f"is the sidecar beside {options.notes}, and would be replaced"
             raise SymbalanceError(f"--{option} {path}", rule, "name another file")
         key = _place(path)
-        if taken.setdefault(key, option) != option:
-            rule = f"is named by --{taken[key]} too, and one of the two would be lost"
+        if claims.setdefault(key, option) != option:
+            rule = f"is named by --{claims[key]} too, and one of the two would be lost"
             raise SymbalanceError(f"--{option} {path}", rule, "name a file of its own for each")
 
 
@@ -70,7 +70,7 @@ def _check_given(options: argparse.Namespace) -> None:
         )
 
 
-def _written(options: argparse.Namespace) -> Iterator[tuple[str, Path]]:
+def _outputs(options: argparse.Namespace) -> Iterator[tuple[str, Path]]:
     """Yield the option and the path of each file the command would write."""
     for option in WRITTEN:
         name = getattr(options, option, None)
@@ -95,7 +95,7 @@ def _in_folder(folder: Path) -> Iterator[Path]:
         yield from (folder / "speeds").iterdir()
 
 
-def _read(options: argparse.Namespace) -> Iterator[Path]:
+def _inputs(options: argparse.Namespace) -> Iterator[Path]:
     """Yield every file the command would read, as far as its options tell, and the files these name."""
     for option in READ:
         name = getattr(options, option, None)
@@ -127,7 +127,7 @@ def _is_file(engine: str) -> bool:
 def _declared(notes: Path, beside: bool) -> Iterator[Path]:
     """Yield the sidecars beside a document, and the files they name, or its own header names."""
     from symbalance.notes.checking.documents import sidecars_beside
-    from symbalance.notes.checking.header import without_header
+    from symbalance.notes.checking.sidecar import without_header
     from symbalance.text.files import read_text
 
     for sidecar in sidecars_beside(notes) if beside else ():

@@ -5,11 +5,23 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
+from symbalance.cli.options import add_engine, add_output, add_running, command
 from symbalance.cli.output import show, whole_number
 from symbalance.errors import SymbalanceError
 
 FOR_RUNNING = ("is for a running engine", "add --pressure FILE or --compression ε")
 HEAT = "18"
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands, "torque", run, "The torque on an engine's crank and frame: inertia exactly, gas on top."
+    )
+    add_engine(parser, "6")
+    add_running(parser)
+    parser.add_argument("--delta", metavar="δ", help="speed fluctuation; default: 0.02")
+    add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -69,14 +81,14 @@ def _is_running(options: argparse.Namespace, whole: bool) -> bool:
 
 def _sizes(options: argparse.Namespace, first: Any, whole: bool) -> dict[str, object]:
     """Return stroke and mass as far as they are said, or needed and known to do no harm."""
-    found: dict[str, object] = {}
+    sizes: dict[str, object] = {}
     for option, name, harmless in (("stroke", "stroke", 1), ("mass", "reciprocating_mass", 0)):
-        said, known = getattr(options, option), getattr(first, name)
-        if said is not None:
-            found[name] = said
+        words, known = getattr(options, option), getattr(first, name)
+        if words is not None:
+            sizes[name] = words
         elif known is None and not whole:
-            found[name] = harmless
+            sizes[name] = harmless
         elif known is None:
             remedy = f"give --{option}, or {name} in an engine file"
             raise SymbalanceError(name, "is needed, and the engine does not give it", remedy)
-    return found
+    return sizes

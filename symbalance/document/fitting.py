@@ -62,23 +62,23 @@ class Fitted:
         return tuple(all(map(is_number, self.cells(i))) for i in range(len(self.columns)))
 
 
-def fitted(table: Table, width: Callable[[Words], float], room: float, gap: float) -> Fitted:
+def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: float) -> Fitted:
     """Return a table with the exact cells that fit into `room`; `gap` lies between two columns.
 
     The widest column gives way first, its short cells last.
     """
-    kept = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in table.rows)]
-    columns = tuple(table.columns[i] for i in kept)
-    cells = [tuple(_readable(row[i]) for i in kept) for row in table.rows]
+    filled = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in table.rows)]
+    columns = tuple(table.columns[i] for i in filled)
+    cells = [tuple(_readable(row[i]) for i in filled) for row in table.rows]
     unread = sum(
         cell is not row[i]
-        for row, own in zip(table.rows, cells, strict=True)
-        for i, cell in zip(kept, own, strict=True)
+        for row, row_cells in zip(table.rows, cells, strict=True)
+        for i, cell in zip(filled, row_cells, strict=True)
     )
     longest: dict[int, int] = {}  # by column: how long an exact form may be
 
     def width_of(i: int) -> float:
-        body = (width(_chosen(row[i], longest.get(i))) for row in cells)
+        body = (width(_words_in(row[i], longest.get(i))) for row in cells)
         return max(width(columns[i].head), *body)
 
     sizes = list(map(width_of, range(len(columns))))
@@ -89,8 +89,8 @@ def fitted(table: Table, width: Callable[[Words], float], room: float, gap: floa
             open_columns.discard(widest)
             longest[widest] = limit
             sizes[widest] = width_of(widest)
-    rows = tuple(tuple(_chosen(c, longest.get(i)) for i, c in enumerate(row)) for row in cells)
-    keys = sum(i < table.keys for i in kept)
+    rows = tuple(tuple(_words_in(c, longest.get(i)) for i, c in enumerate(row)) for row in cells)
+    keys = sum(i < table.keys for i in filled)
     return Fitted(columns, rows, _left_out(keys, columns, cells, longest), _remark(unread))
 
 
@@ -122,7 +122,7 @@ def _gives_way(cell: Cell, limit: int | None) -> bool:
     return limit is not None and isinstance(cell, Exact) and len(formula_text(cell.value)) > limit
 
 
-def _chosen(cell: Cell, limit: int | None) -> Words:
+def _words_in(cell: Cell, limit: int | None) -> Words:
     if isinstance(cell, Exact) and _gives_way(cell, limit):
         return "below" if cell.near is None else cell.near
     return _full(cell)

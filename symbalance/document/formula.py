@@ -336,8 +336,8 @@ def children(node: Formula) -> tuple[Formula, ...]:
         return getattr(node, _SEVERAL[kind])
     if isinstance(node, Matrix):
         return tuple(entry for row in node.rows for entry in row)
-    found = (getattr(node, name) for name in _SINGLE.get(kind, ()))
-    return tuple(part for part in found if part is not None)
+    parts = (getattr(node, name) for name in _SINGLE.get(kind, ()))
+    return tuple(part for part in parts if part is not None)
 
 
 def with_children(node: Formula, parts: tuple[Formula, ...]) -> Formula:
@@ -348,11 +348,11 @@ def with_children(node: Formula, parts: tuple[Formula, ...]) -> Formula:
         return Product(parts, span=node.span)
     if isinstance(node, Apply):
         return replace(node, arguments=parts)
-    given = iter(parts)
+    replacements = iter(parts)
     if isinstance(node, Matrix):
-        return replace(node, rows=tuple(tuple(next(given) for _ in row) for row in node.rows))
+        return replace(node, rows=tuple(tuple(next(replacements) for _ in row) for row in node.rows))
     own = (name for name in _SINGLE.get(type(node), ()) if getattr(node, name) is not None)
-    changes = {name: next(given) for name in own}
+    changes = {name: next(replacements) for name in own}
     return replace(node, **changes) if changes else node
 
 

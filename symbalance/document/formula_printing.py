@@ -71,10 +71,10 @@ def numeral(number: Number) -> str:
     steps = abs(value) / place
     if decimals is None or steps.denominator != 1:
         return ""
-    kept = max(decimals, 1)
-    digits = str(steps.numerator).rjust(kept + 1, "0")
+    places = max(decimals, 1)
+    digits = str(steps.numerator).rjust(places + 1, "0")
     scale = "" if decimals > 0 else f"e{1 - decimals}"
-    return f"{digits[:-kept]}.{digits[-kept:]}{scale}"
+    return f"{digits[:-places]}.{digits[-places:]}{scale}"
 
 
 def _decimals(place: Fraction) -> int | None:

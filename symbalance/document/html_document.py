@@ -15,7 +15,7 @@ from textwrap import shorten
 
 from symbalance.document import nodes
 from symbalance.document.document_writer import DocumentWriter
-from symbalance.document.fitting import Fitted, fitted, plain_words
+from symbalance.document.fitting import Fitted, fit_table, plain_words
 from symbalance.document.formula import Decimal, Equation, Formula, Negative, Number
 from symbalance.document.mathml_writer import formula_mathml
 from symbalance.document.nodes import inlines
@@ -129,13 +129,13 @@ class _Writer(DocumentWriter):
     def figure(self, block: nodes.Figure) -> str:
         if isinstance(block.picture, bytes):
             data = b64encode(block.picture).decode("ascii")
-            shown = f'<img src="data:image/png;base64,{data}" alt="{escape(block.shows)}">'
+            picture = f'<img src="data:image/png;base64,{data}" alt="{escape(block.shows)}">'
         else:
-            shown = block.picture
+            picture = block.picture
         caption = (
             f"<figcaption>{self.words(block.caption)}</figcaption>" if inlines(block.caption) else ""
         )
-        return f"<figure>\n{shown}\n{caption}</figure>"
+        return f"<figure>\n{picture}\n{caption}</figure>"
 
     def source(self, block: nodes.Source) -> str:
         name = "Lines with their verdicts"
@@ -158,7 +158,7 @@ class _Writer(DocumentWriter):
         if not block.rows:
             title = f"{self.words(block.title)}: " if inlines(block.title) else ""
             return f"<p>{title}{escape(block.empty)}</p>"
-        fit = fitted(block, lambda words: len(plain_words(words)), ROOM, 2)
+        fit = fit_table(block, lambda words: len(plain_words(words)), ROOM, 2)
         columns = [_padding(fit.cells(i)) if each else None for i, each in enumerate(fit.numeric)]
         heads = "".join(
             f'<th scope="col"{_number_class(pad)}>{self.words(column.head)}</th>'
@@ -167,9 +167,9 @@ class _Writer(DocumentWriter):
         pads = [[None if c is None else c[k] for c in columns] for k in range(len(fit.rows))]
         rows = [self.row(row, pad, block.keys) for row, pad in zip(fit.rows, pads, strict=True)]
         caption = f"<caption>{self.words(block.title)}</caption>" if inlines(block.title) else ""
-        shown = self.scrolling(plain_words(block.title) or "table", f"<tr>{heads}</tr>", rows, caption)
+        html = self.scrolling(plain_words(block.title) or "table", f"<tr>{heads}</tr>", rows, caption)
         remark = f"\n<p>{fit.remark}</p>" if fit.remark else ""
-        return shown + self.left_out(fit) + remark
+        return html + self.left_out(fit) + remark
 
     def row(self, row: Sequence[nodes.Words], pads: Sequence[str | None], keys: int) -> str:
         cells = []

@@ -13,15 +13,13 @@ from collections.abc import Iterator, Sequence
 from math import ceil
 
 from symbalance.document import nodes
-from symbalance.document.displayed import displayed
 from symbalance.document.document_writer import DocumentWriter
-from symbalance.document.fitting import Fitted, LeftOut, fitted, plain_words
+from symbalance.document.fitting import Fitted, LeftOut, fit_table, plain_words
 from symbalance.document.formula import Equation, Formula, Upright
 from symbalance.document.latex_characters import east_asian, escaped
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
-from symbalance.document.line_breaking import broken_sum
+from symbalance.document.line_breaking import break_sum, display_lines, expand_radicals
 from symbalance.document.nodes import UNKNOWN, inlines
-from symbalance.document.spreading import spread
 
 ROOM = 66.0
 """How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
@@ -139,8 +137,8 @@ class _Writer(DocumentWriter):
         """Return facts as paragraphs with their name before them, hung below it."""
         lines = [rf"\textbf{{{self.words(block.title)}}}\par\nobreak"] if inlines(block.title) else []
         for name, value in block.entries:
-            said = f": {self.words(value)}" if inlines(value) else ""
-            lines.append(rf"{{\hangindent=1.5em\hangafter=1 {self.words(name)}{said}\par}}")
+            meaning = f": {self.words(value)}" if inlines(value) else ""
+            lines.append(rf"{{\hangindent=1.5em\hangafter=1 {self.words(name)}{meaning}\par}}")
         return "\n".join(lines)
 
     def figure(self, block: nodes.Figure) -> str:
@@ -169,7 +167,7 @@ class _Writer(DocumentWriter):
         title = f"{self.words(block.title)}" if inlines(block.title) else ""
         if not block.rows:
             return rf"{title}: {escaped(block.empty)}.\par" if title else rf"{escaped(block.empty)}.\par"
-        fit = fitted(block, _width, ROOM / _SMALLEST, _GAP)
+        fit = fit_table(block, _width, ROOM / _SMALLEST, _GAP)
         columns, whole = _columns(fit)
         parts = []
         for rows in _pages(fit.rows, columns):
@@ -250,7 +248,9 @@ def _in_cell(value: Formula) -> str:
     if latex_width(formula_latex(value)) <= ROOM * _CELL:
         return formula_latex(value)
     equation = Equation(Upright(""), (("", value),))
-    lines = [line.printed for line in displayed([equation], LatexWriter(), ROOM * _CELL_LINE, _INDENT)]
+    lines = [
+        line.printed for line in display_lines([equation], LatexWriter(), ROOM * _CELL_LINE, _INDENT)
+    ]
     return r"\begin{aligned}[t]&" + r" \\ &".join(lines) + r"\end{aligned}"
 
 
@@ -306,9 +306,9 @@ def _left_out_line(form: LeftOut) -> str:
     room = ROOM - 2 * _INDENT
     first = room - _width(f"{form.place} {form.name} = ")
     if latex_width(formula_latex(value)) > first:
-        power, value = spread(value)
+        power, value = expand_radicals(value)
     head = rf"&{label}{'^2' if power == 2 else ''} = "
-    lines = [line.printed for line in broken_sum(value, LatexWriter(), room, first, _INDENT)]
+    lines = [line.printed for line in break_sum(value, LatexWriter(), room, first, _INDENT)]
     return head + r" \\ &\qquad ".join(line.rstrip() for line in lines)
 
 
@@ -318,7 +318,7 @@ def _aligned(equations: Sequence[Equation]) -> str:
 
 def _rows(equations: Sequence[Equation], room: float, gap: str = "") -> list[str]:
     """Return the lines of equations, parted before the first relation, or where `gap` stands for none."""
-    lines = displayed(equations, LatexWriter(), room, _INDENT)
+    lines = display_lines(equations, LatexWriter(), room, _INDENT)
     return [f"{name} &{gap}{_QUAD * depth}{line}".strip() for name, depth, line in lines]
 
 

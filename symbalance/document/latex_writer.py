@@ -116,10 +116,10 @@ class LatexWriter(FormulaWriter):
 
     def binding(self, node: Formula) -> int:
         """Return how tightly a formula binds; a fraction with a bar needs brackets only as a base."""
-        found = strength(node)
+        power = strength(node)
         while isinstance(node, Product) and len(node.factors) == 1:
             node = node.factors[0]
-        return POWER if found == QUOTIENT and isinstance(node, Quotient | Number) else found
+        return POWER if power == QUOTIENT and isinstance(node, Quotient | Number) else power
 
     def fraction(self, top: int, bottom: int) -> str:
         """Return a fraction of two numbers."""
@@ -332,6 +332,6 @@ _SIGN = re.compile(r"[-+=≈]")
 _INNERMOST = re.compile(r"\\t?frac\{([^{}]*)\}\{([^{}]*)\}|(?<!frac)(?<!\})\{([^{}]*)\}")
 
 
-def _wider(found: re.Match[str]) -> str:
+def _wider(match: re.Match[str]) -> str:
     """Return the wider part of a fraction, or what a pair of braces holds."""
-    return found[3] if found[1] is None else max(found[1], found[2], key=len)
+    return match[3] if match[1] is None else max(match[1], match[2], key=len)

@@ -1,18 +1,34 @@
-"""Long equations broken into lines: before a sign, and inside brackets only where it must be.
+"""Long formulas over several lines: broken before a sign, inside brackets only where it must be.
 
 An equation becomes pieces that may not be split, nested as its brackets are. A piece that does not fit
 what is left of a line goes to the next one; one that fits no line is broken at the signs inside it.
-How wide a piece is, says the medium: text counts columns, LaTeX the width of digits.
+How wide a piece is, says the medium: text counts columns, LaTeX the width of digits. Displayed equations
+share one left column, and a bar or root over a whole sum, which no line break can cross, is taken apart
+(`expand_radicals`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
-from symbalance.document.formula import Dots, Equation, Formula, Negative, Product, Sum, Summation
+from symbalance.document.formula import (
+    Call,
+    Dots,
+    Equation,
+    Formula,
+    Negative,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Summation,
+    monomial,
+    number,
+)
 from symbalance.document.formula_printing import PRODUCT
 
 
@@ -64,7 +80,7 @@ class Line:
     width: float
 
 
-def broken(relation: str, right: Formula, medium: Medium, room: float, indent: float) -> list[Line]:
+def break_link(relation: str, right: Formula, medium: Medium, room: float, indent: float) -> list[Line]:
     """Return `relation right` in lines no wider than `room` where that can be.
 
     Each bracket a line continues takes up `indent` of its room.
@@ -72,76 +88,76 @@ def broken(relation: str, right: Formula, medium: Medium, room: float, indent: f
     >>> from symbalance.document.text_writer import TextWriter
     >>> from symbalance.document.formula import Name
     >>> a, b, c = map(Name, "abc")
-    >>> [line.printed for line in broken("=", a * (a + b * (a + b) - c), TextWriter(), 14, 2)]
+    >>> [line.printed for line in break_link("=", a * (a + b * (a + b) - c), TextWriter(), 14, 2)]
     ['= a [a', '+ b (a + b)', '− c]']
     """
     piece = _glued(_piece(right, medium), f"{medium.relation(relation)} ", "", medium)
-    return filled((piece,), room, indent)
+    return fill_lines((piece,), room, indent)
 
 
-def broken_equation(equation: Equation, medium: Medium, room: float, indent: float) -> list[Line]:
+def break_equation(equation: Equation, medium: Medium, room: float, indent: float) -> list[Line]:
     """Return what stands right of an equation's left side, in lines: short links together on one.
 
     >>> from symbalance.document.text_writer import TextWriter
     >>> from symbalance.document.formula import Name, equal
     >>> a, b, c = map(Name, "abc")
-    >>> [line.printed for line in broken_equation(equal(a, b, c, a + b + c), TextWriter(), 9, 2)]
+    >>> [line.printed for line in break_equation(equal(a, b, c, a + b + c), TextWriter(), 9, 2)]
     ['= b = c', '= a + b', '+ c']
     """
     lines: list[Line] = []
-    space, held = medium.width(" "), False
+    space, may_run_on = medium.width(" "), False
     for sign, right in equation.links:
-        link = broken(sign, right, medium, room, indent)
+        link = break_link(sign, right, medium, room, indent)
         head = link[0]
-        if held and len(link) == 1 and lines[-1].width + space + head.width <= room:
+        if may_run_on and len(link) == 1 and lines[-1].width + space + head.width <= room:
             lines[-1] = Line(
                 0, f"{lines[-1].printed} {head.printed}", lines[-1].width + space + head.width
             )
             continue
         lines += link
-        held = len(link) == 1
+        may_run_on = len(link) == 1
     return lines
 
 
-def broken_sum(value: Formula, medium: Medium, room: float, first: float, indent: float) -> list[Line]:
+def break_sum(value: Formula, medium: Medium, room: float, first: float, indent: float) -> list[Line]:
     """Return a formula in lines of which the first has `first` of the room, the others all but `indent`.
 
     >>> from symbalance.document.text_writer import TextWriter
     >>> from symbalance.document.formula import Name
     >>> a, b, c = map(Name, "abc")
-    >>> [line.printed for line in broken_sum(a + b - c, TextWriter(), 10, 3, 2)]
+    >>> [line.printed for line in break_sum(a + b - c, TextWriter(), 10, 3, 2)]
     ['a', '+ b − c']
     """
     piece = _piece(value, medium)
-    lines = filled(piece.inside or (piece,), room, indent, taken=room - first, depth=1)
+    lines = fill_lines(piece.inside or (piece,), room, indent, used=room - first, depth=1)
     # Whole on one line it has brackets that grow, which the pieces of a broken one cannot have.
     return lines if len(lines) > 1 else [Line(0, medium.write(value), lines[0].width)]
 
 
-def filled(
-    pieces: Iterable[Piece], room: float, indent: float, taken: float = 0, depth: int = 0
+def fill_lines(
+    pieces: Iterable[Piece], room: float, indent: float, used: float = 0, depth: int = 0
 ) -> list[Line]:
-    """Return pieces in lines no wider than `room` where that can be; `taken` is gone from the first.
+    """Return pieces in lines no wider than `room` where that can be; `used` is gone from the first.
 
     Lines after the first are `depth` brackets deep.
     """
-    done = [Line(0, "", taken)]
-    _fill(pieces, done, room, indent, depth)
-    return done
+    lines = [Line(0, "", used)]
+    _fill(pieces, lines, room, indent, depth)
+    return lines
 
 
-def _fill(pieces: Iterable[Piece], done: list[Line], room: float, indent: float, depth: int) -> None:
+def _fill(pieces: Iterable[Piece], lines: list[Line], room: float, indent: float, depth: int) -> None:
     for piece in pieces:
-        fresh = not done[-1].printed
-        if done[-1].width + piece.width <= room or (fresh and not piece.inside):
-            done[-1].printed += piece.printed.lstrip() if fresh else piece.printed
-            done[-1].width += piece.width
+        fresh = not lines[-1].printed
+        if lines[-1].width + piece.width <= room or (fresh and not piece.inside):
+            lines[-1].printed += piece.printed.lstrip() if fresh else piece.printed
+            lines[-1].width += piece.width
         elif not piece.inside or (not fresh and depth * indent + piece.width <= room):
-            done.append(Line(depth, piece.printed.lstrip(), depth * indent + piece.width))
+            lines.append(Line(depth, piece.printed.lstrip(), depth * indent + piece.width))
         else:
             if not fresh:
-                done.append(Line(depth, "", depth * indent))
-            _fill(piece.inside, done, room, indent, depth + 1)
+                lines.append(Line(depth, "", depth * indent))
+            _fill(piece.inside, lines, room, indent, depth + 1)
 
 
 def _piece(value: Formula, medium: Medium) -> Piece:
@@ -204,3 +220,77 @@ def _glued(piece: Piece, before: str, after: str, medium: Medium) -> Piece:
 
 def _joined(parts: list[Piece]) -> Piece:
     return Piece("".join(p.printed for p in parts), sum(p.width for p in parts), tuple(parts))
+
+
+class DisplayedLine(NamedTuple):
+    """A line of displayed equations: what stands left of the relation, its indent, the rest."""
+
+    left: str
+    depth: int
+    printed: str
+
+
+def display_lines(
+    equations: Sequence[Equation], writer: Medium, room: float, indent: float, column: float = 0
+) -> Iterator[DisplayedLine]:
+    """Yield the lines of equations that share one left column, none wider than `room` where that can be.
+
+    Lengths are in the writer's own unit; each bracket that a line continues takes up `indent`, and the
+    left column at least `column`.
+    """
+    space = writer.width(" ")
+    names = [writer.write(each.left) for each in equations]
+    left = max(column, *map(writer.width, names)) + space
+    for name, each in zip(names, equations, strict=True):
+        for place, line in enumerate(break_equation(each, writer, room - left, indent)):
+            yield DisplayedLine("" if place else name, line.depth, line.printed)
+
+
+def expand_radicals(value: Formula) -> tuple[int, Formula]:
+    """Return (power, formula) such that value^power is the formula, a sum without a bar or root over it.
+
+    The power is 2 for a root, whose sign the square does not tell, else 1. What is neither stays.
+
+    >>> from symbalance.document.formula import Name, sqrt
+    >>> from symbalance.document.text_writer import formula_text
+    >>> a, b = Name("a"), Name("b")
+    >>> formula_text(expand_radicals((a - 3 * b) / 2)[1])
+    'a/2 − 3b/2'
+    >>> power, square = expand_radicals(sqrt((a + b) / 2) / 3)
+    >>> power, formula_text(square)
+    (2, 'a/18 + b/18')
+    """
+    factor, rest = _factor(value)
+    if isinstance(rest, Call) and rest.function == "sqrt":
+        inner, below = _factor(rest.argument)
+        return 2, _scaled(below, factor**2 * inner)
+    return 1, _scaled(rest, factor) if isinstance(rest, Sum) else value
+
+
+def _factor(value: Formula) -> tuple[Fraction, Formula]:
+    """Return a rational factor of a formula, and what is left."""
+    if isinstance(value, Negative):
+        factor, rest = _factor(value.operand)
+        return -factor, rest
+    if isinstance(value, Quotient) and isinstance(value.denominator, Number):
+        factor, rest = _factor(value.numerator)
+        return factor / value.denominator.value, rest
+    if isinstance(value, Product) and isinstance(value.factors[0], Number):
+        factors = value.factors[1:]
+        return value.factors[0].value, factors[0] if len(factors) == 1 else Product(factors)
+    return Fraction(1), value
+
+
+def _scaled(value: Formula, factor: Fraction) -> Formula:
+    """Return factor times a sum, term by term."""
+    terms = value.terms if isinstance(value, Sum) else (value,)
+    return Sum(tuple(_scaled_term(term, factor) for term in terms))
+
+
+def _scaled_term(term: Formula, factor: Fraction) -> Formula:
+    coefficient, rest = _factor(term)
+    whole = coefficient * factor
+    if isinstance(rest, Number):
+        whole, rest = whole * rest.value, number(1)
+    size = monomial(abs(whole), rest, 0 if rest == number(1) else 1)
+    return size if whole > 0 else Negative(size)

@@ -6,7 +6,7 @@ import re
 
 from symbalance.document import nodes
 from symbalance.document.document_writer import DocumentWriter
-from symbalance.document.fitting import fitted, plain_words
+from symbalance.document.fitting import fit_table, plain_words
 from symbalance.document.formula import Decimal, Equation, Formula, Number
 from symbalance.document.latex_writer import formula_latex
 from symbalance.document.nodes import inlines
@@ -53,8 +53,8 @@ class _Writer(DocumentWriter):
         return self.words(block.words)
 
     def facts(self, block: nodes.Facts) -> str:
-        said = [(self.words(name), self.words(value)) for name, value in block.entries]
-        lines = [f"- {name}: {value}" if value else f"- {name}" for name, value in said]
+        entries = [(self.words(name), self.words(value)) for name, value in block.entries]
+        lines = [f"- {name}: {value}" if value else f"- {name}" for name, value in entries]
         head = [f"**{self.words(block.title)}**", ""] if inlines(block.title) else []
         return "\n".join([*head, *lines])
 
@@ -71,7 +71,7 @@ class _Writer(DocumentWriter):
         title = self.words(block.title)
         if not block.rows:
             return f"{title}: {self.string(block.empty)}" if title else self.string(block.empty)
-        fit = fitted(block, lambda words: len(plain_words(words)), ROOM, 3)
+        fit = fit_table(block, lambda words: len(plain_words(words)), ROOM, 3)
         heads = [self.words(column.head) for column in fit.columns]
         rows = [heads, ["---:" if numeric else "---" for numeric in fit.numeric]]
         rows += [[self.words(cell) for cell in row] for row in fit.rows]

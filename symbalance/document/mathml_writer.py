@@ -100,8 +100,8 @@ class MathmlWriter(FormulaWriter):
 
     def binding(self, node: Formula) -> int:
         """Return how tightly a formula binds; a fraction with a bar needs brackets only as a base."""
-        found = super().binding(node)
-        return POWER if found == QUOTIENT and isinstance(node, Quotient | Number) else found
+        power = super().binding(node)
+        return POWER if power == QUOTIENT and isinstance(node, Quotient | Number) else power
 
     def fraction(self, top: int, bottom: int) -> str:
         """Return a fraction of two numbers."""

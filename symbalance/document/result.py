@@ -5,7 +5,7 @@ A result's class derives from `Result` and gives four things: `kind`, `summary()
 KIND.schema.json, which describes every key of `data()`. Everything else follows.
 
 >>> from symbalance.engine.catalogue import load
->>> from symbalance.forces.resultants import balance
+>>> from symbalance.forces.free_forces import balance
 >>> balance(load("inline-4"), 4)
 Balance of inline-4 to order 4: free force of order 2, 4; no free couple
 """

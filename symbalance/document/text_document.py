@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 from textwrap import wrap
 
 from symbalance.document import nodes
-from symbalance.document.displayed import displayed
 from symbalance.document.document_writer import DocumentWriter
-from symbalance.document.fitting import Fitted, fitted
+from symbalance.document.fitting import Fitted, fit_table
 from symbalance.document.formula import INFINITY, Equation, Formula, Matrix
+from symbalance.document.line_breaking import display_lines
 from symbalance.document.nodes import UNKNOWN, Words, inlines
 from symbalance.document.text_writer import TextWriter, formula_text
 
@@ -140,11 +140,11 @@ class _Writer(DocumentWriter):
         room = self.width - len(_INDENT)
         lines: list[str] = []
         for each in block.equations:
-            drawn = _with_matrices(each, left)
-            if drawn and max(map(len, drawn)) <= room:
-                lines += ["", *drawn] if lines else drawn
+            over_lines = _with_matrices(each, left)
+            if over_lines and max(map(len, over_lines)) <= room:
+                lines += ["", *over_lines] if lines else over_lines
                 continue
-            indented = displayed([each], TextWriter(), room, len(_INDENT), left)
+            indented = display_lines([each], TextWriter(), room, len(_INDENT), left)
             lines += [f"{name:>{left}} {_INDENT * depth}{line}" for name, depth, line in indented]
         return "\n".join(f"{_INDENT}{line}".rstrip() for line in lines)
 
@@ -155,7 +155,7 @@ class _Writer(DocumentWriter):
         if not block.rows:
             return "\n".join([*title, *self.wrapped(block.empty, _INDENT, _INDENT)])
         room = self.width - len(_INDENT)
-        fit = fitted(block, lambda words: len(self.cell(words)), room, _GAP)
+        fit = fit_table(block, lambda words: len(self.cell(words)), room, _GAP)
         return "\n".join([*title, *self.grid(fit, room), *self.left_out(fit)])
 
     def grid(self, fit: Fitted, room: int) -> list[str]:
@@ -255,8 +255,8 @@ def _matrix_lines(node: Matrix) -> list[str]:
 
 def _whole(cell: str) -> str:
     """Return what stands before a number's point."""
-    found = _POINT.match(cell)
-    return found[0] if found else cell
+    point = _POINT.match(cell)
+    return point[0] if point else cell
 
 
 def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int]) -> list[str]:

@@ -3,14 +3,16 @@
 In: an engine file, a preset's name, or a builder's arguments. Out: an `Engine`, resolved once: cylinders
 that know all about themselves, in groups of like ones, and what balances them.
 
-    trains, cylinders, engine     sizes; one cylinder; all of them together
-    builders, firing, stars       engines from firing orders, banks and pins; the orders a crank allows
-    balancers, rotors             counterweights and balance shafts; rotating masses
-    tops                          when pistons are at the top
-    engine_keys                   what an engine file may hold: each key's kind, unit, range, meaning
-    engine_file, engine_writing   engines from and to TOML;  balancer_tables: its weights and shafts
-    catalogue                     the presets
-    engine_document, facts, kinds, balancer_facts  what every document says of an engine
+    crank_train, cylinders, engine    sizes; one cylinder; all of them together
+    builders                          engines from a firing order and bank angles, or from crank pins
+    stars                             cranks, firing orders and bank angles that fire evenly
+    balance_masses                    counterweights and balance shafts
+    rotating_masses                   all that turns and is not balanced by itself
+    dead_centres                      the crank angles at which pistons stand at the top
+    engine_keys                       what an engine file may hold: kind, unit, range, meaning of each key
+    engine_file, engine_writing       engines from and to TOML
+    catalogue                         the presets
+    engine_document, balance_mass_facts   what every document says of an engine
 """
 
 from symbalance.loading import attach

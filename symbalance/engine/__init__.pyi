@@ -1,7 +1,7 @@
-from symbalance.engine.balancers import Balancers as Balancers
-from symbalance.engine.balancers import BalanceShaft as BalanceShaft
-from symbalance.engine.balancers import Counterweight as Counterweight
-from symbalance.engine.balancers import Weight as Weight
+from symbalance.engine.balance_masses import Balancers as Balancers
+from symbalance.engine.balance_masses import BalanceShaft as BalanceShaft
+from symbalance.engine.balance_masses import Counterweight as Counterweight
+from symbalance.engine.balance_masses import Weight as Weight
 from symbalance.engine.builders import boxer as boxer
 from symbalance.engine.builders import from_cylinders as from_cylinders
 from symbalance.engine.builders import from_firing_order as from_firing_order
@@ -12,6 +12,8 @@ from symbalance.engine.builders import vr as vr
 from symbalance.engine.builders import w as w
 from symbalance.engine.catalogue import load as load
 from symbalance.engine.catalogue import presets as presets
+from symbalance.engine.crank_train import CrankTrain as CrankTrain
+from symbalance.engine.crank_train import Link as Link
 from symbalance.engine.cylinders import Cylinder as Cylinder
 from symbalance.engine.engine import Engine as Engine
 from symbalance.engine.engine_file import schema_text as schema_text
@@ -20,5 +22,3 @@ from symbalance.engine.stars import crank_stars as crank_stars
 from symbalance.engine.stars import firing_orders as firing_orders
 from symbalance.engine.stars import natural_bank_angles as natural_bank_angles
 from symbalance.engine.stars import pin_offsets as pin_offsets
-from symbalance.engine.trains import CrankTrain as CrankTrain
-from symbalance.engine.trains import Link as Link

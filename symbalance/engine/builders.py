@@ -1,4 +1,4 @@
-"""Layouts from what a designer knows: a firing order and bank angles, or a crank's pins.
+"""Builders of engines from what a designer knows: a firing order and bank angles, or crank pins.
 
 Built from a firing order, theta = 0 is cylinder 1 at its firing top dead centre, and a cylinder that
 fires delta later has throw = bank - delta: exact pins for any firing order, bank angles and intervals.
@@ -11,24 +11,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import accumulate
 from typing import Any
 
+from symbalance.engine.crank_train import CrankTrain, checked_sizes
 from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, checked_bank
+from symbalance.engine.dead_centres import bank_shifts
 from symbalance.engine.engine import Engine, checked_cylinders, checked_strokes
-from symbalance.engine.firing import (
-    FiringOrder,
-    firing_angles,
-    read_cylinders,
-    read_firing_at,
-    read_firing_order,
-    read_offset,
-    read_stagger,
-    stations,
-)
-from symbalance.engine.tops import bank_leads
-from symbalance.engine.trains import CrankTrain, own_train
 from symbalance.errors import SymbalanceError, shown
-from symbalance.exact.angles import Angle, angle
+from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.numbers import checked_whole, exact, listed
 
@@ -40,7 +31,7 @@ def from_cylinders(
     ratio: object = None,
     **about: Any,
 ) -> Engine:
-    """Return the engine of cylinders told one by one, with sizes that all of them share.
+    """Return the engine of cylinders given one by one, with sizes that all of them share.
 
     Each cylinder gets those of `crank_train` that it has none of its own of; `ratio` is the rod ratio
     lambda = l/r of those whose stroke and rod are not their own. `about`: name, strokes, balancers of
@@ -102,21 +93,21 @@ def from_firing_order(
     places = stations(numbers, read_stagger(stagger, len(axes)))
     offsets = read_offset(offset, len(axes))
 
-    def made(leads: Sequence[Fraction]) -> Engine:
+    def build(shifts: Sequence[Fraction]) -> Engine:
         return from_cylinders(
             (
                 Cylinder(
-                    n, axis + Angle((turn - fires[n]) / 360), axis, places[n], fires[n], offset=aside
+                    n, axis + Angle((shift - fires[n]) / 360), axis, places[n], fires[n], offset=aside
                 )
-                for axis, bank, aside, turn in zip(axes, numbers, offsets, leads, strict=True)
+                for axis, bank, aside, shift in zip(axes, numbers, offsets, shifts, strict=True)
                 for n in bank
             ),
             strokes=strokes,
             **about,
         )
 
-    layout = made([Fraction(0)] * len(axes))
-    return made(bank_leads(layout, numbers, pin_step)) if read_firing_at(firing_at) else layout
+    layout = build([Fraction(0)] * len(axes))
+    return build(bank_shifts(layout, numbers, pin_step)) if read_firing_at(firing_at) else layout
 
 
 def inline(
@@ -196,7 +187,7 @@ def vr(
     ['-11', '109', '-131', '-109', '131', '11']
     """
     aside = exact(offset, "offset")
-    sizes = own_train({"stroke": stroke, "rod": rod})
+    sizes = checked_sizes({"stroke": stroke, "rod": rod})
     return vee(
         bank_angle,
         firing_order,
@@ -250,11 +241,11 @@ def radial(count: int, *, strokes: int = 4, **about: Any) -> Engine:
     checked_strokes(strokes)
     cylinders = []
     for i in range(count):
-        spread = Fraction(360 * i, count)
-        fires = spread + (360 if strokes == 4 and i % 2 else 0)
+        direction = Fraction(360 * i, count)
+        fires = direction + (360 if strokes == 4 and i % 2 else 0)
         known = strokes == 2 or count % 2 == 1
         cylinders.append(
-            Cylinder(i + 1, 0, Angle(spread / 360).normalized(), 0, fires if known else None)
+            Cylinder(i + 1, 0, Angle(direction / 360).normalized(), 0, fires if known else None)
         )
     return from_cylinders(cylinders, strokes=strokes, **about)
 
@@ -280,3 +271,170 @@ def _on_pins(
         ),
         **about,
     )
+
+
+FiringOrder = str | Sequence[int]
+FIRING_AT = ("pins", "dead centres")
+
+
+def read_firing_order(firing_order: FiringOrder) -> list[int]:
+    """Return a firing order, given as text or as a list, as cylinder numbers."""
+    numbers: Iterable[object]
+    if isinstance(firing_order, str):
+        parts = [part.strip() for part in firing_order[:10_000].split("-")]
+        numbers = [int(p) if p.isascii() and p.isdigit() and len(p) < 6 else p for p in parts]
+    else:
+        numbers = listed(firing_order, "firing_order")
+    order = []
+    for number in numbers:
+        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+            raise SymbalanceError(
+                f"firing_order = {shown(firing_order)}",
+                f"holds {shown(number)}, which is no cylinder number",
+                "write it like [1, 3, 4, 2]",
+            )
+        order.append(number)
+    if not order:
+        raise SymbalanceError("firing_order = []", "names no cylinder", "write it like [1, 3, 4, 2]")
+    if len(order) > MOST_CYLINDERS:
+        raise SymbalanceError(
+            f"firing_order of {len(order)} numbers",
+            f"an engine has 1 to {MOST_CYLINDERS} cylinders",
+            "shorten it",
+        )
+    repeated = sorted({n for n in order if order.count(n) > 1})
+    if repeated:
+        raise SymbalanceError(
+            f"firing_order = {shown(firing_order)}",
+            f"must name each cylinder once, but repeats {repeated[0]}",
+            "correct the order",
+        )
+    return order
+
+
+def read_cylinders(
+    cylinders: Sequence[Sequence[int]] | None, order: list[int], banks: int
+) -> list[list[int]]:
+    """Return the numbers in each bank, checked against the firing order."""
+    if cylinders is None:
+        if banks > 1:
+            raise SymbalanceError(
+                f"banks of {banks} angles",
+                "need cylinders, the numbers in each",
+                "as in [[1, 3, 5], [2, 4, 6]]",
+            )
+        cylinders = [sorted(order)]
+    cylinders = [listed(bank, "cylinders") for bank in listed(cylinders, "cylinders")]
+    if len(cylinders) != banks:
+        raise SymbalanceError(
+            f"cylinders = {shown(cylinders)}",
+            f"has {len(cylinders)} lists for {banks} bank(s)",
+            "give one list of numbers a bank",
+        )
+    if not all(cylinders):
+        raise SymbalanceError(
+            f"cylinders = {shown(cylinders)}",
+            "holds an empty bank",
+            "leave the bank out, or name its cylinders",
+        )
+    numbers = [n for bank in cylinders for n in bank]
+    if 1 not in numbers:
+        raise SymbalanceError(
+            f"cylinders = {shown(cylinders)}", "lacks cylinder 1", "theta = 0 is its firing"
+        )
+    for number in order:
+        if number not in numbers:
+            raise SymbalanceError(
+                f"firing_order = {shown(order)}",
+                f"names cylinder {number}, which no bank holds",
+                "make order and cylinders agree",
+            )
+    for number in numbers:
+        if number not in order or numbers.count(number) > 1:
+            what = "repeats" if numbers.count(number) > 1 else "holds, but the firing order misses,"
+            raise SymbalanceError(
+                f"cylinders = {shown(cylinders)}",
+                f"{what} cylinder {shown(number)}",
+                "name each cylinder once in both",
+            )
+    return [list(bank) for bank in cylinders]
+
+
+def firing_angles(
+    order: list[int], intervals: Sequence[object] | None, cycle: int
+) -> dict[int, Fraction]:
+    """Return each cylinder's firing angle after cylinder 1, in degrees."""
+    if intervals is None:
+        steps = [Fraction(cycle, len(order))] * len(order)
+    else:
+        values = listed(intervals, "firing_intervals")
+        steps = [degrees(step, f"firing_intervals[{i}]").in_degrees() for i, step in enumerate(values, 1)]
+        _check_intervals(steps, len(order), cycle)
+    starts = [Fraction(0), *accumulate(steps)]
+    first = starts[order.index(1)]
+    return {number: (start - first) % cycle for number, start in zip(order, starts, strict=False)}
+
+
+def _check_intervals(steps: list[Fraction], count: int, cycle: int) -> None:
+    if len(steps) != count:
+        raise SymbalanceError(
+            f"firing_intervals of {len(steps)} values",
+            f"must hold {count}, one after each firing",
+            "the last leads back to the first",
+        )
+    if min(steps) < 0:
+        raise SymbalanceError(
+            f"firing_intervals that hold {shown(min(steps))}",
+            "must not be negative",
+            "use degrees after each firing",
+        )
+    if sum(steps) != cycle:
+        raise SymbalanceError(
+            f"firing_intervals that sum to {shown(sum(steps))}",
+            f"must sum to {cycle}",
+            "720 degrees in a four-stroke, 360 in a two-stroke",
+        )
+
+
+def read_stagger(stagger: Sequence[object] | None, banks: int) -> list[Fraction]:
+    """Return each bank's shift towards the front, in pitches."""
+    if stagger is None:
+        return [Fraction(0)] * banks
+    stagger = listed(stagger, "stagger")
+    if len(stagger) != banks:
+        raise SymbalanceError(
+            f"stagger = {shown(stagger)}",
+            f"has {len(stagger)} values for {banks} bank(s)",
+            "give one value a bank, in pitches",
+        )
+    return [exact(value, f"stagger[{i}]") for i, value in enumerate(stagger, 1)]
+
+
+def read_offset(offset: Sequence[object] | None, banks: int) -> list[Fraction | None]:
+    """Return each bank's own offset in mm, None where it has none of its own."""
+    if offset is None:
+        return [None] * banks
+    values = listed(offset, "offset")
+    if len(values) != banks:
+        rule = f"has {len(values)} values for {banks} bank(s)"
+        raise SymbalanceError(f"offset = {shown(values)}", rule, "give one value a bank, in mm")
+    return [exact(value, f"offset[{i}]") for i, value in enumerate(values, 1)]
+
+
+def read_firing_at(firing_at: object) -> bool:
+    """Tell whether intervals count between dead centres, not between the pins' passing the axes."""
+    if firing_at not in FIRING_AT:
+        what, rule = f"firing_at = {shown(firing_at)}", f"must be one of {', '.join(FIRING_AT)}"
+        raise SymbalanceError(what, rule, "they differ where cylinders are offset")
+    return firing_at == "dead centres"
+
+
+def stations(numbers: list[list[int]], stagger: list[Fraction]) -> dict[int, Fraction]:
+    """Return each cylinder's station: banks in pitches from the front, staggered, their mean at 0."""
+    raw = {
+        number: shift - place
+        for bank, shift in zip(numbers, stagger, strict=True)
+        for place, number in enumerate(bank)
+    }
+    mean = sum(raw.values(), Fraction(0)) / len(raw)
+    return {number: station - mean for number, station in raw.items()}

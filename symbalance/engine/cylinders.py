@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, TypeVar
 
-from symbalance.engine.trains import OWN, CrankTrain, Link, check_reach, own_train
+from symbalance.engine.crank_train import CYLINDER_SIZES, CrankTrain, Link, check_reach, checked_sizes
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, RodSplit, SliderCrank
@@ -88,10 +88,15 @@ class Cylinder:
         set_field(self, "bank", checked_bank(bank))
         set_field(self, "station", _checked_station(station))
         set_field(self, "fires", None if fires is None else _checked_fires(fires))
-        unknown = [key for key in sizes if key not in OWN]
+        unknown = [key for key in sizes if key not in CYLINDER_SIZES]
         if unknown:
-            raise TypeError(f"Cylinder has no {unknown[0]!r}; its own sizes are {', '.join(OWN)}")
-        set_field(self, "sizes", own_train(sizes))
+            raise TypeError(
+                f"Cylinder has no {unknown[0]!r}; its own sizes are {', '.join(CYLINDER_SIZES)}"
+            )
+        set_field(self, "sizes", checked_sizes(sizes))
+        if link is not None and not isinstance(link, Link):
+            what = f"link of type {type(link).__name__}"
+            raise SymbalanceError(what, "must be a Link", "make it with Link(master, angle, radius)")
         set_field(self, "link", link)
         set_field(self, "crank", checked_whole(crank, "crank", 1, CRANKS, "an engine has one crank"))
         set_field(self, "master", None)

@@ -9,16 +9,16 @@ from functools import cached_property
 from math import lcm
 from typing import TypeVar
 
-from symbalance.engine.balancers import (
+from symbalance.engine.balance_masses import (
     Balancers,
     BalanceShaft,
     Counterweight,
     check_shares,
     checked_balancers,
 )
+from symbalance.engine.crank_train import checked_size
 from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, unchecked_copy
-from symbalance.engine.rotors import Rotor, rotors
-from symbalance.engine.trains import checked_size
+from symbalance.engine.rotating_masses import RotatingMass, rotating_masses
 from symbalance.errors import SymbalanceError, shown, written
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import checked_modulus
@@ -182,9 +182,9 @@ class Engine:
         return self.has_common_harmonics and not any(w.in_kg_mm for s in fast for w in s.weights)
 
     @cached_property
-    def rotors(self) -> tuple[Rotor, ...]:
+    def rotating_masses(self) -> tuple[RotatingMass, ...]:
         """All that turns and is not balanced by itself, each in the unit of its order."""
-        return tuple(rotors(self))
+        return tuple(rotating_masses(self))
 
     @property
     def unit_unbalance(self) -> Fraction | None:
@@ -267,11 +267,11 @@ def _joined(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
 
 def checked_name(name: object) -> str:
     """Return an engine's name, or refuse what would break a table's heading."""
-    text = str(name)
-    if not text.isprintable() or not 1 <= len(text.strip()) <= len(text) <= LONGEST_NAME:
+    fits = isinstance(name, str) and name.isprintable()
+    if not fits or not 1 <= len(name.strip()) <= len(name) <= LONGEST_NAME:
         rule = f"must be one line of 1 to {LONGEST_NAME} characters"
-        raise SymbalanceError(f"name = {shown(text)!r}", rule, "it heads the tables")
-    return text
+        raise SymbalanceError(f"name = {shown(str(name))!r}", rule, "it heads the tables")
+    return name
 
 
 def checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
@@ -333,17 +333,18 @@ def _check_fires(cylinders: Iterable[Cylinder]) -> None:
     for cylinder in cylinders:
         if cylinder.fires is None:
             continue
-        own = cylinder.delay
-        start = (own.turns + cylinder.fires / 360) % 1
-        first, other = fixed.setdefault(own.symbols, (start, cylinder))
-        moved = any(c.offset or c.link for c in (cylinder, other))
+        delay = cylinder.delay
+        start = (delay.turns + cylinder.fires / 360) % 1
+        first, earlier = fixed.setdefault(delay.symbols, (start, cylinder))
+        is_shifted = any(c.offset or c.link for c in (cylinder, earlier))
         half = Fraction(1, 2)
-        if abs((start - first + half) % 1 - half) > (NEAR_TOP if moved else 0):
+        if abs((start - first + half) % 1 - half) > (NEAR_TOP if is_shifted else 0):
             what = f"throw = {cylinder.throw.as_text()} and fires = {cylinder.fires}"
-            nearly = "nearly " if moved else ""
-            rule = f"contradict cylinder {other.number}'s: throw - bank + fires must be {nearly}the same"
+            nearly = "nearly " if is_shifted else ""
+            rule = f"contradict cylinder {earlier.number}'s: throw - bank + fires must be "
+            rule += f"{nearly}the same"
             rule += ", modulo 360"
-            at_top = (first - own.turns) % 1 * 360
+            at_top = (first - delay.turns) % 1 * 360
             raise SymbalanceError(what, rule, f"it is at top dead centre at fires = {at_top}")
 
 

@@ -1,16 +1,23 @@
-"""What every document about an engine says of the engine itself: its title, and what its letters mean."""
+"""An engine in words: title, banks, firing order, zero of the crank angle, unlike cylinders, letters."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.formula import Name, Upright, cos, equal, sin
-from symbalance.document.nodes import Words
-from symbalance.engine.balancer_facts import balancer_facts
-from symbalance.engine.engine import Engine
-from symbalance.engine.facts import banks, firing, origin, strokes
-from symbalance.engine.kinds import kind_facts
+from symbalance.document.decimals import shown
+from symbalance.document.formula import Decimal, Formula, Name, Product, Upright, cos, equal, sin
+from symbalance.document.nodes import Cell, Column, Table, Words
+from symbalance.engine.balance_mass_facts import balancer_facts
+from symbalance.engine.dead_centres import (
+    dead_centre_shift_of,
+    firing_dead_centres,
+    has_shifted_dead_centres,
+)
+from symbalance.engine.engine import Engine, Group
+from symbalance.exact.angles import Angle
+from symbalance.kinematics.mechanisms import LinkRod
 from symbalance.text.numbers import short_text
+from symbalance.text.reals import Real
 
 _M, _R, _L, _A, _N = Name("m"), Name("r"), Name("l"), Name("a"), Name("n")
 _THETA, _LAM = Name("theta"), Name("lam")
@@ -71,9 +78,165 @@ def size_facts(
     entries.append((letters, f"reciprocating mass and crank radius of cylinder {engine.first.number}"))
     if pitch:
         entries.append((_A, "cylinder pitch"))
-    return entries + kind_facts(engine)
+    return entries + group_facts(engine)
 
 
 def balancer_entries(engine: Engine) -> list[tuple[Words, Words]]:
     """Return the counterweights and balance shafts of an engine, an entry each."""
-    return [("balanced by", said) for said in balancer_facts(engine)]
+    return [("balanced by", words) for words in balancer_facts(engine)]
+
+
+NEAR = 20
+"""Degrees from a dead centre within which it is named."""
+
+
+def strokes(layout: Engine) -> str:
+    """Return "four-stroke" or "two-stroke"."""
+    return {2: "two-stroke", 4: "four-stroke"}[layout.strokes]
+
+
+def banks(layout: Engine) -> str:
+    """Return where the banks stand, each angle once, in the order of the layout."""
+    angles = list(dict.fromkeys(c.bank for c in layout.cylinders))
+    if angles == [Angle(Fraction(0))]:
+        return "one bank, upright"
+    where = ", ".join(map(angle_text, angles))
+    return f"{'banks' if len(angles) > 1 else 'one bank'} at {where} from vertical"
+
+
+def firing(layout: Engine) -> str:
+    """Return the firing order and, where they are uneven, the intervals; empty if it is not known.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> firing(load("v2-45")), firing(load("v6-90"))
+    ('1-2 at intervals of 405°, 315°', '1-6-5-4-3-2 at intervals of 150°, 90°, and so on')
+    """
+    order = layout.firing_order()
+    if order is None or len(order) < 2:
+        return ""
+    numbers = "-".join(map(str, order))
+    steps = firing_intervals(layout)
+    apart = ", dead centres apart by" if has_shifted_dead_centres(layout) else " at intervals of"
+    if len(set(steps)) == 1:
+        return numbers
+    period = next(k for k in range(1, len(steps) + 1) if steps == (steps[:k] * len(steps))[: len(steps)])
+    intervals = [f"{decimal_text(step)}°" for step in steps[:period]]
+    intervals += ["and so on"] if period < len(steps) else []
+    return f"{numbers}{apart} {', '.join(intervals)}"
+
+
+def firing_intervals(layout: Engine) -> list[Fraction]:
+    """Return the degrees after each firing of a layout whose firing angles are known.
+
+    Dead centres that an offset or a link rod has moved count where they are, to 0.01 degrees.
+    """
+    cycle = 180 * layout.strokes
+    if has_shifted_dead_centres(layout):
+        starts = sorted(round(top, 2) for top in firing_dead_centres(layout).values())
+    else:
+        starts = sorted(c.fires % cycle for c in layout.cylinders if c.fires is not None)
+    ends = [*starts[1:], starts[0] + cycle]
+    return [end - start for start, end in zip(starts, ends, strict=True)]
+
+
+def origin(layout: Engine) -> str:
+    """Return what stands where at theta = 0.
+
+    >>> from symbalance.engine.builders import inline
+    >>> origin(inline("1-2")), origin(inline(throws=[30, 90]))
+    ('cylinder 1 at firing top dead centre', 'the pin of cylinder 1 at 30° from straight up')
+    """
+    first = min(layout.cylinders, key=lambda c: c.number)
+    dead_centre = f"{'firing ' if first.fires == 0 else ''}top dead centre"
+    dead_centre_shift = Fraction(0) if first.delay.symbols else dead_centre_shift_of(first)
+    if not dead_centre_shift and first.delay == Angle(Fraction(0)):
+        return f"cylinder {first.number} at {dead_centre}"
+    where = f"the pin of cylinder {first.number} at {angle_text(first.throw)} from straight up"
+    past = Fraction(0) if first.delay.symbols else round(first.delay.in_degrees() - dead_centre_shift, 2)
+    if not dead_centre_shift or abs(past) > NEAR:
+        return where
+    side = f"{decimal_text(abs(past))}° {'past' if past > 0 else 'before'} its " if past else "at its "
+    return f"{where}, {side}{dead_centre}"
+
+
+def angle_text(angle: Angle) -> str:
+    """Return an angle in degrees, short decimals as decimals and others as fractions; symbols in radians.
+
+    >>> angle_text(Angle(Fraction(-1, 12))), angle_text(Angle(Fraction(1, 7)))
+    ('−30°', '360/7°')
+    """
+    if angle.symbols:
+        from symbalance.document.expressions import formula_of
+        from symbalance.document.text_writer import formula_text
+
+        return formula_text(formula_of(angle.expression()))
+    return f"{decimal_text(angle.in_degrees())}°".replace("-", "−")
+
+
+def decimal_text(number: Fraction) -> str:
+    """Return a number as a decimal where it is short, else as a fraction.
+
+    >>> decimal_text(Fraction(45, 2)), decimal_text(Fraction(360, 7))
+    ('22.5', '360/7')
+    """
+    return f"{float(number):.12g}" if 10_000 % number.denominator == 0 else str(number)
+
+
+MOST_NAMED = 8
+"""Cylinders of one kind that are named one by one."""
+_L, _R, _E, _LINK = Name("l"), Name("r"), Name("e"), Name("L")
+_COLUMNS = (
+    Column("cylinders"),
+    Column("rod on"),
+    Column(_L / _R),
+    Column(_E / _R),
+    Column(_LINK / _R),
+    Column((Name("psi"), ", degrees")),
+    Column((Product((Name("m"), _R)), " (first = 1)")),
+)
+
+
+def group_table(engine: Engine) -> Table:
+    """Return what each kind of cylinder is: its rod, ratio, offset, link pin and m r.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> [row[0] for row in group_table(load("vw-vr6")).rows]
+    ['1, 3, 5', '2, 4, 6']
+    """
+    rows = tuple(_cells(engine, group) for group in engine.groups)
+    return Table("Cylinders by kind", _COLUMNS, rows)
+
+
+def group_facts(engine: Engine) -> list[tuple[Words, Words]]:
+    """Return what the letters of the table's columns mean, those that occur."""
+    rows = [_cells(engine, group) for group in engine.groups]
+    entries: list[tuple[Words, Words]] = [(_L, "length of the rod")]
+    if any(row[3] != "" for row in rows):
+        about = "offset of the axis, + towards the side the pin moves to after top dead centre"
+        entries.append((_E, about))
+    if any(row[4] != "" for row in rows):
+        about = "link pin's distance from the crank pin, and angle from the master rod"
+        entries.append(((_LINK, ", ", Name("psi")), about))
+    return entries
+
+
+def _cells(engine: Engine, group: Group) -> tuple[Cell, ...]:
+    kind, cylinders = group.mechanism, group.cylinders
+    numbers = [str(c.number) for c in cylinders]
+    if len(numbers) > MOST_NAMED:
+        numbers = [*numbers[: MOST_NAMED - 1], f"… ({len(numbers)})"]
+    named = ", ".join(numbers)
+    offset = _decimal(kind.offset) if kind and kind.offset else ""
+    length = _decimal(kind.length) if kind else ""
+    share = "" if group.size == 1 else _decimal(group.size)
+    if not isinstance(kind, LinkRod):
+        hangs = any(c.link for c in engine.cylinders)
+        return named, "crank pin" if hangs else "", length, offset, "", "", share
+    masters = sorted({c.link.master for c in cylinders if c.link})
+    on = "rod of " + (str(masters[0]) if len(masters) == 1 else "its master")
+    radius, angle = _decimal(kind.link_radius), _decimal(kind.link_angle * 360)
+    return named, on, length, offset, radius, angle, share
+
+
+def _decimal(number: Fraction) -> Formula:
+    return Decimal(shown(Real(number)))

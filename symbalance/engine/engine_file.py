@@ -12,12 +12,12 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from symbalance.engine.balancer_tables import with_balancers
+from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.builders import from_cylinders, from_firing_order
+from symbalance.engine.crank_train import ROD, CrankTrain, Link
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine, checked_name
 from symbalance.engine.engine_keys import ENGINE_FILE
-from symbalance.engine.trains import ROD, CrankTrain, Link
 from symbalance.errors import SymbalanceError, encodable_name
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
@@ -72,8 +72,8 @@ def engine_from(file: Section, default_name: str) -> Engine:
         engine = _by_cylinder(file, rows, train, about)
     (rows or [arrangement])[0].guarded(lambda: engine.groups, elsewhere=(arrangement, train))
     if engine.has_link_pin_masses:  # they count in units of the reciprocating mass
-        own = next((row for row in rows if "rotating_mass" in row), train)
-        own.guarded(lambda: engine.rotating_sizes)
+        row_of_mass = next((row for row in rows if "rotating_mass" in row), train)
+        row_of_mass.guarded(lambda: engine.rotating_sizes)
     for i, cylinder in enumerate(engine.cylinders):
         at = rows[i] if rows and any(key in rows[i] for key in ROD) else train
         at.guarded(lambda c=cylinder: c.rod_split)
@@ -82,10 +82,10 @@ def engine_from(file: Section, default_name: str) -> Engine:
 
 def _crank_train(train: Section) -> CrankTrain:
     sizes = train.values()
-    given = sizes.pop("ratio", None)
-    shared = CrankTrain(**sizes, given_ratio=given)
+    ratio = sizes.pop("ratio", None)
+    shared = CrankTrain(**sizes, given_ratio=ratio)
     if shared.ratio is not None:
-        key, what = ("ratio", "ratio") if given is not None else ("rod", "2*rod/stroke")
+        key, what = ("ratio", "ratio") if ratio is not None else ("rod", "2*rod/stroke")
         train.guarded(lambda: checked_ratio(shared.ratio, what), key)
     return shared
 
@@ -136,3 +136,48 @@ def _is_refused(make: Callable[[], object]) -> bool:
     except SymbalanceError:
         return True
     return False
+
+
+_ALONE = ("station", "unbalance", "share")
+Balancer = Counterweight | BalanceShaft
+
+
+def with_balancers(file: Section, layout: Engine) -> Engine:
+    """Return an engine with the counterweights and shafts that its file lists."""
+    tables = [(row, _counterweight(row)) for row in file.sections("counterweight")]
+    tables += [(row, _shaft(row)) for row in file.sections("balance_shaft")]
+    if not tables:
+        return layout
+    every = [balancer for _, balancer in tables]
+    try:
+        return _joined(layout, every)
+    except SymbalanceError:
+        for row, balancer in tables:  # what is refused is refused where it stands, if alone
+            row.guarded(lambda balancer_alone=balancer: _joined(layout, [balancer_alone]))
+        return tables[0][0].guarded(lambda: _joined(layout, every))
+
+
+def _joined(layout: Engine, balancers: Sequence[Balancer]) -> Engine:
+    balanced = layout.balanced_by(*balancers)
+    _ = balanced.modulus  # refuses angles too fine together
+    _ = balanced.rotating_masses  # refuses what needs masses that are not given
+    return balanced
+
+
+def _counterweight(row: Section) -> Balancer:
+    values = row.values()
+    return row.guarded(lambda: Counterweight(**values))
+
+
+def _shaft(row: Section) -> Balancer:
+    values = row.values()
+    alone = {key: values.pop(key) for key in _ALONE if key in values}
+    weights = [_weight(each) for each in row.sections("weights")]
+    if not weights:
+        weights = [row.guarded(lambda: Weight(**alone))]
+    return row.guarded(lambda: BalanceShaft(weights=weights, **values))
+
+
+def _weight(row: Section) -> Weight:
+    values = row.values()
+    return row.guarded(lambda: Weight(**values))

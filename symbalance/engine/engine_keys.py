@@ -1,7 +1,7 @@
 """The keys of an engine file: kind, unit, range, default and meaning of each, table by table.
 
-The reader (`engine_file`), the reference in ENGINE_FILES.md and the JSON Schema for editors are made from
-these tables. [crankshaft], [bearings] and [running] are described where they are read:
+The reader (`engine_file`), the reference in docs/engine-files.md and the JSON Schema for editors are
+made from these tables. [crankshaft], [bearings] and [running] are described where they are read:
 `symbalance.crankshaft.files.crank_keys`.
 """
 
@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
 
+from symbalance.engine.builders import FIRING_AT
 from symbalance.engine.cylinders import LONGEST_STATION, MOST_CYLINDERS
+from symbalance.engine.dead_centres import COARSEST, FINEST_STEP
 from symbalance.engine.engine import LONGEST_NAME
-from symbalance.engine.firing import FIRING_AT
-from symbalance.engine.tops import COARSEST, FINEST_STEP
 from symbalance.exact.angles import LARGEST_DENOMINATOR, degrees
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.key_tables import Excludes, Key, Needs, OneOf, TableKeys, Unit

@@ -13,10 +13,10 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from symbalance.engine.balancers import BalanceShaft, Counterweight, Weight
+from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
+from symbalance.engine.crank_train import CYLINDER_SIZES
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.engine.trains import OWN
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
@@ -45,7 +45,7 @@ def engine_text(layout: Engine) -> str:
         ("[crank_train]", _crank_train(layout, shared)),
     ]
     rows = zip(layout.cylinders, sizes, strict=True)
-    tables += [("[[cylinder]]", _cylinder(c, own, shared)) for c, own in rows]
+    tables += [("[[cylinder]]", _cylinder(c, of_cylinder, shared)) for c, of_cylinder in rows]
     for counterweight in layout.balancers.counterweights:
         tables += [("[[counterweight]]", row) for row in _counterweight(counterweight)]
     tables += [("[[balance_shaft]]", _shaft(s)) for s in layout.balancers.shafts]
@@ -78,7 +78,7 @@ def _fraction(value: Fraction) -> str:
     return f'"{value}"'
 
 
-def _given(rows: Iterable[tuple[str, Any]]) -> Row:
+def _present_keys(rows: Iterable[tuple[str, Any]]) -> Row:
     return [(key, value) for key, value in rows if value is not None]
 
 
@@ -90,7 +90,7 @@ def _written_sizes(cylinder: Cylinder) -> Sizes:
     if ratio is not None and sizes.rod is not None:
         rule = f"cannot stand in an engine file beside rod = {sizes.rod}"
         raise SymbalanceError(f"ratio = {ratio}", rule, "give stroke and rod")
-    return {**{key: getattr(sizes, key) for key in OWN}, "ratio": ratio}
+    return {**{key: getattr(sizes, key) for key in CYLINDER_SIZES}, "ratio": ratio}
 
 
 def _shared(layout: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
@@ -99,10 +99,10 @@ def _shared(layout: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
     A link rod takes no stroke, rod and ratio from there.
     """
     shared = {}
-    for key in (*OWN, "ratio"):
+    for key in (*CYLINDER_SIZES, "ratio"):
         values = [
-            own[key]
-            for c, own in zip(layout.cylinders, sizes, strict=True)
+            of_cylinder[key]
+            for c, of_cylinder in zip(layout.cylinders, sizes, strict=True)
             if c.link is None or key not in ("stroke", "rod", "ratio")
         ]
         known = [value for value in values if value is not None]
@@ -112,8 +112,8 @@ def _shared(layout: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
 
 
 def _crank_train(layout: Engine, shared: Mapping[str, Fraction]) -> Row:
-    keys = ("stroke", "rod", "pitch", *OWN[2:], "ratio")
-    return _given((key, layout.pitch if key == "pitch" else shared.get(key)) for key in keys)
+    keys = ("stroke", "rod", "pitch", *CYLINDER_SIZES[2:], "ratio")
+    return _present_keys((key, layout.pitch if key == "pitch" else shared.get(key)) for key in keys)
 
 
 def _cylinder(cylinder: Cylinder, sizes: Sizes, shared: Mapping[str, Fraction]) -> Row:
@@ -124,13 +124,13 @@ def _cylinder(cylinder: Cylinder, sizes: Sizes, shared: Mapping[str, Fraction]) 
     if sizes["ratio"] != shared.get("ratio") and link is None:
         rule = "cannot stand in an engine file beside other cylinders' ratios"
         raise SymbalanceError(f"ratio = {sizes['ratio']}", rule, "give its stroke and rod")
-    own = {key: sizes[key] for key in OWN if sizes[key] != shared.get(key)}
+    of_cylinder = {key: sizes[key] for key in CYLINDER_SIZES if sizes[key] != shared.get(key)}
     if link is not None:
-        own |= {"rod": sizes["rod"]}
-    rows += [(key, own[key]) for key in OWN if key in own]
+        of_cylinder |= {"rod": sizes["rod"]}
+    rows += [(key, of_cylinder[key]) for key in CYLINDER_SIZES if key in of_cylinder]
     if link is not None:
         rows += [("master", link.master), ("link_angle", link.angle * 360), ("link_radius", link.radius)]
-    return _given(rows)
+    return _present_keys(rows)
 
 
 def _degrees(angle: Angle) -> Fraction:
@@ -141,12 +141,12 @@ def _degrees(angle: Angle) -> Fraction:
 
 
 def _counterweight(counterweight: Counterweight) -> list[Row]:
-    place: Row = _given([("throw", counterweight.throw), ("web", counterweight.web)])
-    place += _given([("station", counterweight.station)])
+    place: Row = _present_keys([("throw", counterweight.throw), ("web", counterweight.web)])
+    place += _present_keys([("station", counterweight.station)])
     if counterweight.weight is None:
         angle = _degrees(counterweight.angle)
-        turned: Row = [("angle", angle)] if angle else []
-        return [[*place, *turned, ("overbalance", counterweight.overbalance)]]
+        direction: Row = [("angle", angle)] if angle else []
+        return [[*place, *direction, ("overbalance", counterweight.overbalance)]]
     weight = counterweight.weight
     return [[*place, ("angle", angle), (_unit(weight), size)] for size, angle in _simple(weight.vector)]
 
@@ -184,8 +184,8 @@ def _simple(vector: Amplitude) -> list[tuple[Fraction | str, Fraction]]:
         amplitude: Any = part.amplitude
         turns: Any = part.phase / 2 / _pi()
         if amplitude.is_Rational and turns.is_Rational:
-            size, turned = (Fraction(int(x.p), int(x.q)) for x in (amplitude, turns))
-            return [(size, turned * 360)]
+            size, turns_exact = (Fraction(int(x.p), int(x.q)) for x in (amplitude, turns))
+            return [(size, turns_exact * 360)]
     return [(Fraction(c), Fraction(360 * k, short.modulus)) for k, c in sorted(short.terms.items())]
 
 

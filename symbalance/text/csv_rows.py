@@ -111,9 +111,9 @@ def _is_number(cell: str) -> bool:
     return True
 
 
-def check_units(header: Row, others: re.Pattern[str], read: str) -> None:
-    """Refuse a header that names a unit among `others`, where the file is taken to hold `read`."""
-    other = others.search(header.text)
-    if other:
-        what, rule = f"header {shown(header.text)!r}", f"names {other[0]}, and this reads {read}"
+def check_units(header: Row, foreign: re.Pattern[str], expected: str) -> None:
+    """Refuse a header that names a unit among `foreign`, where the file is taken to hold `expected`."""
+    unit = foreign.search(header.text)
+    if unit:
+        what, rule = f"header {shown(header.text)!r}", f"names {unit[0]}, and this reads {expected}"
         raise SymbalanceError(what, rule, "convert the column, and its name", header.place)

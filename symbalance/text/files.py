@@ -57,8 +57,10 @@ def toml_table(text: str, place: str, remedy: str = "correct the line") -> dict[
         # TOML calls every line ending a newline; tomllib takes only \n and \r\n.
         return tomllib.loads(text.replace("\r\n", "\n"), parse_float=Decimal)
     except tomllib.TOMLDecodeError as problem:
-        found = re.search(r"\(at line (\d+), column (\d+)\)", str(problem))
-        where = f"{place}:{found[1]}:{found[2]}" if found else f"{place}:{text.count(chr(10)) + 1}"
+        position = re.search(r"\(at line (\d+), column (\d+)\)", str(problem))
+        where = (
+            f"{place}:{position[1]}:{position[2]}" if position else f"{place}:{text.count(chr(10)) + 1}"
+        )
         message = re.sub(r"\s*\(at .*\)$", "", str(problem))
         raise SymbalanceError(where, f"is not valid TOML ({message})", remedy) from None
     except (ValueError, RecursionError):

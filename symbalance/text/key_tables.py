@@ -62,10 +62,10 @@ class Key:
         if self.listed:
             least = {"minItems": self.least} if self.least else {}
             schema = {"type": "array", "items": schema, **least}
-        shown: Schema = {"description": self.description}
+        beside: Schema = {"description": self.description}
         if isinstance(self.default, int | float | str):
-            shown["default"] = self.default
-        return {**shown, **schema}
+            beside["default"] = self.default
+        return {**beside, **schema}
 
     @property
     def description(self) -> str:

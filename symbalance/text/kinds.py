@@ -225,11 +225,11 @@ class Choice:
     def read(self, value: object, name: str, remedy: str) -> Any:
         """Return the value, or refuse another one, or one of another type."""
         if type(value) is not type(self.values[0]) or value not in self.values:
-            said = f"one of {', '.join(map(str, self.values))}"
+            choices = f"one of {', '.join(map(str, self.values))}"
             if len(self.values) == 2 and isinstance(self.values[0], int):
-                said = " or ".join(map(str, self.values))
+                choices = " or ".join(map(str, self.values))
             quoted = f"'{shown(value)}'" if isinstance(value, str) else shown(value)
-            raise SymbalanceError(f"{name} = {quoted}", f"must be {said}", remedy)
+            raise SymbalanceError(f"{name} = {quoted}", f"must be {choices}", remedy)
         return value
 
     def schema(self) -> Schema:

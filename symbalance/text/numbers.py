@@ -149,7 +149,7 @@ LONGEST_SHOWN = 10**6
 """A larger denominator says less to a reader than decimals do."""
 
 
-def short_text(number: Fraction, cut: str = "…") -> str:
+def short_text(number: Fraction, ellipsis: str = "…") -> str:
     """Return a fraction as tables print it: itself, or decimals cut off where it is long.
 
     >>> short_text(Fraction(2943, 733)), short_text(Fraction(13948372433243415, 3997776196302304))
@@ -161,7 +161,7 @@ def short_text(number: Fraction, cut: str = "…") -> str:
     places = max(10 - len(whole), 0)
     digits = str(int(abs(number) * 10**places)).zfill(places + 1)
     sign = "-" if number < 0 else ""
-    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits) + cut
+    return sign + (f"{digits[:-places]}.{digits[-places:]}" if places else digits) + ellipsis
 
 
 def decimal_text(value: Real, digits: int) -> str:

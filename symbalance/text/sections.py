@@ -120,9 +120,9 @@ class Section:
         kind = self.keys.others if key is None else key.kind
         assert kind is not None
         assert not isinstance(kind, TableKeys)
-        given, remedy = self.table[name], "" if key is None else key.remedy
+        raw, remedy = self.table[name], "" if key is None else key.remedy
         try:
-            return kind.read(given, name, remedy)
+            return kind.read(raw, name, remedy)
         except SymbalanceError as problem:
             raise problem.within(self.place(name)) from None
 

@@ -1,4 +1,4 @@
-"""What is written of a torque: its orders on crank and frame, exact, then what its letters mean."""
+"""Torques as documents: the orders on crank and frame, exact, then what their letters mean."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from symbalance.engine.engine_document import (
     ORDER,
     balancer_entries,
     engine_words,
+    group_table,
     origin_facts,
     size_facts,
 )
-from symbalance.engine.kinds import kind_table
 from symbalance.forces.balance_document import coefficient_table, component_table
 from symbalance.forces.rows import Row
 from symbalance.kinematics.coefficients import INERTIA, OF_RODS
-from symbalance.torque.groups import has_common_torque
+from symbalance.torque.body_groups import has_common_torque
 from symbalance.torque.inertia_balance import TorqueBalance
 from symbalance.torque.roll import MILLI, TorqueReport, excesses, first_excess
 from symbalance.torque.running_document import running_blocks, running_facts, running_title
@@ -116,7 +116,7 @@ def _legend(layout: Engine, title: str, *more: tuple[Words, Words]) -> tuple[Blo
         SIGNS,
         ORDER,
     ]
-    return blocks(None if alike else kind_table(layout), Facts(tuple(entries), title))
+    return blocks(None if alike else group_table(layout), Facts(tuple(entries), title))
 
 
 def _rods(layout: Engine) -> list[tuple[Words, Words]]:

@@ -18,7 +18,7 @@ from symbalance.bench.stability.case import WRONG, Case, Part, tried
 from symbalance.bench.timing import progress
 from symbalance.codegen import to_function
 from symbalance.engine.catalogue import load
-from symbalance.forces.resultants import balance
+from symbalance.forces.free_forces import balance
 
 Array = Any
 Function = Callable[..., Any]

@@ -11,7 +11,7 @@ parts of r/c along V and a quarter turn ahead of it, kappa^2 = 1 - p^2 - q^2 and
     w = integral dpsi/(1 - p cos psi - q sin psi) = 2 beta/kappa,
 
 F = g |V| (w_pp, w_pq)/2, and the tangents follow.
-Short bearing: Ocvirk, NACA TN 2808 (1952, from memory).
+Source: F. W. Ocvirk, Short-bearing approximation for full journal bearings, NACA TN 2808 (1952).
 """
 
 from __future__ import annotations

@@ -8,8 +8,8 @@ from math import pi
 from pathlib import Path
 
 from symbalance.crankshaft.files.crank_keys import MOST_RPM
+from symbalance.engine.crank_train import ROD
 from symbalance.engine.engine import Engine
-from symbalance.engine.trains import ROD
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import RodSplit
 from symbalance.text.sections import Section

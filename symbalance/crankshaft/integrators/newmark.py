@@ -4,8 +4,8 @@
 
 with the equations of motion holding at both ends, so that the accelerations are no states. The rotor's
 constant matrix M + h/2 D + h^2/4 S is factored once, the bearings are a correction of rank 2 b, as in
-`radau`; the housings follow by the same rule. Neutral, not L-stable: what is stiff rings. Source: Newmark
-(1959), J. Eng. Mech. Div. 85 (from memory).
+`radau`; the housings follow by the same rule. Neutral, not L-stable: what is stiff rings. Source: N. M.
+Newmark, A method of computation for structural dynamics, J. Eng. Mech. Div. 85 (1959), 67-94.
 """
 
 from __future__ import annotations

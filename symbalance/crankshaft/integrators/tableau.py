@@ -49,8 +49,8 @@ def radau_iia(stages: int = 3) -> Tableau:
     """Return Radau IIA with s stages, of order 2 s - 1: L-stable, exact at the right end.
 
     The nodes are the roots of P_{s-1} - P_s on [0, 1], Legendre polynomials; A integrates the Lagrange
-    polynomials through them. Source: Hairer and Wanner, Solving Ordinary Differential Equations II
-    (1996), IV.5 (from memory); three stages there: c = (4 -+ sqrt 6)/10, 1.
+    polynomials through them. Source: derived so; the three-stage nodes c = (4 -+ sqrt 6)/10, 1 are those
+    of SciPy's `Radau`, which names Hairer and Wanner, Solving Ordinary Differential Equations II, IV.8.
 
     >>> [round(float(c), 6) for c in radau_iia(3).nodes], round((4 - 6**0.5) / 10, 6)
     ([0.155051, 0.644949, 1.0], 0.155051)

@@ -8,7 +8,7 @@ of a web of the length R - 0.2 (D_j + D_p) bent in its plane:
 
 the throw's flexibility (both webs in the last term) being 32 L_e/(pi G D^4); h is a web's thickness, W
 its width. Carter's formula
-(1928) has L_j + 0.8 h, 0.75 L_p, 1.5 R instead. Both from memory, without the prints at hand.
+(1928) has L_j + 0.8 h, 0.75 L_p, 1.5 R instead. Both are assumed in this form: neither print was seen.
 
 The bending, axial and shear terms are a beam's of the same clear length and stubs: no published formula
 gives all six. The error of either against the solid is in `derivations/crankshaft-model.md`.

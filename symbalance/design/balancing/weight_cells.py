@@ -1,4 +1,4 @@
-"""Cells of tables of weights: where one stands, how large it is."""
+"""Table cells of a balance weight: its station and its size."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import sympy
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal, Formula
 from symbalance.document.nodes import Cell, Exact
-from symbalance.engine.balancer_facts import nearly, size
+from symbalance.engine.balance_mass_facts import nearly, size
 from symbalance.exact.amplitude import Amplitude
 
 

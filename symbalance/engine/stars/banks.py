@@ -105,9 +105,9 @@ def _tiles(k: int, count: int, strokes: int) -> bool:
 def _lags_of_pins(pins: list[Fraction], strokes: int) -> list[Fraction]:
     step = even_interval(2 * len(pins), strokes)
     places = {(k * step - pins[0]) % 360 for k in range(int(360 / step))}
-    wanted = Counter(dict.fromkeys(places, strokes // 2))
+    even_moments = Counter(dict.fromkeys(places, strokes // 2))
     lags = [k * step for k in range(len(places))]
-    return [lag for lag in lags if _top_dead_centres(pins, lag) == wanted]
+    return [lag for lag in lags if _top_dead_centres(pins, lag) == even_moments]
 
 
 def _top_dead_centres(pins: list[Fraction], lag: Fraction) -> Counter[Fraction]:

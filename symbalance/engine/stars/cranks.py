@@ -92,9 +92,9 @@ class StarClass:
     def _couple(self, order: int) -> Component:
         terms: dict[int, Fraction] = {}
         for place, ray in enumerate(self.rays):
-            turned = -order * ray % self.directions
+            ray_of_order = -order * ray % self.directions
             station = Fraction(len(self.rays) - 1, 2) - place
-            terms[turned] = terms.get(turned, Fraction(0)) + station
+            terms[ray_of_order] = terms.get(ray_of_order, Fraction(0)) + station
         return Component(Phasor.of(self.directions, terms))
 
 
@@ -193,15 +193,15 @@ def _stars(free: list[int], count: int, star: Star = (0,)) -> Iterator[Star]:
     if len(star) == count:
         yield star
         return
-    for ray, left in enumerate(free):
-        if left:
-            yield from _stars([*free[:ray], left - 1, *free[ray + 1 :]], count, (*star, ray))
+    for ray, places in enumerate(free):
+        if places:
+            yield from _stars([*free[:ray], places - 1, *free[ray + 1 :]], count, (*star, ray))
 
 
 def _orbit(star: Star, rays: int) -> set[Star]:
     """Return this star turned, mirrored and seen from behind, each with cylinder 1 on ray 0."""
     behind = tuple((ray - star[-1]) % rays for ray in reversed(star))
-    return {mirrored for seen in (star, behind) for mirrored in (seen, tuple(-r % rays for r in seen))}
+    return {mirrored for view in (star, behind) for mirrored in (view, tuple(-r % rays for r in view))}
 
 
 def _correlation(star: Star, rays: int) -> tuple[int, ...]:

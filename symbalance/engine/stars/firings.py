@@ -7,7 +7,8 @@ A cylinder fires at one of its top dead centres. Counted from cylinder 1's, the 
 a two-stroke fires there, a four-stroke there or 360 degrees later. Cylinders whose t_j agree share
 these moments, and unless they may fire together each takes one: the choices of one such group do not
 touch the next group's, so all firing orders are a product over the groups. Where an offset or a link
-rod moves the dead centre (`symbalance.engine.tops`) t_j is what it moves to, to a millionth of a degree.
+rod shifts the dead centre (`symbalance.engine.dead_centres`), t_j is where it then is, to a millionth of
+a degree.
 """
 
 from __future__ import annotations
@@ -21,8 +22,12 @@ from math import gcd, prod
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import SequenceResult
+from symbalance.engine.dead_centres import (
+    dead_centre_angles,
+    firing_dead_centres,
+    has_shifted_dead_centres,
+)
 from symbalance.engine.engine import Engine
-from symbalance.engine.tops import firing_dead_centres, has_moved, top_angles
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import Angle
 from symbalance.text.numbers import exact
@@ -114,8 +119,8 @@ class FiringOrders(SequenceResult[Firing]):
             "simultaneous": self.simultaneous,
             "within": str(self.within),
             "firing_orders": [
-                {"order": list(one.order), "intervals": [str(gap) for gap in one.intervals]}
-                for one in self
+                {"order": list(firing.order), "intervals": [str(gap) for gap in firing.intervals]}
+                for firing in self
             ],
         }
 
@@ -123,12 +128,12 @@ class FiringOrders(SequenceResult[Firing]):
         """Return a row for each order."""
         return [
             {
-                "firing_order": one.as_text(),
-                "intervals_degrees": " ".join(map(str, one.intervals)),
-                "even": one.is_even,
-                "least_overlap_degrees": float(one.overlap()),
+                "firing_order": firing.as_text(),
+                "intervals_degrees": " ".join(map(str, firing.intervals)),
+                "even": firing.is_even,
+                "least_overlap_degrees": float(firing.overlap()),
             }
-            for one in self
+            for firing in self
         ]
 
 
@@ -155,11 +160,11 @@ def firing_orders(
     """
     _checked(layout)
     near = _checked_within(within)
-    items = tuple(_found(layout, even_only, simultaneous, near))
+    items = tuple(_all_firings(layout, even_only, simultaneous, near))
     return FiringOrders(layout, items, even_only, simultaneous, near)
 
 
-def _found(layout: Engine, even_only: bool, simultaneous: bool, within: Fraction) -> list[Firing]:
+def _all_firings(layout: Engine, even_only: bool, simultaneous: bool, within: Fraction) -> list[Firing]:
     cycle, count = 180 * layout.strokes, len(layout.cylinders)
     groups = _groups(layout, within)
     if not even_only:
@@ -210,7 +215,7 @@ def known_firing(layout: Engine) -> Firing:
             "has no firing angle",
             "give fires, or ask firing_orders(layout) for those its crank allows",
         )
-    if has_moved(layout):
+    if has_shifted_dead_centres(layout):
         return _firing(firing_dead_centres(layout), cycle)
     start = fires[min(fires)]
     return _firing({number: (angle - start) % cycle for number, angle in fires.items()}, cycle)
@@ -248,13 +253,13 @@ def _checked_within(within: object) -> Fraction:
 def _groups(layout: Engine, within: Fraction) -> dict[Fraction, list[int]]:
     """Return the cylinders by the degrees at which they first reach top dead centre, cylinder 1 at 0."""
     cylinders = sorted(layout.cylinders, key=lambda c: c.number)
-    moved = top_angles(layout) if has_moved(layout) else {}
+    shifted_angles = dead_centre_angles(layout) if has_shifted_dead_centres(layout) else {}
     count, turns = len(cylinders), layout.strokes // 2
     step = Fraction(360 * gcd(count, turns), count)  # even moments, modulo a turn
     groups: dict[Fraction, list[int]] = {}
     for cylinder in cylinders:
         ahead = _numeric(cylinders[0].delay - cylinder.delay, cylinder.number).turns * 360
-        ahead = moved.get(cylinder.number, ahead)
+        ahead = shifted_angles.get(cylinder.number, ahead)
         place = round(ahead / step) * step
         if abs(ahead - place) <= within:
             ahead = place
@@ -277,30 +282,31 @@ def _choices(group: list[int], start: Fraction, cycle: int, simultaneous: bool) 
     slots = [start + turn for turn in range(0, cycle, 360)]
     if simultaneous:
         _check_count(len(slots) ** len(group))
-        ways: Iterable[tuple[Fraction, ...]] = product(slots, repeat=len(group))
+        assignments: Iterable[tuple[Fraction, ...]] = product(slots, repeat=len(group))
     else:
-        ways = permutations(slots, len(group))
-    return [dict(zip(group, way, strict=True)) for way in ways]
+        assignments = permutations(slots, len(group))
+    return [dict(zip(group, assignment, strict=True)) for assignment in assignments]
 
 
 def _evenly(
     group: list[int], start: Fraction, cycle: int, moments: set[Fraction], together: int
 ) -> list[Moments]:
     """Return the choices that put so many together at each of the moments, and none elsewhere."""
-    wanted = {start + turn: together for turn in range(0, cycle, 360) if start + turn in moments}
-    if len(group) != together * len(wanted):
+    per_moment = {start + turn: together for turn in range(0, cycle, 360) if start + turn in moments}
+    if len(group) != together * len(per_moment):
         return []
-    ways = _choices(group, start, cycle, together > 1)
-    return [way for way in ways if Counter(way.values()) == wanted]
+    assignments = _choices(group, start, cycle, together > 1)
+    return [assignment for assignment in assignments if Counter(assignment.values()) == per_moment]
 
 
 def _listed(choices: list[list[Moments]], cycle: int) -> list[Firing]:
     """Return a firing order for every combination of the groups' choices, cylinder 1 at 0."""
-    first, *others = choices
-    first = [way for way in first if way[min(way)] == 0]
-    _check_count(len(first) * prod(map(len, others)))
+    first, *rest = choices
+    first = [assignment for assignment in first if assignment[min(assignment)] == 0]
+    _check_count(len(first) * prod(map(len, rest)))
     merged = (
-        {number: at for way in ways for number, at in way.items()} for ways in product(first, *others)
+        {number: at for assignment in assignments for number, at in assignment.items()}
+        for assignments in product(first, *rest)
     )
     return sorted(_firing(moments, cycle) for moments in merged)
 

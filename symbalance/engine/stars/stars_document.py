@@ -9,7 +9,7 @@ from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal, Formula, number
 from symbalance.document.nodes import Column, Document, Exact, Facts, Table, Words
 from symbalance.document.text_writer import formula_text
-from symbalance.engine.facts import decimal_text
+from symbalance.engine.engine_document import decimal_text
 from symbalance.engine.stars.cranks import CrankStars
 from symbalance.engine.stars.firings import FiringOrders
 
@@ -17,10 +17,10 @@ MOST_NAMED = 2
 """Firing orders of one crank that are named in its row; of more, the first and how many there are."""
 
 
-def crank_stars_document(found: CrankStars) -> Document:
+def crank_stars_document(cranks: CrankStars) -> Document:
     """Return a table of cranks, the smoothest first, with their couples and firing orders."""
-    strokes = {2: "two-stroke", 4: "four-stroke"}[found.strokes]
-    title = f"Cranks of an evenly firing {strokes} in-line {found.cylinders}: {len(found)}"
+    strokes = {2: "two-stroke", 4: "four-stroke"}[cranks.strokes]
+    title = f"Cranks of an evenly firing {strokes} in-line {cranks.cylinders}: {len(cranks)}"
     columns = (
         Column("crank"),
         Column("throws, degrees"),
@@ -38,7 +38,7 @@ def crank_stars_document(found: CrankStars) -> Document:
             number(star.stars),
             _listed([firing.as_text() for firing in star.firings]),
         )
-        for place, star in enumerate(found, 1)
+        for place, star in enumerate(cranks, 1)
     )
     legend: tuple[tuple[Words, Words], ...] = (
         ("throws", "front to rear, cylinder 1 at 0"),
@@ -48,18 +48,18 @@ def crank_stars_document(found: CrankStars) -> Document:
     return Document(title, (Table("", columns, rows), Facts(legend, "How to read it")))
 
 
-def firing_orders_document(found: FiringOrders) -> Document:
+def firing_orders_document(orders: FiringOrders) -> Document:
     """Return a table of firing orders with their intervals, alike ones written once."""
-    which = "Even firing orders" if found.even_only else "Firing orders"
-    title = f"{which} that the crank of {found.engine.name} allows: {len(found)}"
+    which = "Even firing orders" if orders.even_only else "Firing orders"
+    title = f"{which} that the crank of {orders.engine.name} allows: {len(orders)}"
     columns = (Column("firing order"), Column("intervals, degrees"))
-    rows = tuple((firing.as_text(), _intervals(firing.intervals)) for firing in found)
+    rows = tuple((firing.as_text(), _intervals(firing.intervals)) for firing in orders)
     entries: list[tuple[Words, Words]] = []
-    if found.simultaneous:
+    if orders.simultaneous:
         entries.append(("together", "cylinders may fire at one moment: interval 0"))
-    if found.within:
-        said = f"dead centres within {decimal_text(found.within)}° of an even moment count as lying there"
-        entries.append(("within", said))
+    if orders.within:
+        near = f"dead centres within {decimal_text(orders.within)}° of an even moment"
+        entries.append(("within", f"{near} count as lying there"))
     blocks = (Table("", columns, rows, empty="none"),)
     return Document(title, (*blocks, Facts(tuple(entries), "How to read it")) if entries else blocks)
 

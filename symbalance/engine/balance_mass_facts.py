@@ -1,0 +1,124 @@
+"""Counterweights and balance shafts in words, one line each, for every document about an engine."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document.expressions import formula_of
+from symbalance.document.formula import Decimal
+from symbalance.document.nodes import Words
+from symbalance.document.text_writer import formula_text
+from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
+from symbalance.engine.engine import Engine
+from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.spectrum import Component
+from symbalance.text.reals import atan2, nstr, pi
+
+LONGEST = 34
+"""An exact size whose text is longer than this is written rounded."""
+
+
+def balancer_facts(engine: Engine) -> list[Words]:
+    """Return what is said of the balancers of an engine, and of rotating masses it takes as balanced.
+
+    >>> from symbalance.document.fitting import plain_words
+    >>> from symbalance.engine.builders import inline
+    >>> single = inline("1").balanced_by(BalanceShaft(-1, [Weight(share="1/2", phase=180)]))
+    >>> plain_words(balancer_facts(single)[0])
+    'shaft at −1 times the crank: share 1/2 at 180°, station 0'
+    """
+    balancers = engine.balancers
+    facts: list[Words] = [_counterweight(c) for c in balancers.counterweights]
+    if not facts:
+        if any(c.rotating_mass for c in engine.cylinders):
+            facts.append("rotating masses are taken as balanced, throw by throw")
+        if engine.has_link_pin_masses:
+            facts.append("but for what link pins move those on them beside the crank pins")
+    return facts + [_shaft(s) for s in balancers.shafts]
+
+
+def _counterweight(counterweight: Counterweight) -> Words:
+    where = [f"throw {counterweight.throw}"] if counterweight.throw else []
+    where += [f"web {counterweight.web}"] if counterweight.web else []
+    opposite = ", from opposite its pin" if where else ""
+    if counterweight.station is not None or not where:
+        where.append(f"station {with_minus(counterweight.station or 0)}")
+    head = f"counterweight on {', '.join(where)}: "
+    if counterweight.weight is None:
+        share = counterweight.overbalance or 0
+        tail = f" from opposite the pin, by {counterweight.angle.as_text()} degrees"
+        direction = tail if counterweight.angle.turns or counterweight.angle.symbols else ""
+        return f"{head}for its rotating mass and {share} of its reciprocating mass{direction}"
+    return (head, *_size(counterweight.weight.vector, counterweight.weight.in_kg_mm), opposite)
+
+
+def _shaft(shaft: BalanceShaft) -> Words:
+    parts: list[Any] = [f"shaft at {shaft.speed:+d} times the crank: ".replace("-", "−")]
+    for i, weight in enumerate(shaft.weights):
+        parts += ["; "] if i else []
+        parts += _weight(weight)
+    if shaft.phase.turns or shaft.phase.symbols:
+        parts.append(f", from {shaft.phase.as_text()} degrees")
+    if shaft.x or shaft.y:
+        parts.append(f", axis at x = {float(shaft.x):g}, y = {float(shaft.y):g} mm".replace("-", "−"))
+    return tuple(parts)
+
+
+def _weight(weight: Weight) -> tuple[Any, ...]:
+    return (*_size(weight.vector, weight.in_kg_mm), f", station {with_minus(weight.station)}")
+
+
+def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
+    unit = " kg mm" if in_kg_mm else ""
+    return ("" if in_kg_mm else "share ", *size(vector), f"{unit} at ", *direction(vector))
+
+
+def size(vector: Amplitude) -> tuple[Any, ...]:
+    """Return a weight's size in words: exactly if that is short, else ≈ and its decimal."""
+    exact = formula_of(Component(vector).amplitude)
+    if vector.has_symbols or (not vector.is_decimal and len(formula_text(exact)) <= LONGEST):
+        return (exact,)
+    return ("≈ ", Decimal(five_digits(vector.size())))
+
+
+def nearly(vector: Amplitude) -> Words:
+    """Return a weight's size rounded, empty where the exact one says it all or symbols stand in it."""
+    first, *more = size(vector)
+    if vector.has_symbols or more:
+        return ""
+    near = five_digits(vector.size()).removesuffix(".0")
+    return "" if near == formula_text(first) else Decimal(near)
+
+
+def five_digits(value: Any) -> str:
+    """Return a decimal to five digits."""
+    return nstr(value, 5)
+
+
+def direction(vector: Amplitude) -> tuple[Any, ...]:
+    """Return a weight's direction in degrees from straight up, rounded where it is no fine fraction.
+
+    >>> from symbalance.document.fitting import plain_words
+    >>> from symbalance.exact.phasor import Phasor
+    >>> plain_words(direction(Phasor.root(Fraction(1, 7))))
+    '360/7°'
+    >>> plain_words(direction(Phasor.of(4, {0: 3, 1: 1})))
+    '≈ 18.435°'
+    """
+    import sympy
+
+    phase = Component(vector).phase
+    degrees_exact = phase * 180 / sympy.pi
+    if degrees_exact.is_Rational:
+        return (formula_of(degrees_exact), "°")
+    if vector.has_symbols:
+        return (formula_of(phase),)
+    near = vector.evaluated()
+    degrees = atan2(near.imag, near.real) * 180 / pi()
+    return ("≈ ", Decimal(five_digits(degrees)), "°")
+
+
+def with_minus(number: Fraction | int) -> str:
+    """Return a number with a minus sign of its own."""
+    return str(number).replace("-", "−")

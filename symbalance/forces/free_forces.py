@@ -1,0 +1,257 @@
+"""Free forces and couples of an engine, order by order: the result that `balance` returns.
+
+A cylinder pushes along its axis with F = A_n m r omega^2 cos n(theta + throw - bank). Its planar vector,
+vertical + i lateral, is that times e^(i bank); summed over all cylinders,
+
+    c_{+-n} = 1/2 sum of w_j e^(i (bank_j +- n (throw_j - bank_j))),
+
+w_j = 1 for the force (unit F_n = A_n m r omega^2) and the station for the couple (unit F_n a, about the
+reference plane): the vertical couple is positive when the front is pushed up, the lateral when right.
+These sums are geometry alone; A_n is the kinematics of one cylinder; tables print the two apart.
+
+Per cylinder, with bank angle b and delay d = throw - bank:
+
+Formulas:
+    cos n (theta + d) = cos n d cos n theta - sin n d sin n theta
+    cos n (theta + d) e^(i b) = cos n (theta + d) cos b + i cos n (theta + d) sin b
+    with n a whole number; b, d angles
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from symbalance.document.result import Result
+from symbalance.engine.engine import Engine
+from symbalance.errors import SymbalanceError, shown
+from symbalance.exact.spectrum import Component, Spectrum
+from symbalance.forces.force_sums import planar_vectors
+from symbalance.kinematics.coefficients import FORCE, Kinematics
+from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
+from symbalance.text.numbers import exact
+from symbalance.text.reals import Real
+
+if TYPE_CHECKING:
+    from symbalance.document.nodes import Document
+
+
+@dataclass(frozen=True)
+class Resultant:
+    """One order of a force or couple with its components; units F_n, or F_n a."""
+
+    spectrum: Spectrum
+    order: int
+
+    def is_zero(self) -> bool:
+        """Tell whether the whole order vanishes."""
+        return self.order not in self.spectrum.terms and -self.order not in self.spectrum.terms
+
+    def component(self, name: str) -> Component:
+        """Return a component by name: vertical, lateral, forward or backward."""
+        return self.spectrum.component(self.order, name)
+
+    @cached_property
+    def vertical(self) -> Component:
+        """The part along the vertical."""
+        return self.component("vertical")
+
+    @cached_property
+    def lateral(self) -> Component:
+        """The part towards the right, seen from the front."""
+        return self.component("lateral")
+
+    @cached_property
+    def forward(self) -> Component:
+        """The part that turns with the crank, by its vertical component."""
+        return self.component("forward")
+
+    @cached_property
+    def backward(self) -> Component:
+        """The part that turns against the crank, by its vertical component."""
+        return self.component("backward")
+
+
+@dataclass(frozen=True)
+class Order:
+    """One order that survives: its coefficient A_n (None where cylinders are unlike) and its geometry."""
+
+    order: int
+    coefficient: Series | None
+    force: Resultant
+    couple: Resultant
+
+
+@dataclass(frozen=True, repr=False)
+class Balance(Result):
+    """What is left free in a layout: `force` and `couple` by order, up to `highest`.
+
+    `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
+    says what A_n is where components are geometry, in units of A_n m r omega^2; it is None where they
+    hold the kinematics too, to 40 digits, in units of m r omega^2 of cylinder 1. Of an in-line four the
+    first order cancels and the second does not, in units of F_1 and F_2:
+
+    Formulas:
+        S = 0
+        T = 4 cos 2 theta
+        with S the force of order 1 of inline-4; T the force of order 2 of inline-4
+
+    >>> from symbalance.engine.builders import inline
+    >>> left = balance(inline("1-2-4-5-3"), order=4)
+    >>> [o.order for o in left.orders], left[1].couple.vertical.amplitude
+    ([1, 2, 4], sqrt(25/2 - 11*sqrt(5)/2))
+    """
+
+    layout: Engine
+    highest: int
+    force: Spectrum
+    couple: Spectrum
+    reference: Fraction | None = None
+    power: int | None = None
+    kinematics: Kinematics | None = FORCE
+
+    kind: ClassVar[str] = "balance"
+
+    def summary(self) -> str:
+        """Return which orders are left free, in one line."""
+        parts = [
+            f"free {name} of order {listed_orders(sorted(orders))}" if orders else f"no free {name}"
+            for name, orders in (("force", self.force.orders()), ("couple", self.couple.orders()))
+        ]
+        return f"Balance of {self.layout.name} to order {self.highest}: {'; '.join(parts)}"
+
+    def document(self) -> Document:
+        """Return the free force and couple by order, then what the letters mean."""
+        from symbalance.forces.balance_document import balance_document
+
+        return balance_document(self)
+
+    def data(self) -> dict[str, Any]:
+        """Return the engine and every order, exact numbers as strings that SymPy reads."""
+        from symbalance.forces.balance_data import balance_data
+
+        return balance_data(self)
+
+    def records(self) -> list[dict[str, Any]]:
+        """Return a row for each component of each order, in decimals where it has no symbols."""
+        from symbalance.forces.balance_data import balance_records
+
+        return balance_records(self)
+
+    @property
+    def ratio(self) -> Fraction | None:
+        """The rod ratio lambda = l/r, if known."""
+        return self.layout.ratio
+
+    @cached_property
+    def orders(self) -> tuple[Order, ...]:
+        """The orders that survive, lowest first; those that cancel are absent."""
+        numbers = sorted({*self.force.orders(), *self.couple.orders()})
+        return tuple(
+            Order(
+                n,
+                self.coefficient(n),
+                Resultant(self.force, n),
+                Resultant(self.couple, n),
+            )
+            for n in numbers
+        )
+
+    def __getitem__(self, order: int) -> Order:
+        for one in self.orders:
+            if one.order == order:
+                return one
+        present = ", ".join(str(o.order) for o in self.orders) or "none"
+        why = f"it cancels or lies above {self.highest} (left: {present})"
+        raise KeyError(f"order {order} is absent: {why}")
+
+    def coefficient(self, order: int) -> Series | None:
+        """Return A_order as a series in 1/lambda, through `power` or two terms; None if not apart."""
+        if self.kinematics is None:
+            return None
+        power = self.kinematics.power(order) if self.power is None else self.power
+        return self.kinematics.series(order, power)
+
+    @cached_property
+    def values(self) -> dict[int, Real]:
+        """A_n exact in lambda, to 30 digits, for the orders that survive; empty without a ratio."""
+        if self.ratio is None or not self.orders or self.kinematics is None:
+            return {}
+        values = self.kinematics.values(self.orders[-1].order, self.ratio, 30)
+        return {o.order: values[o.order] for o in self.orders}
+
+
+def balance(
+    layout: Engine,
+    order: int = 12,
+    *,
+    ratio: object = None,
+    power: int | None = None,
+    reference: object = None,
+) -> Balance:
+    """Return the free forces and couples of a layout to an order, each exact.
+
+    `ratio` overrides the layout's rod ratio lambda = l/r, `power` keeps that many powers of 1/lambda in
+    the printed series, `reference` is the station couples are taken about (default: the stations' mean).
+
+    The primary force of a 90-degree V-twin on one pin has the size F_1 and turns with the crank, theta
+    counting from cylinder 1: a counterweight balances it.
+
+    Formulas:
+        V = cos(theta - pi/4)
+        H = sin(theta - pi/4)
+        with V the force.vertical of order 1 of v2-90; H the force.lateral of order 1 of v2-90
+    """
+    order = checked_order(order)
+    if not isinstance(layout, Engine):
+        raise SymbalanceError(
+            f"layout = {shown(layout)}", "must be an Engine", 'load one with load("v12-60"), or build one'
+        )
+    if ratio is None:
+        return _balance(layout, order, power, reference)
+    return _balance(layout.with_ratio(ratio), order, power, reference)
+
+
+def listed_orders(orders: Sequence[int | Fraction]) -> str:
+    """Return orders with commas, the first and the last where there are many; halves as decimals.
+
+    >>> listed_orders([Fraction(1, 2), 1, Fraction(3, 2)])
+    '0.5, 1, 1.5'
+    """
+    printed = [str(n) if n == int(n) else str(float(n)) for n in orders]
+    return ", ".join([*printed[:6], "…", printed[-1]] if len(printed) > 8 else printed)
+
+
+def _balance(layout: Engine, order: int, power: int | None, reference: object) -> Balance:
+    plane = None if reference is None else exact(reference, "reference")
+    force, couple = planar_vectors(layout, order, plane)
+    apart = FORCE if layout.counts_in_orders else None
+    return _with_power(Balance(layout, order, force, couple, plane, kinematics=apart), power)
+
+
+def checked_balance(result: object) -> Balance:
+    """Return a balance, or refuse what is none."""
+    if not isinstance(result, Balance):
+        raise SymbalanceError(
+            f"result = {shown(result)}", "must be a Balance", "make one with balance(layout)"
+        )
+    return result
+
+
+def _with_power(result: Balance, power: int | None) -> Balance:
+    """Return a balance that keeps so many powers of 1/lambda; refused where an order would lose all."""
+    if power is None:
+        return result
+    checked_power(power)
+    orders = sorted({*result.force.orders(), *result.couple.orders()})
+    empty = [n for n in orders if n - 1 > power]
+    if empty:
+        raise SymbalanceError(
+            f"power = {power}",
+            f"keeps no term of order {empty[-1]}",
+            f"the least power of 1/lambda that keeps every order here is {empty[-1] - 1}",
+        )
+    return replace(result, power=power)
