@@ -377,6 +377,7 @@ def test_outputs_that_share_memory_are_refused(target: str) -> None:
     assert room[:8].all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 def test_an_out_that_does_not_fit_is_refused_before_anything_is_written(target: str) -> None:
     locked = np.zeros(4)

@@ -46,6 +46,7 @@ def refuted(written) -> set[tuple[str, int]]:
     return {(d, int(n)) for d, n in re.findall(r"^\| (\d{3}):(\d+) \|", text, re.MULTILINE)}
 
 
+@pytest.mark.slow
 def test_what_is_refuted_is_what_the_hand_derivations_found(written):
     found, known = refuted(written), errors_by_hand()
     moved = {("001", 63), ("001", 61), ("001", 66)}  # a constant is missing: said where it is added
