@@ -7,6 +7,8 @@ import pytest
 
 from tests import ROOT
 
+pytestmark = pytest.mark.slow
+
 CHECKED = ROOT / "derivations" / "checked"
 DOCUMENTS = runpy.run_path(str(CHECKED / "regenerate.py"))["documents"]
 

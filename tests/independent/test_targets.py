@@ -121,7 +121,7 @@ def test_single_angles(found: Any, target: str) -> None:
         assert np.max(off) <= allowed * U32, (case.name, output)
 
 
-@pytest.mark.spread("numpy")
+@pytest.mark.slow
 @pytest.mark.parametrize("target", [*DOUBLES, "jax without float64"])
 def test_grid(found: Any, target: str) -> None:
     unit = U if target in DOUBLES else U32
