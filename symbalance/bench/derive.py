@@ -16,7 +16,7 @@ from sympy.core.cache import clear_cache
 from symbalance.bench.timing import Measurement, Report, best, processes, progress
 from symbalance.bench.unused import ideal_engine
 from symbalance.engine.builders import inline
-from symbalance.forces.planar_vectors import geometry
+from symbalance.forces.force_sums import geometry
 from symbalance.kinematics.series_printing import series_latex
 from symbalance.kinematics.slider_crank import (
     Series,

@@ -11,7 +11,7 @@ from symbalance.cli.output import show, whole_number
 def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
     parser = command(
-        commands, "assign", run, "Which weighed part goes to which cylinder, so that least is left."
+        commands, "assign", run, "Which weighed part goes to which cylinder, with the least residual."
     )
     add_engine(parser)
     parser.add_argument(

@@ -52,7 +52,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="what the films are linear about: the journals' orbits, or the centre as the paper has it",
     )
     parser.add_argument(
-        "--passes", metavar="N", default="9", help="orbit: how often films are made at most; default: 9"
+        "--passes", metavar="N", default="9", help="orbit: most iterations of the films; default: 9"
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
     add_output(parser, "FOLDER")

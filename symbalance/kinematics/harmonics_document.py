@@ -1,4 +1,4 @@
-"""What is written of a quantity's harmonics: each coefficient as a series in 1/lambda."""
+"""The table of a quantity's harmonics as it is written: each coefficient as a series in 1/lambda."""
 
 from __future__ import annotations
 

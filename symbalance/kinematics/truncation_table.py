@@ -1,4 +1,4 @@
-"""Proved bounds on what a truncated series leaves out, order by order, as a table."""
+"""Table of proved bounds on what a truncated series leaves out, order by order."""
 
 from __future__ import annotations
 
@@ -66,7 +66,11 @@ def truncation_bounds(
 ) -> TruncationBounds:
     """Return proved bounds on |exact - harmonics kept| over a turn, kept to order 1, 2, ..., `order`.
 
-    Units r, r omega, r omega^2, m r omega^2 or rad; `symbalance.kinematics.truncation` has the proof.
+    Units r, r omega, r omega^2, m r omega^2 or rad; `symbalance.kinematics.truncation` has the proof. Of
+    the rod angle kept to order 1 the bound is asin rho - R_1:
+
+    Formulas:
+        asin rho - R_1 = rho^3/24 + 9 rho^5/320 + ...
 
     >>> from symbalance.text.reals import nstr
     >>> nstr(truncation_bounds(order=6)[-1][1], 6)

@@ -27,7 +27,7 @@ from symbalance.engine.engine_file import parse_engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.angles import angle, degrees
 from symbalance.forces.free_forces import balance
-from symbalance.forces.summation import dirichlet_quotient, inline_couple, inline_sum, spacing
+from symbalance.forces.inline_sums import dirichlet_quotient, inline_couple, inline_sum, spacing
 from symbalance.kinematics.derivation import derive
 from symbalance.kinematics.slider_crank import harmonics
 from symbalance.kinematics.truncation import left_out

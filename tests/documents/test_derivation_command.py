@@ -23,7 +23,7 @@ from symbalance.document.result import to_latex, to_text
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.conventions import CONVENTIONS
 from symbalance.kinematics.derivation import Derivation, derive
-from symbalance.kinematics.derivation.bounds import printed_error
+from symbalance.kinematics.derivation.remainder_step import printed_error
 from symbalance.kinematics.series_printing import series_formula, series_latex, series_text
 from symbalance.kinematics.slider_crank import QUANTITIES, acceleration_series, harmonics
 from tests.effort import effort

@@ -22,10 +22,10 @@ from symbalance.engine.engine import Engine
 from symbalance.exact import phasor, spectrum
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.radicals import characters, forms
+from symbalance.forces import force_sums
 from symbalance.forces import free_forces as balance_module
-from symbalance.forces import planar_vectors
 from symbalance.kinematics.coefficients import FORCE
-from symbalance.kinematics.slider_crank import acceleration_series, powers
+from symbalance.kinematics.slider_crank import acceleration_series, power_series
 from tests import kinematics
 from tests.independent.test_against_quadrature import DisagreementError, assert_agrees, assert_close
 from tests.kinematics import DIGITS, Place
@@ -86,7 +86,7 @@ def _caches() -> Callable[[], None]:
     """Return what clears the caches there are now, even once a fault has replaced one."""
     found = [
         thing.cache_clear
-        for module in (phasor, forms, characters, powers)
+        for module in (phasor, forms, characters, power_series)
         for thing in vars(module).values()
         if hasattr(thing, "cache_clear")
     ]
@@ -125,8 +125,8 @@ def test_a_flipped_sign_in_order_four(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_wrong_catalan_number(monkeypatch: pytest.MonkeyPatch) -> None:
     """Catalan(k-1) is C(2k-2, k-1)/k; the one below it in the table is given instead."""
-    sound = powers.comb
-    monkeypatch.setattr(powers, "comb", lambda n, k: sound(n - 2, k - 1) if k > 1 else sound(n, k))
+    sound = power_series.comb
+    monkeypatch.setattr(power_series, "comb", lambda n, k: sound(n - 2, k - 1) if k > 1 else sound(n, k))
     assert_seen(compare_series)
 
 
@@ -142,12 +142,12 @@ def test_a_digit_in_the_thirtieth_place(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def _with_rows(monkeypatch: pytest.MonkeyPatch, change: Callable[[int, int, int], tuple]) -> None:
-    sound = planar_vectors._summed
+    sound = force_sums._exponent_sums
 
     def faulty(rows: Any, n: int, modulus: int) -> dict[int, int]:
         return sound([change(*row) for row in rows], n, modulus)
 
-    monkeypatch.setattr(planar_vectors, "_summed", faulty)
+    monkeypatch.setattr(force_sums, "_exponent_sums", faulty)
 
 
 def test_a_bank_on_the_wrong_side(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -185,13 +185,13 @@ def test_a_rewriting_rule_with_a_wrong_shift(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_a_rewriting_rule_with_a_wrong_sign(monkeypatch: pytest.MonkeyPatch) -> None:
-    sound = phasor._Powers.__missing__
+    sound = phasor._ReductionTable.__missing__
 
     def faulty(self: Any, exponent: int) -> tuple:
         self[exponent] = tuple((place, 1) for place, _ in sound(self, exponent))
         return self[exponent]
 
-    monkeypatch.setattr(phasor._Powers, "__missing__", faulty)
+    monkeypatch.setattr(phasor._ReductionTable, "__missing__", faulty)
     assert_seen(compare_seven)
 
 

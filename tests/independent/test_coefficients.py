@@ -13,7 +13,7 @@ from mpmath import mp
 
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.slider_crank import floats
-from symbalance.kinematics.slider_crank.exact import acceleration_value
+from symbalance.kinematics.slider_crank.closed_forms import acceleration_value
 from symbalance.kinematics.slider_crank.floats import acceleration_floats
 from tests import kinematics
 

@@ -7,7 +7,7 @@ import sympy
 from mpmath import mp
 
 from symbalance.document.symbols import symbol
-from symbalance.forces.summation import condition, dirichlet_quotient, inline_couple, inline_sum
+from symbalance.forces.inline_sums import condition, dirichlet_quotient, inline_couple, inline_sum
 
 ANGLES = (0.3, 1.7, -2.2)
 COUNTS = range(2, 14)

@@ -22,7 +22,7 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.errors import SymbalanceError
-from symbalance.kinematics.inertia import torque_left_out, torque_series, torque_values
+from symbalance.kinematics.piston_torque import torque_left_out, torque_series, torque_values
 from symbalance.kinematics.slider_crank import acceleration_series, acceleration_value, surviving
 from symbalance.torque import (
     CrankTorque,
@@ -381,7 +381,7 @@ def test_inertia_torque_is_minus_the_kinetic_energy_s_derivative(theta: float, n
     with mp.workdps(30):
 
         def energy(angle: mp.mpf) -> mp.mpf:
-            own = (angle - mp.mpf(top) for top in made.tops)
+            own = (angle - mp.mpf(top) for top in made.firing_angles)
             return mp.fsum(kinematics.velocity(p, mp.mpf(4)) ** 2 for p in own)
 
         slope = float(mp.diff(energy, mp.mpf(theta)))

@@ -20,8 +20,8 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.engine.crank_train import CrankTrain
 from symbalance.kinematics.mechanisms import LinkRod, RodSplit, SliderCrank
-from symbalance.kinematics.pistons import Piston
-from symbalance.kinematics.rod import (
+from symbalance.kinematics.piston_motion import Piston
+from symbalance.kinematics.rod_torque import (
     rocking_couple_series,
     rocking_couple_values,
     rod_torque_series,
@@ -302,14 +302,14 @@ def test_floating_pistons_against_geometry(mechanism) -> None:
             y, phi = height_motion(mechanism, p), rod_motion(mechanism, p)
             assert piston.velocity(a) == pytest.approx(-float(y.first), abs=1e-14)
             assert piston.acceleration(a) == pytest.approx(-float(y.second), abs=1e-13)
-            assert piston.swing(a) == pytest.approx((float(phi.first), float(phi.second)), abs=1e-13)
+            assert piston.rod_rates(a) == pytest.approx((float(phi.first), float(phi.second)), abs=1e-13)
         waves = sum(
             2 * v * complex(math.cos(2.2 * m), math.sin(2.2 * m)) for m, v in piston.speeds.items()
         )
         assert waves.real == pytest.approx(piston.velocity(2.2), abs=1e-14)
     assert piston.velocity(0.0) == pytest.approx(0, abs=1e-14)
     assert piston.velocity(piston.down) == pytest.approx(0, abs=1e-13)
-    assert piston.way(piston.down) == pytest.approx(piston.stroke, abs=1e-13)
+    assert piston.displacement(piston.down) == pytest.approx(piston.stroke, abs=1e-13)
 
 
 def test_a_measured_trace_counts_from_each_pistons_own_top() -> None:
@@ -320,7 +320,7 @@ def test_a_measured_trace_counts_from_each_pistons_own_top() -> None:
     first = made.cylinders[0]
     assert first.tangential.at(0.0) == pytest.approx(0, abs=1e-12)
     p = -math.radians(10 + 15) + math.asin(12.5 / (164 + 45))  # theta of the first one's own top
-    assert math.remainder(first.top - p, 2 * math.pi) == pytest.approx(0, abs=1e-12)
+    assert math.remainder(first.firing_angle - p, 2 * math.pi) == pytest.approx(0, abs=1e-12)
 
 
 # --- the command ---

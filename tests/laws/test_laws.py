@@ -40,7 +40,7 @@ from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.balance_data import balance_data
 from symbalance.forces.free_forces import balance
 from symbalance.kinematics.derivation import derive
-from symbalance.kinematics.derivation.bounds import printed_error
+from symbalance.kinematics.derivation.remainder_step import printed_error
 from symbalance.kinematics.slider_crank import QUANTITIES, harmonics
 from symbalance.kinematics.truncation import left_out
 from symbalance.text.numbers import exact

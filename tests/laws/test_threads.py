@@ -16,9 +16,9 @@ from mpmath import mp
 
 import symbalance as sb
 from symbalance.design.balancing import ellipse
-from symbalance.kinematics.inertia import torque_left_out, torque_values
-from symbalance.kinematics.kinetic import inertia_harmonics
+from symbalance.kinematics.mechanism_torque import inertia_harmonics
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank, dead_centres, force_harmonics
+from symbalance.kinematics.piston_torque import torque_left_out, torque_values
 from symbalance.kinematics.slider_crank import acceleration_values
 from symbalance.kinematics.truncation import left_out
 from tests.caches import clear_caches

@@ -453,7 +453,7 @@ def test_the_package_and_other_commands_need_none_of_it():
 def test_the_readmes_tables_are_read(tmp_path):
     """The README's engine file with the three tables for cranks."""
     root = ROOT
-    readme, keys = ((root / f).read_text(encoding="utf-8") for f in ("README.md", "ENGINE_FILES.md"))
+    readme, keys = ((root / f).read_text(encoding="utf-8") for f in ("README.md", "docs/engine-files.md"))
     blocks = re.findall(r"```toml\n(.*?)```", readme + keys, re.DOTALL)
     tables = next(block for block in blocks if "[crankshaft.journal]" in block)
     text = blocks[0].replace("[layout]", "reciprocating_mass = 0.6\n\n[layout]") + tables

@@ -1,4 +1,4 @@
-"""Evidence: the table of keys, the reader, the JSON Schema and ENGINE_FILES.md say the same.
+"""Evidence: the table of keys, the reader, the JSON Schema and docs/engine-files.md say the same.
 
 Files that hold every key are sound for the reader and for the schema (of another library); with one value
 spoilt, one key misspelt or one left out, both refuse them, and the reader names the line that it was
@@ -35,7 +35,7 @@ from symbalance.text.kinds import Choice, ListOf, Measured, Number, OneOrList, T
 from tests import ROOT
 from tests.toml_writing import Path, text_of, written
 
-PAGE = ROOT / "ENGINE_FILES.md"
+PAGE = ROOT / "docs" / "engine-files.md"
 SHIPPED = ROOT / "symbalance" / "engine" / SCHEMA
 MARKS = re.compile(r"(<!-- keys: made .*? -->\n)(.*?)(<!-- keys: end -->\n)", re.DOTALL)
 VALIDATOR = jsonschema.Draft202012Validator(json.loads(schema_of_engine_files()))

@@ -11,9 +11,9 @@ from symbalance.engine.crank_train import ROD
 from symbalance.engine.engine_keys import DEGREES, ENGINE_FILE, KG, KG_MM2, MM, ROD_KEYS
 from symbalance.text.key_tables import Excludes, Key, Needs, OneOf, Some, TableKeys, Together, Unit
 from symbalance.text.kinds import ListOf, Measured, OneOrList, Text, Whole
-from symbalance.torque.ideal import HIGHEST_COMPRESSION, MOST_HEAT
+from symbalance.torque.cylinder_gas import AMBIENT
+from symbalance.torque.ideal_cycles import HIGHEST_COMPRESSION, MOST_HEAT
 from symbalance.torque.pressure import MOST_BAR
-from symbalance.torque.tangential import AMBIENT
 
 GPA, MPA, BAR, RPM = Unit("GPa", 1e9), Unit("MPa", 1e6), Unit("bar"), Unit("rpm")
 DENSITY, VISCOSITY = Unit("kg/m³"), Unit("Pa s")

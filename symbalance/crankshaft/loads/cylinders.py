@@ -15,7 +15,7 @@ from symbalance.crankshaft.rotor import Array
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
-from symbalance.kinematics.pistons import Piston
+from symbalance.kinematics.piston_motion import Piston
 from symbalance.torque import PressureTrace, firing_pin_passings
 from symbalance.torque.running import PASCAL
 

@@ -68,4 +68,4 @@ def _pin(mechanism: Mechanism, p: Array) -> tuple[Complex, Complex, Complex]:
 
 def link_arm(link: LinkRod) -> complex:
     """Return L e^(i chi): the link pin seen from the crank pin where the master's rod angle is 0."""
-    return complex(float(link.link_radius) * np.exp(2j * np.pi * float(link.lead)))
+    return complex(float(link.link_radius) * np.exp(2j * np.pi * float(link.pin_direction)))
