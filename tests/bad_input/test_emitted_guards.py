@@ -377,6 +377,7 @@ def test_outputs_that_share_memory_are_refused(target: str) -> None:
     assert room[:8].all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 def test_an_out_that_does_not_fit_is_refused_before_anything_is_written(target: str) -> None:
     locked = np.zeros(4)
@@ -438,7 +439,7 @@ def test_what_is_no_angle_is_refused(target: str, theta: object) -> None:
         function(target)(theta, **more)
 
 
-@pytest.mark.spread(4)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 @pytest.mark.parametrize("kind", [">f8", ">f4", "f2", "g", "i1", "u8", "?", "matrix"])
 def test_real_numbers_of_every_type_are_angles(target: str, kind: str) -> None:

@@ -54,6 +54,7 @@ def test_what_cannot_be_written_is_refused_in_one_line(arguments):
     assert "cannot be written (No space left on device)" in done.stderr
 
 
+@pytest.mark.spread(1)
 @needs_shell
 @pytest.mark.parametrize("arguments", ["balance v12-60", "--help", "--version"])
 def test_a_closed_stdout_is_refused(arguments):
@@ -62,6 +63,7 @@ def test_a_closed_stdout_is_refused(arguments):
     assert "standard output: cannot be written" in done.stderr
 
 
+@pytest.mark.slow
 @needs_shell
 def test_a_closed_stdout_does_not_matter_to_a_file(tmp_path):
     done = shell(f"{PROGRAM} balance v12-60 -o {tmp_path / 'table'} >&- <&-")
@@ -91,7 +93,7 @@ def test_progress_that_nobody_reads_stops_nothing(tmp_path):
     assert shell(command).stdout.split() == ["result", "0"]
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @needs_shell
 @pytest.mark.parametrize(
     ("arguments", "code"),

@@ -154,7 +154,7 @@ def test_columns_stay_in_line_and_amplitudes_keep_their_value(name, capsys):
                                for c in ("vertical", "lateral"))  # fmt: skip
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("environment", [{"PYTHONIOENCODING": e} for e in ENCODINGS], ids=ENCODINGS)
 def test_a_stream_of_another_encoding_loses_nothing(environment):
     encoding = environment["PYTHONIOENCODING"]

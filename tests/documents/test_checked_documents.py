@@ -7,6 +7,8 @@ import pytest
 
 from tests import ROOT
 
+pytestmark = pytest.mark.slow
+
 CHECKED = ROOT / "derivations" / "checked"
 DOCUMENTS = runpy.run_path(str(CHECKED / "regenerate.py"))["documents"]
 
@@ -46,6 +48,7 @@ def refuted(written) -> set[tuple[str, int]]:
     return {(d, int(n)) for d, n in re.findall(r"^\| (\d{3}):(\d+) \|", text, re.MULTILINE)}
 
 
+@pytest.mark.slow
 def test_what_is_refuted_is_what_the_hand_derivations_found(written):
     found, known = refuted(written), errors_by_hand()
     moved = {("001", 63), ("001", 61), ("001", 66)}  # a constant is missing: said where it is added

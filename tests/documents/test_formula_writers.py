@@ -66,6 +66,7 @@ formulas = st.recursive(leaves, _larger, max_leaves=10)
 # The tree -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @UNHURRIED
 @given(formulas)
 def test_a_formula_is_what_its_children_make_it(formula: f.Formula) -> None:

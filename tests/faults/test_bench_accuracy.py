@@ -122,6 +122,7 @@ def test_the_table_has_all_candidates():
     assert [m.met for m in speed.against_copy(row)] == [None, None]  # wanted of long arrays only
 
 
+@pytest.mark.slow
 def test_small_calls_and_memory(monkeypatch):
     monkeypatch.setattr(speed, "REPEAT", dict.fromkeys(speed.SMALL, 1))
     table = speed.small_table(speed.small(SIX, ("numpy",), 2))

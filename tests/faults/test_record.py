@@ -459,6 +459,7 @@ def test_planted_in_a_record_each_is_listed(written, planted, capsys):
     assert "10 differences in 10 cases" in shown
 
 
+@pytest.mark.slow
 def test_what_is_allowed_is_not_counted_and_what_is_not_used_is_said(written, planted, tmp_path, capsys):
     replace_in(planted / "balance/v8-90.txt", "cylinder 1", "piston 1")
     allow = tmp_path / "allow.toml"

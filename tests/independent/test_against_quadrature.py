@@ -254,7 +254,7 @@ def test_a_w_engine_is_what_its_banks_say() -> None:
     assert_agrees(layout, places=[expected[c.number] for c in layout.cylinders])
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("angle", "splay"), [(60, 0), (90, 30), ("22.5", "-360/7")])
 def test_a_vee_on_shared_or_splayed_pins(angle: object, splay: object) -> None:
     pins = [0, "360/7", 200, "13.5"]

@@ -334,6 +334,7 @@ def test_an_ellipse_says_of_which_order_and_engine_it_is():
     assert "3.441" in said
 
 
+@pytest.mark.slow
 def test_the_records_of_an_ellipse_are_the_extremes_of_its_reach():
     """Found by trying directions, on an engine that is symmetric about no plane."""
     rows = [sb.Cylinder(1, 137, -45, 1), sb.Cylinder(2, 25, 30, "-1/2"), sb.Cylinder(3, 211, -20, 0)]

@@ -93,6 +93,7 @@ def test_equilibrium_carries_its_load(load):
     assert np.allclose(film_state(TEXTBOOK, place, [0, 0], OMEGA).force, wanted, rtol=1e-7)
 
 
+@pytest.mark.slow
 def test_an_orbit_carries_its_loads_with_its_own_velocity():
     count = 360
     theta = 4 * np.pi / count * np.arange(count)

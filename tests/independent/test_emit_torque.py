@@ -80,6 +80,7 @@ def test_a_tolerance_is_met_with_the_fewest_orders(tolerance: float) -> None:
     assert np.abs(fewer(theta) - every(theta)).max() > tolerance / 3
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("engine", [narrow_six, hung_radial, offset_twin])
 def test_unlike_cylinders_and_rods(engine) -> None:
     layout = engine()
@@ -125,6 +126,7 @@ def test_gas_and_inertia_add_up_to_the_whole(target: str) -> None:
     assert function.orders["torque.gas"][:2] == ("3/2", "3")
 
 
+@pytest.mark.slow
 def test_many_orders_come_near_the_torque_itself() -> None:
     made = running("inline-5")
     function = sb.to_function(made, order=200)

@@ -61,7 +61,7 @@ def worst(values, exact, amplitude: float) -> float:
         )
 
 
-@pytest.mark.spread(3)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", preset_names())
 def test_all_orders_of_every_preset_against_its_pistons(name):
     """Within 4 u of the amplitude to 10^6 rad, 5 with all orders there; 0 where every order cancels."""
@@ -118,7 +118,7 @@ def test_truncated_sums_near_rho_1_keep_their_stated_bound(name, lam, order):
     )
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-7, 1e-11])
 @pytest.mark.parametrize(("name", "output"), [("inline-1", 0), ("inline-5", 2), ("v8-90-flat", 1)])
 def test_a_tolerance_is_met_with_the_fewest_orders(name, output, tolerance):
@@ -198,6 +198,7 @@ def test_memory_stays_at_inputs_and_outputs():
     assert theta.nbytes + peak <= 1.1 * 2 * theta.nbytes
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 def test_arrays_of_every_kind(target):
     made = sb.to_function(sb.balance(sb.load("inline-5")), outputs="couple.vertical", target=target)

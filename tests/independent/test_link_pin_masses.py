@@ -118,6 +118,7 @@ def complex_of(spectrum, n: int) -> complex:
     return 0j if number is None else complex(number.evaluated())
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("case", CASES)
 def test_torque_gives_back_their_energy_and_the_frame_gets_their_moment(case):
     heavy, light, shares = CASES[case]
@@ -209,6 +210,7 @@ def test_assignment_counts_big_ends_where_they_are():
     )
 
 
+@pytest.mark.slow
 def test_emitted_functions_hold_them():
     theta = np.linspace(0, 2 * np.pi, 50)
     result = sb.balance(HEAVY, 24)

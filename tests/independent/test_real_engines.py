@@ -49,6 +49,7 @@ def test_amplitudes(row, kind):
                 assert amplitude == pytest.approx(figure, rel=6e-5, abs=NOTHING)
 
 
+@pytest.mark.spread(5)
 @every_row
 def test_strokes_and_dead_centres(row):
     layout = sb.load(row["engine"])

@@ -133,6 +133,7 @@ def test_a_sum_is_rounded_once(terms):
     assert is_nearest(total, sum(map(value_of, values), Fraction(0)))
 
 
+@pytest.mark.slow
 @given(fractions, fractions, fractions, fractions, digits)
 def test_complex_arithmetic(a, b, c, d, n):
     z, w = Complex(Real(a, n), Real(b, n)), Complex(c, d, n)

@@ -109,6 +109,7 @@ def test_far_angles(found: Any, target: str) -> None:
         assert np.max(off[IS_FAR]) <= limit * U, (case.name, output)
 
 
+@pytest.mark.spread("numpy")
 @pytest.mark.parametrize("target", DOUBLES)
 def test_an_angle_that_is_not_finite_is_lost_alone(found: Any, target: str) -> None:
     for case, output, _ in each(target):
@@ -124,7 +125,7 @@ def test_single_angles(found: Any, target: str) -> None:
         assert np.max(off) <= allowed * U32, (case.name, output)
 
 
-@pytest.mark.spread(3)
+@pytest.mark.slow
 @pytest.mark.parametrize("target", [*DOUBLES, "jax without float64"])
 def test_grid(found: Any, target: str) -> None:
     unit = U if target in DOUBLES else U32

@@ -247,6 +247,7 @@ def test_unlike_engines_and_link_rods_have_worst_cases():
         assert worst.attained > 0.9 * worst.bound
 
 
+@pytest.mark.slow
 def test_extremes_of_size():
     many = sb.inline("-".join(map(str, range(1, 25))), ratio="1.01")
     found = sb.worst_cases(many, sb.Tolerances(mass="1%", throw="0.1"), 6)

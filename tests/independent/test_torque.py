@@ -421,6 +421,7 @@ def test_terms_add_up_to_the_torque() -> None:
         assert made.frame(theta) == -made.at(theta)
 
 
+@pytest.mark.slow
 def test_extremes_against_a_dense_grid() -> None:
     made = engine("inline-5", rpm=4000)
     grid = [made.cycle * i / 20_000 for i in range(20_000)]

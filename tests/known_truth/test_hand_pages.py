@@ -25,7 +25,7 @@ def judged(truth: Path) -> tuple[list[dict], dict[tuple[int, int], dict]]:
     return table["link"], found
 
 
-@pytest.mark.spread(6)
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("truth", TRUTHS, ids=lambda p: p.name.split(".")[0])
 def test_every_relation_is_judged_as_its_truth_allows(truth):
     links, found = judged(truth)

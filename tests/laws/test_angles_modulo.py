@@ -62,6 +62,7 @@ def answers(capsys, tmp_path, text: str, *errors: str) -> list[str]:
     return said
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("turns", [1, -2])
 def test_banks_beyond_half_a_turn_in_files_give_the_very_same_answers(capsys, tmp_path, turns):
     errors = "--bank", "0.1", "--throw", "0.1"

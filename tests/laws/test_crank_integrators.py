@@ -196,6 +196,7 @@ def test_scipys_and_ours_end_at_one_state(four, balanced):
         assert np.abs(one.position - ends["radau"].position).max() < 1e-4 * largest
 
 
+@pytest.mark.slow
 def test_the_jacobian_is_that_of_the_slope(four):
     first = FirstOrderForm.of(four[0])
     state = np.random.default_rng(1).normal(size=first.size)

@@ -159,6 +159,7 @@ def test_a_number_is_zero_exactly_when_it_is_numerically(raw: tuple) -> None:
         assert number.is_zero() == (abs(total) < mp.mpf(10) ** -130)
 
 
+@pytest.mark.slow
 @given(phasors())
 def test_the_primitive_is_the_same_number_and_stays(a: Phasor) -> None:
     small = a.primitive()
@@ -171,6 +172,7 @@ def test_the_primitive_is_the_same_number_and_stays(a: Phasor) -> None:
         assert same(value(a), complex(small.rational() or 0))
 
 
+@pytest.mark.slow
 @given(phasors(), st.integers(1, 400))
 def test_galois_images_respect_sums_and_products(a: Phasor, unit: int) -> None:
     b = Phasor.of(a.modulus, {k: c + 1 for k, c in a.terms.items()}).lifted(a.modulus)
@@ -348,6 +350,7 @@ def test_the_plane_of_reference_moves_the_couple_by_the_force(layout: Engine, at
     assert_same(about.couple, about_mean.couple + about_mean.force.scaled(arm))
 
 
+@pytest.mark.slow
 @given(layouts(), layouts())
 def test_two_engines_on_one_crank_add(one: Engine, two: Engine) -> None:
     other = remade(two, first=len(one.cylinders) + 1)

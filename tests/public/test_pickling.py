@@ -153,6 +153,7 @@ LAYOUTS = {
 }
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", LAYOUTS)
 @pytest.mark.parametrize("warm", [False, True])
 def test_a_balance_says_the_same_after_pickle(name, warm):
@@ -214,6 +215,7 @@ def test_designs_variations_and_verdicts_say_the_same_after_pickle():
     assert all(str(again) == str(steps) for again in twice(steps))
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 @pytest.mark.parametrize("warm", [False, True])
 def test_functions_give_the_same_numbers_after_pickle(target, warm):
