@@ -1,4 +1,4 @@
-"""`symbalance design`: the counterweights and balance shafts that end given orders."""
+"""`symbalance design`: the counterweights and balance shafts that balance given orders."""
 
 from __future__ import annotations
 
@@ -46,10 +46,10 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="counterweights on every throw, half the reciprocating mass",
     )
     parser.add_argument(
-        "--vertical", metavar="W", default="1", help="weight of the vertical in what is left; default: 1"
+        "--vertical", metavar="W", default="1", help="weight of the vertical in the residual; default: 1"
     )
     parser.add_argument(
-        "--lateral", metavar="W", default="1", help="weight of the lateral in what is left; default: 1"
+        "--lateral", metavar="W", default="1", help="weight of the lateral in the residual; default: 1"
     )
     parser.add_argument(
         "--length", metavar="L", default="1", help="pitches over which couples count; default: 1"
@@ -99,16 +99,16 @@ def run(options: argparse.Namespace) -> int:
 
 def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes]:
     """Return the files asked for beside the design: the balanced engine, the picture."""
-    found: dict[str, str | bytes] = {}
+    texts: dict[str, str | bytes] = {}
     if options.write is not None:
         from symbalance.engine.engine_writing import engine_text
 
         if not options.write.endswith(".toml"):
             what = f"--write {options.write}"
             raise SymbalanceError(what, "must end in .toml", "other commands know engine files by it")
-        found[options.write] = engine_text(design.balanced)
+        texts[options.write] = engine_text(design.balanced)
     if options.picture is not None:
         from symbalance.design.balancing.design_picture import design_picture
 
-        found[options.picture] = design_picture(design, options.picture)
-    return found
+        texts[options.picture] = design_picture(design, options.picture)
+    return texts

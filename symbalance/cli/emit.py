@@ -56,7 +56,7 @@ def run(options: argparse.Namespace) -> int:
     order = None if options.order is None else whole_number(options.order, "order")
     tolerance = _tolerance(options.tolerance) if order is None else None
 
-    from symbalance.codegen import planned_for
+    from symbalance.codegen import plan_for
     from symbalance.codegen.targets import FILES, files, identifier
     from symbalance.engine.catalogue import load
     from symbalance.forces.free_forces import balance
@@ -69,13 +69,13 @@ def run(options: argparse.Namespace) -> int:
     running = running_engine(options, layout, "torque.total" in outputs)
     highest = 1 if order is None else order
     result = balance(layout, highest) if running is None else running
-    planned = planned_for(result, None, outputs, options.target, tolerance, highest)
+    plan = plan_for(result, None, outputs, options.target, tolerance, highest)
     name = identifier(layout.name) if path is None else path.stem
-    made = files(planned, options.target, layout.name, name, grid=options.uniform_grid)
-    if path is None or len(made) == 1:
-        write(next(iter(made.values())), None if path is None else str(path), "source")
+    texts = files(plan, options.target, layout.name, name, grid=options.uniform_grid)
+    if path is None or len(texts) == 1:
+        write(next(iter(texts.values())), None if path is None else str(path), "source")
     else:
-        write_files({str(path.with_suffix(suffix)): text for suffix, text in made.items()})
+        write_files({str(path.with_suffix(suffix)): text for suffix, text in texts.items()})
     return 0
 
 

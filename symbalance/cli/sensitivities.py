@@ -35,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
     engine = load(options.engine)
     if options.ratio is not None:
         engine = engine.with_ratio(options.ratio)
-    given = options.parameters
-    parameters = None if given is None else [name.strip() for name in given.split(",")]
+    listing = options.parameters
+    parameters = None if listing is None else [name.strip() for name in listing.split(",")]
     show(sensitivities(engine, order, parameters=parameters), options)
     return 0

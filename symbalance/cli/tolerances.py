@@ -1,4 +1,4 @@
-"""`symbalance tolerances`: the worst an engine within its tolerances can shake."""
+"""`symbalance tolerances`: the worst that an engine within its tolerances can shake."""
 
 from __future__ import annotations
 
@@ -40,8 +40,10 @@ def add(commands: argparse._SubParsersAction) -> None:
 def run(options: argparse.Namespace) -> int:
     """Load the engine, bound every order, show the result."""
     order = whole_number(options.order, "order")
-    values = {name: getattr(options, name) for name, *_ in SIZES if getattr(options, name) is not None}
-    if not values:
+    tolerances = {
+        name: getattr(options, name) for name, *_ in SIZES if getattr(options, name) is not None
+    }
+    if not tolerances:
         names = ", ".join(f"--{name}" for name, *_ in SIZES)
         raise SymbalanceError("symbalance tolerances", "is given no tolerance", f"give some of {names}")
 
@@ -52,5 +54,5 @@ def run(options: argparse.Namespace) -> int:
     if options.ratio is not None:
         engine = engine.with_ratio(options.ratio)
     of = [name.strip() for name in options.of.split(",")]
-    show(worst_cases(engine, Tolerances(**values), order, of=of, rpm=options.rpm), options)
+    show(worst_cases(engine, Tolerances(**tolerances), order, of=of, rpm=options.rpm), options)
     return 0

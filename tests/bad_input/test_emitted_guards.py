@@ -714,7 +714,7 @@ def test_processes_at_once_do_not_disturb_one_another(tmp_path: Path) -> None:
 
 def test_the_oldest_sources_are_forgotten(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    for i in range(source_cache.KEPT + 3):
+    for i in range(source_cache.MOST_SOURCES + 3):
         path = source_cache.source_file(f"x = {i}\n")
         assert path is not None
         os.utime(path, (i, i))
@@ -722,7 +722,9 @@ def test_the_oldest_sources_are_forgotten(tmp_path: Path, monkeypatch: pytest.Mo
             (tmp_path / folder).mkdir(exist_ok=True)
             (tmp_path / folder / f"{path.stem}._fill.nbi").write_text("")
     left = sorted((tmp_path / "symbalance").glob("*.py"), key=lambda path: path.stat().st_mtime)
-    assert [path.read_text() for path in left] == [f"x = {i}\n" for i in range(3, source_cache.KEPT + 3)]
+    assert [path.read_text() for path in left] == [
+        f"x = {i}\n" for i in range(3, source_cache.MOST_SOURCES + 3)
+    ]
     for folder in ("symbalance/__pycache__", "symbalance_0123"):
         assert {p.name.partition(".")[0] for p in (tmp_path / folder).iterdir()} == {p.stem for p in left}
 

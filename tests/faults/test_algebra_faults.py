@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from symbalance.exact.phasor import Phasor
-from symbalance.notes.algebra import derivatives, functions, named, polynomials, zero
+from symbalance.notes.algebra import derivatives, functions, polynomials, zero
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import unit
 from symbalance.notes.algebra.series import Expansion, Series
@@ -38,7 +38,7 @@ def expanded(text: str, letter: tuple[str, int], through: int) -> Comparison:
 
 
 def flipped_sine(patch: Patch) -> None:
-    patch.setitem(named._CIRCULAR, "sin", lambda x: functions.sine(x).scaled(-1))
+    patch.setitem(functions._CIRCULAR, "sin", lambda x: functions.sine(x).scaled(-1))
 
 
 def half_angle_lost(patch: Patch) -> None:
@@ -59,13 +59,13 @@ def gauss_sum_of_a_wrong_residue(patch: Patch) -> None:
 
 
 def wrong_binomial_coefficient(patch: Patch) -> None:
-    right = Expansion._composed
+    right = Expansion._compose
 
     def composed(self: Expansion, coefficients: list[Fraction], inner: Series) -> Series:
         wrong = [c * Fraction(1001, 1000) if k == 3 else c for k, c in enumerate(coefficients)]
         return right(self, wrong, inner)
 
-    patch.setattr(Expansion, "_composed", composed)
+    patch.setattr(Expansion, "_compose", composed)
 
 
 def products_claiming_the_limit(patch: Patch) -> None:

@@ -16,11 +16,11 @@ from mpmath import mp
 
 from symbalance.document.formula import Derivative, Formula, Name, Number, children, with_children
 from symbalance.notes.algebra import values
-from symbalance.notes.algebra.division import quotient
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
 from symbalance.notes.algebra.evaluation import Evaluator, Meaning
 from symbalance.notes.algebra.forms import Form
-from symbalance.notes.algebra.trees import TreeValues
+from symbalance.notes.algebra.polynomials import quotient
+from symbalance.notes.algebra.tree_values import TreeValues
 from tests import formulas
 from tests.formulas import MEANING, POINT, at_point, close, forms, points, tree, trees
 

@@ -15,9 +15,13 @@ from hypothesis import strategies as st
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.design.variations import Part, PartSet, parse_parts
-from symbalance.design.variations.bounds import lower_bound, norm, total
-from symbalance.design.variations.matching import least_matching
-from symbalance.design.variations.placements import arranged
+from symbalance.design.variations.arrangement_search import best_arrangement
+from symbalance.design.variations.assignment_bounds import (
+    arrangement_sum,
+    least_matching,
+    lower_bound,
+    norm,
+)
 from tests.pistons import harmonics, pistons
 from tests.rotating_model import turning as rotating
 
@@ -49,8 +53,8 @@ def test_one_set_is_the_best_of_all_arrangements(name, orders):
     }
     assert found.proved
     assert found.criterion == pytest.approx(min(brute.values()), abs=1e-12)
-    assert found.listed == pytest.approx(brute[tuple(range(len(masses)))], abs=1e-12)
-    assert found.random == pytest.approx(
+    assert found.as_listed == pytest.approx(brute[tuple(range(len(masses)))], abs=1e-12)
+    assert found.at_random == pytest.approx(
         np.sqrt(np.mean(np.square(list(brute.values())))), rel=1e-9, abs=1e-12
     )
     numbers = [int(found.places[c.number]["piston"].split()[1]) - 1 for c in layout.cylinders]
@@ -105,9 +109,9 @@ def test_arrangements_of_any_vectors(count, size, kinds, data):
         for _ in range(kinds)
     ]
     start = tuple(chance.normal(size=size))
-    found = arranged(start, tables)
+    found = best_arrangement(start, tables)
     orders = itertools.product(itertools.permutations(range(count)), repeat=kinds)
-    brute = min(norm(total(start, tables, o)) for o in orders)
+    brute = min(norm(arrangement_sum(start, tables, o)) for o in orders)
     assert found.length == pytest.approx(brute, abs=1e-9)
     assert lower_bound(start, tables) <= brute + 1e-9
 
@@ -131,7 +135,7 @@ def test_many_cylinders_have_a_good_arrangement_and_a_bound():
         grams = np.random.default_rng(3).integers(440, 460, count)
         found = sb.assign_parts(engine, [f"{g}/1000" for g in grams], orders=[1])
         assert found.proved == (count <= 10)
-        assert found.bound <= found.criterion < 0.2 * found.random
+        assert found.bound <= found.criterion < 0.2 * found.at_random
         assert sorted(n["piston"] for n in found.places.values()) == sorted(
             f"piston {i + 1}" for i in range(count)
         )
@@ -150,7 +154,7 @@ def test_what_is_left_is_what_pistons_leave():
         for p, c in zip(pistons(layout), layout.cylinders, strict=True)
     ]
     pairs = [(harmonics(engine, arms)[1], harmonics(engine, arms)[-1]) for arms in (False, True)]
-    first = found.left[0]
+    first = found.residual[0]
     assert first.force == pytest.approx(float(force) * sum(map(abs, pairs[0])), abs=1e-9)
     pitch = float(layout.pitch) / 1000
     assert first.couple == pytest.approx(float(force) * pitch * sum(map(abs, pairs[1])), abs=1e-9)
@@ -160,7 +164,7 @@ def test_equal_parts_stay_where_they_are():
     for name in ("inline-6", "v12-60", "inline-1"):
         layout = sb.load(name)
         found = sb.assign_parts(layout, ["0.45"] * len(layout.cylinders))
-        assert found.criterion == found.listed == found.random == found.bound == 0
+        assert found.criterion == found.as_listed == found.at_random == found.bound == 0
         assert found.places[1] == {"piston": "piston 1"}
     nothing = sb.assign_parts(sb.load("inline-4"), [0, 0, 0, 0], whole=True)
     assert nothing.criterion == 0
@@ -276,7 +280,7 @@ def test_whole_masses_count_beside_what_turns(name):
         p.changed(mass=float(best[c.number]) - 1)
         for p, c in zip(pistons(layout), layout.cylinders, strict=True)
     ]
-    for shaking in found.left:
+    for shaking in found.residual:
         for arms, told in ((False, shaking.force), (True, shaking.couple)):
             parts = harmonics(engine, arms)
             total = 0.0

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from mpmath import mp
 
 import symbalance as sb
-from symbalance.design.balancing.bounded import bounded
-from symbalance.design.balancing.overbalancing import amplitudes, first_order
+from symbalance.design.balancing.bounded_weights import bounded_vectors
+from symbalance.design.balancing.overbalance import amplitudes, first_order
 from symbalance.design.balancing.planes import in_planes
 from symbalance.engine.catalogue import preset_names
 from symbalance.engine.crank_train import CrankTrain, Link
@@ -423,7 +423,7 @@ def test_the_ellipse_is_what_the_engine_draws(share, degrees):
 def test_the_best_overbalance_is_the_least_of_all(aim, vertical, lateral):
     askew = sb.from_cylinders([sb.Cylinder(1, 20, -30, 1), sb.Cylinder(2, 75, 40, -1)], ratio=4)
     for layout in (sb.inline("1", ratio=4), sb.vee(50, pins=[0], ratio=4), askew):
-        best = sb.best_overbalance(layout, vertical=vertical, lateral=lateral, aim=aim)
+        best = sb.best_overbalance(layout, vertical=vertical, lateral=lateral, objective=aim)
         pistons = rotating_model.orders(layout, [1])[1, "force"]
         pins = mp.fsum(rotating_model.direction(c.throw) for c in layout.cylinders)
         here = _cost(pistons, mp.mpf(sympy.N(best, 20)) * pins, vertical, lateral, aim)
@@ -476,8 +476,8 @@ def test_the_shafts_chosen_leave_the_least(shafts, vertical, lateral):
     """By brute force over all sets of signed orders, each order's part chosen from a grid."""
     from itertools import combinations
 
-    from symbalance.design.balancing.choosing import left_at, parts_of
-    from symbalance.design.balancing.limits import Weighting
+    from symbalance.design.balancing.design_limits import Weighting
+    from symbalance.design.balancing.order_selection import order_residual, parts_of
 
     layout = sb.load("inline-5")
     weighting = Weighting(Fraction(vertical), Fraction(lateral))
@@ -485,7 +485,7 @@ def test_the_shafts_chosen_leave_the_least(shafts, vertical, lateral):
     before = design.before
     signed = [n for n in parts_of(before, [1, 2]) if n != 1]
     costs = [
-        sum(left_at(before, n, [1, *chosen], weighting) for n in (1, 2))
+        sum(order_residual(before, n, [1, *chosen], weighting) for n in (1, 2))
         for chosen in combinations(signed, min(shafts, len(signed)))
     ]
     assert abs(_left(design, vertical, lateral) - min(costs)) < 1e-13
@@ -546,7 +546,7 @@ def test_bounded_weights_that_must_lean_are_exact_too():
     """A force off the middle, so that the weights of least squares pass the bound and others do not."""
     places = [Fraction(z) for z in (2, 1, 0, -1)]
     force, couple = Phasor.of(1, {0: 10}), Phasor.of(1, {0: Fraction("10.6")})
-    found = bounded(force, couple, places, Fraction("3.5"), Fraction(1))
+    found = bounded_vectors(force, couple, places, Fraction("3.5"), Fraction(1))
     assert max(w.size() for _, w in found) <= 3.5
     assert (force - total(w for _, w in found)).is_zero()
     assert (couple - total(w.scaled(z) for z, w in found)).is_zero()
@@ -706,7 +706,7 @@ def test_the_least_largest_of_an_engine_askew_is_found_at_once():
     layout = sb.from_cylinders(rows, ratio=4)
     parts = first_order(layout)
     for vertical, lateral in ((3, 1), (1, 1), (1, 3), (1, 0), (0, 1)):
-        aim = {"vertical": vertical, "lateral": lateral, "aim": "largest"}
+        aim = {"vertical": vertical, "lateral": lateral, "objective": "largest"}
         best = Fraction(float(sb.best_overbalance(layout, **aim)))
 
         def left(k, v=vertical, side=lateral):

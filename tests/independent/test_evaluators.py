@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 from mpmath import mp
 
 import symbalance as sb
-from symbalance.codegen.evaluators import planned_for
-from symbalance.codegen.plans import plan
+from symbalance.codegen.evaluators import plan_for
+from symbalance.codegen.harmonic_sum import FORCE, HarmonicSum, HarmonicTerm
+from symbalance.codegen.plans import choose_plan
 from symbalance.codegen.targets import files
-from symbalance.codegen.waves import FORCE, Term, Wave
 from symbalance.engine.catalogue import preset_names
 from tests import kinematics, placed
 
@@ -157,10 +157,10 @@ def test_half_orders_and_phases_need_nothing_new():
     """A spectrum as torque has it: orders 1/2, 1, 3/2 with unlike phases, and 2 turns to a period."""
     half = Fraction(1, 2)
     terms = tuple(
-        Term(n * half, mp.mpf(c), mp.mpf(s)) for n, c, s in ((1, 3, 1), (2, -1, 0.5), (3, 0, 2))
+        HarmonicTerm(n * half, mp.mpf(c), mp.mpf(s)) for n, c, s in ((1, 3, 1), (2, -1, 0.5), (3, 0, 2))
     )
-    wave = Wave("force.vertical", FORCE, "a torque", terms, 3)
-    (source,) = files(plan([wave], Fraction(4), "numpy"), "numpy", "half", "half").values()
+    wave = HarmonicSum("force.vertical", FORCE, "a torque", terms, 3)
+    (source,) = files(choose_plan([wave], Fraction(4), "numpy"), "numpy", "half", "half").values()
     namespace: dict = {"__name__": "half"}
     exec(source, namespace)
     namespace["self_test"]()
@@ -264,4 +264,4 @@ def test_refusals(keywords, words):
 def test_orders_beyond_reach_are_refused():
     v6 = sb.balance(sb.load("v6-60"), ratio=Fraction(10**7 + 1, 10**7))
     with pytest.raises(sb.SymbalanceError, match="needs orders above 1000"):
-        planned_for(v6, None, "force.forward", "numpy", 1e-6)
+        plan_for(v6, None, "force.forward", "numpy", 1e-6)

@@ -10,7 +10,7 @@ import pytest
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.design.variations.weighed import parse_parts
+from symbalance.design.variations.part_sets import parse_parts
 from symbalance.engine.engine_file import parse_engine
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_path, link_pin_tail
 from symbalance.torque import beside_moment
@@ -204,7 +204,9 @@ def test_assignment_counts_big_ends_where_they_are():
     off = {n: 0.3 + (n - 1) ** 2 / 100 - mean for n in range(1, 10)}
     series = force_series(LIGHT, {n: off[n] for n in LINKS})
     series[1] += off[1]  # the master's turns with the crank
-    assert ours.listed == pytest.approx(sum(abs(series[n]) ** 2 for n in (-2, -1, 1, 2)) ** 0.5, rel=1e-9)
+    assert ours.as_listed == pytest.approx(
+        sum(abs(series[n]) ** 2 for n in (-2, -1, 1, 2)) ** 0.5, rel=1e-9
+    )
 
 
 def test_emitted_functions_hold_them():

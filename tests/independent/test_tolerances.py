@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.design.variations.sectors import Sector, largest_sum, support
+from symbalance.design.variations.annular_sectors import AnnularSector, largest_sum, support
 from tests.pistons import harmonics, largest, pistons
 from tests.rotating_model import turning as rotating
 
@@ -202,12 +202,12 @@ def test_wider_tolerances_are_never_better(one, more):
 
 
 sectors = st.builds(
-    lambda a, b, angle, half: Sector(min(a, b), max(a, b), angle, half),
+    lambda a, b, angle, half: AnnularSector(min(a, b), max(a, b), angle, half),
     st.floats(-2, 2), st.floats(-2, 2), st.floats(-7, 7), st.sampled_from([0.0, 0.0, 1e-3, 0.4, 1.8]),
 )  # fmt: skip
 
 
-@example([Sector(0.0, 1.0, 1.5), Sector(-1.25, 1.0, 1.0, 1.8)])
+@example([AnnularSector(0.0, 1.0, 1.5), AnnularSector(-1.25, 1.0, 1.0, 1.8)])
 @given(st.lists(sectors, min_size=1, max_size=4))
 @settings(max_examples=60, deadline=None)
 def test_the_largest_sum_is_the_top_of_its_support_function(rows):

@@ -294,11 +294,11 @@ def test_sensitivities_of_masters_and_link_rods_are_finite_differences_of_piston
 @pytest.mark.parametrize("ratio", ["1.001", "1.05", 4, 1000])
 def test_slopes_obey_the_scale_of_the_mechanism(ratio):
     """r f is homogeneous of degree 1: its derivatives times r, l and e add up to it, at every order."""
-    from symbalance.design.variations.slopes import slopes
+    from symbalance.design.variations.length_derivatives import length_derivatives
     from symbalance.kinematics.mechanisms import SliderCrank
 
     mechanism = SliderCrank(Fraction(ratio), Fraction(ratio) / 10**4)
-    for n, (value, stroke, rod, offset) in slopes(mechanism, 6).items():
+    for n, (value, stroke, rod, offset) in length_derivatives(mechanism, 6).items():
         left = stroke + rod * float(mechanism.ratio) + offset * float(mechanism.offset)
         assert abs(left - value) <= 1e-9 * (abs(value) + abs(stroke)), n
 
@@ -444,8 +444,12 @@ def test_the_formulas_of_a_document_are_those_of_the_order(name):
 
 def test_an_order_says_what_was_put_in_and_what_it_is_the_derivative_by(golden):
     order = sb.symbolic_order(sb.inline("1-3-4-2"), 1, masses="m", stations="a")
-    text = sb.to_text(order.at({"m_1": "1/3", "a_2": 2}).at({"m_2": 1}).differentiated(order.given[2]))
-    golden("symbolic-order-derivative.txt", text)  # no m or a in its unit: they are given
+    text = sb.to_text(
+        order.at({"m_1": "1/3", "a_2": 2}).at({"m_2": 1}).differentiated(order.all_symbols[2])
+    )
+    assert "derivative by m₃" in text.splitlines()[0]
+    assert "m₁ = 1/3, a₂ = 2, m₂ = 1" in text
+    assert "unit A₁ r ω²\n" in text  # neither m nor a: masses and stations are given
     plain = sb.to_text(sb.symbolic_order(sb.inline("1-3-4-2"), 1, radii="r", rods="l"))
     golden("symbolic-order-lengths.txt", plain)
 

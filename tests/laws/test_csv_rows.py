@@ -18,7 +18,7 @@ from hypothesis import given
 
 from symbalance.crankshaft.bearings.csv_table import read_film
 from symbalance.crankshaft.running.measured import read_curve
-from symbalance.design.variations.weighed import parse_parts
+from symbalance.design.variations.part_sets import parse_parts
 from symbalance.errors import SymbalanceError
 from symbalance.text.csv_rows import rows_of, without_headers
 from symbalance.text.files import read_text

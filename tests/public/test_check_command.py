@@ -76,12 +76,12 @@ def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
 ):
     from symbalance.notes.checking import judging
 
-    honest = judging.judged
+    honest = judging.decide
 
     def faulty(left, right, *rest):
         return 1 / 0 if "sin" in str(right.node) else honest(left, right, *rest)
 
-    monkeypatch.setattr(judging, "judged", faulty)
+    monkeypatch.setattr(judging, "decide", faulty)
     path = written(tmp_path, f"{GOOD}\n$$2\\sin x = \\sin x + \\sin x$$\n\n{BAD}")
     for form in ("text", "latex", "json"):
         assert run(["check", path, "--format", form]) == 3
@@ -99,7 +99,7 @@ def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
 
 
 def test_a_fault_in_looking_for_a_correction_leaves_the_line_refuted(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("symbalance.notes.checking.repair.mending.diagnosed", lambda _case: 1 / 0)
+    monkeypatch.setattr("symbalance.notes.checking.repair.fixes.diagnose", lambda _case: 1 / 0)
     path = written(tmp_path, BAD)
     assert run(["check", path, "--format", "json"]) == 3
     (link,) = json.loads(capsys.readouterr().out)["links"]
@@ -136,8 +136,8 @@ def test_a_step_that_was_not_judged_is_told_of_beside_a_claim_that_holds(tmp_pat
 
 def test_a_step_that_was_not_mended_is_told_of_beside_its_claim(tmp_path, capsys, monkeypatch):
     path = written(tmp_path, BAD, BOUND_LINE)
-    monkeypatch.setattr("symbalance.notes.checking.claims.mended", lambda base, *_: base)
-    monkeypatch.setattr("symbalance.notes.checking.repair.mending.diagnosed", boom)
+    monkeypatch.setattr("symbalance.notes.checking.assertions.add_fix", lambda base, *_: base)
+    monkeypatch.setattr("symbalance.notes.checking.repair.fixes.diagnose", boom)
     (link,) = reported(capsys, path)
     assert (link["verdict"], link["bind"]) == ("refuted", "displacement")
     assert "as a step: no correction was found, by a fault of symbalance" in link["notes"][-1]
@@ -146,8 +146,8 @@ def test_a_step_that_was_not_mended_is_told_of_beside_its_claim(tmp_path, capsys
 @pytest.mark.parametrize(
     ("broken", "verdicts"),
     [
-        ("claims.side_of", ["undecided", "undecided", "holds"]),
-        ("claims.side", ["holds", "undecided", "holds"]),
+        ("assertions.side_of", ["undecided", "undecided", "holds"]),
+        ("assertions.side_verdict", ["holds", "undecided", "holds"]),
         ("Definitions.use", ["holds", "refuted", "holds"]),
     ],
 )
@@ -157,15 +157,15 @@ def test_no_fault_in_judging_a_chain_loses_the_report(broken, verdicts, tmp_path
     links = reported(capsys, path)
     assert [link["verdict"] for link in links] == verdicts
     told = [link for link in links if "fault of symbalance" in f"{link['reason']} {link.get('notes')}"]
-    assert len(told) == (2 if broken != "claims.side" else 1)
+    assert len(told) == (2 if broken != "assertions.side_verdict" else 1)
 
 
-@pytest.mark.parametrize("broken", ["unfound", "span_of", "piece"])
+@pytest.mark.parametrize("broken", ["missing_equation", "span_of", "piece_verdict"])
 def test_no_fault_in_placing_a_bind_loses_the_report(broken, tmp_path, capsys, monkeypatch):
-    text = "" if broken == "unfound" else 'text = "2k"\n'
+    text = "" if broken == "missing_equation" else 'text = "2k"\n'
     bind = SIDECAR + f'[[bind]]\nline = 4\nquantity = "displacement"\n{text}'
     path = written(tmp_path, f"{CHAIN}so much for 2k\n", bind)
-    monkeypatch.setattr(f"symbalance.notes.checking.claims.{broken}", boom)
+    monkeypatch.setattr(f"symbalance.notes.checking.assertions.{broken}", boom)
     links = reported(capsys, path)
     assert [(link["line"], link["verdict"]) for link in links] == [
         (1, "holds"), (1, "holds"), (3, "holds"), (4, "undecided")
@@ -177,7 +177,7 @@ def test_a_bound_line_that_cannot_be_read_is_counted_once(line, tmp_path):
     bind = BOUND_LINE.replace("line = 1", f"line = {line}")
     found = sb.check(Path(written(tmp_path, "$$x =\nr(1 - \\cos\\theta) \\unknown$$\n", bind)))
     assert [(v.verdict, v.bind) for v in found.verdicts] == [("unreadable", "displacement")]
-    assert found.seen == 1
+    assert found.relation_count == 1
     nowhere = BOUND_LINE.replace("line = 1", "line = 2")
     found = sb.check(Path(written(tmp_path, f"$$x = q$$\nprose\n\n{GOOD}", nowhere)))
     assert [(v.line, v.bind) for v in found.verdicts] == [(1, ""), (2, "displacement"), (4, "")]
@@ -378,7 +378,7 @@ def test_what_is_piped_in_may_declare_its_letters_itself(opening, mark, closing,
 
 
 def test_a_fault_of_ours_names_standard_input(capsys, monkeypatch):
-    monkeypatch.setattr("symbalance.notes.checking.judging.judged", lambda *_: 1 / 0)
+    monkeypatch.setattr("symbalance.notes.checking.judging.decide", lambda *_: 1 / 0)
     piped(monkeypatch, "$$2 = 1 + 1$$")
     assert run(["check", "-"]) == 3
     assert "line 1 of standard input: ZeroDivisionError" in capsys.readouterr().err

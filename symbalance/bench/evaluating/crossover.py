@@ -1,6 +1,6 @@
 """When a closed form pays: its time and its error beside a polynomial of so many harmonics.
 
-Both forms are made here, of one wave each, whatever the rule of `numeric.plans` says; which one that
+Both forms are made here, of one wave each, whatever the rule of `codegen.plans` says; which one that
 takes for every order that shows in a double is told beside them.
 """
 
@@ -19,7 +19,7 @@ from symbalance.bench.evaluating.rounds import in_turn
 from symbalance.bench.evaluating.speed import angles, short
 from symbalance.bench.evaluating.truth import truth
 from symbalance.bench.timing import progress
-from symbalance.codegen.plans import plan
+from symbalance.codegen.plans import choose_plan
 
 COUNT, PASSES = 100_000, 4
 NOT_REACHED = float("inf")
@@ -94,11 +94,11 @@ def _crossover(case: Case, target: str, counts: Sequence[int]) -> Crossover:
     most = step * (max(*counts, len(wave.terms)) + 1)
     longer = Case(case.engine, case.output, most, ratio).wave.terms
     waves = {0: replace(wave, terms=())}
-    waves |= {n: replace(wave, terms=longer[:n], closed=None) for n in (*counts, len(wave.terms))}
-    found = {n: from_plan(plan([one], ratio, target), target) for n, one in waves.items()}
-    known, places = truth(case, 150), len(wave.closed.places) if wave.closed else 0
+    waves |= {n: replace(wave, terms=longer[:n], closed_form=None) for n in (*counts, len(wave.terms))}
+    found = {n: from_plan(choose_plan([one], ratio, target), target) for n, one in waves.items()}
+    known, places = truth(case, 150), len(wave.closed_form.places) if wave.closed_form else 0
     every = len(wave.terms)
-    taken = plan([wave], ratio, target).outputs[0].closed
+    taken = choose_plan([wave], ratio, target).outputs[0].uses_closed_form
     errors = known.error(found[0]).in_u, known.error(found[every]).in_u
     return Crossover(case, target, places, found, every, taken, *errors)
 

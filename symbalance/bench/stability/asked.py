@@ -30,7 +30,7 @@ from symbalance.bench.stability.truth import (
     terms,
     weights,
 )
-from symbalance.codegen import Evaluator, planned_for, to_function
+from symbalance.codegen import Evaluator, plan_for, to_function
 from symbalance.codegen.targets import IN_MEMORY, files
 from symbalance.engine.engine import Engine
 from symbalance.forces.free_forces import balance
@@ -159,7 +159,7 @@ def on_target(asked: Asked, target: str) -> Function:
 def _compiled(asked: Asked) -> Function:
     """Return the C source compiled into a library of its own."""
     result = balance(asked.layout, order=asked.order)
-    planned = planned_for(result, asked.ratio, asked.name, "c", asked.tolerance)
+    planned = plan_for(result, asked.ratio, asked.name, "c", asked.tolerance)
     with TemporaryDirectory() as folder:
         for ending, text in files(planned, "c", "engine", "tried").items():
             Path(folder, "tried" + ending).write_text(text, encoding="utf-8")
