@@ -138,9 +138,10 @@ def _formulas_page() -> dict[str, str]:
     if not survey:
         return {}
     counts = Counter(entry.status for entry in survey)
+    ordered = sorted(counts.items(), key=lambda item: (item[0] == "unread", -item[1]))
     page = _title("Formulas and proofs", "=")
     page += "Equations of the docstrings, each judged by this library's own checker: "
-    page += ", ".join(f"{count} {status}" for status, count in counts.most_common()) + ".\n\n"
+    page += ", ".join(f"{count} {status}" for status, count in ordered) + ".\n\n"
     readable = [entry for entry in survey if entry.latex and mathml(entry.latex)]
     cells = (
         (
