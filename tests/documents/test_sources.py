@@ -18,8 +18,6 @@ ADMISSION = re.compile(r"\b(assumed|estimates?|idealised|follows?)\b")
 CITATION = re.compile(r"\bSources?(?: of the idea)?: [A-Za-z]")
 """A docstring that names its source."""
 TEXTS = (".py", ".pyi", ".md", ".toml")
-UNSAID = {"concentration.py", "krylov.py"}
-"""One was looked up (docs/sources.md), which its docstring has yet to say; one gives way to SciPy."""
 
 
 def texts_in(*folders):

@@ -119,6 +119,32 @@ def test_fillet_factors_fall_with_the_radius_and_say_when_they_are_extrapolated(
     assert sharp.pin_bending == fillet_factors(JOURNAL, WEB, replace(PIN, fillet=0.0015)).pin_bending
 
 
+def test_the_journal_fillet_counts_over_the_journal_diameter_in_torsion():
+    """Annex 5-3: beta_T = alpha_T with r = R_G/D_G, so a thicker journal's fillet is the sharper one."""
+    alike = fillet_factors(replace(JOURNAL, diameter=PIN.diameter, fillet=PIN.fillet), WEB, PIN)
+    assert alike.journal_torsion == alike.pin_torsion
+    thick = replace(JOURNAL, diameter=1.2 * PIN.diameter, fillet=1.2 * PIN.fillet)
+    scaled = fillet_factors(thick, WEB, PIN)
+    assert scaled.journal_torsion == scaled.pin_torsion
+    sharper = fillet_factors(replace(thick, fillet=PIN.fillet), WEB, PIN)
+    overlap = (PIN.diameter + thick.diameter) / 2 - PIN.radius
+    exponent = -0.322 + 0.1015 * (1 - overlap / PIN.diameter)
+    assert sharper.journal_torsion == pytest.approx(scaled.pin_torsion * 1.2**-exponent, rel=1e-12)
+
+
+def test_only_pressure_sees_an_overlap_below_the_least():
+    """Annex 5-3 replaces s < -0.5 in f(s, w) and f(r, s) alone; f_Q(s) is a parabola in 1 - s."""
+    lengths = [PIN.diameter / 2 + JOURNAL.diameter / 2 + x * PIN.diameter for x in (0.5, 0.7)]
+    at, below = (fillet_factors(JOURNAL, WEB, replace(PIN, radius=radius)) for radius in lengths)
+    assert below.outside == ("s = -0.7",)
+    for name in ("pin_bending", "pin_torsion", "journal_bending", "journal_torsion"):
+        assert getattr(below, name) == pytest.approx(getattr(at, name), rel=1e-12)
+    parabola = [0.4368 + 2.1630 * x - 1.5212 * x * x for x in (1.5, 1.7)]
+    assert below.journal_pressure / at.journal_pressure == pytest.approx(
+        parabola[1] / parabola[0], rel=1e-9
+    )
+
+
 def test_goodman_and_rainflow_by_hand():
     strength = Strength(tensile=900e6, endurance=300e6, slope=6, cycles=1e6)
     theta = np.arange(720) * np.pi / 180
