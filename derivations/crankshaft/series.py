@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from symbalance.bench.integrating.four import CYCLE, Case, full_system
-from symbalance.crankshaft.bearings.series import equivalent
+from symbalance.crankshaft.bearings.series import equivalent_coefficients
 
 BEARING = 2
 
@@ -29,7 +29,7 @@ def drawn(path: Path) -> None:
     theta = CYCLE / 720 * np.arange(720)
     film = system.film.stiffness(theta), system.film.damping(theta)
     assert system.housing is not None
-    series, _ = equivalent(film, system.housing, 0.0)
+    series, _ = equivalent_coefficients(film, system.housing, 0.0)
     figure, axes = pyplot.subplots(2, 1, figsize=(8, 6.5), sharex=True)
     for i, (axis, name) in enumerate(zip(axes, ("vertical", "lateral"), strict=True)):
         own, both = film[0][:, BEARING, i, i] / 1e9, series[:, BEARING, i, i] / 1e9

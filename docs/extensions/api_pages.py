@@ -134,21 +134,22 @@ def _role(entry: Entry) -> str:
 
 def _formulas_page() -> dict[str, str]:
     """Return the page of all formulas of docstrings that are read, with what is proved of each."""
-    surveyed = all_entries()
-    if not surveyed:
+    survey = all_entries()
+    if not survey:
         return {}
-    counts = Counter(entry.status for entry in surveyed)
+    counts = Counter(entry.status for entry in survey)
+    ordered = sorted(counts.items(), key=lambda item: (item[0] == "unread", -item[1]))
     page = _title("Formulas and proofs", "=")
     page += "Equations of the docstrings, each judged by this library's own checker: "
-    page += ", ".join(f"{count} {status}" for status, count in counts.most_common()) + ".\n\n"
-    shown = [entry for entry in surveyed if entry.latex and mathml(entry.latex)]
+    page += ", ".join(f"{count} {status}" for status, count in ordered) + ".\n\n"
+    readable = [entry for entry in survey if entry.latex and mathml(entry.latex)]
     cells = (
         (
             f"``{entry.name.removeprefix(PACKAGE + '.')}``",
             f":math:`{role_text(entry.latex)}`",
             entry.status,
         )
-        for entry in shown
+        for entry in readable
     )
     rows = "".join(
         f"   * - {name}\n     - {formula}\n     - {status}\n" for name, formula, status in cells
@@ -166,7 +167,7 @@ def _index(entries: dict[str, list[Entry]], with_formulas: bool) -> str:
         for name in sorted(on_top, key=lambda entry: entry.name.lower()):
             page += f"   {_role(name)}\n"
         page += "\n" if on_top else ""
-    listed = "\n".join(
+    toctree = "\n".join(
         f"   {page}" for page in [*reversed(entries), *(["formulas"] if with_formulas else [])]
     )
-    return page + f".. toctree::\n   :hidden:\n\n{listed}\n"
+    return page + f".. toctree::\n   :hidden:\n\n{toctree}\n"

@@ -21,12 +21,12 @@ def pages(root: Path) -> dict[str, bytes]:
     helps = {action.dest: action.help or "" for action in commands._choices_actions}
     contents = {f"{name}.md": _page(sub) for name, sub in commands.choices.items()}
     rows = "".join(f"| [{name}]({name}.md) | {_cell(helps[name])} |\n" for name in commands.choices)
-    listed = "\n".join(commands.choices)
+    toctree = "\n".join(commands.choices)
     general = (root / "docs" / "command-line.md").read_text(encoding="utf-8").replace("](", "](../")
     contents["index.md"] = (
         f"# Commands\n\n{_text(parser.description or '')}\n\n```text\n{_usage(parser)}\n```\n\n"
         f"| command | what it does |\n|---|---|\n{rows}\n{_options(parser)}"
-        f"{general}\n```{{toctree}}\n:hidden:\n\n{listed}\n```\n"
+        f"{general}\n```{{toctree}}\n:hidden:\n\n{toctree}\n```\n"
     )
     return {name: text.encode() for name, text in contents.items()}
 
@@ -73,8 +73,8 @@ def _head(parser: argparse.ArgumentParser, action: argparse.Action) -> str:
     if not action.option_strings:
         return f"`{_bars(value)}`"
     flags = ", ".join(f"`{_bars(flag)}`" for flag in action.option_strings)
-    shown = value if action.choices is None else "|".join(map(str, action.choices))
-    return f"{flags} `{_bars(shown)}`" if value else flags
+    values = value if action.choices is None else "|".join(map(str, action.choices))
+    return f"{flags} `{_bars(values)}`" if value else flags
 
 
 def _meaning(parser: argparse.ArgumentParser, action: argparse.Action) -> str:

@@ -41,8 +41,8 @@ def rest(text: str, name: str = "") -> str:
     entries = iter(entries_of(name))
     parts: list[str] = []
     for before, block in zip(["", *blocks], blocks, strict=False):
-        listed = before.endswith("Formulas:") and block.startswith("    ")
-        parts.append(_listed(dedent(block), entries) if listed else _block(block))
+        is_formulas = before.endswith("Formulas:") and block.startswith("    ")
+        parts.append(_formula_table(dedent(block), entries) if is_formulas else _block(block))
     return "".join(part + "\n\n" for part in parts)
 
 
@@ -83,7 +83,7 @@ def _block(block: str) -> str:
     if block.startswith("=="):
         return ".. code-block:: none\n\n" + indent(block, "   ")
     if block.startswith("    "):
-        return _indented(dedent(block))
+        return _code_or_formulas(dedent(block))
     if field := _FIELD.match(block):
         return f":{field[1]}: " + _inline(block[field.end() :]).replace("\n", "\n   ")
     if _ITEM.match(block):
@@ -95,7 +95,7 @@ def _item(line: str) -> str:
     return "- " + _inline(line[2:]) if _ITEM.match(line) else "  " + _inline(line.strip())
 
 
-def _indented(block: str) -> str:
+def _code_or_formulas(block: str) -> str:
     if ">>> " in block:
         return ".. code-block:: pycon\n\n" + indent(block, "   ")
     formulas = [_bare(line) for line in block.splitlines() if line.strip()]
@@ -104,7 +104,7 @@ def _indented(block: str) -> str:
     return ".. code-block:: none\n\n" + indent(block, "   ")
 
 
-def _listed(block: str, entries: Iterator[Any]) -> str:
+def _formula_table(block: str, entries: Iterator[Any]) -> str:
     """Return the block below "Formulas:" as a table, its equations paired with the survey's, in order."""
     lines = [line for line in block.splitlines() if line.strip()]
     where = next((k for k, line in enumerate(lines) if line.startswith("with ")), len(lines))
@@ -142,15 +142,15 @@ def _inline(text: str) -> str:
     parts: list[str] = []
     start = 0
     for code in _CODE.finditer(text):
-        parts += [_escaped(text[start : code.start()]), f"``{' '.join(code[1].split())}``"]
+        parts += [_escape(text[start : code.start()]), f"``{' '.join(code[1].split())}``"]
         start = code.end()
         parts += ["\\ "] if text[start : start + 1].isalnum() else []
-    parts.append(_escaped(text[start:]))
+    parts.append(_escape(text[start:]))
     lines = "".join(parts).splitlines()
     return "\n".join(re.sub(r"^(\s*)([-+.:#(]|\w+[.)])(?=\s|\.\.|$)", r"\1\\\2", line) for line in lines)
 
 
-def _escaped(text: str) -> str:
+def _escape(text: str) -> str:
     return _SPECIAL.sub(r"\\\g<0>", text)
 
 

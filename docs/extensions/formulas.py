@@ -35,7 +35,7 @@ _RELATIONS = {r"\le": "≤", r"\ge": "≥", r"\approx": "≈", r"\equiv": "≡",
 _RELATION = re.compile(r"\\(?:le|ge|approx|equiv|to)(?![A-Za-z])|[=<>≤≥≈≡→]")
 _SPACE = '<mspace width="1em"></mspace>'
 _THIN = '<mspace width="0.3em"></mspace>'
-_SHOWN = {
+_SEPARATORS = {
     r"\quad": _SPACE,
     r"\qquad": _SPACE + _SPACE,
     r"\pm": "<mo>±</mo>",
@@ -124,7 +124,7 @@ def _separator(text: str) -> str:
     if text.startswith("\\text{"):
         words = text.removeprefix("\\text{").removesuffix("}")
         return f"<mtext>{escape(words).replace(' ', chr(0xA0))}</mtext>"
-    return _SHOWN.get(text) or f"<mo>{escape(text)}</mo>{_THIN}"
+    return _SEPARATORS.get(text) or f"<mo>{escape(text)}</mo>{_THIN}"
 
 
 def _element(text: str, words: bool) -> str:

@@ -9,10 +9,9 @@ from mpmath import mp
 pytest.importorskip("scipy")
 
 from symbalance.bench.integrating.four import CYCLE
-from symbalance.crankshaft.bearings.csv_table import read_film
-from symbalance.crankshaft.bearings.orbits import films, journal_orbit
-from symbalance.crankshaft.bearings.periodic import film_from_tables, trigonometric_film
-from symbalance.crankshaft.bearings.series import equivalent, quasi_static
+from symbalance.crankshaft.bearings.film_tables import film_from_tables, read_film, trigonometric_film
+from symbalance.crankshaft.bearings.orbits import bearing_films, journal_orbit
+from symbalance.crankshaft.bearings.series import equivalent_coefficients, equivalent_system
 from symbalance.crankshaft.bearings.short_film import Bearing, equilibrium, film_state
 from symbalance.crankshaft.frames import QUARTER_TURN, rotation
 from symbalance.crankshaft.steady import steady_state
@@ -102,7 +101,7 @@ def test_an_orbit_carries_its_loads_with_its_own_velocity():
     orbit = journal_orbit([TEXTBOOK], loads, OMEGA, 4 * np.pi)
     order = 1j * np.fft.fftfreq(count, 1 / count)[:, None, None] * OMEGA / 2
     speed = np.fft.ifft(order * np.fft.fft(orbit.place, axis=0), axis=0).real
-    carried = films([TEXTBOOK], orbit.place, speed, OMEGA).force
+    carried = bearing_films([TEXTBOOK], orbit.place, speed, OMEGA).force
     assert np.abs(carried - loads).max() < 5e-3 * np.abs(loads).max()
     assert (np.linalg.eigvalsh(orbit.damping)[..., 0] > 0).all()
     coarse = journal_orbit([TEXTBOOK], loads[::2], OMEGA, 4 * np.pi)
@@ -119,7 +118,7 @@ def test_the_whole_orbit_at_once_is_the_one_that_marching_finds(size, monkeypatc
     theta = 4 * np.pi / 240 * np.arange(240)
     loads = size * np.stack([1.5 + np.cos(theta / 2) ** 9, 0.7 * np.sin(theta)], axis=-1)[:, None]
     found = journal_orbit([TEXTBOOK], loads, OMEGA, 4 * np.pi)
-    monkeypatch.setattr("symbalance.crankshaft.bearings.orbits.closed_places", lambda *_: None)
+    monkeypatch.setattr("symbalance.crankshaft.bearings.orbits.periodic_places", lambda *_: None)
     marched = journal_orbit([TEXTBOOK], loads, OMEGA, 4 * np.pi)
     assert np.abs(found.place - marched.place).max() < 1e-6 * TEXTBOOK.clearance
     assert (found.place != marched.place).any()
@@ -132,7 +131,7 @@ def test_an_orbit_that_marching_does_not_close_is_found():
     orbit = journal_orbit([TEXTBOOK], loads, OMEGA, 4 * np.pi)
     order = 1j * np.fft.fftfreq(240, 1 / 240)[:, None, None] * OMEGA / 2
     speed = np.fft.ifft(order * np.fft.fft(orbit.place, axis=0), axis=0).real
-    assert np.abs(films([TEXTBOOK], orbit.place, speed, OMEGA).force - loads).max() < 0.2
+    assert np.abs(bearing_films([TEXTBOOK], orbit.place, speed, OMEGA).force - loads).max() < 0.2
 
 
 def test_a_steady_load_has_no_orbit_but_a_place():
@@ -142,12 +141,12 @@ def test_a_steady_load_has_no_orbit_but_a_place():
 
 def test_springs_in_series_and_what_cross_terms_do():
     film, behind = 4.0 * np.eye(2)[None], Housing(12.0 * np.eye(2)[None], np.zeros((1, 2, 2)))
-    stiffness, _ = equivalent((film, 0 * film), behind, 3.0)
+    stiffness, _ = equivalent_coefficients((film, 0 * film), behind, 3.0)
     assert np.allclose(stiffness, 3.0 * np.eye(2))
     crossed = np.array([[[4.0, 9.0], [-9.0, 4.0]]])
-    stiffness, _ = equivalent((crossed, 0 * film), behind, 0.0)
+    stiffness, _ = equivalent_coefficients((crossed, 0 * film), behind, 0.0)
     assert stiffness[0, 0, 0] > 4.0
-    near, far = (equivalent((crossed, film), behind, w) for w in (1e-6, 0.0))
+    near, far = (equivalent_coefficients((crossed, film), behind, w) for w in (1e-6, 0.0))
     assert np.allclose(near, far, rtol=1e-6)
 
 
@@ -168,7 +167,7 @@ def test_series_and_exact_agree_where_nothing_turns_or_changes():
     exact = steady_state(system, steps=720)
     size = np.abs(exact.position).max()
     for taken, same in ((order, True), (1, False)):
-        series = steady_state(quasi_static(system, taken), steps=720)
+        series = steady_state(equivalent_system(system, taken), steps=720)
         assert (np.abs(series.position - exact.position).max() < 1e-7 * size) == same
 
 

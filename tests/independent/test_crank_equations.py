@@ -13,10 +13,10 @@ import sympy
 from mpmath import mp
 
 import symbalance as sb
-from symbalance.crankshaft.equations import compared, node_equations, turned_bearing
+from symbalance.crankshaft.equations import compare_with_published, node_equations, turned_bearing
 from symbalance.crankshaft.equations.bearings import DAMPING, STIFFNESS
 from symbalance.crankshaft.equations.node_document import entry_formula
-from symbalance.crankshaft.equations.published import published
+from symbalance.crankshaft.equations.published import published_matrices
 from symbalance.crankshaft.equations.quantities import OFFSET, OMEGA, PRODUCTS, THETA, TURN
 from symbalance.crankshaft.equations.rotations import CARDAN, ROTATIONS
 from symbalance.crankshaft.frames import (
@@ -26,9 +26,9 @@ from symbalance.crankshaft.frames import (
     turned_stiffness,
     turned_vectors,
 )
-from symbalance.crankshaft.gyroscopics import crossing, node_force, node_matrices
-from symbalance.crankshaft.rotor import Rotor
-from symbalance.crankshaft.spin import deflated, spin_growth, spin_motion
+from symbalance.crankshaft.rotor.matrices import Rotor
+from symbalance.crankshaft.rotor.rigid_bodies import node_force, node_matrices, skew_matrix
+from symbalance.crankshaft.rotor.rigid_body_mode import deflated, spin_growth, spin_motion
 from symbalance.document.sympy_writer import formula_sympy
 from symbalance.errors import SymbalanceError
 from tests import ROOT
@@ -188,16 +188,16 @@ def test_coordinates_matter_only_where_a_couple_stands_at_rest(kind):
 
 def test_a_paper_node_has_every_entry_of_the_published_equation():
     for kind in ROTATIONS:
-        entries = list(compared(node_equations(kind).principal()))
+        entries = list(compare_with_published(node_equations(kind).principal()))
         assert len(entries) == 114
         assert {entry.verdict for entry in entries} == {"holds"}
 
 
 def test_a_general_node_has_entries_that_the_published_equation_lacks():
-    entries = {(e.matrix, e.row, e.column): e for e in compared(node_equations())}
+    entries = {(e.matrix, e.row, e.column): e for e in compare_with_published(node_equations())}
     assert entries["mass", 3, 4].verdict == "missing"
     assert entries["centrifugal_force", 0, 0].verdict == "differs"
-    without_offset = compared(node_equations().with_values(**{str(e): 0 for e in OFFSET}))
+    without_offset = compare_with_published(node_equations().with_values(**{str(e): 0 for e in OFFSET}))
     lacking = {
         (e.matrix, e.row, e.column) for e in without_offset if e.verdict != "holds" and e.row <= e.column
     }
@@ -252,7 +252,7 @@ def test_a_node_may_be_described_from_elsewhere_on_the_body():
     mass, offset, tensor = 2.5, np.array([0.03, -0.02, 0.05]), np.diag([3.0, 4.0, 6.0])
     point = np.array([0.2, -0.4, 0.7])
     arm = np.eye(6)
-    arm[:3, 3:] = -crossing(offset)
+    arm[:3, 3:] = -skew_matrix(offset)
     there = node_matrices(mass, np.zeros(3), tensor)
     here = node_matrices(mass, offset, tensor, point)
     for far, near in zip(there[:2], here[:2], strict=True):
@@ -458,6 +458,6 @@ def test_the_published_matrices_are_those_quoted():
     lines = re.findall(r"^004:(?:89|90|91|92)  (.*)$", page.read_text("utf-8"), re.MULTILINE)
     found = [re.findall(r"begin\{bmatrix\}(.*?)\\end", line) for line in lines]
     quoted = [matrices[i] for matrices, i in zip(found, (0, 0, 0, 1), strict=True)]
-    for matrix, text in zip(published().values(), quoted, strict=True):
+    for matrix, text in zip(published_matrices().values(), quoted, strict=True):
         rows = [[read_cell(cell) for cell in row.split("&")] for row in text.split(r"\\")]
         assert matrix == sympy.ImmutableMatrix(rows)

@@ -14,7 +14,7 @@ import symbalance as sb
 from symbalance.crankshaft.assembly import assemble
 from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.loads import big_end_masses, pin_loads
-from symbalance.crankshaft.running import setting
+from symbalance.crankshaft.running import configure_run
 from tests.cranks import WORKED, engine, sheet
 
 OMEGA = 2200 * np.pi / 30
@@ -148,7 +148,7 @@ def check_virtual_work(made):
     for cylinder in made.layout.cylinders:
         moved = loads.rods._motion(cylinder.number, theta)
         total += loads.rods.axial(cylinder.number, theta) * moved.speed * radius
-        total -= made.operation.excess * OMEGA**2 * moved.swinging * moved.turning
+        total -= made.operation.excess * OMEGA**2 * moved.angle_acceleration * moved.angle_rate
     assert np.abs(loads.rods.torque(theta) - total).max() < 1e-11 * np.abs(total).max()
 
 
@@ -170,10 +170,10 @@ def test_bearings_walls_and_heads_together_get_the_free_force(tmp_path):
 
 
 def test_the_bearings_carry_the_pins_and_the_centrifugal_forces_together():
-    made = setting(read_running_engine(WORKED / "inline-4.toml"), webs="nominal")
+    made = configure_run(read_running_engine(WORKED / "inline-4.toml"), webs="nominal")
     theta = np.linspace(0, 4 * np.pi, 25)
     carried = made.bearing_loads(2200, theta).sum(axis=1)
-    force = made.loading(2200).at(theta)
+    force = made.rotor_loads(2200).at(theta)
     sums = np.stack([force[:, 0::6].sum(axis=1), force[:, 1::6].sum(axis=1)], axis=-1)
     turn = np.exp(1j * theta)
     given = (sums[:, 0] + 1j * sums[:, 1]) * turn

@@ -12,10 +12,10 @@ from symbalance.crankshaft.crank import Crank, Journal, Pin, Web
 from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.files.operation import Overlay, Strength
 from symbalance.crankshaft.frames import rotation, turned_stiffness
-from symbalance.crankshaft.running import setting
-from symbalance.crankshaft.running.measured import compared
-from symbalance.crankshaft.running.outcome import Outcome
-from symbalance.crankshaft.running.sweep import run
+from symbalance.crankshaft.running import configure_run
+from symbalance.crankshaft.running.measured import compare_with_measured
+from symbalance.crankshaft.running.outcome import SpeedOutcome
+from symbalance.crankshaft.running.speed_sweep import run_speed
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.stress import channels, durability, fillet_factors, stress_matrix
 from symbalance.crankshaft.stress.fatigue import damage
@@ -100,7 +100,7 @@ def test_bending_does_not_depend_on_the_webs_stiffness():
 
 def test_modes_times_amplitudes_are_the_stress():
     """Psi a: the stress modes of any basis give the stress of the displacements it stands for."""
-    made = setting(read_running_engine(WORKED / "inline-4.toml"), webs="nominal")
+    made = configure_run(read_running_engine(WORKED / "inline-4.toml"), webs="nominal")
     draw = np.random.default_rng(7)
     basis, amounts = draw.normal(size=(made.rotor.size, 5)), draw.normal(size=5)
     whole = made.stress @ (basis @ amounts)
@@ -170,7 +170,7 @@ def constant_film(count: int, stiffness: float, damping: float) -> Film:
 
 def test_on_equal_constant_springs_the_motion_is_a_sum_of_harmonics(tmp_path):
     """The whole chain against another solver: isotropic bearings make the turning equations constant."""
-    made = setting(engine(tmp_path, sheet()), webs="nominal")
+    made = configure_run(engine(tmp_path, sheet()), webs="nominal")
     springs, dampers = 4e8, 6e4
     system = made.system(2200, constant_film(2, springs, dampers))
     found = steady_state(system, steps=720, multipliers=False)
@@ -202,14 +202,14 @@ def test_on_equal_constant_springs_the_motion_is_a_sum_of_harmonics(tmp_path):
 def test_films_about_the_orbit_carry_the_nonlinear_films_own_force(tmp_path):
     """After some passes the journals go where the short bearing itself carries what they bear."""
     from symbalance.crankshaft.bearings.short_film import film_states
-    from symbalance.crankshaft.running.films import periodic, plain_bearings
+    from symbalance.crankshaft.running.oil_films import periodic_spline, plain_bearings
 
-    made = setting(engine(tmp_path, sheet()), webs="nominal", steps=360)
-    once, found = run(replace(made, passes=1), 1500), run(made, 1500)
+    made = configure_run(engine(tmp_path, sheet()), webs="nominal", steps=360)
+    once, found = run_speed(replace(made, iterations=1), 1500), run_speed(made, 1500)
     assert found.departure < 0.05 < once.departure
     assert found.within_clearance
     bearings, omega = plain_bearings(made.engine), 1500 * np.pi / 30
-    velocity = omega * periodic(found.theta, found.orbits, found.cycle)(found.theta, 1)
+    velocity = omega * periodic_spline(found.theta, found.orbits, found.cycle)(found.theta, 1)
     strength = np.array([b.strength for b in bearings])
     film = film_states(strength, found.clearance, found.orbits, velocity, omega)
     off = np.abs(film.force - found.bearings).max(axis=(0, 2)) / np.abs(found.bearings).max(axis=(0, 2))
@@ -219,9 +219,11 @@ def test_films_about_the_orbit_carry_the_nonlinear_films_own_force(tmp_path):
 @pytest.mark.slow
 def test_the_mean_torque_leaves_through_the_flywheel():
     """The mean torsion of the last journal is the engine's mean torque, of the first none."""
-    made = setting(read_running_engine(WORKED / "inline-4.toml"), webs="nominal", steps=240, passes=1)
-    found = run(made, 2200)
-    torque = made.loading(2200).pins.mean_torque
+    made = configure_run(
+        read_running_engine(WORKED / "inline-4.toml"), webs="nominal", steps=240, iterations=1
+    )
+    found = run_speed(made, 2200)
+    torque = made.rotor_loads(2200).pins.mean_torque
     journal, web, pin = made.engine.crank.parts[:3]
     assert isinstance(journal, Journal)
     assert isinstance(web, Web)
@@ -238,13 +240,13 @@ def test_the_error_of_a_measured_curve(tmp_path):
     theta = 4 * np.pi * np.arange(720) / 720
     wave = 50e6 * np.cos(theta)
     blank = np.zeros((720, 1, 2))
-    found = Outcome(
+    found = SpeedOutcome(
         1000.0, theta, ("pin 1 bending",), ("Pa",), wave[:, None], blank, blank, np.ones(1), 0.5, 0.0, 0.0
     )
     path = tmp_path / "measured.csv"
     rows = [f"{a};{50 * np.cos(np.radians(a)) - 2:.6f}" for a in range(-360, 360, 10)]
     path.write_text("angle;MPa\n" + "\n".join(rows), encoding="utf-8")
-    shown = compared(Overlay(path, "pin 1 bending", None), found)
+    shown = compare_with_measured(Overlay(path, "pin 1 bending", None), found)
     assert shown is not None
     assert (shown.rms, shown.peak, shown.span) == pytest.approx((2.0, 2.0, 100.0), rel=1e-5)
-    assert compared(Overlay(path, "pin 1 bending", 1200.0), found) is None
+    assert compare_with_measured(Overlay(path, "pin 1 bending", 1200.0), found) is None

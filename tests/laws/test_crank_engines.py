@@ -13,8 +13,8 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.crankshaft.loads import pin_loads
 from symbalance.crankshaft.reduction import reduced
-from symbalance.crankshaft.running import setting
-from symbalance.crankshaft.running.shifted import shifted
+from symbalance.crankshaft.running import configure_run
+from symbalance.crankshaft.running.about_orbit import system_about_orbit
 from symbalance.crankshaft.steady import steady_state
 from symbalance.engine.catalogue import preset_text
 from tests.cranks import BEARINGS, CRANKSHAFT, RUNNING, TRAIN, engine, sheet, written
@@ -45,7 +45,7 @@ def test_cranks_of_every_shape_run_from_file_to_stress(name, pins, journals, tmp
     path = written(tmp_path, running_preset(name))
     made = engine(tmp_path, path.read_text(encoding="utf-8"))
     assert [pin.cylinders for pin in made.crank.pins] == pins
-    assert len(made.supports.clearance) == journals
+    assert len(made.bearings.clearance) == journals
     out = tmp_path / "out"
     assert run(["crankshaft", str(path), *QUICK, "--no-plots", "-o", str(out)]) in (0, 1)
     found = json.loads(capsys.readouterr().out)
@@ -69,7 +69,7 @@ def test_slow_and_stiff_is_statics(tmp_path):
     The rod's force from the trace and plain trigonometry, stress from F L/4; weight is below a percent.
     """
     wheel = "[crankshaft.flywheel]\nmass = 1\npolar = 1e9\n"
-    made = setting(engine(tmp_path, sheet().replace(CRANKSHAFT, STIFF + wheel)), webs="nominal")
+    made = configure_run(engine(tmp_path, sheet().replace(CRANKSHAFT, STIFF + wheel)), webs="nominal")
     found = steady_state(made.system(100, constant_film(2, 1e12, 1e6)), steps=360, multipliers=False)
     values = dict(zip([c.name for c in made.channels], (found.position @ made.stress.T).T, strict=True))
     trace = made.engine.operation.trace
@@ -89,7 +89,7 @@ def test_slow_and_stiff_is_statics(tmp_path):
 def test_bearings_with_walls_and_heads_pass_on_the_librarys_free_force(tmp_path):
     """A stiff in-line four at 2200 rpm: what its run leaves on the frame is `balance`, order by order."""
     text = sheet("[layout]\nfiring_order = [1, 3, 4, 2]\n").replace(CRANKSHAFT, STIFF)
-    made = setting(engine(tmp_path, text), webs="nominal")
+    made = configure_run(engine(tmp_path, text), webs="nominal")
     found = steady_state(made.system(2200, constant_film(5, 1e12, 1e7)), steps=720, multipliers=False)
     theta, omega = found.theta, 2200 * np.pi / 30
     rods = pin_loads(made.engine, omega).rods
@@ -107,7 +107,7 @@ def test_bearings_with_walls_and_heads_pass_on_the_librarys_free_force(tmp_path)
 
 def test_what_the_pins_take_up_the_films_and_the_driveline_give_away(tmp_path):
     """Energy over a cycle: the gas's p dV is the mean torque's work, and a run creates none."""
-    made = setting(engine(tmp_path, sheet()), webs="nominal")
+    made = configure_run(engine(tmp_path, sheet()), webs="nominal")
     system = made.system(1500, constant_film(2, 3e8, 5e4))
     found = steady_state(system, steps=1440, multipliers=False)
     step = system.cycle / 1440 / system.omega
@@ -168,10 +168,12 @@ def _rotation(theta):
 @pytest.mark.slow
 def test_a_long_cranks_modes_are_a_reduction(tmp_path):
     """Loads about the orbits of six bearings have more shapes than a short crank's."""
-    made = setting(engine(tmp_path, sheet("[layout]\nfiring_order = [1, 2, 4, 5, 3]\n")), webs="nominal")
+    made = configure_run(
+        engine(tmp_path, sheet("[layout]\nfiring_order = [1, 2, 4, 5, 3]\n")), webs="nominal"
+    )
     orbits = made.orbits(2200)
     full = made.system(2200, orbits.film)
-    small, basis = reduced(shifted(full, made.rotor, orbits).system, 15)
+    small, basis = reduced(system_about_orbit(full, made.rotor, orbits).system, 15)
     assert basis.shape[1] < 0.5 * basis.shape[0]
     assert np.allclose(small.mass, np.eye(len(small.mass)), atol=1e-9)
     theta = np.linspace(0, full.cycle, 7)

@@ -13,15 +13,15 @@ from scipy.integrate import solve_ivp
 
 from symbalance.bench.integrating.four import Case, full_system, spin
 from symbalance.bench.integrating.runs import Reference, kinds
-from symbalance.crankshaft.bearings.periodic import trigonometric_film
+from symbalance.crankshaft.bearings.film_tables import trigonometric_film
 from symbalance.crankshaft.frames import QUARTER_TURN, rotation
 from symbalance.crankshaft.harmonic_balance import harmonic_state
-from symbalance.crankshaft.integrators.coefficients import state_size
-from symbalance.crankshaft.integrators.first_order import FirstOrder, film_forces
+from symbalance.crankshaft.integrators.coefficients import film_forces, state_size
+from symbalance.crankshaft.integrators.first_order import FirstOrderForm
 from symbalance.crankshaft.integrators.methods import linear_steps
 from symbalance.crankshaft.integrators.tableau import radau_iia
 from symbalance.crankshaft.reduction import reduced
-from symbalance.crankshaft.steady import closed, steady_state
+from symbalance.crankshaft.steady import periodic_start, steady_state
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
 from symbalance.crankshaft.transient import METHODS, integrate
 from symbalance.errors import SymbalanceError
@@ -63,7 +63,7 @@ def mathieu(delta, epsilon):
 
 
 def monodromy(system, method, steps):
-    return linear_steps(system, method, steps).carried(np.eye(state_size(system)))
+    return linear_steps(system, method, steps).propagate(np.eye(state_size(system)))
 
 
 @pytest.mark.parametrize(
@@ -87,7 +87,7 @@ def test_orders_of_convergence_on_mathieus_equation(method, order, steps):
 def test_mathieus_tongue():
     """At delta = 1/4 the edges are at delta = 1/4 -+ epsilon/2 to first order; liouville: product 1."""
     for delta, stable in ((0.15, True), (0.25, False), (0.35, True)):
-        factors = closed(linear_steps(mathieu(delta, 0.1), "radau-iia", 200))[1]
+        factors = periodic_start(linear_steps(mathieu(delta, 0.1), "radau-iia", 200))[1]
         assert abs(np.prod(factors) - 1) < 1e-9
         assert (np.abs(factors).max() < 1 + 1e-7) == stable
 
@@ -115,7 +115,7 @@ def jeffcott(omega, stationary):
 @pytest.mark.parametrize("stationary", [False, True])
 @pytest.mark.parametrize(("omega", "growth"), [(0.89, 0.0), (1.0, 0.099504), (1.11, 0.0)])
 def test_an_asymmetric_rotor_grows_between_its_two_frequencies(stationary, omega, growth):
-    factors = closed(linear_steps(jeffcott(omega, stationary), "radau-iia", 180))[1]
+    factors = periodic_start(linear_steps(jeffcott(omega, stationary), "radau-iia", 180))[1]
     rate = np.log(np.abs(factors).max()) * omega / (2 * np.pi)
     assert abs(rate - growth) < 1e-6
 
@@ -126,7 +126,7 @@ def test_newmark_keeps_the_energy_and_radau_takes_some():
     start = np.array([1.0, -0.4, 0.2, 0.7])
 
     def energy(method):
-        y = linear_steps(system, method, 40).marched(start, 20)
+        y = linear_steps(system, method, 40).march(start, 20)
         return (y[:, 2:] ** 2).sum(1) + (y[:, :2] ** 2 * [0.81, 1.21]).sum(1)
 
     kept, lost = energy("newmark"), energy("radau-iia")
@@ -198,7 +198,7 @@ def test_scipys_and_ours_end_at_one_state(four, balanced):
 
 @pytest.mark.slow
 def test_the_jacobian_is_that_of_the_slope(four):
-    first = FirstOrder.of(four[0])
+    first = FirstOrderForm.of(four[0])
     state = np.random.default_rng(1).normal(size=first.size)
     rest = first.slope(1.3, np.zeros(first.size))
     assert np.allclose(first.slope(1.3, state) - rest, first.matrix(1.3) @ state, rtol=1e-9, atol=1e-3)
@@ -219,9 +219,9 @@ def test_a_housing_without_bounds_is_the_ground():
 def test_frozen_angles_say_nothing(delta, epsilon, frozen):
     """Unstable at some angles taken one by one and stable over the cycle, and the other way about."""
     system = mathieu(delta, epsilon)
-    first = FirstOrder.of(system)
+    first = FirstOrderForm.of(system)
     rates = [np.linalg.eigvals(first.matrix(a)).real.max() for a in np.arange(0, 2 * np.pi, 0.1)]
-    factors = closed(linear_steps(system, "radau-iia", 200))[1]
+    factors = periodic_start(linear_steps(system, "radau-iia", 200))[1]
     assert (max(rates) > 0.1) == frozen
     assert (np.abs(factors).max() > 1 + 1e-3) == (not frozen)
 
@@ -257,9 +257,9 @@ def test_attachment_vectors_are_worth_more_than_modes(four):
 def test_large_systems_take_the_krylov_route_to_the_same_state(four, monkeypatch):
     system, _ = four
     made = linear_steps(system, "radau-iia", 90)
-    dense, factors = closed(made)
+    dense, factors = periodic_start(made)
     monkeypatch.setattr("symbalance.crankshaft.steady.DENSE", 10)
-    state, leading = closed(made)
+    state, leading = periodic_start(made)
     assert np.abs((state - dense) / made.units).max() < 1e-8 * np.abs(dense / made.units).max()
     assert np.allclose(np.abs(leading[:4]), np.abs(factors[:4]), rtol=1e-5)
 
@@ -351,8 +351,8 @@ def test_a_fault_in_the_steps_shows(four, balanced):
         system, [system.points.reshape(-1, system.size)], balanced.states(np.append(theta, 0.0)), 0.0
     )
     assert (
-        reference.error(made.marched(closed(made, False)[0]))
+        reference.error(made.march(periodic_start(made, False)[0]))
         < 3e-4
-        < reference.error(wrong.marched(closed(wrong, False)[0]))
+        < reference.error(wrong.march(periodic_start(wrong, False)[0]))
     )
     assert known.shape == (180, system.size)

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from symbalance.crankshaft.bearings.csv_table import read_film
+from symbalance.crankshaft.bearings.film_tables import read_film
 from symbalance.crankshaft.running.measured import read_curve
 from symbalance.design.variations.part_sets import parse_parts
 from symbalance.errors import SymbalanceError

@@ -9,8 +9,8 @@ from scipy.linalg import expm
 from scipy.optimize import brentq
 
 from symbalance.crankshaft.frames import QUARTER_TURN, gravity, rotation, turned_damping, turned_stiffness
-from symbalance.crankshaft.gyroscopics import node_force, node_matrices
-from symbalance.crankshaft.spin import deflated, held, spin_motion
+from symbalance.crankshaft.rotor.rigid_bodies import node_force, node_matrices
+from symbalance.crankshaft.rotor.rigid_body_mode import deflated, spin_motion, without_unknown
 
 NOWHERE = np.zeros(3)
 SHIFTS, TILTS = slice(0, 2), slice(3, 5)
@@ -364,5 +364,5 @@ def test_the_free_spin_of_a_flexible_rotor_is_false_and_taken_out():
     assert rate > 100
     flat = deflated(dK, M, spin)
     assert growth(M, omega * G, K + omega**2 * flat) < 0.01 * rate
-    kept = [held(m, 11) for m in (M, omega * G, K + omega**2 * dK)]
+    kept = [without_unknown(m, 11) for m in (M, omega * G, K + omega**2 * dK)]
     assert growth(*kept) < 0.01 * rate

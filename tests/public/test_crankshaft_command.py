@@ -17,7 +17,9 @@ import pytest
 from symbalance.cli import run
 from symbalance.crankshaft import assembly
 from symbalance.crankshaft.files import read_running_engine
-from symbalance.crankshaft.running import saved, setting, sweep
+from symbalance.crankshaft.running import configure_run
+from symbalance.crankshaft.running import outcome as saved
+from symbalance.crankshaft.running import speed_sweep as sweep
 from symbalance.crankshaft.system import UnsolvedError
 from tests import ROOT
 from tests.cranks import SINGLE, engine, sheet, written
@@ -235,23 +237,23 @@ def test_a_damaged_file_is_said_and_solved_anew(single, tmp_path, capsys):
 @pytest.mark.slow
 def test_no_damage_to_a_file_gets_through(single, tmp_path):
     """Bytes changed one at a time: the whole outcome, or none and why."""
-    made = setting(read_running_engine(single), webs="nominal", steps=90, about="centre")
-    outcome = sweep.run(made, 2200.0)
-    saved.save(tmp_path, "key", outcome)
+    made = configure_run(read_running_engine(single), webs="nominal", steps=90, about="centre")
+    outcome = sweep.run_speed(made, 2200.0)
+    saved.save_outcome(tmp_path, "key", outcome)
     path = saved.file_of(tmp_path, 2200.0)
     content = path.read_bytes()
     for place in np.linspace(0, len(content) - 1, 300).astype(int):
         path.write_bytes(content[:place] + bytes([content[place] ^ 255]) + content[place + 1 :])
-        restored = saved.restored(tmp_path, "key", 2200.0)
+        restored = saved.load_outcome(tmp_path, "key", 2200.0)
         if restored.outcome is None:
-            assert restored.why
+            assert restored.reason
         else:
             assert (restored.outcome.values == outcome.values).all()
 
 
 @pytest.mark.slow
 def test_an_interrupt_loses_nothing_finished(single, tmp_path, capsys, monkeypatch):
-    out, real = tmp_path / "out", sweep.run
+    out, real = tmp_path / "out", sweep.run_speed
 
     def interrupted(made, rpm, progress):
         if rpm > 1000:
@@ -259,10 +261,10 @@ def test_an_interrupt_loses_nothing_finished(single, tmp_path, capsys, monkeypat
         return real(made, rpm, progress)
 
     options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out), "--rpm", "1000,1500"]
-    monkeypatch.setattr(sweep, "run", interrupted)
+    monkeypatch.setattr(sweep, "run_speed", interrupted)
     assert run(options) == 130
     assert [p.name for p in out.rglob("*") if p.is_file()] == ["1000rpm.npz"]
-    monkeypatch.setattr(sweep, "run", real)
+    monkeypatch.setattr(sweep, "run_speed", real)
     assert run(options) in (0, 1)
     progress = capsys.readouterr().err
     assert "1000 rpm (1 of 2): found" in progress
@@ -485,13 +487,13 @@ def test_films_that_do_not_settle_are_tried_at_finer_steps(single, tmp_path, cap
     """The result is that of a run at the finer steps, and every place says so."""
     plain = ["crankshaft", single, "--rpm", "1500", "--webs", "nominal", "--no-plots"]
     run([*plain, "--steps", "240", "-o", str(tmp_path / "direct")])
-    real, seen = sweep._about, []
+    real, seen = sweep._solve_about_orbits, []
 
     def coarse_fails(made, rpm, orbits, **options):
         seen.append(made.steps)
         return grows() if seen == [120, 120] else real(made, rpm, orbits, **options)
 
-    monkeypatch.setattr(sweep, "_about", coarse_fails)
+    monkeypatch.setattr(sweep, "_solve_about_orbits", coarse_fails)
     capsys.readouterr()
     assert run([*plain, "--steps", "120", "-o", str(tmp_path / "finer")]) == 0
     report, progress = capsys.readouterr()
@@ -540,12 +542,12 @@ def test_a_speed_whose_films_do_not_settle_has_no_stresses(single, tmp_path, cap
 
 @pytest.mark.slow
 def test_other_speeds_keep_their_stresses(single, tmp_path, capsys, monkeypatch):
-    real = sweep._about
+    real = sweep._solve_about_orbits
 
     def one_fails(made, rpm, orbits, **options):
         return grows() if rpm == 1500 else real(made, rpm, orbits, **options)
 
-    monkeypatch.setattr(sweep, "_about", one_fails)
+    monkeypatch.setattr(sweep, "_solve_about_orbits", one_fails)
     rows = "".join(f"{a},{a / 10}\n" for a in range(0, 720, 60))
     (tmp_path / "gauge.csv").write_text(rows, encoding="utf-8")
     curve = '[running.overlay]\nfile = "gauge.csv"\nchannel = "pin 1 bending"\nrpm = 1500'
@@ -566,7 +568,7 @@ def test_other_speeds_keep_their_stresses(single, tmp_path, capsys, monkeypatch)
 
 
 def test_films_about_the_centre_may_give_no_motion(single, capsys, monkeypatch):
-    monkeypatch.setattr(sweep, "_solved", grows)
+    monkeypatch.setattr(sweep, "_solve_periodic", grows)
     assert run(["crankshaft", single, "--rpm", "1500", *QUICK, "--format", "json"]) == 1
     (speed,) = json.loads(capsys.readouterr().out)["speeds"]
     assert speed["reason"] == "no steady state: the motion: grows; more steps"
@@ -575,15 +577,15 @@ def test_films_about_the_centre_may_give_no_motion(single, capsys, monkeypatch):
 @pytest.mark.slow
 def test_a_journal_beyond_its_clearance_has_not_settled(single, monkeypatch):
     """However near the orbits lie to those of their films: no journal leaves its shell."""
-    real = sweep._about
+    real = sweep._solve_about_orbits
 
     def beyond(made, rpm, orbits, **options):
         outcome = real(made, rpm, orbits, **options)
         return replace(outcome, departure=0.01, orbits=2 * outcome.orbits)
 
-    monkeypatch.setattr(sweep, "_about", beyond)
-    made = setting(read_running_engine(single), webs="nominal", steps=120, passes=1)
-    outcome = sweep.run(made, 2200.0)
+    monkeypatch.setattr(sweep, "_solve_about_orbits", beyond)
+    made = configure_run(read_running_engine(single), webs="nominal", steps=120, iterations=1)
+    outcome = sweep.run_speed(made, 2200.0)
     assert re.search(r"journals at 1\.\d\d of it", outcome.reason)
 
 
@@ -594,9 +596,9 @@ def test_the_step_error_is_what_halved_steps_change(single):
     errors = []
     for steps in (90, 180):
         made, fine = (
-            setting(engine, webs="nominal", about="centre", steps=n) for n in (steps, 2 * steps)
+            configure_run(engine, webs="nominal", about="centre", steps=n) for n in (steps, 2 * steps)
         )
-        outcome, finer = sweep.run(made, 2200.0), sweep.run(fine, 2200.0)
+        outcome, finer = sweep.run_speed(made, 2200.0), sweep.run_speed(fine, 2200.0)
         here, there = (
             outcome.values[:, :3],
             finer.values[::2, :3],

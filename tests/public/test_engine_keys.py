@@ -24,8 +24,7 @@ from hypothesis import given, settings
 
 from symbalance.cli import run
 from symbalance.crankshaft.files import read_running_engine
-from symbalance.crankshaft.files.crank_keys import FILE_KEYS
-from symbalance.crankshaft.files.described import reference_of_keys, schema_of_engine_files
+from symbalance.crankshaft.files.crank_keys import FILE_KEYS, reference_of_keys, schema_of_engine_files
 from symbalance.crankshaft.files.operation import Strength
 from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.engine.engine_file import SCHEMA, parse_engine, schema_text

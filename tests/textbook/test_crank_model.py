@@ -12,20 +12,19 @@ import pytest
 
 import symbalance as sb
 from symbalance.crankshaft.assembly import WEBS, assemble
-from symbalance.crankshaft.beams import Beam, circular, element, flexibility, rectangular, transfer
-from symbalance.crankshaft.campbell import campbell
-from symbalance.crankshaft.checks import check_geometry
 from symbalance.crankshaft.crank import Crank, Disc, Journal, Material, Pin, Web, WebCounterweight
-from symbalance.crankshaft.modes import assurance, kinds, motion_shares, natural_modes
-from symbalance.crankshaft.shafts import Tube, held_at, shaft
+from symbalance.crankshaft.geometry_checks import check_geometry
+from symbalance.crankshaft.rotor.beams import Beam, circular, element, flexibility, rectangular, transfer
+from symbalance.crankshaft.rotor.campbell_diagram import campbell
+from symbalance.crankshaft.rotor.modes import assurance, dominant_motions, motion_shares, natural_modes
+from symbalance.crankshaft.rotor.shafts import Tube, held_at, shaft
+from symbalance.crankshaft.rotor.torsion import torsional_chain, twists_of
 from symbalance.crankshaft.solid import store as store_module
 from symbalance.crankshaft.solid.reference import SIZES, reference, reference_four
-from symbalance.crankshaft.solid.store import Store, open_store, solid_web, solve_missing
-from symbalance.crankshaft.torsion import torsional_chain, twists_of
+from symbalance.crankshaft.solid.store import WebStore, open_store, solid_web, solve_missing
 from symbalance.crankshaft.webs.arm import arms
+from symbalance.crankshaft.webs.beam_webs import ker_wilson_torsion, nominal_flexibility
 from symbalance.crankshaft.webs.fitted import fitted_flexibility, fitted_parameters
-from symbalance.crankshaft.webs.formula import ker_wilson_torsion
-from symbalance.crankshaft.webs.nominal import nominal_flexibility
 from symbalance.crankshaft.webs.sector import sector_counterweight
 from symbalance.errors import MissingPartError, SymbalanceError
 from tests import ROOT
@@ -208,7 +207,9 @@ def test_a_straight_shaft_with_two_discs_twists_as_the_formula_says():
     chain = twists_of(rotor)
     assert chain.frequencies()[0] == pytest.approx(exact, rel=1e-6)
     modes = natural_modes(rotor, 8)
-    assert exact == pytest.approx(modes.frequencies[kinds(rotor, modes).index("torsion")], rel=1e-4)
+    assert exact == pytest.approx(
+        modes.frequencies[dominant_motions(rotor, modes).index("torsion")], rel=1e-4
+    )
 
 
 # The assembled crank
@@ -417,9 +418,9 @@ def test_what_passes_a_web_is_what_pulls_before_it(webs):
     for member in (m for m in rotor.members if m.kind == "web"):
         front = rotor.points[member.front]
         before = rotor.points[:, 2] < front[2] + 1e-9
-        for other in (m for m in rotor.members if m.hangs):
+        for other in (m for m in rotor.members if m.body):
             behind = other.rear <= member.front or (other is member and not arm[member.index].mirrored)
-            before[other.hangs.node] = behind
+            before[other.body.node] = behind
         levers = rotor.points - front
         force = loads[before, :3].sum(0)
         moment = (loads[before, 3:] + np.cross(levers[before], loads[before, :3])).sum(0)
@@ -427,7 +428,7 @@ def test_what_passes_a_web_is_what_pulls_before_it(webs):
 
 
 def test_a_webs_two_ends_are_the_whole_with_nothing_pulling_between():
-    member = next(m for m in assemble(reference("short"), webs="solid").members if m.hangs)
+    member = next(m for m in assemble(reference("short"), webs="solid").members if m.body)
     ends, middle = slice(0, 12), slice(12, 18)
     whole = member.whole
     kept = whole[ends, middle] @ np.linalg.solve(whole[middle, middle], whole[middle, ends])
@@ -435,7 +436,7 @@ def test_a_webs_two_ends_are_the_whole_with_nothing_pulling_between():
 
 
 def found(store, arm):
-    web = store.found(arm)
+    web = store.lookup(arm)
     assert web is not None
     return web
 
@@ -446,9 +447,9 @@ def test_stored_webs_are_read_back_and_scale_with_youngs_modulus(tmp_path):
     soft = replace(arm, material=replace(arm.material, young=arm.material.young / 2))
     assert web.body is not None
     assert found(store, soft).flexibility == pytest.approx(2 * web.flexibility)
-    assert store.found(replace(arm, material=replace(arm.material, poisson=0.3))) is None
-    own = Store(path=tmp_path / "webs.json")
-    own.kept(arm, web)
+    assert store.lookup(replace(arm, material=replace(arm.material, poisson=0.3))) is None
+    own = WebStore(path=tmp_path / "webs.json")
+    own.keep(arm, web)
     again = found(open_store(tmp_path / "webs.json"), arm)
     assert again.flexibility == pytest.approx(web.flexibility)
     assert again.body == pytest.approx(web.body)
@@ -482,11 +483,11 @@ def test_webs_of_another_mesher_are_said_and_not_believed(tmp_path, monkeypatch)
     path, heard = tmp_path / "webs.json", []
     (arm, web), _ = two_webs()
     strange = replace(arm, web=replace(arm.web, thickness=arm.web.thickness * 1.01))
-    Store(path=path).kept(strange, web)
+    WebStore(path=path).keep(strange, web)
     assert found(open_store(path, heard.append), strange)
     assert heard == []
     monkeypatch.setattr(store_module, "mesher_digest", lambda: "of another version")
-    assert open_store(path, heard.append).found(strange) is None
+    assert open_store(path, heard.append).lookup(strange) is None
     assert len(heard) == 1
     assert "webs.json: holds webs that another version solved" in heard[0]
 
@@ -494,7 +495,7 @@ def test_webs_of_another_mesher_are_said_and_not_believed(tmp_path, monkeypatch)
 def test_the_packages_own_webs_are_not_overridden_by_a_files(tmp_path):
     path = tmp_path / "webs.json"
     (arm, web), _ = two_webs()
-    Store(path=path).kept(arm, replace(web, flexibility=2 * web.flexibility))
+    WebStore(path=path).keep(arm, replace(web, flexibility=2 * web.flexibility))
     assert found(open_store(path), arm).flexibility == pytest.approx(web.flexibility)
 
 
@@ -502,8 +503,8 @@ def test_two_writers_keep_each_others_webs(tmp_path):
     path = tmp_path / "webs.json"
     (arm, web), (other, its) = two_webs()
     one, two = open_store(path), open_store(path)
-    one.kept(arm, web)
-    two.kept(other, its)
+    one.keep(arm, web)
+    two.keep(other, its)
     assert len(json.loads(path.read_text(encoding="utf-8"))["webs"]) == 2
     assert [p.name for p in tmp_path.iterdir()] == ["webs.json"]
 
@@ -511,15 +512,15 @@ def test_two_writers_keep_each_others_webs(tmp_path):
 def test_elements_of_another_size_are_another_web(tmp_path, monkeypatch):
     (arm, web), _ = two_webs()
     coarse = replace(web, flexibility=0.9 * web.flexibility)
-    monkeypatch.setattr("symbalance.crankshaft.solid.half_throw.solved_web", lambda arm, size: coarse)
-    store = Store(path=tmp_path / "webs.json")
+    monkeypatch.setattr("symbalance.crankshaft.solid.half_throw.solve_web", lambda arm, size: coarse)
+    store = WebStore(path=tmp_path / "webs.json")
     solve_missing(reference_four(weighted=True), store, 0.03)
-    assert store.found(arm) is None
+    assert store.lookup(arm) is None
     assert found_at(store, arm, 0.03).flexibility == pytest.approx(coarse.flexibility)
 
 
 def found_at(store, arm, size):
-    web = store.found(arm, size)
+    web = store.lookup(arm, size)
     assert web is not None
     return web
 
@@ -528,8 +529,8 @@ def test_a_web_solved_now_is_the_one_read_back(tmp_path, monkeypatch):
     """To the last digit: what is saved of a speed hangs on it."""
     (arm, web), _ = two_webs()
     third = replace(web, flexibility=web.flexibility / 3)
-    monkeypatch.setattr("symbalance.crankshaft.solid.half_throw.solved_web", lambda arm: third)
-    store = Store(path=tmp_path / "webs.json")
+    monkeypatch.setattr("symbalance.crankshaft.solid.half_throw.solve_web", lambda arm: third)
+    store = WebStore(path=tmp_path / "webs.json")
     first, again = solid_web(arm, store), solid_web(arm, store)
     assert (first.flexibility == again.flexibility).all()
 
@@ -543,13 +544,13 @@ def test_a_store_that_cannot_be_read_or_written_is_one_line(tmp_path):
     with pytest.raises(SymbalanceError, match=r"latin\.json: cannot be read"):
         open_store(tmp_path / "latin.json")
     with pytest.raises(SymbalanceError, match=r"webs\.json: cannot be written"):
-        Store(path=tmp_path / "nowhere" / "webs.json").kept(arm, web)
+        WebStore(path=tmp_path / "nowhere" / "webs.json").keep(arm, web)
 
 
 def test_a_web_under_another_webs_key_is_refused(tmp_path):
     path = tmp_path / "webs.json"
     (arm, web), _ = two_webs()
-    Store(path=path).kept(arm, web)
+    WebStore(path=path).keep(arm, web)
     text = path.read_text(encoding="utf-8")
     path.write_text(text.replace("web 24.0", "web 25.0"), encoding="utf-8")
     with pytest.raises(SymbalanceError, match="is not the web it describes"):
@@ -569,27 +570,27 @@ def test_without_the_mesher_an_unsolved_web_says_what_to_install(monkeypatch, mi
 
 @pytest.mark.skipif(not MESHER, reason="gmsh and scikit-fem are optional")
 def test_what_gmsh_cannot_draw_is_an_error_in_words():
-    from symbalance.crankshaft.solid.meshing import meshed
+    from symbalance.crankshaft.solid.meshing import mesh_solid
 
     with pytest.raises(SymbalanceError, match="the crank's solid: cannot be meshed"):
-        meshed(lambda occ: occ.addCylinder(0, 0, 0, 0, 0, 0, 10), 0.01)
+        mesh_solid(lambda occ: occ.addCylinder(0, 0, 0, 0, 0, 0, 10), 0.01)
 
 
 def test_a_very_thin_web_is_meshed_within_reach():
-    from symbalance.crankshaft.solid.half_throw import fine
+    from symbalance.crankshaft.solid.half_throw import element_size
 
     parts = (replace(p, thickness=0.002) if isinstance(p, Web) else p for p in simple_crank(1).parts)
     arm = next(arms(Crank(tuple(parts))))[1]
-    assert fine(arm) >= arm.web.width / 15
+    assert element_size(arm) >= arm.web.width / 15
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(not MESHER, reason="gmsh and scikit-fem are optional")
 def test_a_meshed_web_is_symmetric_positive_and_converges():
-    from symbalance.crankshaft.solid.half_throw import solved_web
+    from symbalance.crankshaft.solid.half_throw import solve_web
 
     arm = next(arms(simple_crank(1, length=0.04)))[1]
-    coarse, finer = (solved_web(arm, size).flexibility for size in (0.020, 0.014))
+    coarse, finer = (solve_web(arm, size).flexibility for size in (0.020, 0.014))
     for web in (coarse, finer):
         assert np.linalg.eigvalsh(web)[0] > 0
     scale = np.sqrt(np.outer(np.diag(finer), np.diag(finer)))
@@ -757,7 +758,7 @@ def test_the_two_counterweights_have_names_of_their_own():
 
 def test_a_fault_of_the_drawing_is_no_matter_of_sizes(monkeypatch):
     """gmsh raises bare Exceptions; an AttributeError is ours, and must not blame the crank's sizes."""
-    from symbalance.crankshaft.solid.meshing import meshed
+    from symbalance.crankshaft.solid.meshing import mesh_solid
 
     for name in ("gmsh", "skfem"):
         monkeypatch.setitem(sys.modules, name, MagicMock())
@@ -766,9 +767,9 @@ def test_a_fault_of_the_drawing_is_no_matter_of_sizes(monkeypatch):
         raise fault
 
     with pytest.raises(AttributeError):
-        meshed(lambda occ: draw(AttributeError("addCylindre")), 0.01)
+        mesh_solid(lambda occ: draw(AttributeError("addCylindre")), 0.01)
     with pytest.raises(SymbalanceError, match="cannot be meshed"):
-        meshed(lambda occ: draw(Exception("no elements")), 0.01)
+        mesh_solid(lambda occ: draw(Exception("no elements")), 0.01)
 
 
 def test_pins_that_do_not_meet():

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from symbalance.crankshaft.frames import turned_damping, turned_stiffness
-from symbalance.crankshaft.gyroscopics import node_matrices
+from symbalance.crankshaft.rotor.rigid_bodies import node_matrices
 
 E, SHEAR, DENSITY, DIAMETER, LENGTH = 211e9, 81.2e9, 7810.0, 0.05, 1.5
 NODES = 61

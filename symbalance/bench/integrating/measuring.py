@@ -10,10 +10,10 @@ import numpy as np
 from symbalance.bench.integrating.four import Case, film_tables, full_system, spin
 from symbalance.bench.integrating.runs import Reference, Run, kinds, swept
 from symbalance.bench.timing import progress
-from symbalance.crankshaft.integrators.from_scipy import SCIPY
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.integrators.first_order import SCIPY
 from symbalance.crankshaft.integrators.methods import FIXED
 from symbalance.crankshaft.reduction import reduced
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem
 

@@ -26,7 +26,12 @@ RANGES = {
     "d_G": (0.0, 0.8),
     "d_H": (0.0, 0.8),
 }
-"""Where the formulas hold; below the least overlap its formulas are taken at that overlap."""
+"""Where the formulas hold; below the least overlap they are taken at that overlap."""
+FILLET_ASSUMPTION = (
+    "stress concentration factors of the fillets: the formulas of IACS UR M53 from memory, not compared "
+    "with the print"
+)
+"""What a report of a run says of the factors."""
 
 
 @dataclass(frozen=True)
@@ -49,12 +54,12 @@ def fillet_factors(journal: Journal, web: Web, pin: Pin) -> FilletFactors:
 
     >>> journal = Journal(0.065, 0.03, fillet=0.0035)
     >>> pin = Pin(0.055, 0.036, 0.06, 0.0, (1,), fillet=0.0035)
-    >>> found = fillet_factors(journal, Web(0.022, 0.092, 0.038, 0.042), pin)
-    >>> [round(x, 2) for x in (found.pin_bending, found.pin_torsion, found.journal_bending)]
+    >>> factors = fillet_factors(journal, Web(0.022, 0.092, 0.038, 0.042), pin)
+    >>> [round(x, 2) for x in (factors.pin_bending, factors.pin_torsion, factors.journal_bending)]
     [2.74, 1.72, 3.1]
     """
     size = pin.diameter
-    given = {
+    ratios = {
         "s": ((pin.diameter + journal.diameter) / 2 - pin.radius) / size,
         "w": web.thickness / size,
         "b": web.width / size,
@@ -63,16 +68,16 @@ def fillet_factors(journal: Journal, web: Web, pin: Pin) -> FilletFactors:
         "d_G": journal.bore / size,
         "d_H": pin.bore / size,
     }
-    outside = tuple(f"{k} = {v:.4g}" for k, v in given.items() if not _within(k, v))
-    s = max(given["s"], RANGES["s"][0])
-    w, b = given["w"], given["b"]
-    r, r_g = (max(given[k], RANGES[k][0]) for k in ("r", "r_G"))
-    bores = given["d_G"], given["d_H"]
+    outside = tuple(f"{k} = {v:.4g}" for k, v in ratios.items() if not _within(k, v))
+    s = max(ratios["s"], RANGES["s"][0])
+    w, b = ratios["w"], ratios["b"]
+    r, r_g = (max(ratios[k], RANGES[k][0]) for k in ("r", "r_G"))
+    bores = ratios["d_G"], ratios["d_H"]
     return FilletFactors(
         _pin_bending(s, w, b, r, *bores),
         _torsion(s, w, b, r),
         _journal_bending(s, w, b, r_g, *bores),
-        _journal_pressure(s, w, b, r_g, given["d_H"]),
+        _journal_pressure(s, w, b, r_g, ratios["d_H"]),
         _torsion(s, w, b, r_g),
         outside,
     )
