@@ -31,11 +31,13 @@ _SIGN = re.compile(r" ([+-]) (?!\.\.\.)")
 _DIGIT = re.compile(r"(?<![\w^_.])[2-9]|(?<=\^)[2-9]|1")
 
 
+@pytest.mark.slow
 def test_what_the_checker_says_of_every_formula(golden):
     lines = [f"{e.status:10} {e.name}: {e.text}" for e in marked_formulas()]
     golden("docstring_formulas.txt", "\n".join([counts(marked_formulas()), "", *lines, ""]))
 
 
+@pytest.mark.slow
 def test_many_are_proved_and_none_is_refuted():
     proved = {entry.text for entry in survey() if entry.status == PROVED}
     assert len(proved) >= LEAST_PROVED

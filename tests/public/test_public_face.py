@@ -46,9 +46,7 @@ def test_a_public_name_is_one_thing_in_every_room():
 def test_no_other_class_of_the_package_has_the_name_of_a_public_one():
     values = {name: getattr(import_module(home), name) for _, name, home in public_names()}
     homes = {name: value.__module__ for name, value in values.items() if inspect.isclass(value)}
-    library = [
-        path for path in MODULES if "bench" not in path.parts
-    ]  # its tables have parts of their own
+    library = [path for path in MODULES if "bench" not in path.parts]  # it has parts of its own
     for path in library:
         home = ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts).removesuffix(".__init__")
         for node in ast.parse(path.read_bytes()).body:

@@ -41,11 +41,11 @@ class Meaning:
         return Domain(self.positive, self.integer, self.ranges)
 
 
-class Evaluator:
+class FormEvaluator:
     """Turns trees into forms of one domain.
 
     >>> half = formula.Quotient(formula.Name("s"), formula.Number(Fraction(2)))
-    >>> evaluator = Evaluator(Domain(), Meaning({"s": formula.Name("d")}))
+    >>> evaluator = FormEvaluator(Domain(), Meaning({"s": formula.Name("d")}))
     >>> evaluator.form(half).numerator
     {((1, 1),): Fraction(1, 2)}
     """
@@ -80,10 +80,10 @@ class Evaluator:
                 self._open.pop()
         return self._forms[name]
 
-    def replacing(self, name: str, value: formula.Formula) -> Evaluator:
+    def replacing(self, name: str, value: formula.Formula) -> FormEvaluator:
         """Return an evaluator to which one more letter stands for a value: the index of a sum."""
         values = dict(self.meaning.values) | {name: value}
-        inner = Evaluator(self.domain, replace(self.meaning, values=values))
+        inner = FormEvaluator(self.domain, replace(self.meaning, values=values))
         inner._open, inner._depth = [letter for letter in self._open if letter != name], self._depth
         return inner
 
@@ -98,15 +98,15 @@ class Evaluator:
         return rates_by_number
 
 
-def _number(evaluator: Evaluator, node: formula.Number) -> Form:
+def _number(evaluator: FormEvaluator, node: formula.Number) -> Form:
     return Form.number(evaluator.domain, node.value)
 
 
-def _name(evaluator: Evaluator, node: formula.Name) -> Form:
+def _name(evaluator: FormEvaluator, node: formula.Name) -> Form:
     return evaluator.letter(node.name)
 
 
-def _constant(evaluator: Evaluator, node: formula.Constant) -> Form:
+def _constant(evaluator: FormEvaluator, node: formula.Constant) -> Form:
     if node.name == "i":
         return unit(evaluator.domain)
     if node.name == "infinity":
@@ -114,7 +114,7 @@ def _constant(evaluator: Evaluator, node: formula.Constant) -> Form:
     return Form.letter(evaluator.domain, node.name)
 
 
-def _sum(evaluator: Evaluator, node: formula.Sum) -> Form:
+def _sum(evaluator: FormEvaluator, node: formula.Sum) -> Form:
     total = Form.number(evaluator.domain, 0)
     terms = [term for term in node.terms if not isinstance(term, formula.Dots)]
     for term in terms or node.terms:  # of dots alone: not the number 0
@@ -122,22 +122,22 @@ def _sum(evaluator: Evaluator, node: formula.Sum) -> Form:
     return total
 
 
-def _product(evaluator: Evaluator, node: formula.Product) -> Form:
+def _product(evaluator: FormEvaluator, node: formula.Product) -> Form:
     total = Form.number(evaluator.domain, 1)
     for factor in node.factors:
         total = total.times(evaluator.form(factor))
     return total
 
 
-def _quotient(evaluator: Evaluator, node: formula.Quotient) -> Form:
+def _quotient(evaluator: FormEvaluator, node: formula.Quotient) -> Form:
     return evaluator.form(node.numerator).over(evaluator.form(node.denominator))
 
 
-def _negative(evaluator: Evaluator, node: formula.Negative) -> Form:
+def _negative(evaluator: FormEvaluator, node: formula.Negative) -> Form:
     return evaluator.form(node.operand).scaled(-1)
 
 
-def _power(evaluator: Evaluator, node: formula.Power) -> Form:
+def _power(evaluator: FormEvaluator, node: formula.Power) -> Form:
     """Return b^x: e^x, rational powers, (-1)^x and (e^(ia))^x by rules of their own, else e^(x ln b)."""
     exponent = evaluator.form(node.exponent)
     if isinstance(node.base, formula.Constant) and node.base.name == "e":
@@ -170,12 +170,12 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
     return Form.of(base.domain, {power: Fraction(factor)})
 
 
-def _call(evaluator: Evaluator, node: formula.Call) -> Form:
+def _call(evaluator: FormEvaluator, node: formula.Call) -> Form:
     argument = evaluator.form(node.argument)
     return functions.apply(node.function, argument)
 
 
-def _derivative(evaluator: Evaluator, node: formula.Derivative) -> Form:
+def _derivative(evaluator: FormEvaluator, node: formula.Derivative) -> Form:
     inner, variable = node.expression, node.variable.name
     meaning = evaluator.meaning
     dependent = {*meaning.values, *meaning.rates.get(variable, ()), variable}
@@ -191,7 +191,7 @@ def _derivative(evaluator: Evaluator, node: formula.Derivative) -> Form:
     return form
 
 
-def _by_chain_rule(evaluator: Evaluator, form: Form, node: formula.Derivative) -> Form:
+def _by_chain_rule(evaluator: FormEvaluator, form: Form, node: formula.Derivative) -> Form:
     """Return df/dx = (df/dt)/(dx/dt) where x itself is a motion."""
     time = next(iter(evaluator.meaning.rates))
     rates = evaluator.rates(time)
@@ -212,7 +212,7 @@ def derivative_name(node: formula.Derivative) -> str:
     return f"d{order}{inner}/d{node.variable.name}{order}"
 
 
-def _summation(evaluator: Evaluator, node: formula.Summation) -> Form:
+def _summation(evaluator: FormEvaluator, node: formula.Summation) -> Form:
     """Return a sum written out between whole bounds; without bounds, a function of its body."""
     if node.index is None or node.lower is None or node.upper is None:
         return functions.opaque("sum", evaluator.form(node.body))
@@ -231,11 +231,11 @@ def _summation(evaluator: Evaluator, node: formula.Summation) -> Form:
     return total
 
 
-def _dots(evaluator: Evaluator, node: formula.Dots) -> Form:
+def _dots(evaluator: FormEvaluator, node: formula.Dots) -> Form:
     raise NoFormError("dots alone")
 
 
-_RULES: dict[type, Callable[[Evaluator, formula.Formula], Form]] = {
+_RULES: dict[type, Callable[[FormEvaluator, formula.Formula], Form]] = {
     formula.Number: _number,
     formula.Name: _name,
     formula.Constant: _constant,

@@ -9,7 +9,7 @@ from typing import Any
 from symbalance.document import formula
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
 
 DEEPEST = 40
@@ -90,7 +90,7 @@ class TreeValues:
 
     def derivative(self, node: Formula) -> Any:
         """Return the value of a derivative, by way of its form."""
-        evaluator = Evaluator(self.meaning.domain(), self.meaning)
+        evaluator = FormEvaluator(self.meaning.domain(), self.meaning)
         return Valuation(evaluator.domain, self.point).of(evaluator.form(node))
 
 

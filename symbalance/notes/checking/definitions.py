@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import letters_behind, sample_trees
 from symbalance.notes.algebra.values import letters
@@ -100,7 +100,7 @@ class Definitions:
         if base is not None:
             self.define(*base, line)
             return Decision(DEFINITION)
-        small, evaluator = knowledge.crank.small[0], Evaluator(Domain(), knowledge.meaning)
+        small, evaluator = knowledge.crank.small[0], FormEvaluator(Domain(), knowledge.meaning)
         try:
             ratio = evaluator.letter(name).over(evaluator.form(value))
         except (NoFormError, TooLargeError):
@@ -151,7 +151,7 @@ def _comes_to_a_number(node: Formula, knowledge: Knowledge) -> bool:
 def _letters_of(value: Formula, knowledge: Knowledge) -> list[str]:
     """Return the letters a formula comes down to by the meanings alone."""
     try:
-        return letters(Evaluator(Domain(), knowledge.meaning).form(value))
+        return letters(FormEvaluator(Domain(), knowledge.meaning).form(value))
     except (NoFormError, TooLargeError):
         return []
 

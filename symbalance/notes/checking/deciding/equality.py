@@ -12,7 +12,7 @@ from symbalance.document.formula import Formula
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
@@ -99,7 +99,7 @@ def _by_trees(left: Formula, right: Formula, meaning: Meaning, level: Level, rea
 
 
 def _by_numbers(
-    left: Formula, right: Formula, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
+    left: Formula, right: Formula, evaluator: FormEvaluator, forms: tuple[Form, Form], level: Level
 ) -> Decision:
     """Return what points in numbers say of two forms that are not identical."""
     first, second = forms

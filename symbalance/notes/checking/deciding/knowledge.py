@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from symbalance.document.formula import Formula, names
-from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
 from symbalance.notes.checking.geometry import Geometry
 
 
@@ -74,10 +74,10 @@ class Knowledge:
             all_values = {assumption.name: assumption.node for assumption in self.assumptions}
             yield Level({**values, **all_values}, tuple(a.text for a in self.assumptions))
 
-    def evaluator(self, level: Level) -> Evaluator:
+    def evaluator(self, level: Level) -> FormEvaluator:
         """Return an evaluator in a fresh domain for a level."""
         meaning = replace(self.meaning, values=level.values)
-        return Evaluator(meaning.domain(), meaning)
+        return FormEvaluator(meaning.domain(), meaning)
 
     def knows(self, name: str) -> bool:
         """Tell whether a letter has a value."""

@@ -15,7 +15,7 @@ from symbalance.document.letters import raised
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, Polynomial, TooLargeError
-from symbalance.notes.algebra.evaluation import Evaluator
+from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components
 from symbalance.notes.algebra.series import Expansion, Series
@@ -118,7 +118,7 @@ def _at_level(
 
 
 def _as_numbers(
-    left: Formula, right: Formula, evaluator: Evaluator, forms: tuple[Form, Form], level: Level
+    left: Formula, right: Formula, evaluator: FormEvaluator, forms: tuple[Form, Form], level: Level
 ) -> Decision:
     """Compare two numbers: to the digits printed where there are any, else saying how closely."""
     first, second = forms

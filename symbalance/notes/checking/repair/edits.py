@@ -25,7 +25,7 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import Evaluator
+from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.number_formulas import rational_node
 
 _SWAPS = {
@@ -264,7 +264,7 @@ def _times(factor: Fraction, term: Formula) -> Formula:
     >>> formula_text(_times(Fraction(6), Product((third, Constant("pi")))), plain=True)
     '2 π'
     """
-    evaluator = Evaluator(Domain())
+    evaluator = FormEvaluator(Domain())
     try:
         of_pi = evaluator.form(term).over(evaluator.form(Constant("pi"))).rational()
     except (NoFormError, TooLargeError):

@@ -9,7 +9,7 @@ from symbalance.document import formula
 from symbalance.document.formula import Formula, Negative, Number, Product, Quotient, Sum
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
-from symbalance.notes.algebra.evaluation import Evaluator
+from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import Components, HarmonicKey, components, polynomial_node
 from symbalance.notes.checking.deciding.equality import Decision
@@ -52,7 +52,7 @@ def correct_terms(
     return _rebuild(node, leaves, extra, left)
 
 
-def _leaves(node: Formula, multiplier: Form, evaluator: Evaluator) -> list[Leaf]:
+def _leaves(node: Formula, multiplier: Form, evaluator: FormEvaluator) -> list[Leaf]:
     """Return the terms of a side: sums are entered, also inside a product, a quotient or a sign."""
     if isinstance(node, Sum):
         terms = [t for t in node.terms if not isinstance(t, formula.Dots)]
@@ -196,7 +196,7 @@ def slip_kind(old: Formula, new: Formula) -> str:
     zero = Number(Fraction(0))
     if zero in (old, new):
         return "term missing" if old == zero else "term too many"
-    evaluator = Evaluator(Domain())
+    evaluator = FormEvaluator(Domain())
     try:
         ratio = _ratio(evaluator.form(old).numerator, evaluator.form(new).numerator)
     except (NoFormError, TooLargeError):
