@@ -20,7 +20,6 @@ Return x\*y.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from functools import cache
 from inspect import cleandoc
 from textwrap import dedent, indent
@@ -38,7 +37,7 @@ _ITEM = re.compile(r"^- ")
 def rest(text: str, name: str = "") -> str:
     """Return a docstring as reST; `name` is the qualified name of what it describes."""
     blocks = _blocks(cleandoc(text))
-    entries = iter(entries_of(name))
+    entries = {_key(entry.text): entry for entry in entries_of(name)}
     parts: list[str] = []
     for before, block in zip(["", *blocks], blocks, strict=False):
         is_formulas = before.endswith("Formulas:") and block.startswith("    ")
@@ -104,8 +103,8 @@ def _code_or_formulas(block: str) -> str:
     return ".. code-block:: none\n\n" + indent(block, "   ")
 
 
-def _formula_table(block: str, entries: Iterator[Any]) -> str:
-    """Return the block below "Formulas:" as a table, its equations paired with the survey's, in order."""
+def _formula_table(block: str, entries: dict[str, Any]) -> str:
+    """Return the block below "Formulas:" as a table, each equation with the survey's verdict."""
     lines = [line for line in block.splitlines() if line.strip()]
     where = next((k for k, line in enumerate(lines) if line.startswith("with ")), len(lines))
     equations: list[list[str]] = []
@@ -118,7 +117,7 @@ def _formula_table(block: str, entries: Iterator[Any]) -> str:
     for equation in equations:
         text, _, remark = equation[0].partition("    ")
         plain = " ".join([_bare(text), *map(_bare, equation[1:])])
-        entry = next(entries, None)
+        entry = entries.get(_key(plain))
         latex = entry.latex if entry else ""
         cell = f":math:`{role_text(latex)}`" if latex and mathml(latex) else f"``{plain}``"
         rows += (
@@ -126,6 +125,11 @@ def _formula_table(block: str, entries: Iterator[Any]) -> str:
         )
     conditions = _inline("\n".join(lines[where:]))
     return f".. list-table::\n   :class: formulas\n\n{rows}\n{conditions}"
+
+
+def _key(text: str) -> str:
+    """Return an equation's text as it is compared: without spaces and final marks."""
+    return "".join(text.split()).rstrip(".,;:")
 
 
 def role_text(latex: str) -> str:
