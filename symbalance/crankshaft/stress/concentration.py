@@ -7,11 +7,11 @@ times thickness), torsion of the pin's or journal's section. All sizes over the 
 
 but in the journal's torsion, where the fillet counts over the journal's own diameter: r = R_G/D_G.
 
-Source: IACS Unified Requirement M53, Calculation of Crankshafts for I.C. Engines: fits to measured throws,
-without a recess. Compared with the print of the Korean Register (Rules for the Classification of Steel
-Ships, Part 5, Guidance, Annex 5-3, 2025, in a public transcription), which differs by a digit in three
-numbers: 2.7146 and 1.527 of beta_B (here 2.7145 and 1.5276), 0.85 of alpha_T (here 0.857, up to 5 % less at
-wide webs). Which is right is not known here: compare before relying on them in a classification.
+Source: IACS Unified Requirement M53, Calculation of Crankshafts for I.C. Engines: fits to measured
+throws, without a recess. Compared with the print of the Korean Register (Rules for the Classification of
+Steel Ships, Part 5, Guidance, Annex 5-3, 2025, in a public transcription), which differs by a digit in
+three numbers: 2.7146 and 1.527 of beta_B (here 2.7145 and 1.5276), 0.85 of alpha_T (here 0.857, up to 5 %
+less at wide webs). Which is right is not known: compare before relying on them in a classification.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ RANGES = {
 """Where the formulas hold. Below the least overlap those of bending and torsion are taken at it; that of
 pressure, as the print has it, at the overlap there is."""
 FILLET_ASSUMPTION = (
-    "stress concentration factors of the fillets: the formulas of IACS UR M53, fits for solid forged throws; "
+    "stress concentration factors of the fillets: the formulas of IACS UR M53 for solid forged throws; "
     "three of their coefficients differ by a digit from the one print they were compared with"
 )
 """What a report of a run says of the factors."""

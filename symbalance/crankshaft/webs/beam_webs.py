@@ -32,7 +32,7 @@ from symbalance.crankshaft.webs.arm import Arm, chain_flexibility
 
 INTO = 0.2
 """How far a journal or pin works into the web, in diameters."""
-WEB_ASSUMPTION = "flexibility of the webs: Ker Wilson's lengths from memory, not compared with the print"
+WEB_ASSUMPTION = "flexibility of the webs: Ker Wilson's equivalent lengths, not compared with the print"
 """What a report says of a run with webs by formula."""
 ALONG_U = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 """A beam along the arm: its own y is the arm's v (across), its z the arm's w (through the web)."""

@@ -2,8 +2,9 @@
 
 For every unit vector y, |sum| >= y . sum, whose least value over all arrangements of a set is an
 assignment problem. The best y is sought in turn, as Frank and Wolfe do (Naval Research Logistics
-Quarterly 3 (1956), from memory). Assignment problems are solved by shortest augmenting paths with
-potentials (Kuhn 1955; so Jonker and Volgenant, Computing 38 (1987), from memory).
+Quarterly 3 (1956), An algorithm for quadratic programming). Assignment problems are solved by shortest
+augmenting paths with potentials (H. W. Kuhn, The Hungarian method, Naval Research Logistics Quarterly 2
+(1955); R. Jonker and A. Volgenant, Computing 38 (1987)).
 """
 
 from __future__ import annotations

@@ -100,7 +100,8 @@ def expected_length(start: Vector, tables: Sequence[Table]) -> float:
     """Return the root mean square length over all arrangements, each as likely.
 
     The variance of one set's sum is that of its table, freed of the means of rows and columns, summed and
-    over N - 1 (Hoeffding, Annals of Mathematical Statistics 22 (1951), from memory).
+    over N - 1 (W. Hoeffding, A combinatorial central limit
+    theorem, Annals of Mathematical Statistics 22 (1951), 558-566).
     """
     mean, variance = start, 0.0
     for table in tables:
