@@ -110,7 +110,6 @@ from symbalance.kinematics.slider_crank import harmonics as harmonics
 from symbalance.kinematics.truncation import left_out as left_out
 from symbalance.kinematics.truncation_table import truncation_bounds as truncation_bounds
 from symbalance.notes.checking import check_equal as check_equal
-from symbalance.torque import crank_torque as crank_torque
 from symbalance.torque import firing_stars as firing_stars
 from symbalance.torque import gas_torque as gas_torque
 from symbalance.torque import ideal_cycle as ideal_cycle
@@ -118,4 +117,5 @@ from symbalance.torque import inertia_torque as inertia_torque
 from symbalance.torque import pressure_trace as pressure_trace
 from symbalance.torque import read_pressure as read_pressure
 from symbalance.torque import roll_moment as roll_moment
+from symbalance.torque import running_torque as running_torque
 from symbalance.torque import torque_report as torque_report

@@ -24,7 +24,7 @@ class LibraryEngines:
         """Return a preset, or the engine of a file: one in `folder` before one of the working folder."""
         beside = folder / name
         is_beside = name.endswith(".toml") and beside.exists()
-        # A cached property is no property to a type checker, and a layout has them.
+        # A cached property is no property to a type checker, and an engine has them.
         return cast(KnownEngine, load(str(beside) if is_beside else name))
 
     def coefficient_terms(self, order: int, power: int) -> Mapping[int, Fraction]:

@@ -52,10 +52,10 @@ class SymbalanceError(PicklableError, ValueError):
     def within(self, place: str) -> SymbalanceError:
         """Return the same refusal, said of something inside `place`."""
         full = f"{place}: {self.place}" if self.place else place
-        said = copy(self)
-        said.place = full
-        said.args = (said._line(),)
-        return said
+        copied = copy(self)
+        copied.place = full
+        copied.args = (copied._line(),)
+        return copied
 
 
 class MissingPartError(SymbalanceError):
@@ -82,7 +82,7 @@ def encodable_name(text: str, escape: str = "\\") -> str:
     >>> print(encodable_name("b\udcff.md, ü.md"))
     b\xff.md, ü.md
     """
-    return _UNPAIRED.sub(lambda found: _code(found[0]).replace("\\", escape), text)
+    return _UNPAIRED.sub(lambda match: _code(match[0]).replace("\\", escape), text)
 
 
 def _code(character: str) -> str:
@@ -107,10 +107,10 @@ def fault_of(problem: BaseException) -> str:
     return f"{name} in {Path(own[-1].filename).relative_to(home).as_posix()}:{own[-1].lineno}"
 
 
-def shown(value: object, limit: int = 40) -> str:
+def brief(value: object, limit: int = 40) -> str:
     """Return `value` as an error may quote it: short, and never a failure itself.
 
-    >>> shown(10**100)
+    >>> brief(10**100)
     '10000000000000000000...(101 characters)'
     """
     try:
@@ -120,10 +120,10 @@ def shown(value: object, limit: int = 40) -> str:
     return text if len(text) <= limit else f"{text[:20]}...({len(text)} characters)"
 
 
-def written(value: object) -> str:
+def literal(value: object) -> str:
     """Return `value` as an error may quote it where text is mistaken for a number: text in quotes.
 
-    >>> written("4"), written(4)
+    >>> literal("4"), literal(4)
     ("'4'", '4')
     """
-    return repr(shown(value)) if isinstance(value, str) else shown(value)
+    return repr(brief(value)) if isinstance(value, str) else brief(value)

@@ -30,12 +30,12 @@ from symbalance.document.formula import (
     Summation,
 )
 from symbalance.notes.algebra.domain import Domain
-from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
 
 POSITIVE = frozenset("a b c lambda rho".split())  # noqa: SIM905
 INTEGER = frozenset("n k".split())  # noqa: SIM905
-MEANING = Meaning(positive=POSITIVE, integer=INTEGER)
+MEANING = SymbolValue(positive=POSITIVE, integer=INTEGER)
 Point = Mapping[str, Fraction]
 
 POINT: dict[str, Fraction] = {

@@ -105,9 +105,9 @@ def harmonics(
     samples = [mp.mpc(function(2 * mp.pi * i / points)) for i in range(points)]
     found = {0: (mp.fsum(samples) / points, mp.mpc(0))}
     for n in orders:
-        turned = [roots[n * i % points] for i in range(points)]
-        cosine = mp.fsum(s * z.real for s, z in zip(samples, turned, strict=True))
-        sine = mp.fsum(s * z.imag for s, z in zip(samples, turned, strict=True))
+        rotated = [roots[n * i % points] for i in range(points)]
+        cosine = mp.fsum(s * z.real for s, z in zip(samples, rotated, strict=True))
+        sine = mp.fsum(s * z.imag for s, z in zip(samples, rotated, strict=True))
         found[n] = (2 * cosine / points, 2 * sine / points)
     return found
 

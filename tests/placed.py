@@ -95,7 +95,7 @@ def planar(layout: sb.Engine, theta: Any, arms: bool) -> Any:
         mass = exact((train.reciprocating_mass or 1) / (first.reciprocating_mass or Fraction(1)))
         force = -mp.diff(lambda t, c=cylinder: place(layout, c, t), theta, 2) / exact(first.stroke / 2)
         arm = exact(cylinder.station - layout.mean_station) if arms else 1
-        total += mass * arm * force * turned(cylinder.bank)
+        total += mass * arm * force * rotated(cylinder.bank)
     return total
 
 
@@ -103,15 +103,15 @@ def place(layout: sb.Engine, cylinder: sb.Cylinder, theta: Any) -> Any:
     """Return how far a piston stands from the crank along its axis, in mm."""
     train = cylinder.sizes
     if cylinder.link is None:
-        pin = exact(train.stroke / 2) * mp.expj(theta) * turned(cylinder.throw)
-        return along(pin, turned(cylinder.bank), train.rod, train.offset)
+        pin = exact(train.stroke / 2) * mp.expj(theta) * rotated(cylinder.throw)
+        return along(pin, rotated(cylinder.bank), train.rod, train.offset)
     master = next(c for c in layout.cylinders if c.number == cylinder.link.master)
-    over, up = master.sizes, turned(master.bank)
-    pin = exact(over.stroke / 2) * mp.expj(theta) * turned(master.throw)
+    over, up = master.sizes, rotated(master.bank)
+    pin = exact(over.stroke / 2) * mp.expj(theta) * rotated(master.throw)
     top = mp.mpc(along(pin, up, over.rod, over.offset), exact(over.offset or 0)) * up
     arm = (top - pin) / abs(top - pin) * mp.expjpi(2 * exact(cylinder.link.angle))
     pin += exact(cylinder.link.radius) * arm
-    return along(pin, turned(cylinder.bank), cylinder.sizes.rod, train.offset)
+    return along(pin, rotated(cylinder.bank), cylinder.sizes.rod, train.offset)
 
 
 def along(pin: Any, axis: Any, length: Fraction, offset: Fraction | None) -> Any:
@@ -124,5 +124,5 @@ def exact(number: Fraction | int) -> Any:
     return mp.mpf(Fraction(number).numerator) / Fraction(number).denominator
 
 
-def turned(angle: Any) -> Any:
+def rotated(angle: Any) -> Any:
     return mp.expjpi(2 * exact(angle.turns))

@@ -98,13 +98,13 @@ def _rotating_balance() -> Result:
 
 def _running(name: str, order: int) -> Result:
     sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5"}
-    return sb.crank_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
+    return sb.running_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
 
 
 def _torque_running() -> Result:
     engine = sb.load(Path(__file__).parent / "record" / "engines" / "lanchester-four.toml")
     cycle = sb.ideal_cycle("8.5", heat=18)
-    running = sb.crank_torque(engine, cycle, bore=90, rpm=3000, order=6)
+    running = sb.running_torque(engine, cycle, bore=90, rpm=3000, order=6)
     return sb.torque_report(engine, 6, running=running)
 
 

@@ -50,7 +50,7 @@ def _run(name: str, kept: Path | None) -> dict[str, Any]:
     found = summarise_run(made, outcomes)
     for picture, data in draw_pictures(found).items():
         if picture.removesuffix(".png") in SHOWN:
-            (HERE.parent / "pictures" / f"{engine.layout.name}-{picture}").write_bytes(data)
+            (HERE.parent / "pictures" / f"{engine.engine.name}-{picture}").write_bytes(data)
     last = outcomes[-1]
     centre = replace(made, about="centre", iterations=1, steps=last.steps)
     paper = run_speeds(centre.at_speeds((SPEEDS[name][-1],)), folder and folder / "centre")[0]
@@ -81,7 +81,7 @@ def _peaks(made: RunConfiguration, outcome: SpeedOutcome) -> dict[str, list[floa
 
 def _away(made: RunConfiguration, outcome: SpeedOutcome, pin: int) -> np.ndarray:
     """Return the angles further than 90 degrees from the firing of a pin's own cylinders."""
-    tops = firing_crank_angles(made.engine.layout)
+    tops = firing_crank_angles(made.engine.engine)
     own = [np.degrees(tops[n]) for n in made.engine.crank.pins[pin - 1].cylinders]
     cycle = np.degrees(outcome.cycle)
     off = [np.abs(np.mod(outcome.degrees - top + cycle / 2, cycle) - cycle / 2) for top in own]

@@ -7,7 +7,7 @@ import os
 from importlib import import_module
 
 from symbalance.cli.options import command
-from symbalance.cli.output import write, write_files
+from symbalance.cli.output import write, write_all
 from symbalance.errors import SymbalanceError
 
 
@@ -46,7 +46,7 @@ def run(options: argparse.Namespace) -> int:
     report = topic.report(quick=options.quick)
     write(report.text(), None if pictured else output)
     if pictured:
-        write_files({f"{output}{ending}": content for ending, content in report.files().items()})
+        write_all({f"{output}{ending}": content for ending, content in report.files().items()})
     return 1 if report.missed() else 0
 
 

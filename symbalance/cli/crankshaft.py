@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symbalance.cli.options import add_output, command
-from symbalance.cli.output import medium, printed, show, whole_number, write_files
+from symbalance.cli.output import medium, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ def run(options: argparse.Namespace) -> int:
     )
     if engine.operation.overlay is not None:  # before the long run, not after it
         names = [channel.name for channel in configuration.channels]
-        check_overlay(engine.operation.overlay, names, engine.layout.strokes * 180)
+        check_overlay(engine.operation.overlay, names, engine.engine.strokes * 180)
     speeds = None if folder is None else folder / "speeds"
     outcomes = run_speeds(configuration, speeds, _progress)
     summary = summarise_run(configuration, outcomes)
@@ -135,7 +135,7 @@ def _write_all(folder: Path, summary: Summary) -> None:
         },
         **summary.pictures,
     }
-    write_files({str(folder / name): content for name, content in contents.items()})
+    write_all({str(folder / name): content for name, content in contents.items()})
     patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")
     older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
     if older:

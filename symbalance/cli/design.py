@@ -6,7 +6,7 @@ import argparse
 from typing import TYPE_CHECKING
 
 from symbalance.cli.options import ENGINE, add_output, command
-from symbalance.cli.output import medium, printed, whole_number, write, write_files
+from symbalance.cli.output import medium, printed, whole_number, write, write_all
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -90,10 +90,10 @@ def run(options: argparse.Namespace) -> int:
     files = _files(design, options)
     if options.output in (None, "-"):
         if files:
-            write_files(files)
+            write_all(files)
         write(text, None, form)
     else:
-        write_files({**files, options.output: text})
+        write_all({**files, options.output: text})
     return 0
 
 

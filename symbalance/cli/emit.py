@@ -7,7 +7,7 @@ from math import isfinite
 from pathlib import Path
 
 from symbalance.cli.options import ENGINE, add_running, command
-from symbalance.cli.output import whole_number, write, write_files
+from symbalance.cli.output import whole_number, write, write_all
 from symbalance.cli.torque import running_engine
 from symbalance.errors import SymbalanceError
 
@@ -63,19 +63,19 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.kinematics.slider_crank import checked_ratio
 
     path = _path(options.output, FILES[options.target], options.target)
-    layout = load(options.engine)
+    engine = load(options.engine)
     if options.ratio is not None:
-        layout = layout.with_ratio(checked_ratio(options.ratio))
-    running = running_engine(options, layout, "torque.total" in outputs)
+        engine = engine.with_ratio(checked_ratio(options.ratio))
+    running = running_engine(options, engine, "torque.total" in outputs)
     highest = 1 if order is None else order
-    result = balance(layout, highest) if running is None else running
+    result = balance(engine, highest) if running is None else running
     plan = plan_for(result, None, outputs, options.target, tolerance, highest)
-    name = identifier(layout.name) if path is None else path.stem
-    texts = files(plan, options.target, layout.name, name, grid=options.uniform_grid)
+    name = identifier(engine.name) if path is None else path.stem
+    texts = files(plan, options.target, engine.name, name, grid=options.uniform_grid)
     if path is None or len(texts) == 1:
         write(next(iter(texts.values())), None if path is None else str(path), "source")
     else:
-        write_files({str(path.with_suffix(suffix)): text for suffix, text in texts.items()})
+        write_all({str(path.with_suffix(suffix)): text for suffix, text in texts.items()})
     return 0
 
 

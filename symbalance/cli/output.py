@@ -94,10 +94,10 @@ def write(text: str, output: str | None, form: str = "text") -> None:
     if output in (None, "-"):
         _to_stdout(text, form)
         return
-    write_files({str(output): text})
+    write_all({str(output): text})
 
 
-def write_files(contents: Mapping[str, str | bytes]) -> None:
+def write_all(contents: Mapping[str, str | bytes]) -> None:
     """Write several files, texts or bytes, all of them whole before the first is put in place."""
     writing.write_files({name: _encodable(name, content) for name, content in contents.items()})
 

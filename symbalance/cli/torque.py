@@ -44,24 +44,24 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def running_engine(options: argparse.Namespace, layout: Any, whole: bool = True, **printed: Any) -> Any:
+def running_engine(options: argparse.Namespace, engine: Any, whole: bool = True, **printed: Any) -> Any:
     """Return the running engine's torque, None where no pressure is given.
 
     `printed` are the order and the speed fluctuation that it is printed for. Without `whole` only its gas
     is asked for, over the crank radius: sizes that are not known do no harm.
     """
-    from symbalance.torque import crank_torque, ideal_cycle, read_pressure
+    from symbalance.torque import ideal_cycle, read_pressure, running_torque
 
     if not _is_running(options, whole):
         return None
     if options.pressure is not None:
-        gas = read_pressure(options.pressure, strokes=layout.strokes)
+        gas = read_pressure(options.pressure, strokes=engine.strokes)
     else:
         heat = HEAT if options.heat is None else options.heat
-        gas = ideal_cycle(options.compression, heat=heat, strokes=layout.strokes)
-    sizes = _sizes(options, layout.first, whole)
+        gas = ideal_cycle(options.compression, heat=heat, strokes=engine.strokes)
+    sizes = _sizes(options, engine.first, whole)
     rpm = "1" if options.rpm is None else options.rpm
-    return crank_torque(layout, gas, bore=options.bore, rpm=rpm, **sizes, **printed)
+    return running_torque(engine, gas, bore=options.bore, rpm=rpm, **sizes, **printed)
 
 
 def _is_running(options: argparse.Namespace, whole: bool) -> bool:

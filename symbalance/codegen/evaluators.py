@@ -16,15 +16,15 @@ from symbalance.codegen.requests import OUTPUTS, checked_outputs, rod_ratio, sum
 from symbalance.codegen.source_cache import source_file
 from symbalance.codegen.targets import FILES, IN_MEMORY, files
 from symbalance.codegen.torque_requests import TORQUES, torque_sum
-from symbalance.errors import MissingPartError, SymbalanceError, shown
+from symbalance.errors import MissingPartError, SymbalanceError, brief
 from symbalance.forces.free_forces import Balance, balance, checked_balance
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.torque import CrankTorque, TorqueBalance
+from symbalance.torque import RunningTorque, TorqueBalance
 
 ALL_OUTPUTS = (*OUTPUTS, *TORQUES)
 RUNNING_ORDER = 12
 """The highest order of a running engine's torque, unless another is given."""
-Source = Balance | TorqueBalance | CrankTorque
+Source = Balance | TorqueBalance | RunningTorque
 Result = Any
 
 
@@ -102,7 +102,7 @@ def to_function(
     force.vertical, of an inertia torque torque.inertia, of a running engine torque.total.
 
     Torque: torque.inertia and torque.frame, in units of m r^2 omega^2; torque.rod, which takes omega
-    alone; of a running engine (`crank_torque`) torque.gas, which takes the radius alone, and
+    alone; of a running engine (`running_torque`) torque.gas, which takes the radius alone, and
     torque.total, which takes no keyword: it is that of the engine's own sizes and speed, in N m.
 
     The orders are those of the result (of a running engine `order`, 12 unless given); with a `tolerance`,
@@ -119,12 +119,12 @@ def to_function(
     if target not in IN_MEMORY:
         known = ", ".join(IN_MEMORY)
         raise SymbalanceError(
-            f"target = {shown(target)!r}", f"must be one of {known}", f"emit writes {', '.join(FILES)}"
+            f"target = {brief(target)!r}", f"must be one of {known}", f"emit writes {', '.join(FILES)}"
         )
     plan = plan_for(result, ratio, outputs, target, tolerance, order)
     if target == "numba" and find_spec("numba") is None:
         raise MissingPartError("target = 'numba'", "Numba is not installed", "pip install numba")
-    (source,) = files(plan, target, result.layout.name, result.layout.name).values()
+    (source,) = files(plan, target, result.engine.name, result.engine.name).values()
     by_name = {o.harmonic_sum.name: o for o in plan.outputs}
     return Evaluator(
         target,
@@ -148,12 +148,12 @@ def plan_for(
     order: int | None = None,
 ) -> Plan:
     """Return the plan of a result's outputs for a target, or refuse."""
-    if not isinstance(result, TorqueBalance | CrankTorque):
+    if not isinstance(result, TorqueBalance | RunningTorque):
         checked_balance(result)
     names = checked_outputs(_default(result) if outputs is None else outputs, ALL_OUTPUTS)
-    if isinstance(result, CrankTorque) and ratio is not None:
+    if isinstance(result, RunningTorque) and ratio is not None:
         rule = "is the running engine's own already"
-        raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give it to crank_torque")
+        raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give it to crank_torque")
     number = rod_ratio(result, ratio)
     tolerance = None if tolerance is None else checked_tolerance(tolerance)
     highest = checked_order(_highest(result) if order is None else order)
@@ -161,7 +161,7 @@ def plan_for(
     forces = [name for name in names if name not in sums]
     if forces:
         known = result if isinstance(result, Balance) and order is None else None
-        known = balance(result.layout, highest) if known is None else known
+        known = balance(result.engine, highest) if known is None else known
         sums |= {each.name: each for each in _force_sums(known, forces, number, tolerance)}
     return choose_plan([sums[name] for name in names], number, target)
 
@@ -175,13 +175,13 @@ def _force_sums(
 
 
 def _default(result: Source) -> str:
-    if isinstance(result, CrankTorque):
+    if isinstance(result, RunningTorque):
         return "torque.total"
     return "torque.inertia" if isinstance(result, TorqueBalance) else "force.vertical"
 
 
 def _highest(result: Source) -> int:
-    return RUNNING_ORDER if isinstance(result, CrankTorque) else result.highest
+    return RUNNING_ORDER if isinstance(result, RunningTorque) else result.highest
 
 
 def checked_tolerance(tolerance: object) -> float:
@@ -191,7 +191,7 @@ def checked_tolerance(tolerance: object) -> float:
         if isfinite(value) and value >= 0:
             return value
     raise SymbalanceError(
-        f"tolerance = {shown(tolerance)}",
+        f"tolerance = {brief(tolerance)}",
         "must be 0 or a positive number",
         "its unit is m r omega^2; 0 asks for every order that shows in a double",
     )

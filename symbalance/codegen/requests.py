@@ -24,13 +24,13 @@ from symbalance.codegen.harmonic_sum import (
 )
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import COMPONENTS, Spectrum
 from symbalance.forces.force_sums import left_out_above
 from symbalance.forces.free_forces import Balance, balance
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, acceleration_values, checked_ratio
 from symbalance.kinematics.truncation import left_out
-from symbalance.text.numbers import listed
+from symbalance.text.numbers import as_list
 from symbalance.text.reals import DIGITS, Real, cospi, fsum, ldexp, sinpi
 from symbalance.torque.body_groups import has_common_torque
 
@@ -65,17 +65,17 @@ class _EngineResult(Protocol):
     """A result that has an engine and perhaps a rod ratio."""
 
     @property
-    def layout(self) -> Engine: ...
+    def engine(self) -> Engine: ...
     @property
     def ratio(self) -> Fraction | None: ...
 
 
 def checked_outputs(outputs: Sequence[str] | str, known: Sequence[str] = OUTPUTS) -> list[str]:
     """Return the names of outputs, each once, or refuse an unknown one."""
-    names = [outputs] if isinstance(outputs, str) else listed(outputs, "outputs", '("force.vertical",)')
+    names = [outputs] if isinstance(outputs, str) else as_list(outputs, "outputs", '("force.vertical",)')
     for name in names:
         if name not in known:
-            raise SymbalanceError(f"output {shown(name)!r}", "is unknown", f"known: {', '.join(known)}")
+            raise SymbalanceError(f"output {brief(name)!r}", "is unknown", f"known: {', '.join(known)}")
     if not names:
         raise SymbalanceError("outputs = ()", "names no output", f"known: {', '.join(known)}")
     return list(dict.fromkeys(names))
@@ -83,19 +83,19 @@ def checked_outputs(outputs: Sequence[str] | str, known: Sequence[str] = OUTPUTS
 
 def rod_ratio(result: _EngineResult, ratio: object) -> Fraction:
     """Return the rod ratio to use, or refuse if neither the call nor the engine gives one."""
-    common = result.kinematics if isinstance(result, Balance) else has_common_torque(result.layout)
+    common = result.kinematics if isinstance(result, Balance) else has_common_torque(result.engine)
     if not common:
         return _first_ratio(result, ratio)
     number = result.ratio if ratio is None else checked_ratio(ratio)
     if number is None:
         raise SymbalanceError(
-            f"engine {result.layout.name!r}",
+            f"engine {result.engine.name!r}",
             "has no rod ratio",
             "pass ratio=..., lambda = l/r, often 3 to 4.5",
         )
-    if result.layout.has_symbols:
+    if result.engine.has_symbols:
         raise SymbalanceError(
-            "a layout with symbols", "has no numeric function", "build the layout with numbers"
+            "an engine with symbols", "has no numeric function", "build the engine with numbers"
         )
     return number
 
@@ -104,8 +104,8 @@ def _first_ratio(result: _EngineResult, ratio: object) -> Fraction:
     """Return the first cylinder's ratio: unlike cylinders have their own, and keep them."""
     if ratio is not None:
         rule = "cannot be set for cylinders that are not alike"
-        raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
-    return result.layout.first.ratio or Fraction(1)
+        raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give each its stroke and rod")
+    return result.engine.first.ratio or Fraction(1)
 
 
 def sums_to_order(result: Balance, names: Iterable[str], ratio: Fraction) -> tuple[HarmonicSum, ...]:
@@ -146,7 +146,7 @@ class _Request:
     def harmonic_sum(self, **fields: Any) -> HarmonicSum:
         """Return a harmonic sum of this output."""
         meaning = MEANINGS.get(self.name) or MEANINGS[self.kind]
-        first = self.result.layout.first.number
+        first = self.result.engine.first.number
         unit = UNITS.get(self.name) or UNITS[self.kind]
         return HarmonicSum(self.name, unit, meaning.format(self.part, first), **fields)
 
@@ -188,7 +188,7 @@ class _Request:
             return self._nonuniform_terms(order)
         values = acceleration_values(order, self.ratio, DIGITS)
         if self.kind == "piston":
-            turns = self.result.layout.first.delay.turns
+            turns = self.result.engine.first.delay.turns
             return tuple(_shifted_term(n, a, turns) for n, a in values.items())
         spectrum = self._spectrum(order)
         parts = ((n, spectrum.component(n, self.part)) for n in spectrum.orders() if n <= order)
@@ -210,12 +210,12 @@ class _Request:
     def _spectrum(self, order: int) -> Spectrum:
         result = self.result
         if order > result.highest:
-            result = balance(result.layout, order, reference=result.reference)
+            result = balance(result.engine, order, reference=result.reference)
         return result.force if self.kind == "force" else result.couple
 
     def fastest_shaft(self) -> int:
         """Return the highest order of a balance shaft, which a cylinder's closed form does not hold."""
-        shafts = () if self.kind == "piston" else self.result.layout.balancers.shafts
+        shafts = () if self.kind == "piston" else self.result.engine.balancers.shafts
         return max((abs(s.speed) for s in shafts), default=0)
 
     def beyond(self, order: int) -> Real:
@@ -223,12 +223,12 @@ class _Request:
         weights = self._weights()
         if self.result.kinematics:
             return fsum(abs(w) for w in weights) * left_out(order, self.ratio)
-        layout = self.result.layout
+        engine = self.result.engine
         parts = [
             weight * self._projection(cylinder)
-            for weight, cylinder in zip(weights, layout.cylinders, strict=True)
+            for weight, cylinder in zip(weights, engine.cylinders, strict=True)
         ]
-        return left_out_above(layout, order, parts)
+        return left_out_above(engine, order, parts)
 
     def _projection(self, cylinder: Cylinder) -> Real | Fraction:
         """Return how much of a cylinder's force the output can hold at most."""
@@ -238,10 +238,10 @@ class _Request:
 
     def closed_form(self) -> ClosedForm | None:
         """Return the closed form of every order at once; the forward and backward parts have none."""
-        cylinders = self.result.layout.cylinders
+        cylinders = self.result.engine.cylinders
         if self.kind == "piston":
             kind = "secondary" if self.part == "acceleration" else self.part
-            turns = self.result.layout.first.delay.turns
+            turns = self.result.engine.first.delay.turns
             first = self.terms(1) if kind == "secondary" else ()
             return ClosedForm(kind, self.ratio, ((Real(1), turns),), first)
         all_closed = self.result.kinematics and self.fastest_shaft() <= 1
@@ -255,12 +255,12 @@ class _Request:
         return ClosedForm("secondary", self.ratio, places, self.terms(1)) if places else None
 
     def _weights(self) -> list[Real]:
-        layout = self.result.layout
+        engine = self.result.engine
         if self.kind == "piston":
             return [Real(1)]
         if self.kind == "force":
-            return [Real(1)] * len(layout.cylinders)
-        return [Real(arm) for arm in layout.arms(self.result.reference)]
+            return [Real(1)] * len(engine.cylinders)
+        return [Real(arm) for arm in engine.lever_arms(self.result.reference)]
 
 
 def fewest_within(

@@ -24,7 +24,7 @@ from symbalance.forces.free_forces import Balance
 from symbalance.kinematics.piston_torque import torque_left_out
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.reals import DIGITS, Real
-from symbalance.torque import CrankTorque, TorqueBalance, inertia_torque, rod_torque, roll_moment
+from symbalance.torque import RunningTorque, TorqueBalance, inertia_torque, rod_torque, roll_moment
 from symbalance.torque.body_groups import has_common_torque
 from symbalance.torque.roll import MILLI, first_excess
 
@@ -48,7 +48,7 @@ UNITS = {
     GAS: TORQUE_PER_RADIUS,
     TOTAL: TORQUE_ITSELF,
 }
-Result = Balance | TorqueBalance | CrankTorque
+Result = Balance | TorqueBalance | RunningTorque
 
 
 def torque_sum(
@@ -62,7 +62,7 @@ def torque_sum(
         return _running(_checked_running(result, name), name, order, tolerance)
     if tolerance is None:
         return _to_order(result, name, ratio, order, order)
-    if name == INERTIA and has_common_torque(result.layout):
+    if name == INERTIA and has_common_torque(result.engine):
         return _within(result, ratio, tolerance)
     if tolerance:
         rule = f"has no proven bound for {name} here"
@@ -83,18 +83,18 @@ def _sum(name: str, **fields: object) -> HarmonicSum:
 def _terms(result: Result, name: str, ratio: Fraction, order: int) -> tuple[HarmonicTerm, ...]:
     torques: dict[str, Callable[..., TorqueBalance]]
     torques = {INERTIA: inertia_torque, ROD: rod_torque, FRAME: roll_moment}
-    layout, scale = result.layout, Fraction(1)
-    if has_common_torque(layout):
-        layout = layout.with_ratio(ratio)
+    engine, scale = result.engine, Fraction(1)
+    if has_common_torque(engine):
+        engine = engine.with_ratio(ratio)
     if name == ROD:
-        scale = first_excess(layout) / MILLI**2
-    terms = torques[name](layout, order).terms(digits=DIGITS)
+        scale = first_excess(engine) / MILLI**2
+    terms = torques[name](engine, order).terms(digits=DIGITS)
     return tuple(HarmonicTerm(n, cos * scale, sin * scale) for n, cos, sin in terms)
 
 
 def _within(result: Result, ratio: Fraction, tolerance: float) -> HarmonicSum:
     """Return like cylinders' inertia torque with the fewest orders whose proven bound is within reach."""
-    count = len(result.layout.cylinders)
+    count = len(result.engine.cylinders)
     terms, bound, _ = fewest_within(
         lambda order: _terms(result, INERTIA, ratio, order),
         lambda order: count * torque_left_out(order, ratio),
@@ -110,15 +110,15 @@ def _within(result: Result, ratio: Fraction, tolerance: float) -> HarmonicSum:
     return _sum(INERTIA, terms=terms, through=through, left_out=double_above(bound))
 
 
-def _checked_running(result: Result, name: str) -> CrankTorque:
-    if not isinstance(result, CrankTorque):
+def _checked_running(result: Result, name: str) -> RunningTorque:
+    if not isinstance(result, RunningTorque):
         rule = "is that of a running engine, with pressures in its cylinders"
         remedy = "crank_torque(layout, trace, ...); on the command line --pressure or --compression"
         raise SymbalanceError(f"output '{name}'", rule, remedy)
     return result
 
 
-def _running(torque: CrankTorque, name: str, order: int, tolerance: float | None) -> HarmonicSum:
+def _running(torque: RunningTorque, name: str, order: int, tolerance: float | None) -> HarmonicSum:
     if tolerance is not None:
         rule = "has corners, and orders that fall too slowly to take all that show"
         raise SymbalanceError(f"output '{name}'", rule, "give the highest order, as --order 24")

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from math import isfinite
 from numbers import Real
 
-from symbalance.errors import SymbalanceError, shown, written
+from symbalance.errors import SymbalanceError, brief, literal
 
 
 def check_kind(value: object, kind: type, name: str, remedy: str) -> None:
@@ -35,11 +35,11 @@ def check_number(value: object, name: str, unit: str, *, signed: bool = False) -
     symbalance.errors.SymbalanceError: web width = '0.02': must be a number; m
     """
     if isinstance(value, bool) or not isinstance(value, Real):
-        raise SymbalanceError(f"{name} = {written(value)}", "must be a number", unit)
+        raise SymbalanceError(f"{name} = {literal(value)}", "must be a number", unit)
     if not isfinite(value):
-        raise SymbalanceError(f"{name} = {shown(value)}", "must be finite", unit)
+        raise SymbalanceError(f"{name} = {brief(value)}", "must be finite", unit)
     if value < 0 and not signed:
-        raise SymbalanceError(f"{name} = {shown(value)}", "must be finite, not negative", unit)
+        raise SymbalanceError(f"{name} = {brief(value)}", "must be finite, not negative", unit)
 
 
 def check_fields(owner: object, name: str, units: Iterable[tuple[str, str]]) -> None:

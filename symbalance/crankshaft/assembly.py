@@ -27,7 +27,7 @@ from symbalance.crankshaft.webs.arm import Arm, WebCompliance, arms, axis_of
 from symbalance.crankshaft.webs.beam_webs import formula_flexibility, nominal_flexibility
 from symbalance.crankshaft.webs.fitted import fitted_flexibility
 from symbalance.crankshaft.webs.mass_lumping import far_bodies, near_bodies, near_fillet
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 Flexibility = Callable[[Arm], Array | WebCompliance]
 WEBS = ("solid", "fitted", "formula", "nominal")
@@ -95,7 +95,7 @@ def web_flexibility(webs: str | Flexibility, store: WebStore | None) -> Flexibil
     if not isinstance(webs, str):
         return webs
     if webs not in WEBS:
-        raise SymbalanceError(f"webs = {shown(webs)}", f"must be one of {', '.join(WEBS)}")
+        raise SymbalanceError(f"webs = {brief(webs)}", f"must be one of {', '.join(WEBS)}")
     if webs in ("nominal", "formula"):
         return nominal_flexibility if webs == "nominal" else formula_flexibility
     solved_webs = open_store() if store is None else store

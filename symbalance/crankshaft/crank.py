@@ -2,7 +2,7 @@
 
 The chain is the whole truth: journal, web, pin, web, journal for a throw between bearings; web, pin, web,
 pin, web without a bearing between; two pins with a thin web between for a split pin. Pins' angles are
-those of the layout's throws at theta = 0.
+those of the engine's throws at theta = 0.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from itertools import pairwise
 
 from symbalance.crankshaft.arguments import check_fields, check_kind, check_number
 from symbalance.crankshaft.rotor.parts import STEEL, Disc, Material
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.numbers import listed, whole
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.numbers import as_list, whole
 
 ROUND = tuple((name, "m") for name in ("diameter", "length", "bore", "fillet"))
 
@@ -49,9 +49,9 @@ class Pin:
     def __post_init__(self) -> None:
         check_fields(self, "pin", (*ROUND, ("radius", "m from the crank's axis")))
         check_number(self.angle, "pin angle", "radians from U towards V", signed=True)
-        numbers = listed(self.cylinders, "pin cylinders", "(1,), the numbers of its cylinders")
+        numbers = as_list(self.cylinders, "pin cylinders", "(1,), the numbers of its cylinders")
         if None in map(whole, numbers):
-            what, rule = f"pin cylinders = {shown(numbers)}", "must be whole numbers"
+            what, rule = f"pin cylinders = {brief(numbers)}", "must be whole numbers"
             raise SymbalanceError(what, rule, "the numbers of its cylinders, as in (1, 2)")
         object.__setattr__(self, "cylinders", tuple(numbers))
 
@@ -95,7 +95,7 @@ class Web:
         if self.counterweight is not None:
             remedy = (
                 "a web's own is sb.WebCounterweight(mass, radius, angle), in kg, m and radians; "
-                "sb.Counterweight is a layout's, in shares of its crank train"
+                "sb.Counterweight is an engine's, in shares of its crank train"
             )
             check_kind(self.counterweight, WebCounterweight, "web counterweight", remedy)
 
@@ -113,7 +113,7 @@ class Crank:
     flywheel: Disc | None = None
 
     def __post_init__(self) -> None:
-        parts = tuple(listed(self.parts, "parts", "(journal, web, pin, web, journal)"))
+        parts = tuple(as_list(self.parts, "parts", "(journal, web, pin, web, journal)"))
         for number, part in enumerate(parts, 1):
             if not isinstance(part, Journal | Web | Pin):
                 what = f"crank part {number} of type {type(part).__name__}"
@@ -157,5 +157,5 @@ def _check_chain(parts: Sequence[Part]) -> None:
         sizes = {k: v for k, v in vars(part).items() if k in ("diameter", "length", "thickness", "width")}
         for name, value in sizes.items():
             if not value > 0:
-                what = f"{type(part).__name__.lower()} {name} = {shown(value)}"
+                what = f"{type(part).__name__.lower()} {name} = {brief(value)}"
                 raise SymbalanceError(what, "must be positive", "in m here, mm in files")

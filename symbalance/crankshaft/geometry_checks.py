@@ -8,7 +8,7 @@ from math import hypot, pi
 from symbalance.crankshaft.crank import Crank, Journal, Pin, Web, WebCounterweight
 from symbalance.crankshaft.rotor.parts import Disc
 from symbalance.crankshaft.webs.arm import Arm, arms, axis_of
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 
 def check_geometry(crank: Crank) -> None:
@@ -98,7 +98,7 @@ def _check_disc(disc: Disc, name: str) -> None:
     for field in ("mass", "polar", "diametral"):
         value = getattr(disc, field)
         if not value > 0:
-            raise SymbalanceError(f"{field} = {shown(value)}", "must be positive", "kg, kg m^2", name)
+            raise SymbalanceError(f"{field} = {brief(value)}", "must be positive", "kg, kg m^2", name)
     if disc.polar > 2 * disc.diametral * (1 + 1e-9):
-        rule = f"must be at most twice the diametral, {shown(disc.diametral)}"
-        raise SymbalanceError(f"polar = {shown(disc.polar)}", rule, "as for any body", name)
+        rule = f"must be at most twice the diametral, {brief(disc.diametral)}"
+        raise SymbalanceError(f"polar = {brief(disc.polar)}", rule, "as for any body", name)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.integrators.coefficients import bearing_count, bearing_rows
 from symbalance.crankshaft.system import PeriodicSystem, check_consistency
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 Complex = NDArray[np.complexfloating[Any, Any]]
 MOST = 2000
@@ -66,7 +66,7 @@ def harmonic_state(system: PeriodicSystem, harmonics: int = 120) -> HarmonicStat
     """
     if not isinstance(harmonics, int | np.integer) or not 1 <= harmonics <= MOST:
         rule = f"must be a whole number, 1 to {MOST}"
-        raise SymbalanceError(f"harmonics = {shown(harmonics)}", rule, "120 is usual")
+        raise SymbalanceError(f"harmonics = {brief(harmonics)}", rule, "120 is usual")
     check_consistency(system)
     count, top = 2 * harmonics + 1, harmonics
     theta, orders = system.cycle / count * np.arange(count), np.fft.fftfreq(count, 1 / count)

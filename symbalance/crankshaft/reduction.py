@@ -15,7 +15,7 @@ import numpy as np
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.integrators.coefficients import bearing_rows
 from symbalance.crankshaft.system import PeriodicSystem, check_system
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 SUPPORT = 1e8
 """Springs (N/m) at the bearings on which the static answers are taken: a free rotor has none."""
@@ -36,7 +36,7 @@ def reduced(
     """
     check_system(system)
     if not isinstance(modes, int | np.integer) or not 1 <= modes <= system.size:
-        raise SymbalanceError(f"modes = {shown(modes)}", f"must lie in 1 to {system.size}", "20 is usual")
+        raise SymbalanceError(f"modes = {brief(modes)}", f"must lie in 1 to {system.size}", "20 is usual")
     stiffness = (system.stiffness + system.stiffness.T) / 2
     columns: list[Array] = [lowest_modes(stiffness, system.mass, modes)]
     if attachments:

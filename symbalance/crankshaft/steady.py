@@ -21,7 +21,7 @@ from symbalance.crankshaft.integrators.coefficients import film_forces
 from symbalance.crankshaft.integrators.methods import linear_steps
 from symbalance.crankshaft.integrators.time_stepping import LinearSteps
 from symbalance.crankshaft.system import PeriodicSystem, Trajectory, UnsolvedError
-from symbalance.errors import MissingPartError, SymbalanceError, shown
+from symbalance.errors import MissingPartError, SymbalanceError, brief
 
 DENSE = 320
 """States up to which the whole monodromy matrix is computed; beyond, its action on a Krylov space."""
@@ -51,13 +51,13 @@ def steady_state(
     beyond `DENSE` states). Refuses a system without a periodic state: a mean load that nothing carries.
     """
     if tolerance is not None and not tolerance > 0:
-        raise SymbalanceError(f"tolerance = {shown(tolerance)}", "must be positive", "1e-4 is usual")
+        raise SymbalanceError(f"tolerance = {brief(tolerance)}", "must be positive", "1e-4 is usual")
     begin = perf_counter()
     motion, previous = _solve_at(system, method, steps, multipliers), None
     while tolerance is not None and not motion.error <= tolerance:
         if 2 * steps > MOST_STEPS:
             rule = f"not reached within {MOST_STEPS} steps"
-            raise SymbalanceError(f"tolerance = {shown(tolerance)}", rule, "ask for less")
+            raise SymbalanceError(f"tolerance = {brief(tolerance)}", rule, "ask for less")
         steps, previous = 2 * steps, motion
         motion = _solve_at(system, method, steps, multipliers)
         change = np.abs(motion.position[::2] - previous.position).max(axis=0)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from symbalance.crankshaft.arguments import check_function, check_kind
 from symbalance.crankshaft.arrays import Array
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 LEAST_STEPS, MOST_STEPS = 4, 200_000
 
@@ -116,7 +116,7 @@ def check_steps(steps: int) -> None:
     """Refuse a number of steps a cycle that no run can have."""
     if not isinstance(steps, int | np.integer) or not LEAST_STEPS <= steps <= MOST_STEPS:
         rule = f"must be a whole number, at least {LEAST_STEPS} and at most {MOST_STEPS}"
-        raise SymbalanceError(f"steps = {shown(steps)}", rule, "720 is usual")
+        raise SymbalanceError(f"steps = {brief(steps)}", rule, "720 is usual")
 
 
 def check_consistency(system: PeriodicSystem) -> None:
@@ -125,10 +125,10 @@ def check_consistency(system: PeriodicSystem) -> None:
     check_system(system)
     if not 0 < system.omega < np.inf:
         rule = "must be positive and finite"
-        raise SymbalanceError(f"speed = {shown(system.omega)} rad/s", rule, "give rpm > 0")
+        raise SymbalanceError(f"speed = {brief(system.omega)} rad/s", rule, "give rpm > 0")
     if not 0 < system.cycle < np.inf:
         rule = "must be positive and finite"
-        raise SymbalanceError(f"cycle = {shown(system.cycle)} rad", rule, "4 pi, or 2 pi for one turn")
+        raise SymbalanceError(f"cycle = {brief(system.cycle)} rad", rule, "4 pi, or 2 pi for one turn")
     _check_shapes(system)
     for name in ("mass", "damping", "stiffness", "points"):
         if not np.isfinite(getattr(system, name)).all():
@@ -175,7 +175,7 @@ def _check_housing(housing: Housing) -> None:
                 rule = (
                     f"must be {'positive' if name == 'stiffness' else 'zero or more'} in every direction"
                 )
-                what = f"housing {name} {shown(float(f'{least:.4g}'))} {unit}"
+                what = f"housing {name} {brief(float(f'{least:.4g}'))} {unit}"
                 raise SymbalanceError(what, rule, "leave the housing out where it is rigid", place)
 
 

@@ -11,7 +11,7 @@ from symbalance.crankshaft.integrators.coefficients import film_forces, state_si
 from symbalance.crankshaft.integrators.first_order import SCIPY, scipy_states
 from symbalance.crankshaft.integrators.methods import FIXED, linear_steps
 from symbalance.crankshaft.system import PeriodicSystem, Trajectory, check_consistency, check_steps
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 METHODS = (*FIXED, *SCIPY)
 
@@ -32,14 +32,14 @@ def integrate(
     """
     if method not in METHODS:
         raise SymbalanceError(
-            f"method = {shown(method)!r}", "is not known", f"one of {', '.join(METHODS)}"
+            f"method = {brief(method)!r}", "is not known", f"one of {', '.join(METHODS)}"
         )
     check_steps(steps)
     check_consistency(system)
     if not isinstance(cycles, int | np.integer) or cycles < 1:
-        raise SymbalanceError(f"cycles = {shown(cycles)}", "must be a whole number, at least 1")
+        raise SymbalanceError(f"cycles = {brief(cycles)}", "must be a whole number, at least 1")
     if not 0 < rtol < 1:
-        raise SymbalanceError(f"rtol = {shown(rtol)}", "must lie between 0 and 1", "1e-6 is usual")
+        raise SymbalanceError(f"rtol = {brief(rtol)}", "must lie between 0 and 1", "1e-6 is usual")
     size = state_size(system)
     state = np.zeros(size) if start is None else np.asarray(start, dtype=float)
     if state.shape != (size,) or not np.isfinite(state).all():

@@ -15,10 +15,10 @@ LEAST_PLAIN, MOST_PLAIN = -3, 7
 """Powers of ten from which on, and below which, a float is written without one."""
 
 
-def shown(value: Real, digits: int = SHOWN_DIGITS) -> str:
+def short_decimal(value: Real, digits: int = SHOWN_DIGITS) -> str:
     """Return a decimal as tables print it.
 
-    >>> shown(Real("7.43790327e-5")), shown(Real(3))
+    >>> short_decimal(Real("7.43790327e-5")), short_decimal(Real(3))
     ('7.4379e-5', '3')
     """
     text = decimal_text(value, digits)
@@ -27,14 +27,14 @@ def shown(value: Real, digits: int = SHOWN_DIGITS) -> str:
     return "e".join([mantissa, *exponent])
 
 
-def rounded(value: float | Fraction | Real, digits: int = SHOWN_DIGITS) -> Formula | str:
+def decimal(value: float | Fraction | Real, digits: int = SHOWN_DIGITS) -> Formula | str:
     """Return a number as a cell, to so many significant digits; `UNKNOWN` for NaN.
 
-    >>> [rounded(x, 4) for x in (1234.56, 0.5, -2.5e-7, float("nan"))]  # doctest: +ELLIPSIS
+    >>> [decimal(x, 4) for x in (1234.56, 0.5, -2.5e-7, float("nan"))]  # doctest: +ELLIPSIS
     [Decimal(..., text='1235'), Decimal(..., text='0.5'), Decimal(..., text='-2.5e-7'), '–']
     """
     if isinstance(value, Fraction | Real):
-        return Decimal(shown(Real(value), digits))
+        return Decimal(short_decimal(Real(value), digits))
     if isnan(value) or isinf(value):
         return _not_finite(value)
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
@@ -43,10 +43,10 @@ def rounded(value: float | Fraction | Real, digits: int = SHOWN_DIGITS) -> Formu
     return Decimal(f"{_bare(mantissa)}e{int(exponent)}")
 
 
-def fixed(value: float, places: int) -> Formula | str:
+def fixed_cell(value: float, places: int) -> Formula | str:
     """Return a float as a cell, to so many places after the point; `UNKNOWN` for NaN.
 
-    >>> fixed(2.0, 1), fixed(float("nan"), 1)
+    >>> fixed_cell(2.0, 1), fixed_cell(float("nan"), 1)
     (Decimal(span=(0, 0), text='2.0'), '–')
     """
     if isnan(value) or isinf(value):

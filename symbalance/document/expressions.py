@@ -28,7 +28,7 @@ from symbalance.document.formula import (
     number,
     signed,
 )
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 
 def formula_of(expression: Any) -> Formula:
@@ -137,7 +137,7 @@ def _factor(expression: Any) -> Formula:
     if expression.is_Float:
         return Decimal(str(expression))
     raise SymbalanceError(
-        shown(str(expression)), "is no formula of ours", "write it with functions and powers"
+        brief(str(expression)), "is no formula of ours", "write it with functions and powers"
     )
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from symbalance.document.wordlists import listed, word_set
+from symbalance.document.wordlists import word_set, words
 
-_LOWER = listed("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho")
-_LOWER_END = listed("sigma tau upsilon phi chi psi omega")
+_LOWER = words("alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho")
+_LOWER_END = words("sigma tau upsilon phi chi psi omega")
 _UPPER = {
     "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ", "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ",
     "Upsilon": "Υ", "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω",
@@ -52,7 +52,7 @@ DOTTED = {sign: (letter, 1) for sign, letter in zip("ẋẏżṙṡṗṁṅḣ�
 DOTTED |= {sign: (letter, 2) for sign, letter in zip("ẍÿẅẗöüä", "xywtoua", strict=True)}
 
 FUNCTION_WORDS: dict[str, str] = {
-    **{name: name for name in listed("sin cos tan cot sec csc sinh cosh tanh exp ln log abs sqrt")},
+    **{name: name for name in words("sin cos tan cot sec csc sinh cosh tanh exp ln log abs sqrt")},
     "cosec": "csc", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "asin": "asin", "acos": "acos",
     "atan": "atan",
 }  # fmt: skip

@@ -22,13 +22,13 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 if TYPE_CHECKING:
     import sympy
 
 
-class Meaning(NamedTuple):
+class SymbolMeaning(NamedTuple):
     """What a symbol stands for."""
 
     latex: str
@@ -37,14 +37,14 @@ class Meaning(NamedTuple):
 
 
 MEANINGS = {
-    "theta": Meaning(r"\theta", "rad", "crank angle, positive with the rotation"),
-    "lam": Meaning(r"\lambda", "1", "rod ratio l/r"),
-    "rho": Meaning(r"\rho", "1", "crank ratio r/l"),
-    "r": Meaning("r", "m", "crank radius"),
-    "l": Meaning("l", "m", "connecting rod length"),
-    "m": Meaning("m", "kg", "reciprocating mass of one cylinder"),
-    "omega": Meaning(r"\omega", "rad/s", "angular speed of the crank"),
-    "a": Meaning("a", "m", "cylinder pitch"),
+    "theta": SymbolMeaning(r"\theta", "rad", "crank angle, positive with the rotation"),
+    "lam": SymbolMeaning(r"\lambda", "1", "rod ratio l/r"),
+    "rho": SymbolMeaning(r"\rho", "1", "crank ratio r/l"),
+    "r": SymbolMeaning("r", "m", "crank radius"),
+    "l": SymbolMeaning("l", "m", "connecting rod length"),
+    "m": SymbolMeaning("m", "kg", "reciprocating mass of one cylinder"),
+    "omega": SymbolMeaning(r"\omega", "rad/s", "angular speed of the crank"),
+    "a": SymbolMeaning("a", "m", "cylinder pitch"),
 }
 
 _REAL_ONLY = {"theta"}
@@ -60,7 +60,7 @@ def symbol(name: str) -> sympy.Symbol:
     import sympy
 
     if not isinstance(name, str) or name not in MEANINGS:
-        raise SymbalanceError(f"symbol = {shown(name)}", "is unknown", f"known: {', '.join(MEANINGS)}")
+        raise SymbalanceError(f"symbol = {brief(name)}", "is unknown", f"known: {', '.join(MEANINGS)}")
     return sympy.Symbol(name, real=True) if name in _REAL_ONLY else sympy.Symbol(name, positive=True)
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 
-def listed(text: str) -> list[str]:
+def words(text: str) -> list[str]:
     """Return the words of a text, in order.
 
-    >>> listed("sin cos")
+    >>> words("sin cos")
     ['sin', 'cos']
     """
     return text.split()

@@ -15,13 +15,13 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.engine.cylinders import Cylinder
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle, angle
 from symbalance.exact.phasor import ONE, Phasor
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, surviving
-from symbalance.text.numbers import LARGEST_QUOTIENT, checked_whole, exact, listed
+from symbalance.text.numbers import LARGEST_QUOTIENT, as_list, checked_whole, exact
 
 MOST_BALANCERS = 1000
 WEB = Fraction(1, 4)
@@ -67,7 +67,7 @@ def _size(share: object, unbalance: object) -> Amplitude:
 
 def directed(size: Amplitude, direction: Angle) -> Amplitude:
     """Return a number turned by an angle, which may hold symbols."""
-    rotated = size.turned(direction.turns)
+    rotated = size.rotated(direction.turns)
     if not direction.symbols:
         return rotated
     if rotated.is_decimal:
@@ -111,9 +111,9 @@ class Counterweight:
             rule, remedy = "takes one of unbalance, share and overbalance", "give one of them"
             raise SymbalanceError("counterweight", rule, remedy)
         if throw is not None and web is not None:
-            raise SymbalanceError(f"web = {shown(web)}", "stands on a throw's web", "leave out throw")
+            raise SymbalanceError(f"web = {brief(web)}", "stands on a throw's web", "leave out throw")
         if overbalance is not None and throw is None:
-            what, rule = f"overbalance = {shown(overbalance)}", "is of the masses of one cylinder"
+            what, rule = f"overbalance = {brief(overbalance)}", "is of the masses of one cylinder"
             raise SymbalanceError(what, rule, "add throw = its number")
         set_field, known = object.__setattr__, overbalance is None
         set_field(self, "angle", _direction(angle))
@@ -202,7 +202,7 @@ class BalanceShaft:
     ) -> None:
         set_field = object.__setattr__
         set_field(self, "speed", checked_speed(speed))
-        set_field(self, "weights", tuple(listed(weights, "weights", "[Weight(share=1)]")))
+        set_field(self, "weights", tuple(as_list(weights, "weights", "[Weight(share=1)]")))
         for weight in self.weights:
             _check_weight(weight)
         if not 1 <= len(self.weights) <= MOST_BALANCERS:
@@ -214,7 +214,7 @@ class BalanceShaft:
 
 def _check_weight(weight: object) -> None:
     if not isinstance(weight, Weight):
-        raise SymbalanceError(f"weights hold {shown(weight)}", "must be Weight values", "make each so")
+        raise SymbalanceError(f"weights hold {brief(weight)}", "must be Weight values", "make each so")
 
 
 def check_shares(shafts: Iterable[BalanceShaft]) -> None:
@@ -271,7 +271,7 @@ def checked_balancers(value: object, cylinders: Sequence[Cylinder]) -> Balancers
     if value is None:
         return Balancers()
     if not isinstance(value, Balancers):
-        raise SymbalanceError(f"balancers = {shown(value)}", "must be Balancers", "make them so")
+        raise SymbalanceError(f"balancers = {brief(value)}", "must be Balancers", "make them so")
     for counterweight in value.counterweights:
         counterweight.stands_at(cylinders)
     return value

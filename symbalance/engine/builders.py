@@ -18,10 +18,10 @@ from symbalance.engine.crank_train import CrankTrain, checked_sizes
 from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, checked_bank
 from symbalance.engine.dead_centres import bank_shifts
 from symbalance.engine.engine import Engine, checked_cylinders, checked_strokes
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.kinematics.slider_crank import checked_ratio
-from symbalance.text.numbers import checked_whole, exact, listed
+from symbalance.text.numbers import as_list, checked_whole, exact
 
 
 def from_cylinders(
@@ -53,7 +53,7 @@ def from_cylinders(
 def _checked_train(train: object) -> CrankTrain:
     if train is not None and not isinstance(train, CrankTrain):
         rule = "must be a CrankTrain"
-        raise SymbalanceError(f"crank_train = {shown(train)}", rule, "make it with CrankTrain(...)")
+        raise SymbalanceError(f"crank_train = {brief(train)}", rule, "make it with CrankTrain(...)")
     return train or CrankTrain()
 
 
@@ -70,7 +70,7 @@ def from_firing_order(
     strokes: int = 4,
     **about: Any,
 ) -> Engine:
-    """Return the layout whose cylinders fire in that order.
+    """Return the engine whose cylinders fire in that order.
 
     `banks` are angles from vertical, `cylinders` the numbers in each bank from front to rear (may be
     left out with one bank), `firing_intervals` the degrees after each firing (default: even), summing
@@ -85,7 +85,7 @@ def from_firing_order(
     """
     checked_strokes(strokes)
     order = read_firing_order(firing_order)
-    axes = [checked_bank(bank, f"banks[{i}]") for i, bank in enumerate(listed(banks, "banks"), 1)]
+    axes = [checked_bank(bank, f"banks[{i}]") for i, bank in enumerate(as_list(banks, "banks"), 1)]
     if not axes:
         raise SymbalanceError("banks = []", "an engine has at least one bank", "[0] stands upright")
     numbers = read_cylinders(cylinders, order, len(axes))
@@ -106,8 +106,8 @@ def from_firing_order(
             **about,
         )
 
-    layout = build([Fraction(0)] * len(axes))
-    return build(bank_shifts(layout, numbers, pin_step)) if read_firing_at(firing_at) else layout
+    engine = build([Fraction(0)] * len(axes))
+    return build(bank_shifts(engine, numbers, pin_step)) if read_firing_at(firing_at) else engine
 
 
 def inline(
@@ -153,7 +153,7 @@ def vee(
     axes = [full.scaled(Fraction(-1, 2)), full.scaled(Fraction(1, 2))]
     if not full.symbols and not 0 <= full.turns <= Fraction(1, 2):
         remedy = "degrees between the banks; banks that hang: from_firing_order(banks=[-150, 150])"
-        raise SymbalanceError(f"bank_angle = {shown(bank_angle)}", "must lie in [0, 180]", remedy)
+        raise SymbalanceError(f"bank_angle = {brief(bank_angle)}", "must lie in [0, 180]", remedy)
     if (firing_order is None) == (pins is None):
         raise SymbalanceError("vee(...)", "takes either a firing order or pins", "give one of them")
     if firing_order is None:
@@ -258,7 +258,7 @@ def _on_pins(
     about: dict[str, Any],
 ) -> Engine:
     """Return one cylinder of every bank on each pin, numbered pin by pin."""
-    throws = [angle(pin, f"pins[{i}]") for i, pin in enumerate(listed(pins, "pins"), 1)]
+    throws = [angle(pin, f"pins[{i}]") for i, pin in enumerate(as_list(pins, "pins"), 1)]
     if not throws:
         raise SymbalanceError("pins = []", "a crank has at least one pin", "give the throw of each")
     numbers = [list(range(1 + b, 1 + len(axes) * len(throws), len(axes))) for b in range(len(axes))]
@@ -284,13 +284,13 @@ def read_firing_order(firing_order: FiringOrder) -> list[int]:
         parts = [part.strip() for part in firing_order[:10_000].split("-")]
         numbers = [int(p) if p.isascii() and p.isdigit() and len(p) < 6 else p for p in parts]
     else:
-        numbers = listed(firing_order, "firing_order")
+        numbers = as_list(firing_order, "firing_order")
     order = []
     for number in numbers:
         if isinstance(number, bool) or not isinstance(number, int) or number < 1:
             raise SymbalanceError(
-                f"firing_order = {shown(firing_order)}",
-                f"holds {shown(number)}, which is no cylinder number",
+                f"firing_order = {brief(firing_order)}",
+                f"holds {brief(number)}, which is no cylinder number",
                 "write it like [1, 3, 4, 2]",
             )
         order.append(number)
@@ -305,7 +305,7 @@ def read_firing_order(firing_order: FiringOrder) -> list[int]:
     repeated = sorted({n for n in order if order.count(n) > 1})
     if repeated:
         raise SymbalanceError(
-            f"firing_order = {shown(firing_order)}",
+            f"firing_order = {brief(firing_order)}",
             f"must name each cylinder once, but repeats {repeated[0]}",
             "correct the order",
         )
@@ -324,28 +324,28 @@ def read_cylinders(
                 "as in [[1, 3, 5], [2, 4, 6]]",
             )
         cylinders = [sorted(order)]
-    cylinders = [listed(bank, "cylinders") for bank in listed(cylinders, "cylinders")]
+    cylinders = [as_list(bank, "cylinders") for bank in as_list(cylinders, "cylinders")]
     if len(cylinders) != banks:
         raise SymbalanceError(
-            f"cylinders = {shown(cylinders)}",
+            f"cylinders = {brief(cylinders)}",
             f"has {len(cylinders)} lists for {banks} bank(s)",
             "give one list of numbers a bank",
         )
     if not all(cylinders):
         raise SymbalanceError(
-            f"cylinders = {shown(cylinders)}",
+            f"cylinders = {brief(cylinders)}",
             "holds an empty bank",
             "leave the bank out, or name its cylinders",
         )
     numbers = [n for bank in cylinders for n in bank]
     if 1 not in numbers:
         raise SymbalanceError(
-            f"cylinders = {shown(cylinders)}", "lacks cylinder 1", "theta = 0 is its firing"
+            f"cylinders = {brief(cylinders)}", "lacks cylinder 1", "theta = 0 is its firing"
         )
     for number in order:
         if number not in numbers:
             raise SymbalanceError(
-                f"firing_order = {shown(order)}",
+                f"firing_order = {brief(order)}",
                 f"names cylinder {number}, which no bank holds",
                 "make order and cylinders agree",
             )
@@ -353,8 +353,8 @@ def read_cylinders(
         if number not in order or numbers.count(number) > 1:
             what = "repeats" if numbers.count(number) > 1 else "holds, but the firing order misses,"
             raise SymbalanceError(
-                f"cylinders = {shown(cylinders)}",
-                f"{what} cylinder {shown(number)}",
+                f"cylinders = {brief(cylinders)}",
+                f"{what} cylinder {brief(number)}",
                 "name each cylinder once in both",
             )
     return [list(bank) for bank in cylinders]
@@ -367,7 +367,7 @@ def firing_angles(
     if intervals is None:
         steps = [Fraction(cycle, len(order))] * len(order)
     else:
-        values = listed(intervals, "firing_intervals")
+        values = as_list(intervals, "firing_intervals")
         steps = [degrees(step, f"firing_intervals[{i}]").in_degrees() for i, step in enumerate(values, 1)]
         _check_intervals(steps, len(order), cycle)
     starts = [Fraction(0), *accumulate(steps)]
@@ -384,13 +384,13 @@ def _check_intervals(steps: list[Fraction], count: int, cycle: int) -> None:
         )
     if min(steps) < 0:
         raise SymbalanceError(
-            f"firing_intervals that hold {shown(min(steps))}",
+            f"firing_intervals that hold {brief(min(steps))}",
             "must not be negative",
             "use degrees after each firing",
         )
     if sum(steps) != cycle:
         raise SymbalanceError(
-            f"firing_intervals that sum to {shown(sum(steps))}",
+            f"firing_intervals that sum to {brief(sum(steps))}",
             f"must sum to {cycle}",
             "720 degrees in a four-stroke, 360 in a two-stroke",
         )
@@ -400,10 +400,10 @@ def read_stagger(stagger: Sequence[object] | None, banks: int) -> list[Fraction]
     """Return each bank's shift towards the front, in pitches."""
     if stagger is None:
         return [Fraction(0)] * banks
-    stagger = listed(stagger, "stagger")
+    stagger = as_list(stagger, "stagger")
     if len(stagger) != banks:
         raise SymbalanceError(
-            f"stagger = {shown(stagger)}",
+            f"stagger = {brief(stagger)}",
             f"has {len(stagger)} values for {banks} bank(s)",
             "give one value a bank, in pitches",
         )
@@ -414,17 +414,17 @@ def read_offset(offset: Sequence[object] | None, banks: int) -> list[Fraction | 
     """Return each bank's own offset in mm, None where it has none of its own."""
     if offset is None:
         return [None] * banks
-    values = listed(offset, "offset")
+    values = as_list(offset, "offset")
     if len(values) != banks:
         rule = f"has {len(values)} values for {banks} bank(s)"
-        raise SymbalanceError(f"offset = {shown(values)}", rule, "give one value a bank, in mm")
+        raise SymbalanceError(f"offset = {brief(values)}", rule, "give one value a bank, in mm")
     return [exact(value, f"offset[{i}]") for i, value in enumerate(values, 1)]
 
 
 def read_firing_at(firing_at: object) -> bool:
     """Tell whether intervals count between dead centres, not between the pins' passing the axes."""
     if firing_at not in FIRING_AT:
-        what, rule = f"firing_at = {shown(firing_at)}", f"must be one of {', '.join(FIRING_AT)}"
+        what, rule = f"firing_at = {brief(firing_at)}", f"must be one of {', '.join(FIRING_AT)}"
         raise SymbalanceError(what, rule, "they differ where cylinders are offset")
     return firing_at == "dead centres"
 

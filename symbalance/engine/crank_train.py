@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from fractions import Fraction
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import degrees
 from symbalance.kinematics.mechanisms import RodSplit
 from symbalance.text.numbers import checked_whole, exact
@@ -60,7 +60,7 @@ class CrankTrain:
         if not self.offset:
             return Fraction(0)
         if self.stroke is None:
-            what = f"offset = {shown(self.offset)}"
+            what = f"offset = {brief(self.offset)}"
             raise SymbalanceError(
                 what, "needs the stroke", "give stroke = ..., in mm: e/r = 2 offset/stroke"
             )
@@ -79,8 +79,8 @@ class CrankTrain:
         if self.rod is None:
             raise SymbalanceError("rod_mass", "needs the rod's length", "give rod = ..., in mm")
         if sizes["rod_centre"] > self.rod:
-            what = f"rod_centre = {shown(sizes['rod_centre'])}"
-            rule = f"must lie between the rod's ends, within 0 and {shown(self.rod)}"
+            what = f"rod_centre = {brief(sizes['rod_centre'])}"
+            rule = f"must lie between the rod's ends, within 0 and {brief(self.rod)}"
             raise SymbalanceError(what, rule, "count mm from the big end")
         return RodSplit(sizes["rod_mass"], self.rod, sizes["rod_centre"], sizes["rod_inertia"])
 
@@ -111,7 +111,7 @@ class Link:
         set_field(self, "master", checked_whole(master, "master", 1, 1000, "name the master's cylinder"))
         direction = degrees(angle, "link_angle")
         if direction.symbols:
-            raise SymbalanceError(f"link_angle = {shown(angle)}", "must be a number", "degrees")
+            raise SymbalanceError(f"link_angle = {brief(angle)}", "must be a number", "degrees")
         set_field(self, "angle", direction.normalized().turns)
         set_field(self, "radius", checked_size("link_radius", radius))
 
@@ -122,7 +122,7 @@ def checked_size(key: str, value: object) -> Fraction:
     if key == "offset":
         return number
     if number < 0 or (not number and key not in (*MASSES, *ROD, "link_radius")):
-        raise SymbalanceError(f"{key} = {shown(value)}", "must be positive", "sizes are in mm and kg")
+        raise SymbalanceError(f"{key} = {brief(value)}", "must be positive", "sizes are in mm and kg")
     return number
 
 

@@ -12,7 +12,7 @@ from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, TypeVar
 
 from symbalance.engine.crank_train import CYLINDER_SIZES, CrankTrain, Link, check_reach, checked_sizes
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism, RodSplit, SliderCrank
 from symbalance.text.numbers import checked_whole, exact
@@ -234,7 +234,7 @@ def _link_rod(cylinder: Cylinder, link: Link) -> LinkRod:
 def _checked_fires(fires: object) -> Fraction:
     value = degrees(fires, "fires").in_degrees()
     if not 0 <= value < 720:
-        what = f"fires = {shown(fires)}"
+        what = f"fires = {brief(fires)}"
         raise SymbalanceError(what, "must lie in [0, 720)", "degrees after cylinder 1's firing")
     return value
 
@@ -253,7 +253,7 @@ def _checked_station(station: object) -> Fraction:
     value = exact(station, "station")
     if abs(value) > LONGEST_STATION:
         raise SymbalanceError(
-            f"station = {shown(station)}",
+            f"station = {brief(station)}",
             f"must lie within {-LONGEST_STATION} and {LONGEST_STATION}",
             "give cylinder pitches, not millimetres",
         )

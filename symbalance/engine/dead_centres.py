@@ -13,7 +13,7 @@ from fractions import Fraction
 
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank, dead_centres
 from symbalance.text.numbers import exact
 from symbalance.text.reals import pi
@@ -37,9 +37,9 @@ def dead_centre_shift(mechanism: Mechanism) -> Fraction:
     return round(degrees / FINEST) * FINEST
 
 
-def has_shifted_dead_centres(layout: Engine) -> bool:
+def has_shifted_dead_centres(engine: Engine) -> bool:
     """Tell whether some top dead centre is not where the pin passes the cylinder's axis."""
-    return any(c.link or c.offset for c in layout.cylinders)
+    return any(c.link or c.offset for c in engine.cylinders)
 
 
 def dead_centre_shift_of(cylinder: Cylinder) -> Fraction:
@@ -47,7 +47,7 @@ def dead_centre_shift_of(cylinder: Cylinder) -> Fraction:
     return dead_centre_shift(cylinder.mechanism) if cylinder.mechanism else Fraction(0)
 
 
-def dead_centre_angles(layout: Engine) -> dict[int, Fraction]:
+def dead_centre_angles(engine: Engine) -> dict[int, Fraction]:
     """Return the degrees of theta at a top dead centre of each cylinder, less the first-numbered one's.
 
     >>> from symbalance.engine.builders import radial
@@ -55,13 +55,13 @@ def dead_centre_angles(layout: Engine) -> dict[int, Fraction]:
     ['0', '120', '-120']
     """
     tops = {}
-    for mechanism, cylinders in layout.grouped(lambda c: c.mechanism).items():
+    for mechanism, cylinders in engine.grouped(lambda c: c.mechanism).items():
         ahead = dead_centre_shift(mechanism) if mechanism else Fraction(0)
         tops |= {c.number: ahead - c.delay.in_degrees() for c in cylinders}
-    return {c.number: tops[c.number] - tops[min(tops)] for c in layout.cylinders}
+    return {c.number: tops[c.number] - tops[min(tops)] for c in engine.cylinders}
 
 
-def firing_dead_centres(layout: Engine) -> dict[int, Fraction]:
+def firing_dead_centres(engine: Engine) -> dict[int, Fraction]:
     """Return how far after cylinder 1's each cylinder's firing dead centre stands, degrees of theta.
 
     `fires` of every cylinder says which of its top dead centres that is; the angle itself follows
@@ -72,19 +72,19 @@ def firing_dead_centres(layout: Engine) -> dict[int, Fraction]:
     >>> [float(round(top, 3)) for top in firing_dead_centres(six).values()]
     [0.0, 240.0, 120.0, 479.858, 599.858, 359.858]
     """
-    tops, cycle = dead_centre_angles(layout), 180 * layout.strokes
-    fires = {c.number: c.fires for c in layout.cylinders if c.fires is not None}
+    tops, cycle = dead_centre_angles(engine), 180 * engine.strokes
+    fires = {c.number: c.fires for c in engine.cylinders if c.fires is not None}
     if len(fires) < len(tops):
-        what = f"cylinder {next(n for n in tops if n not in fires)} of {layout.name}"
+        what = f"cylinder {next(n for n in tops if n not in fires)} of {engine.name}"
         raise SymbalanceError(what, "has no firing angle", "give fires")
     firing_angles = {number: fires[number] - fires[min(tops)] for number in tops}
     return {n: (top + 360 * round((firing_angles[n] - top) / 360)) % cycle for n, top in tops.items()}
 
 
-def bank_shifts(layout: Engine, banks: Sequence[Sequence[int]], step: object) -> list[Fraction]:
+def bank_shifts(engine: Engine, banks: Sequence[Sequence[int]], step: object) -> list[Fraction]:
     """Return each bank's dead centre shift, the same for all its cylinders, rounded to `step` degrees."""
     size = checked_step(step)
-    by_number = {c.number: c for c in layout.cylinders}
+    by_number = {c.number: c for c in engine.cylinders}
     return [round(dead_centre_shift_of(by_number[bank[0]]) / size) * size for bank in banks]
 
 
@@ -93,5 +93,5 @@ def checked_step(step: object) -> Fraction:
     number = exact(step, "pin_step", FINEST_STEP)
     if not 0 < number <= COARSEST:
         remedy = 'write it like "1/2" or 0.01'
-        raise SymbalanceError(f"pin_step = {shown(step)}", f"must lie in (0, {COARSEST}] degrees", remedy)
+        raise SymbalanceError(f"pin_step = {brief(step)}", f"must lie in (0, {COARSEST}] degrees", remedy)
     return number

@@ -19,13 +19,13 @@ from symbalance.engine.balance_masses import (
 from symbalance.engine.crank_train import checked_size
 from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, unchecked_copy
 from symbalance.engine.rotating_masses import RotatingMass, rotating_masses
-from symbalance.errors import SymbalanceError, shown, written
+from symbalance.errors import SymbalanceError, brief, literal
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import checked_modulus
 from symbalance.kinematics.bodies import Body, bodies
 from symbalance.kinematics.mechanisms import Mechanism, has_link_pin
 from symbalance.kinematics.slider_crank import checked_ratio
-from symbalance.text.numbers import exact, listed
+from symbalance.text.numbers import as_list, exact
 
 LONGEST_NAME = 60
 NEAR_TOP = Fraction(1, 8)
@@ -215,7 +215,7 @@ class Engine:
         """Return the station couples are taken about: `reference`, exactly, or the stations' mean."""
         return self.mean_station if reference is None else exact(reference, "reference")
 
-    def arms(self, plane: Fraction | None = None) -> list[Fraction]:
+    def lever_arms(self, plane: Fraction | None = None) -> list[Fraction]:
         """Return every cylinder's station from a plane (default: the stations' mean), in pitches."""
         level = self.mean_station if plane is None else plane
         return [c.station - level for c in self.cylinders]
@@ -233,7 +233,7 @@ class Engine:
         known = checked_ratio(ratio)
         if len({c.ratio for c in self.cylinders if c.link is None}) > 1:
             rule = f"cannot be set for {self.name}, whose cylinders have ratios of their own"
-            raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
+            raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give each its stroke and rod")
         changed = [c if c.link else c.with_ratio(known) for c in self.cylinders]
         return unchecked_copy(self, cylinders=_joined(changed))
 
@@ -270,16 +270,16 @@ def checked_name(name: object) -> str:
     if isinstance(name, str) and name.isprintable() and name.strip() and len(name) <= LONGEST_NAME:
         return name
     rule = f"must be one line of 1 to {LONGEST_NAME} characters"
-    raise SymbalanceError(f"name = {shown(str(name))!r}", rule, "it heads the tables")
+    raise SymbalanceError(f"name = {brief(str(name))!r}", rule, "it heads the tables")
 
 
 def checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:
     """Return the cylinders of an engine, or refuse what are none, too many, or of one number."""
-    cylinders = tuple(listed(cylinders, "cylinders"))
+    cylinders = tuple(as_list(cylinders, "cylinders"))
     for cylinder in cylinders:
         if not isinstance(cylinder, Cylinder):
             raise SymbalanceError(
-                f"cylinders hold {shown(cylinder)}",
+                f"cylinders hold {brief(cylinder)}",
                 "must be Cylinder values",
                 "make each with Cylinder(...)",
             )
@@ -350,6 +350,6 @@ def _check_fires(cylinders: Iterable[Cylinder]) -> None:
 def checked_strokes(strokes: object) -> int:
     """Return 2 or 4, or refuse."""
     if isinstance(strokes, bool) or strokes not in (2, 4) or not isinstance(strokes, int):
-        what = f"strokes = {written(strokes)}"
+        what = f"strokes = {literal(strokes)}"
         raise SymbalanceError(what, "must be 2 or 4", "a number, without quotes")
     return strokes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.decimals import shown
+from symbalance.document.decimals import short_decimal
 from symbalance.document.formula import Decimal, Formula, Name, Product, Upright, cos, equal, sin
 from symbalance.document.nodes import Cell, Column, Table, Words
 from symbalance.engine.balance_mass_facts import balancer_facts
@@ -90,63 +90,63 @@ NEAR = 20
 """Degrees from a dead centre within which it is named."""
 
 
-def strokes(layout: Engine) -> str:
+def strokes(engine: Engine) -> str:
     """Return "four-stroke" or "two-stroke"."""
-    return {2: "two-stroke", 4: "four-stroke"}[layout.strokes]
+    return {2: "two-stroke", 4: "four-stroke"}[engine.strokes]
 
 
-def banks(layout: Engine) -> str:
-    """Return where the banks stand, each angle once, in the order of the layout."""
-    angles = list(dict.fromkeys(c.bank for c in layout.cylinders))
+def banks(engine: Engine) -> str:
+    """Return where the banks stand, each angle once, in the order of the engine."""
+    angles = list(dict.fromkeys(c.bank for c in engine.cylinders))
     if angles == [Angle(Fraction(0))]:
         return "one bank, upright"
     where = ", ".join(map(angle_text, angles))
     return f"{'banks' if len(angles) > 1 else 'one bank'} at {where} from vertical"
 
 
-def firing(layout: Engine) -> str:
+def firing(engine: Engine) -> str:
     """Return the firing order and, where they are uneven, the intervals; empty if it is not known.
 
     >>> from symbalance.engine.catalogue import load
     >>> firing(load("v2-45")), firing(load("v6-90"))
     ('1-2 at intervals of 405°, 315°', '1-6-5-4-3-2 at intervals of 150°, 90°, and so on')
     """
-    order = layout.firing_order()
+    order = engine.firing_order()
     if order is None or len(order) < 2:
         return ""
     numbers = "-".join(map(str, order))
-    steps = firing_intervals(layout)
-    apart = ", dead centres apart by" if has_shifted_dead_centres(layout) else " at intervals of"
+    steps = firing_intervals(engine)
+    apart = ", dead centres apart by" if has_shifted_dead_centres(engine) else " at intervals of"
     if len(set(steps)) == 1:
         return numbers
     period = next(k for k in range(1, len(steps) + 1) if steps == (steps[:k] * len(steps))[: len(steps)])
-    intervals = [f"{decimal_text(step)}°" for step in steps[:period]]
+    intervals = [f"{degrees_text(step)}°" for step in steps[:period]]
     intervals += ["and so on"] if period < len(steps) else []
     return f"{numbers}{apart} {', '.join(intervals)}"
 
 
-def firing_intervals(layout: Engine) -> list[Fraction]:
-    """Return the degrees after each firing of a layout whose firing angles are known.
+def firing_intervals(engine: Engine) -> list[Fraction]:
+    """Return the degrees after each firing of an engine whose firing angles are known.
 
     Dead centres that an offset or a link rod has moved count where they are, to 0.01 degrees.
     """
-    cycle = 180 * layout.strokes
-    if has_shifted_dead_centres(layout):
-        starts = sorted(round(top, 2) for top in firing_dead_centres(layout).values())
+    cycle = 180 * engine.strokes
+    if has_shifted_dead_centres(engine):
+        starts = sorted(round(top, 2) for top in firing_dead_centres(engine).values())
     else:
-        starts = sorted(c.fires % cycle for c in layout.cylinders if c.fires is not None)
+        starts = sorted(c.fires % cycle for c in engine.cylinders if c.fires is not None)
     ends = [*starts[1:], starts[0] + cycle]
     return [end - start for start, end in zip(starts, ends, strict=True)]
 
 
-def origin(layout: Engine) -> str:
+def origin(engine: Engine) -> str:
     """Return what stands where at theta = 0.
 
     >>> from symbalance.engine.builders import inline
     >>> origin(inline("1-2")), origin(inline(throws=[30, 90]))
     ('cylinder 1 at firing top dead centre', 'the pin of cylinder 1 at 30° from straight up')
     """
-    first = min(layout.cylinders, key=lambda c: c.number)
+    first = min(engine.cylinders, key=lambda c: c.number)
     dead_centre = f"{'firing ' if first.fires == 0 else ''}top dead centre"
     dead_centre_shift = Fraction(0) if first.delay.symbols else dead_centre_shift_of(first)
     if not dead_centre_shift and first.delay == Angle(Fraction(0)):
@@ -155,7 +155,7 @@ def origin(layout: Engine) -> str:
     past = Fraction(0) if first.delay.symbols else round(first.delay.in_degrees() - dead_centre_shift, 2)
     if not dead_centre_shift or abs(past) > NEAR:
         return where
-    side = f"{decimal_text(abs(past))}° {'past' if past > 0 else 'before'} its " if past else "at its "
+    side = f"{degrees_text(abs(past))}° {'past' if past > 0 else 'before'} its " if past else "at its "
     return f"{where}, {side}{dead_centre}"
 
 
@@ -170,13 +170,13 @@ def angle_text(angle: Angle) -> str:
         from symbalance.document.text_writer import formula_text
 
         return formula_text(formula_of(angle.expression()))
-    return f"{decimal_text(angle.in_degrees())}°".replace("-", "−")
+    return f"{degrees_text(angle.in_degrees())}°".replace("-", "−")
 
 
-def decimal_text(number: Fraction) -> str:
+def degrees_text(number: Fraction) -> str:
     """Return a number as a decimal where it is short, else as a fraction.
 
-    >>> decimal_text(Fraction(45, 2)), decimal_text(Fraction(360, 7))
+    >>> degrees_text(Fraction(45, 2)), degrees_text(Fraction(360, 7))
     ('22.5', '360/7')
     """
     return f"{float(number):.12g}" if 10_000 % number.denominator == 0 else str(number)
@@ -239,4 +239,4 @@ def _cells(engine: Engine, group: Group) -> tuple[Cell, ...]:
 
 
 def _decimal(number: Fraction) -> Formula:
-    return Decimal(shown(Real(number)))
+    return Decimal(short_decimal(Real(number)))

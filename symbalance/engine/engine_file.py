@@ -142,23 +142,23 @@ _ALONE = ("station", "unbalance", "share")
 Balancer = Counterweight | BalanceShaft
 
 
-def with_balancers(file: Section, layout: Engine) -> Engine:
+def with_balancers(file: Section, engine: Engine) -> Engine:
     """Return an engine with the counterweights and shafts that its file lists."""
     tables = [(row, _counterweight(row)) for row in file.sections("counterweight")]
     tables += [(row, _shaft(row)) for row in file.sections("balance_shaft")]
     if not tables:
-        return layout
+        return engine
     every = [balancer for _, balancer in tables]
     try:
-        return _joined(layout, every)
+        return _joined(engine, every)
     except SymbalanceError:
         for row, balancer in tables:  # what is refused is refused where it stands, if alone
-            row.guarded(lambda balancer_alone=balancer: _joined(layout, [balancer_alone]))
-        return tables[0][0].guarded(lambda: _joined(layout, every))
+            row.guarded(lambda balancer_alone=balancer: _joined(engine, [balancer_alone]))
+        return tables[0][0].guarded(lambda: _joined(engine, every))
 
 
-def _joined(layout: Engine, balancers: Sequence[Balancer]) -> Engine:
-    balanced = layout.balanced_by(*balancers)
+def _joined(engine: Engine, balancers: Sequence[Balancer]) -> Engine:
+    balanced = engine.balanced_by(*balancers)
     _ = balanced.modulus  # refuses angles too fine together
     _ = balanced.rotating_masses  # refuses what needs masses that are not given
     return balanced

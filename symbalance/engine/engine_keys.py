@@ -17,31 +17,31 @@ from symbalance.engine.dead_centres import COARSEST, FINEST_STEP
 from symbalance.engine.engine import LONGEST_NAME
 from symbalance.exact.angles import LARGEST_DENOMINATOR, degrees
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
-from symbalance.text.key_tables import Excludes, Key, Needs, OneOf, TableKeys, Unit
+from symbalance.text.key_tables import Excludes, FileUnit, Key, Needs, OneOf, TableKeys
 from symbalance.text.kinds import (
     ANY,
     NOT_NEGATIVE,
     POSITIVE,
     Choice,
+    ExactNumber,
     ListOf,
-    Number,
     Text,
     Whole,
 )
 from symbalance.text.numbers import LARGEST_QUOTIENT, exact
 
 MM, KG, KG_MM2, DEGREES = (
-    Unit("mm", 1e-3),
-    Unit("kg"),
-    Unit("kg mm²", 1e-6),
-    Unit("degrees", pi / 180),
+    FileUnit("mm", 1e-3),
+    FileUnit("kg"),
+    FileUnit("kg mm²", 1e-6),
+    FileUnit("degrees", pi / 180),
 )
-PITCHES, KG_MM = Unit("pitches"), Unit("kg mm", 1e-3)
+PITCHES, KG_MM = FileUnit("pitches"), FileUnit("kg mm", 1e-3)
 SIZES = "sizes are in mm and kg"
 
 
 @dataclass(frozen=True)
-class ExactDegrees(Number):
+class ExactDegrees(ExactNumber):
     """An angle in degrees, whose denominator is bounded: everything exact is in a field of that order."""
 
     def parse(self, value: object, name: str) -> Fraction:
@@ -52,7 +52,7 @@ class ExactDegrees(Number):
         return number
 
 
-ANGLE, QUOTIENT = ExactDegrees(), Number(finest=LARGEST_QUOTIENT)
+ANGLE, QUOTIENT = ExactDegrees(), ExactNumber(finest=LARGEST_QUOTIENT)
 
 ROD_KEYS = (
     Key("rod_mass", NOT_NEGATIVE, "The rod's own mass", KG, remedy=SIZES),
@@ -92,11 +92,11 @@ CRANK_TRAIN = TableKeys(
         *MASSES,
         Key(
             "ratio",
-            Number(
+            ExactNumber(
                 1,
                 open_low=True,
                 finest=LARGEST_QUOTIENT,
-                said="the rod must be longer than the crank, lambda = l/r > 1",
+                rule_text="the rod must be longer than the crank, lambda = l/r > 1",
             ),
             "The rod ratio λ = l/r, where stroke and rod are not given",
             remedy="engines have 3 to 4.5; r/l is the inverse",
@@ -179,7 +179,7 @@ LAYOUT = TableKeys(
         ),
         Key(
             "pin_step",
-            Number(0, COARSEST, open_low=True, finest=FINEST_STEP),
+            ExactNumber(0, COARSEST, open_low=True, finest=FINEST_STEP),
             "To what the pins are turned with `firing_at`",
             DEGREES,
             default="1/100",
@@ -205,7 +205,7 @@ CYLINDER = TableKeys(
         Key("bank", ANGLE, "Its axis' angle from vertical", DEGREES, otherwise="0"),
         Key(
             "station",
-            Number(-LONGEST_STATION, LONGEST_STATION),
+            ExactNumber(-LONGEST_STATION, LONGEST_STATION),
             "Its place along the crank, + towards the front",
             PITCHES,
             otherwise="0",

@@ -31,24 +31,24 @@ Sizes = Mapping[str, Fraction | None]
 """What a file says of one cylinder's sizes, by key; None where it has none."""
 
 
-def engine_text(layout: Engine) -> str:
+def engine_text(engine: Engine) -> str:
     """Return the text of an engine file; symbols, which no file holds, are refused.
 
     >>> from symbalance.engine.builders import inline
     >>> print(engine_text(inline("1")).splitlines()[3:6])
     ['[[cylinder]]', 'number = 1', 'throw = 0']
     """
-    sizes = [_written_sizes(c) for c in layout.cylinders]
-    shared = _shared(layout, sizes)
+    sizes = [_written_sizes(c) for c in engine.cylinders]
+    shared = _shared(engine, sizes)
     tables = [
-        ("", [("name", layout.name), ("strokes", layout.strokes)]),
-        ("[crank_train]", _crank_train(layout, shared)),
+        ("", [("name", engine.name), ("strokes", engine.strokes)]),
+        ("[crank_train]", _crank_train(engine, shared)),
     ]
-    rows = zip(layout.cylinders, sizes, strict=True)
+    rows = zip(engine.cylinders, sizes, strict=True)
     tables += [("[[cylinder]]", _cylinder(c, of_cylinder, shared)) for c, of_cylinder in rows]
-    for counterweight in layout.balancers.counterweights:
+    for counterweight in engine.balancers.counterweights:
         tables += [("[[counterweight]]", row) for row in _counterweight(counterweight)]
-    tables += [("[[balance_shaft]]", _shaft(s)) for s in layout.balancers.shafts]
+    tables += [("[[balance_shaft]]", _shaft(s)) for s in engine.balancers.shafts]
     return "\n".join(_table(head, rows) for head, rows in tables if rows)
 
 
@@ -93,7 +93,7 @@ def _written_sizes(cylinder: Cylinder) -> Sizes:
     return {**{key: getattr(sizes, key) for key in CYLINDER_SIZES}, "ratio": ratio}
 
 
-def _shared(layout: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
+def _shared(engine: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
     """Return the sizes that stand in [crank_train]: those no cylinder lacks, as most of them have them.
 
     A link rod takes no stroke, rod and ratio from there.
@@ -102,7 +102,7 @@ def _shared(layout: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
     for key in (*CYLINDER_SIZES, "ratio"):
         values = [
             of_cylinder[key]
-            for c, of_cylinder in zip(layout.cylinders, sizes, strict=True)
+            for c, of_cylinder in zip(engine.cylinders, sizes, strict=True)
             if c.link is None or key not in ("stroke", "rod", "ratio")
         ]
         known = [value for value in values if value is not None]
@@ -111,9 +111,9 @@ def _shared(layout: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
     return shared
 
 
-def _crank_train(layout: Engine, shared: Mapping[str, Fraction]) -> Row:
+def _crank_train(engine: Engine, shared: Mapping[str, Fraction]) -> Row:
     keys = ("stroke", "rod", "pitch", *CYLINDER_SIZES[2:], "ratio")
-    return _present_keys((key, layout.pitch if key == "pitch" else shared.get(key)) for key in keys)
+    return _present_keys((key, engine.pitch if key == "pitch" else shared.get(key)) for key in keys)
 
 
 def _cylinder(cylinder: Cylinder, sizes: Sizes, shared: Mapping[str, Fraction]) -> Row:

@@ -36,50 +36,50 @@ class RotatingMass:
     y: Fraction = Fraction(0)
 
 
-def rotating_masses(layout: Engine) -> list[RotatingMass]:
+def rotating_masses(engine: Engine) -> list[RotatingMass]:
     """Return all that turns and is not balanced by itself, each in the unit of its order."""
-    masses = [_counterweight(layout, c) for c in layout.balancers.counterweights]
-    if layout.balancers.counterweights:
-        masses += _rotating(layout)
-    for shaft in layout.balancers.shafts:
+    masses = [_counterweight(engine, c) for c in engine.balancers.counterweights]
+    if engine.balancers.counterweights:
+        masses += _rotating(engine)
+    for shaft in engine.balancers.shafts:
         for weight in shaft.weights:
-            vector = directed(_in_units(layout, weight, shaft.speed), shaft.phase)
+            vector = directed(_in_units(engine, weight, shaft.speed), shaft.phase)
             masses.append(RotatingMass(shaft.speed, vector, weight.station, shaft.x, shaft.y))
     return masses
 
 
-def _counterweight(layout: Engine, counterweight: Counterweight) -> RotatingMass:
-    against, station = counterweight.stands_at(layout.cylinders)
+def _counterweight(engine: Engine, counterweight: Counterweight) -> RotatingMass:
+    against, station = counterweight.stands_at(engine.cylinders)
     if counterweight.weight is not None:
-        vector = directed(_in_units(layout, counterweight.weight, 1), against)
+        vector = directed(_in_units(engine, counterweight.weight, 1), against)
     else:
         assert counterweight.overbalance is not None
-        place = next(i for i, c in enumerate(layout.cylinders) if c.number == counterweight.throw)
-        share = layout.rotating_sizes[place] + counterweight.overbalance * layout.sizes[place]
+        place = next(i for i, c in enumerate(engine.cylinders) if c.number == counterweight.throw)
+        share = engine.rotating_sizes[place] + counterweight.overbalance * engine.sizes[place]
         vector = directed(Phasor.of(1, {0: share}), against + counterweight.angle)
     return RotatingMass(1, vector, station)
 
 
-def _rotating(layout: Engine) -> list[RotatingMass]:
-    pairs = zip(layout.cylinders, layout.rotating_sizes, strict=True)
+def _rotating(engine: Engine) -> list[RotatingMass]:
+    pairs = zip(engine.cylinders, engine.rotating_sizes, strict=True)
     return [RotatingMass(1, directed(Phasor.of(1, {0: s}), c.throw), c.station) for c, s in pairs if s]
 
 
-def _in_units(layout: Engine, weight: Weight, speed: int) -> Amplitude:
+def _in_units(engine: Engine, weight: Weight, speed: int) -> Amplitude:
     """Return a weight's force over the unit of its order; decimals where that is no longer exact."""
     if weight.in_kg_mm:
-        unit = layout.unit_unbalance
+        unit = engine.unit_unbalance
         if unit is None:
             rule = "counts in units of m r"
             remedy = "give stroke and reciprocating_mass (above 0) in [crank_train], or a share"
             raise SymbalanceError("unbalance", rule, remedy)
         return weight.vector.scaled(speed * speed / unit)
-    if has_unit_share(layout, speed):
+    if has_unit_share(engine, speed):
         return weight.vector
-    return DecimalPhasor(weight.vector.evaluated() * unit_of_share(layout, speed))
+    return DecimalPhasor(weight.vector.evaluated() * unit_of_share(engine, speed))
 
 
-def has_unit_share(layout: Engine, speed: int) -> bool:
+def has_unit_share(engine: Engine, speed: int) -> bool:
     """Tell whether a share of 1 is the unit its order counts in: then shares are the order's vectors.
 
     Shares are of A_n m r omega^2, as orders are where the engine counts in them; or of m r omega^2 at
@@ -87,18 +87,18 @@ def has_unit_share(layout: Engine, speed: int) -> bool:
     where cylinders are alike, and a weight in kg mm faster than the crank makes orders count in
     m r omega^2 all the same: there a share of 1 is A_n (`unit_of_share`), which is no fraction.
     """
-    return layout.counts_in_orders or not layout.has_common_harmonics or abs(speed) == 1
+    return engine.counts_in_orders or not engine.has_common_harmonics or abs(speed) == 1
 
 
-def unit_of_share(layout: Engine, speed: int) -> Real:
+def unit_of_share(engine: Engine, speed: int) -> Real:
     """Return what a share of 1 pushes with at n times the crank's speed, in m r omega^2: A_n, or 1.
 
     It is 1 where cylinders have no A_n in common, and refused where that depends on an unknown ratio.
     """
     n = abs(speed)
-    if n == 1 or not layout.has_common_harmonics:
+    if n == 1 or not engine.has_common_harmonics:
         return Real(1)
-    if layout.ratio is None:
+    if engine.ratio is None:
         rule, remedy = f"has no rod ratio, and A_{n} depends on it", "give stroke and rod, or ratio"
-        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
-    return acceleration_values(n, layout.ratio, DIGITS)[n]
+        raise SymbalanceError(f"engine {engine.name!r}", rule, remedy)
+    return acceleration_values(n, engine.ratio, DIGITS)[n]

@@ -33,7 +33,7 @@ class Amplitude(ABC):
     >>> from symbalance.exact.decimal_phasor import DecimalPhasor
     >>> from symbalance.exact.phasor import Phasor
     >>> third = Phasor.root(Fraction(1, 3))
-    >>> (third + third.turned(Fraction(1, 2))).is_zero()
+    >>> (third + third.rotated(Fraction(1, 2))).is_zero()
     True
     >>> type(third + DecimalPhasor(Complex(1))).__name__
     'DecimalPhasor'
@@ -71,7 +71,7 @@ class Amplitude(ABC):
         """Return the number times a rational."""
 
     @abstractmethod
-    def turned(self, turns: Fraction) -> Self:
+    def rotated(self, turns: Fraction) -> Self:
         """Return the number times e^(2 pi i turns).
 
         Formulas:
@@ -122,7 +122,7 @@ class Amplitude(ABC):
 
     def imaginary(self) -> Self:
         """Return the imaginary part, as a real number."""
-        return self.turned(-QUARTER).real()
+        return self.rotated(-QUARTER).real()
 
     def norm(self) -> Self:
         """Return the number times its conjugate."""

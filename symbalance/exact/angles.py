@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.text.numbers import exact
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ def degrees(value: object, name: str = "angle") -> Angle:
     if number.denominator > LARGEST_DENOMINATOR:
         near = number.limit_denominator(100)
         raise SymbalanceError(
-            f"{name} = {shown(value)}",
+            f"{name} = {brief(value)}",
             f"an angle's denominator must be at most {LARGEST_DENOMINATOR}",
             f'write the fraction that is meant, such as "{near}"',
         )
@@ -128,7 +128,7 @@ def _from_expression(expression: Any, name: str) -> Angle:
     total = Angle(Fraction(0))
     if not isinstance(expression, sympy.Expr):
         raise SymbalanceError(
-            f"{name} = {shown(expression)}",
+            f"{name} = {brief(expression)}",
             "is no angle",
             "give degrees, or a SymPy expression in radians",
         )
@@ -138,7 +138,7 @@ def _from_expression(expression: Any, name: str) -> Angle:
         exact_factor = Fraction(int(factor.p), int(factor.q)) if factor.is_Rational else None
         if exact_factor is None or not (rest is sympy.pi or rest.is_Symbol):
             raise SymbalanceError(
-                f"{name} = {shown(expression)}",
+                f"{name} = {brief(expression)}",
                 "must be rational multiples of pi and of symbols (radians)",
                 "write it like alpha/2 + pi/6, or give degrees as a number",
             )

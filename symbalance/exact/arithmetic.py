@@ -28,7 +28,7 @@ def station_of(force: Amplitude, couple: Amplitude) -> Fraction | None:
     The nearest fraction is tried and proved; what cannot be proved is None.
 
     >>> from symbalance.exact.phasor import ONE
-    >>> station_of(ONE.scaled(2), ONE.scaled(3)), station_of(ONE, ONE.turned(Fraction(1, 4)))
+    >>> station_of(ONE.scaled(2), ONE.scaled(3)), station_of(ONE, ONE.rotated(Fraction(1, 4)))
     (Fraction(3, 2), None)
     """
     if force.is_zero():

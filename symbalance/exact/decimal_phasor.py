@@ -60,7 +60,7 @@ class DecimalPhasor(Amplitude):
         """Return the number times a rational."""
         return DecimalPhasor(self.value * factor)
 
-    def turned(self, turns: Fraction) -> DecimalPhasor:
+    def rotated(self, turns: Fraction) -> DecimalPhasor:
         """Return the number times e^(2 pi i turns)."""
         return DecimalPhasor(self.value * expjpi(2 * turns))
 

@@ -30,7 +30,7 @@ from functools import cache, cached_property, lru_cache
 from math import lcm, prod
 from typing import Any, ClassVar, overload
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.amplitude import Amplitude
 from symbalance.text.reals import DIGITS, Complex, Real, cospi, fsum
 
@@ -67,7 +67,7 @@ def checked_modulus(modulus: int) -> int:
     """Return `modulus`, or refuse one whose reductions would take too long."""
     if prod(prime_factors(modulus)) > LARGEST_RADICAL:
         raise SymbalanceError(
-            f"angles in {shown(modulus)}ths of a turn",
+            f"angles in {brief(modulus)}ths of a turn",
             f"the product of this number's primes must be at most {LARGEST_RADICAL}",
             "write angles in decimals of up to four places, or in fractions of few primes",
         )
@@ -219,10 +219,10 @@ class Phasor(Amplitude):
         """Return the number times a rational."""
         return Phasor(self.modulus, {k: c * factor for k, c in self.terms.items()} if factor else {})
 
-    def turned(self, turns: Fraction) -> Phasor:
+    def rotated(self, turns: Fraction) -> Phasor:
         """Return the number times e^(2 pi i turns).
 
-        >>> Phasor.root(Fraction(1, 3)).turned(Fraction(-1, 3)) == ONE
+        >>> Phasor.root(Fraction(1, 3)).rotated(Fraction(-1, 3)) == ONE
         True
         """
         modulus = lcm(self.modulus, turns.denominator)

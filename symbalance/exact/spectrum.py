@@ -91,7 +91,7 @@ class Component:
     @cached_property
     def sin(self) -> sympy.Expr:
         """The coefficient of sin n theta."""
-        return _real_form(self.number.turned(-QUARTER))
+        return _real_form(self.number.rotated(-QUARTER))
 
     @cached_property
     def amplitude(self) -> sympy.Expr:
@@ -187,7 +187,7 @@ def _symbolic_amplitude(number: SymbolicPhasor) -> sympy.Expr:
     """Return C where S is 0 and S where C is 0, else the root of C^2 + S^2."""
     import sympy
 
-    cos, sin = _real_form(number), _real_form(number.turned(-QUARTER))
+    cos, sin = _real_form(number), _real_form(number.rotated(-QUARTER))
     return sympy.sqrt(_real_form(number.norm())) if cos != 0 and sin != 0 else cos + sin
 
 
@@ -202,7 +202,7 @@ def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:
     value = number.evaluated(15)
     argument = atan2(value.imag, value.real) / (2 * pi(20))
     turns = Fraction(round(argument * steps), steps)
-    amplitude = number.turned(-turns)
+    amplitude = number.rotated(-turns)
     if not amplitude.imaginary().is_zero():
         return None
     return (turns + 1 if turns <= Fraction(-1, 2) else turns), amplitude.real()
@@ -226,9 +226,9 @@ class Spectrum:
         """Return the orders n > 0 present with either sign."""
         return sorted({abs(n) for n in self.terms})
 
-    def turned(self, turns: Fraction) -> Spectrum:
+    def rotated(self, turns: Fraction) -> Spectrum:
         """Return the vector turned by so many turns, in the sense of rotation."""
-        return Spectrum({n: c.turned(turns) for n, c in self.terms.items()})
+        return Spectrum({n: c.rotated(turns) for n, c in self.terms.items()})
 
     def delayed(self, turns: Fraction) -> Spectrum:
         """Return the vector delayed by so many turns of the crank.
@@ -237,7 +237,7 @@ class Spectrum:
             e^(i n (theta - d)) = e^(-i n d) e^(i n theta)
             with n a whole number; d an angle
         """
-        return Spectrum({n: c.turned(-n * turns) for n, c in self.terms.items()})
+        return Spectrum({n: c.rotated(-n * turns) for n, c in self.terms.items()})
 
     def scaled(self, factor: int | Fraction) -> Spectrum:
         """Return the vector times a rational."""
@@ -274,7 +274,7 @@ def _component(forward: Amplitude, backward: Amplitude, name: str) -> Component:
         case "vertical":
             return Component(forward + backward)
         case "lateral":
-            return Component((forward - backward).turned(QUARTER))
+            return Component((forward - backward).rotated(QUARTER))
         case "forward":
             return Component(forward)
         case "backward":

@@ -63,9 +63,9 @@ class SymbolicPhasor(Amplitude):
         """Return the number times a rational."""
         return SymbolicPhasor.of({s: p.scaled(factor) for s, p in self.parts.items()})
 
-    def turned(self, turns: Fraction) -> SymbolicPhasor:
+    def rotated(self, turns: Fraction) -> SymbolicPhasor:
         """Return the number times e^(2 pi i turns)."""
-        return SymbolicPhasor({s: p.turned(turns) for s, p in self.parts.items()})
+        return SymbolicPhasor({s: p.rotated(turns) for s, p in self.parts.items()})
 
     def conjugate(self) -> SymbolicPhasor:
         """Return the complex conjugate, the symbols being real."""

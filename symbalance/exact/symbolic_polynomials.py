@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Component
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
@@ -94,7 +94,7 @@ def polynomial(value: object, name: str) -> Polynomial:
         terms = None
     if terms is None:
         rule = "must be a polynomial in symbols with rational coefficients"
-        raise SymbalanceError(f"{name} = {shown(value)}", rule, "write it like m1 or m + m1/2")
+        raise SymbalanceError(f"{name} = {brief(value)}", rule, "write it like m1 or m + m1/2")
     coefficients = {}
     for powers, c in terms:
         monomial = tuple((s, p) for s, p in zip(symbols, powers, strict=True) if p)
@@ -129,9 +129,9 @@ class SymbolSum:
     def __neg__(self) -> SymbolSum:
         return SymbolSum({m: -n for m, n in self.terms.items()})
 
-    def turned(self, turns: Fraction) -> SymbolSum:
+    def rotated(self, turns: Fraction) -> SymbolSum:
         """Return the sum times e^(2 pi i turns)."""
-        return SymbolSum({m: n.turned(turns) for m, n in self.terms.items()})
+        return SymbolSum({m: n.rotated(turns) for m, n in self.terms.items()})
 
     def conjugate(self) -> SymbolSum:
         """Return the complex conjugate, all symbols being real."""
@@ -206,7 +206,7 @@ class SymbolComponent:
     @cached_property
     def sin(self) -> sympy.Expr:
         """The coefficient of sin n theta."""
-        return self.sum.turned(Fraction(-1, 4)).real_part()
+        return self.sum.rotated(Fraction(-1, 4)).real_part()
 
     @cached_property
     def amplitude(self) -> sympy.Expr:

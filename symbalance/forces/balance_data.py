@@ -23,12 +23,12 @@ VALUE_DIGITS = 20
 def balance_data(balance: Balance) -> dict[str, Any]:
     """Return what `to_json` writes of a balance, as plain Python values."""
     return {
-        "engine": balance.layout.name,
-        "strokes": balance.layout.strokes,
+        "engine": balance.engine.name,
+        "strokes": balance.engine.strokes,
         "ratio": None if balance.ratio is None else str(balance.ratio),
         "reference_plane": plane_key(balance.reference),
-        "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.layout.cylinders],
-        **({"balancers": _balancers(balance.layout.balancers)} if balance.layout.balancers else {}),
+        "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.engine.cylinders],
+        **({"balancers": _balancers(balance.engine.balancers)} if balance.engine.balancers else {}),
         "orders": [_order(order, balance) for order in balance.orders],
         **({"roll": _roll(balance)} if roll_rows(balance) else {}),
     }

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Protocol
 
-from symbalance.document.decimals import shown
+from symbalance.document.decimals import short_decimal
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import (
     Decimal,
@@ -65,7 +65,7 @@ _MR = _M * _R * _OMEGA**2
 
 def balance_document(balance: Balance) -> Document:
     """Return a balance as a document: the components that are free, the coefficients, the conventions."""
-    return Document(engine_title(balance.layout), resultant_blocks(balance) + conventions(balance))
+    return Document(engine_title(balance.engine), resultant_blocks(balance) + conventions(balance))
 
 
 def resultant_blocks(balance: Balance) -> tuple[Block, ...]:
@@ -94,17 +94,17 @@ def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tu
 
     `own` are what a result's own tables mean; they stand before the rest.
     """
-    layout, alike = balance.layout, balance.kinematics is not None
+    engine, alike = balance.engine, balance.kinematics is not None
     entries = (
         *own,
-        *origin_facts(layout),
-        *size_facts(layout, balance.ratio, alike=alike),
-        *balancer_entries(layout),
+        *origin_facts(engine),
+        *size_facts(engine, balance.ratio, alike=alike),
+        *balancer_entries(engine),
         SIGNS,
         ORDER,
     )
     facts = Facts(entries, "How to read it")
-    return (facts,) if alike else (group_table(layout), facts)
+    return (facts,) if alike else (group_table(engine), facts)
 
 
 def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
@@ -210,7 +210,7 @@ def _series(series: Series) -> Words:
     power, lead = min(series.terms.items())
     if len(str(abs(lead.numerator))) <= LONGEST_NUMERATOR:
         return series_formula(series, ellipsis=True)
-    return ("≈ ", Decimal(shown(Real(lead))) * _LAM ** number(-power) + Dots())
+    return ("≈ ", Decimal(short_decimal(Real(lead))) * _LAM ** number(-power) + Dots())
 
 
 def _coefficients(balance: Balance) -> tuple[Block, ...]:
@@ -238,7 +238,7 @@ def coefficient_table(
     for order in orders:
         assert order.coefficient is not None
         value = values.get(order.order)
-        written = "" if value is None else Decimal(shown(value))
+        written = "" if value is None else Decimal(short_decimal(value))
         cells.append((number(order.order), _series(order.coefficient), written))
     columns = (Column("order"), Column((letter, " in powers of ", 1 / _LAM)), Column(at))
     return Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells))

@@ -52,76 +52,76 @@ class MovingMass:
     shares: tuple[Fraction, ...]
 
 
-def moving_masses(layout: Engine, measures: Sequence[str] = MASSES) -> list[MovingMass]:
+def moving_masses(engine: Engine, measures: Sequence[str] = MASSES) -> list[MovingMass]:
     """Return the bodies that push: pistons, then what sits on link pins.
 
     A rotating mass on the crank pin turns steadily and is a rotor; one on a link pin is that and, here,
     what the link pin adds to the crank pin's circle.
     """
-    _check_numbers(layout)
-    places = {c.number: i for i, c in enumerate(layout.cylinders)}
+    _check_numbers(engine)
+    places = {c.number: i for i, c in enumerate(engine.cylinders)}
     masses = []
     for measure in measures:
-        if measure == ROTATING and not layout.has_link_pin_masses:
+        if measure == ROTATING and not engine.has_link_pin_masses:
             continue  # what it counts in, a reciprocating mass, need not be given
-        for group in layout.groups:
+        for group in engine.groups:
             for body in group.bodies:
                 if body.measure == measure:
-                    sizes = layout.sizes if measure == RECIPROCATING else layout.rotating_sizes
+                    sizes = engine.sizes if measure == RECIPROCATING else engine.rotating_sizes
                     shares = tuple(sizes[places[c.number]] for c in group.cylinders)
                     masses += [MovingMass(body, group.cylinders, shares)] if any(shares) else []
     return masses
 
 
-def _check_numbers(layout: Engine) -> None:
-    if layout.has_symbols:
+def _check_numbers(engine: Engine) -> None:
+    if engine.has_symbols:
         rule = "has angles with symbols, and cylinders that are not alike"
         remedy = "give the angles in numbers, or take symbolic_order"
-        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
+        raise SymbalanceError(f"engine {engine.name!r}", rule, remedy)
 
 
 def planar_vectors(
-    layout: Engine, order: int, reference: Fraction | None = None
+    engine: Engine, order: int, reference: Fraction | None = None
 ) -> tuple[Spectrum, Spectrum]:
     """Return the free force, and the couple about a station (default: the mean), to an order.
 
     In units of each order's A_n m r omega^2 where the engine `counts_in_orders`, else of m r omega^2.
     """
-    plane = layout.mean_station if reference is None else reference
-    weights = _weights(layout, plane)
-    if layout.counts_in_orders:
+    plane = engine.mean_station if reference is None else reference
+    weights = _weights(engine, plane)
+    if engine.counts_in_orders:
         orders = [n for n in range(1, order + 1) if surviving(n)]
-        pushed = [geometry(layout, orders, of_each) for of_each in weights]
+        pushed = [geometry(engine, orders, of_each) for of_each in weights]
     else:
-        pushed = _spectra_of(moving_masses(layout), layout, order, weights)
-    return _with_rotors(layout, order, plane, pushed)
+        pushed = _spectra_of(moving_masses(engine), engine, order, weights)
+    return _with_rotors(engine, order, plane, pushed)
 
 
 def turning_vectors(
-    layout: Engine, order: int, reference: Fraction | None = None
+    engine: Engine, order: int, reference: Fraction | None = None
 ) -> tuple[Spectrum, Spectrum]:
     """Return the part of `planar_vectors` that rotors and masses on link pins add, in the same units."""
-    plane = layout.mean_station if reference is None else reference
+    plane = engine.mean_station if reference is None else reference
     # Where nothing is on a link pin angles may hold symbols, which moving masses may not.
-    masses = moving_masses(layout, [ROTATING]) if layout.has_link_pin_masses else []
-    pushed = _spectra_of(masses, layout, order, _weights(layout, plane))
-    return _with_rotors(layout, order, plane, pushed)
+    masses = moving_masses(engine, [ROTATING]) if engine.has_link_pin_masses else []
+    pushed = _spectra_of(masses, engine, order, _weights(engine, plane))
+    return _with_rotors(engine, order, plane, pushed)
 
 
-def _weights(layout: Engine, plane: Fraction) -> tuple[list[Fraction], list[Fraction]]:
+def _weights(engine: Engine, plane: Fraction) -> tuple[list[Fraction], list[Fraction]]:
     """Return every cylinder's weight in the force, 1, and in the couple about `plane`, its lever arm."""
-    return [Fraction(1)] * len(layout.cylinders), layout.arms(plane)
+    return [Fraction(1)] * len(engine.cylinders), engine.lever_arms(plane)
 
 
 def _with_rotors(
-    layout: Engine, order: int, plane: Fraction, pushed: Sequence[Spectrum]
+    engine: Engine, order: int, plane: Fraction, pushed: Sequence[Spectrum]
 ) -> tuple[Spectrum, Spectrum]:
     """Return a force, and a couple about `plane`, with what rotors add to them."""
     force, couple = pushed
-    return rotor_spectrum(layout, order, None) + force, rotor_spectrum(layout, order, plane) + couple
+    return rotor_spectrum(engine, order, None) + force, rotor_spectrum(engine, order, plane) + couple
 
 
-def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spectrum:
+def rotor_spectrum(engine: Engine, highest: int, plane: Fraction | None) -> Spectrum:
     """Return what turns adds to the force, or to the couple about `plane`, up to an order.
 
     >>> from symbalance.engine.balance_masses import Counterweight
@@ -131,29 +131,29 @@ def rotor_spectrum(layout: Engine, highest: int, plane: Fraction | None) -> Spec
     -1/2
     """
     total: dict[int, Amplitude] = {}
-    for rotor in layout.rotating_masses:
+    for rotor in engine.rotating_masses:
         if abs(rotor.speed) <= highest:
             arm = Fraction(1) if plane is None else rotor.station - plane
             part = rotor.vector.scaled(arm)
-            if not layout.counts_in_orders:  # weights that a file gives in 30 digits may cancel so far
+            if not engine.counts_in_orders:  # weights that a file gives in 30 digits may cancel so far
                 part = DecimalPhasor.holding(part)
             total[rotor.speed] = total[rotor.speed] + part if rotor.speed in total else part
     return Spectrum.of(total)
 
 
 def _spectra_of(
-    masses: Iterable[MovingMass], layout: Engine, order: int, weights: Sequence[Sequence[Fraction]]
+    masses: Iterable[MovingMass], engine: Engine, order: int, weights: Sequence[Sequence[Fraction]]
 ) -> list[Spectrum]:
     """Return, for each list of the cylinders' weights, the sum of weight times every mass's force."""
     by_number = [
-        {c.number: w for c, w in zip(layout.cylinders, of_each, strict=True)} for of_each in weights
+        {c.number: w for c, w in zip(engine.cylinders, of_each, strict=True)} for of_each in weights
     ]
     totals: list[dict[int, DecimalPhasor]] = [{} for _ in weights]
     for mass in masses:
         forces = mass.body.force(order)
         for total, weight in zip(totals, by_number, strict=True):
             factors = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
-            sums = _exact_sums(mass.cylinders, layout.modulus, range(1, order + 1), factors)
+            sums = _exact_sums(mass.cylinders, engine.modulus, range(1, order + 1), factors)
             for n, phasor in sums.items():
                 if n in forces:
                     part = DecimalPhasor(phasor.evaluated() * forces[n])
@@ -161,20 +161,20 @@ def _spectra_of(
     return [Spectrum.of({n: total[n] for n in sorted(total)}) for total in totals]
 
 
-def left_out_above(layout: Engine, order: int, weights: Sequence[Real]) -> Real:
+def left_out_above(engine: Engine, order: int, weights: Sequence[Real]) -> Real:
     """Return a proved bound on the sum of |weight| times every cylinder's harmonics above `order`.
 
     In units of m r omega^2 of cylinder 1: the sum of |w_j| s_j times each moving mass's tail.
     """
-    weight = {c.number: abs(w) for c, w in zip(layout.cylinders, weights, strict=True)}
+    weight = {c.number: abs(w) for c, w in zip(engine.cylinders, weights, strict=True)}
     total = Real(0)
-    for mass in moving_masses(layout):
+    for mass in moving_masses(engine):
         reach = fsum(weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True))
         total += mass.body.tail(order) * reach
     return total
 
 
-def geometry(layout: Engine, orders: Sequence[int], weights: Sequence[Fraction]) -> Spectrum:
+def geometry(engine: Engine, orders: Sequence[int], weights: Sequence[Fraction]) -> Spectrum:
     """Return the sum over cylinders of weight times cos n p of each, for each of `orders`.
 
     Half of it turns with the crank and half against it: c_n and c_-n hold half of every weight.
@@ -183,11 +183,11 @@ def geometry(layout: Engine, orders: Sequence[int], weights: Sequence[Fraction])
     >>> geometry(inline("1-2-3-4-5-6-7"), range(1, 15), [Fraction(1)] * 7).orders()
     [7, 14]
     """
-    modulus = layout.modulus  # refuses angles too fine together, beside symbols too
+    modulus = engine.modulus  # refuses angles too fine together, beside symbols too
     halves = [weight * HALF for weight in weights]
-    if not layout.has_symbols:
-        return Spectrum(_exact_sums(layout.cylinders, modulus, orders, halves))
-    return _with_symbols(layout.cylinders, orders, halves)
+    if not engine.has_symbols:
+        return Spectrum(_exact_sums(engine.cylinders, modulus, orders, halves))
+    return _with_symbols(engine.cylinders, orders, halves)
 
 
 def _exact_sums(

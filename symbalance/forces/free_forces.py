@@ -27,7 +27,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import Component, Spectrum
 from symbalance.forces.force_sums import planar_vectors
 from symbalance.kinematics.coefficients import FORCE, Kinematics
@@ -87,7 +87,7 @@ class Order:
 
 @dataclass(frozen=True, repr=False)
 class Balance(Result):
-    """What is left free in a layout: `force` and `couple` by order, up to `highest`.
+    """What is left free in an engine: `force` and `couple` by order, up to `highest`.
 
     `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
     says what A_n is where components are geometry, in units of A_n m r omega^2; it is None where they
@@ -105,7 +105,7 @@ class Balance(Result):
     ([1, 2, 4], sqrt(25/2 - 11*sqrt(5)/2))
     """
 
-    layout: Engine
+    engine: Engine
     highest: int
     force: Spectrum
     couple: Spectrum
@@ -121,7 +121,7 @@ class Balance(Result):
             f"free {name} of order {listed_orders(sorted(orders))}" if orders else f"no free {name}"
             for name, orders in (("force", self.force.orders()), ("couple", self.couple.orders()))
         ]
-        return f"Balance of {self.layout.name} to order {self.highest}: {'; '.join(parts)}"
+        return f"Balance of {self.engine.name} to order {self.highest}: {'; '.join(parts)}"
 
     def document(self) -> Document:
         """Return the free force and couple by order, then what the letters mean."""
@@ -144,7 +144,7 @@ class Balance(Result):
     @property
     def ratio(self) -> Fraction | None:
         """The rod ratio lambda = l/r, if known."""
-        return self.layout.ratio
+        return self.engine.ratio
 
     @cached_property
     def orders(self) -> tuple[Order, ...]:
@@ -185,16 +185,16 @@ class Balance(Result):
 
 
 def balance(
-    layout: Engine,
+    engine: Engine,
     order: int = 12,
     *,
     ratio: object = None,
     power: int | None = None,
     reference: object = None,
 ) -> Balance:
-    """Return the free forces and couples of a layout to an order, each exact.
+    """Return the free forces and couples of an engine to an order, each exact.
 
-    `ratio` overrides the layout's rod ratio lambda = l/r, `power` keeps that many powers of 1/lambda in
+    `ratio` overrides the engine's rod ratio lambda = l/r, `power` keeps that many powers of 1/lambda in
     the printed series, `reference` is the station couples are taken about (default: the stations' mean).
 
     The primary force of a 90-degree V-twin on one pin has the size F_1 and turns with the crank, theta
@@ -206,13 +206,13 @@ def balance(
         with V the force.vertical of order 1 of v2-90; H the force.lateral of order 1 of v2-90
     """
     order = checked_order(order)
-    if not isinstance(layout, Engine):
+    if not isinstance(engine, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be an Engine", 'load one with load("v12-60"), or build one'
+            f"engine = {brief(engine)}", "must be an Engine", 'load one with load("v12-60"), or build one'
         )
     if ratio is None:
-        return _balance(layout, order, power, reference)
-    return _balance(layout.with_ratio(ratio), order, power, reference)
+        return _balance(engine, order, power, reference)
+    return _balance(engine.with_ratio(ratio), order, power, reference)
 
 
 def listed_orders(orders: Sequence[int | Fraction]) -> str:
@@ -225,18 +225,18 @@ def listed_orders(orders: Sequence[int | Fraction]) -> str:
     return ", ".join([*printed[:6], "…", printed[-1]] if len(printed) > 8 else printed)
 
 
-def _balance(layout: Engine, order: int, power: int | None, reference: object) -> Balance:
+def _balance(engine: Engine, order: int, power: int | None, reference: object) -> Balance:
     plane = None if reference is None else exact(reference, "reference")
-    force, couple = planar_vectors(layout, order, plane)
-    apart = FORCE if layout.counts_in_orders else None
-    return _with_power(Balance(layout, order, force, couple, plane, kinematics=apart), power)
+    force, couple = planar_vectors(engine, order, plane)
+    apart = FORCE if engine.counts_in_orders else None
+    return _with_power(Balance(engine, order, force, couple, plane, kinematics=apart), power)
 
 
 def checked_balance(result: object) -> Balance:
     """Return a balance, or refuse what is none."""
     if not isinstance(result, Balance):
         raise SymbalanceError(
-            f"result = {shown(result)}", "must be a Balance", "make one with balance(layout)"
+            f"result = {brief(result)}", "must be a Balance", "make one with balance(layout)"
         )
     return result
 

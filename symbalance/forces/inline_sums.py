@@ -31,7 +31,7 @@ from typing import TYPE_CHECKING, Any
 
 from symbalance.document.symbols import symbol
 from symbalance.engine.engine import checked_strokes
-from symbalance.errors import SymbalanceError, shown, written
+from symbalance.errors import SymbalanceError, brief, literal
 from symbalance.text.numbers import whole
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def _read(value: Any, name: str) -> Any:
     real = isinstance(value, sympy.Expr) and value.is_extended_real is not False
     if not real or (value.is_number and not value.is_finite):
         rule = "must be a whole number or a real SymPy expression"
-        raise SymbalanceError(f"{name} = {written(value)}", rule, "a symbol stands for any number")
+        raise SymbalanceError(f"{name} = {literal(value)}", rule, "a symbol stands for any number")
     # A Float is a dyadic rational: exact, the poles of the closed forms are found beside it too.
     return value.xreplace({number: sympy.Rational(number) for number in value.atoms(sympy.Float)})
 
@@ -60,7 +60,7 @@ def _counted(count: Count) -> Any:
     number = _read(count, "count")
     if number.is_integer is False or number.is_positive is False:
         rule = "must be a positive whole number or a symbol for one"
-        raise SymbalanceError(f"count = {shown(count)}", rule, "an engine has at least one cylinder")
+        raise SymbalanceError(f"count = {brief(count)}", rule, "an engine has at least one cylinder")
     return number
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy
 
-from symbalance.document.decimals import SHOWN_DIGITS, shown
+from symbalance.document.decimals import SHOWN_DIGITS, short_decimal
 from symbalance.exact.spectrum import Component
 from symbalance.forces.free_forces import Balance, Order, Resultant
 from symbalance.forces.shaft_moments import has_shafts_aside, shaft_moment
@@ -44,7 +44,7 @@ class Row:
             return None
         cos, sin = self.component.decimal(SHOWN_DIGITS + 10)
         values = (cos, sin, hypot(cos, sin), atan2(sin, cos))
-        cos_text, sin_text, amplitude, phase = (shown(v) for v in values)
+        cos_text, sin_text, amplitude, phase = (short_decimal(v) for v in values)
         return cos_text, sin_text, amplitude, phase
 
     def phase_in_turns(self) -> sympy.Expr | None:
@@ -103,10 +103,10 @@ def roll_rows(balance: Balance) -> list[Row]:
 
     Units F_n r, or m r^2 omega^2 where components hold the kinematics; a stroke has to be known.
     """
-    layout = balance.layout
-    if not has_shafts_aside(layout) or layout.first.stroke is None:
+    engine = balance.engine
+    if not has_shafts_aside(engine) or engine.first.stroke is None:
         return []
-    moments = shaft_moment(layout).items()
+    moments = shaft_moment(engine).items()
     return [Row(n, "roll", part) for n, part in moments if n <= balance.highest]
 
 

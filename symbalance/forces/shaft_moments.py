@@ -27,7 +27,7 @@ from symbalance.exact.spectrum import Component
 from symbalance.text.reals import DIGITS, Real
 
 
-def shaft_moment(layout: Engine) -> dict[int, Component]:
+def shaft_moment(engine: Engine) -> dict[int, Component]:
     """Return the roll moment of an engine's balance shafts by order, C + iS each, in units F_n r.
 
     F_n = A_n m r omega^2 (m r omega^2 where that is the unit of the balance); positive in the sense of
@@ -48,10 +48,10 @@ def shaft_moment(layout: Engine) -> dict[int, Component]:
     -7
     """
     total: dict[int, Amplitude] = {}
-    for rotor in layout.rotating_masses if has_shafts_aside(layout) else ():
+    for rotor in engine.rotating_masses if has_shafts_aside(engine) else ():
         if not (rotor.x or rotor.y):
             continue
-        radius = layout.first.radius
+        radius = engine.first.radius
         if radius is None:
             rule, remedy = "needs the stroke to be a moment", "give stroke = ... in [crank_train], mm"
             raise SymbalanceError("x, y of a shaft", rule, remedy)
@@ -59,21 +59,21 @@ def shaft_moment(layout: Engine) -> dict[int, Component]:
         moment, n = rotor.vector.scaled(above), abs(rotor.speed)
         quarter = Fraction(1, 4)
         if right:
-            moment += rotor.vector.turned(-quarter).scaled(right)
-        part = moment.conjugate().turned(quarter) if rotor.speed > 0 else moment.turned(-quarter)
+            moment += rotor.vector.rotated(-quarter).scaled(right)
+        part = moment.conjugate().rotated(quarter) if rotor.speed > 0 else moment.rotated(-quarter)
         total[n] = total.get(n, ZERO) + part
     return {n: Component(c) for n, c in sorted(total.items()) if not c.is_zero()}
 
 
-def has_shafts_aside(layout: Engine) -> bool:
+def has_shafts_aside(engine: Engine) -> bool:
     """Tell whether some balance shaft runs off the crank's axis."""
-    return any(shaft.x or shaft.y for shaft in layout.balancers.shafts)
+    return any(shaft.x or shaft.y for shaft in engine.balancers.shafts)
 
 
-def shaft_terms(layout: Engine, order: int) -> Iterator[tuple[int, Real, Real]]:
+def shaft_terms(engine: Engine, order: int) -> Iterator[tuple[int, Real, Real]]:
     """Yield (n, C, S) of the shafts' roll moment up to an order, in m r^2 omega^2 of cylinder 1."""
-    for n, part in shaft_moment(layout).items():
+    for n, part in shaft_moment(engine).items():
         if n <= order:
             cos, sin = part.decimal(DIGITS)
-            unit = unit_of_share(layout, n) if layout.counts_in_orders else 1
+            unit = unit_of_share(engine, n) if engine.counts_in_orders else 1
             yield n, cos * unit, sin * unit

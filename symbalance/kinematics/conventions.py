@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 
 class Convention(NamedTuple):
@@ -42,5 +42,5 @@ def convention_named(name: str) -> Convention:
     """
     if not isinstance(name, str) or name not in CONVENTIONS:
         rule = f"must be one of {', '.join(CONVENTIONS)}"
-        raise SymbalanceError(f"convention = {shown(name)}", rule, "l/r is the default")
+        raise SymbalanceError(f"convention = {brief(name)}", rule, "l/r is the default")
     return CONVENTIONS[name]

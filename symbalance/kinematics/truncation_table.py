@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from symbalance.document.decimals import shown
+from symbalance.document.decimals import short_decimal
 from symbalance.document.formula import Decimal, number
 from symbalance.document.nodes import Column, Document, Facts, Table
 from symbalance.document.result import SequenceResult
@@ -41,7 +41,7 @@ class TruncationBounds(SequenceResult[tuple[int, Real]]):
     def document(self) -> Document:
         """Return a table of bounds by order."""
         columns = (Column("harmonics to order"), Column(f"error at most, {UNITS[self.quantity]}"))
-        rows = tuple((number(order), Decimal(shown(bound))) for order, bound in self)
+        rows = tuple((number(order), Decimal(short_decimal(bound))) for order, bound in self)
         legend = (
             ("error", "largest over a turn, every coefficient kept exact in λ; proved, and reached"),
             ("λ", "connecting rod over crank radius"),

@@ -14,14 +14,14 @@ from fractions import Fraction
 from math import isfinite
 from typing import NamedTuple
 
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.measurements import reading
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.measurements import as_float
 from symbalance.text.numbers import exact
 
 _DIGIT = re.compile(r"\d")
 
 
-class Row(NamedTuple):
+class CsvRow(NamedTuple):
     """One line's cells, without the spaces around them; `place` is its file and line number."""
 
     place: str
@@ -31,7 +31,7 @@ class Row(NamedTuple):
     def check_width(self, count: int, remedy: str) -> None:
         """Refuse a row of more or fewer than `count` cells."""
         if len(self.cells) != count:
-            what, rule = f"line {shown(self.text)!r}", f"has {len(self.cells)} columns, not {count}"
+            what, rule = f"line {brief(self.text)!r}", f"has {len(self.cells)} columns, not {count}"
             raise SymbalanceError(what, rule, remedy, self.place)
 
     def number(self, column: int, name: str) -> float:
@@ -41,11 +41,11 @@ class Row(NamedTuple):
         15.0
         """
         try:
-            number = reading(self.cells[column], name)
+            number = as_float(self.cells[column], name)
         except SymbalanceError as problem:
             raise self._refusal(problem, column) from None
         if not isfinite(number):
-            what = f"{name} = {shown(self.cells[column])}"
+            what = f"{name} = {brief(self.cells[column])}"
             raise SymbalanceError(what, "is beyond all bounds", "check the unit", self.place)
         return number
 
@@ -62,14 +62,14 @@ class Row(NamedTuple):
         return problem.within(self.place)
 
 
-def rows_of(text: str, place: str) -> list[Row]:
+def rows_of(text: str, place: str) -> list[CsvRow]:
     """Return a CSV text's rows, headers among them; `place` is what errors call the file.
 
     >>> [row.cells for row in rows_of('# weighed\\nname,kg\\n\\n"left, front",0.4', "p.csv")]
     [('name', 'kg'), ('left, front', '0.4')]
     """
     lines = ((f"{place}:{number}", line.strip()) for number, line in enumerate(text.splitlines(), 1))
-    return [Row(at, line, _cells(line, at)) for at, line in lines if line and not line.startswith("#")]
+    return [CsvRow(at, line, _cells(line, at)) for at, line in lines if line and not line.startswith("#")]
 
 
 def _cells(line: str, place: str) -> tuple[str, ...]:
@@ -80,11 +80,11 @@ def _cells(line: str, place: str) -> tuple[str, ...]:
             cells = next(csv.reader([line], delimiter=separator))
         except csv.Error:
             rule, remedy = "is no line of CSV", "shorten the text in quotes"
-            raise SymbalanceError(f"line {shown(line)!r}", rule, remedy, place) from None
+            raise SymbalanceError(f"line {brief(line)!r}", rule, remedy, place) from None
     return tuple([cell.strip() for cell in cells])
 
 
-def without_headers(rows: Sequence[Row], most: int | None = 1) -> tuple[list[Row], list[Row]]:
+def without_headers(rows: Sequence[CsvRow], most: int | None = 1) -> tuple[list[CsvRow], list[CsvRow]]:
     """Return the headers a file of numbers begins with, `most` at most (None: any number), and the rest.
 
     A header is a row whose first cell holds no digit, or none of whose cells is a number.
@@ -99,21 +99,21 @@ def without_headers(rows: Sequence[Row], most: int | None = 1) -> tuple[list[Row
     return list(rows[:count]), list(rows[count:])
 
 
-def _is_header(row: Row) -> bool:
+def _is_header(row: CsvRow) -> bool:
     return not _DIGIT.search(row.cells[0]) or not any(map(_is_number, row.cells))
 
 
 def _is_number(cell: str) -> bool:
     try:
-        reading(cell, "")
+        as_float(cell, "")
     except SymbalanceError:
         return False
     return True
 
 
-def check_units(header: Row, foreign: re.Pattern[str], expected: str) -> None:
+def check_units(header: CsvRow, foreign: re.Pattern[str], expected: str) -> None:
     """Refuse a header that names a unit among `foreign`, where the file is taken to hold `expected`."""
     unit = foreign.search(header.text)
     if unit:
-        what, rule = f"header {shown(header.text)!r}", f"names {unit[0]}, and this reads {expected}"
+        what, rule = f"header {brief(header.text)!r}", f"names {unit[0]}, and this reads {expected}"
         raise SymbalanceError(what, rule, "convert the column, and its name", header.place)

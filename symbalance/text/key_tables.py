@@ -17,14 +17,14 @@ from symbalance.text.kinds import Kind, Schema
 
 
 @dataclass(frozen=True)
-class Unit:
+class FileUnit:
     """A unit as files name it, and how much of the SI's unit it is."""
 
     name: str
     factor: float = 1.0
 
 
-NO_UNIT = Unit("")
+NO_UNIT = FileUnit("")
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Key:
     name: str
     kind: Kind | TableKeys
     meaning: str
-    unit: Unit = NO_UNIT
+    unit: FileUnit = NO_UNIT
     default: Any = None
     otherwise: str = ""
     required: bool = False
@@ -80,7 +80,7 @@ class Key:
         return self.otherwise or ("" if self.default is None else str(self.default))
 
 
-class Given(Protocol):
+class CheckedTable(Protocol):
     """A table as a rule looks at it: which keys it has, and how a refusal is said of it."""
 
     def __contains__(self, key: str) -> bool: ...
@@ -106,7 +106,7 @@ class Rule(Protocol):
         """The rule as the reference says it."""
         ...
 
-    def broken(self, table: Given) -> SymbalanceError | None:
+    def broken(self, table: CheckedTable) -> SymbalanceError | None:
         """Return the refusal of a table that breaks the rule."""
         ...
 
@@ -138,7 +138,7 @@ class OneOf:
         """The rule as the reference says it."""
         return f"Exactly one of {_coded([g[0] for g in self.groups], 'and')}."
 
-    def broken(self, table: Given) -> SymbalanceError | None:
+    def broken(self, table: CheckedTable) -> SymbalanceError | None:
         """Return the refusal of a table with none or several of them."""
         there = [group for group in self.groups if any(key in table for key in group)]
         return None if len(there) == 1 else table.refused(self.rule, self.remedy)
@@ -160,7 +160,7 @@ class Some:
         """The rule as the reference says it."""
         return f"At least one of {_coded(self.keys, 'and')}."
 
-    def broken(self, table: Given) -> SymbalanceError | None:
+    def broken(self, table: CheckedTable) -> SymbalanceError | None:
         """Return the refusal of a table without any of them."""
         missing = not any(key in table for key in self.keys)
         return table.missing(self.keys[0], self.remedy) if missing else None
@@ -184,7 +184,7 @@ class Excludes:
         """The rule as the reference says it."""
         return f"`{self.key}` without {_coded(self.others)}."
 
-    def broken(self, table: Given) -> SymbalanceError | None:
+    def broken(self, table: CheckedTable) -> SymbalanceError | None:
         """Return the refusal of a table that has both."""
         if self.key in table and any(other in table for other in self.others):
             return table.refusal(self.key, self.rule, self.remedy)
@@ -209,7 +209,7 @@ class Needs:
         """The rule as the reference says it."""
         return f"`{self.key}` only with `{self.other}`."
 
-    def broken(self, table: Given) -> SymbalanceError | None:
+    def broken(self, table: CheckedTable) -> SymbalanceError | None:
         """Return the refusal of a table that has the key alone."""
         if self.key not in table or self.other in table:
             return None
@@ -234,7 +234,7 @@ class Together:
         """The rule as the reference says it."""
         return f"{_coded(self.keys, 'and')} together."
 
-    def broken(self, table: Given) -> SymbalanceError | None:
+    def broken(self, table: CheckedTable) -> SymbalanceError | None:
         """Return the refusal of a table with some of them, which names the first that is missing."""
         missing = [key for key in self.keys if key not in table]
         if len(missing) in (0, len(self.keys)):

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Protocol
 
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.measurements import measured
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.measurements import measurement
 from symbalance.text.numbers import LARGEST, checked_whole, exact
 
 Schema = dict[str, Any]
@@ -40,10 +40,10 @@ class Kind(Protocol):
 
 
 @dataclass(frozen=True)
-class Number:
+class ExactNumber:
     """A number within `low` and `high` (None: no bound), which an `open_` end leaves out.
 
-    `finest` is the largest denominator (None: as `exact` has it); `said` is what a refusal says of a
+    `finest` is the largest denominator (None: as `exact` has it); `rule_text` is what a refusal says of a
     number out of range, where that says more than the range.
 
     >>> POSITIVE.read("360/7", "stroke", ""), POSITIVE.range
@@ -55,7 +55,7 @@ class Number:
     open_low: bool = False
     open_high: bool = False
     finest: int | None = None
-    said: str = ""
+    rule_text: str = ""
 
     words = "number"
     plural = "numbers or fractions"
@@ -72,15 +72,15 @@ class Number:
         below = self.low is not None and (number < self.low or (self.open_low and number == self.low))
         above = self.high is not None and (number > self.high or (self.open_high and number == self.high))
         if below or above:
-            what = f"{name} = {shown(value)}"
+            what = f"{name} = {brief(value)}"
             raise SymbalanceError(what, self.rule, remedy or "check the value")
         return number
 
     @property
     def rule(self) -> str:
         """What a refusal says of a number out of range."""
-        if self.said:
-            return self.said
+        if self.rule_text:
+            return self.rule_text
         if self.low == 0 and self.high is None:
             return "must be positive" if self.open_low else "must not be negative"
         return f"must lie {self.range}" if self.high is not None else f"must be {self.range}"
@@ -107,17 +107,17 @@ class Number:
         return schema
 
 
-class Measured(Number):
+class MeasuredNumber(ExactNumber):
     """A number of any length and magnitude: a measured value, or one that was computed."""
 
     largest = None
 
     def parse(self, value: object, name: str) -> Fraction:
-        """Return the number that is written, as `measured` reads it."""
-        return measured(value, name)
+        """Return the number that is written, as `measurement` reads it."""
+        return measurement(value, name)
 
 
-POSITIVE, NOT_NEGATIVE, ANY = Number(0, open_low=True), Number(0), Number()
+POSITIVE, NOT_NEGATIVE, ANY = ExactNumber(0, open_low=True), ExactNumber(0), ExactNumber()
 
 _DIGITS = r"([0-9]{1,110}(\.[0-9]{0,110})?|\.[0-9]{1,110})([eE][+-]?[0-9]{1,3})?"
 _NOT_ZERO = r"(?=[0-9.]*[1-9])"
@@ -177,12 +177,12 @@ class Text:
     def read(self, value: object, name: str, remedy: str) -> str:
         """Return the text."""
         if not isinstance(value, str):
-            raise SymbalanceError(f"{name} = {shown(value)}", "must be text", "write it in quotes")
+            raise SymbalanceError(f"{name} = {brief(value)}", "must be text", "write it in quotes")
         if self.longest is not None and not (
             value.isprintable() and 1 <= len(value.strip()) <= len(value) <= self.longest
         ):
             rule = f"must be one line of 1 to {self.longest} characters"
-            raise SymbalanceError(f"{name} = {shown(value)!r}", rule, remedy)
+            raise SymbalanceError(f"{name} = {brief(value)!r}", rule, remedy)
         return value
 
     @property
@@ -228,7 +228,7 @@ class Choice:
             choices = f"one of {', '.join(map(str, self.values))}"
             if len(self.values) == 2 and isinstance(self.values[0], int):
                 choices = " or ".join(map(str, self.values))
-            quoted = f"'{shown(value)}'" if isinstance(value, str) else shown(value)
+            quoted = f"'{brief(value)}'" if isinstance(value, str) else brief(value)
             raise SymbalanceError(f"{name} = {quoted}", f"must be {choices}", remedy)
         return value
 
@@ -271,11 +271,11 @@ class ListOf:
         """Return the elements, each read as its kind is; a refusal says which by its number."""
         if not isinstance(value, list):
             raise SymbalanceError(
-                f"{name} = {shown(value)}", f"must be a {self.words}", f"write it like {self.example}"
+                f"{name} = {brief(value)}", f"must be a {self.words}", f"write it like {self.example}"
             )
         if len(value) < self.least or self.exactly not in (None, len(value)):
             rule = f"must hold {self.exactly}" if self.exactly else "must not be empty"
-            raise SymbalanceError(f"{name} = {shown(value)}", rule, f"write it like {self.example}")
+            raise SymbalanceError(f"{name} = {brief(value)}", rule, f"write it like {self.example}")
         return [self.kind.read(v, f"{name}[{i}]", remedy) for i, v in enumerate(value, 1)]
 
     def schema(self) -> Schema:

@@ -7,17 +7,17 @@ from fractions import Fraction
 from math import isfinite
 from typing import Any
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.text.numbers import exact
 
 SMALLEST, LARGEST = Fraction(1, 10**12), Fraction(10**12)
 _NUMBER = re.compile(r"\s*[+-]?(?:\d{1,30}(?:\.\d{0,30})?|\.\d{1,30})(?:[eE][+-]?\d{1,3})?\s*", re.ASCII)
 
 
-def measured(value: Any, name: str) -> Fraction:
+def measurement(value: Any, name: str) -> Fraction:
     """Return a number of any length: a measured value, or one that was computed.
 
-    >>> float(measured("1.013250000000000028e+00", "bar")), measured(0.1, "bar")
+    >>> float(measurement("1.013250000000000028e+00", "bar")), measurement(0.1, "bar")
     (1.01325, Fraction(1, 10))
     """
     text = value
@@ -29,23 +29,23 @@ def measured(value: Any, name: str) -> Fraction:
     return value if isinstance(value, Fraction) else exact(value, name)
 
 
-def reading(value: Any, name: str) -> float:
-    """Return a measured number as a double, read as strictly as `measured` and many times faster.
+def as_float(value: Any, name: str) -> float:
+    """Return a measured number as a double, read as strictly as `measurement` and many times faster.
 
-    >>> reading(" 1.25e1", "bar")
+    >>> as_float(" 1.25e1", "bar")
     12.5
     """
     if isinstance(value, str) and _NUMBER.fullmatch(value):
         return float(value)
-    return float(measured(value, name))
+    return float(measurement(value, name))
 
 
-def positive(value: object, name: str) -> float:
+def positive_float(value: object, name: str) -> float:
     """Return a number above 0 as a float, or refuse: also one whose square leaves the doubles."""
-    number = measured(value, name)
+    number = measurement(value, name)
     if number <= 0:
-        raise SymbalanceError(f"{name} = {shown(value)}", "must be positive", "check the value")
+        raise SymbalanceError(f"{name} = {brief(value)}", "must be positive", "check the value")
     if not SMALLEST <= number <= LARGEST:
         rule = f"must lie within {float(SMALLEST):g} and {float(LARGEST):g}"
-        raise SymbalanceError(f"{name} = {shown(value)}", rule, "check the value, and its unit")
+        raise SymbalanceError(f"{name} = {brief(value)}", rule, "check the value, and its unit")
     return float(number)

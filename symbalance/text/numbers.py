@@ -16,7 +16,7 @@ from numbers import Real as RealNumber
 from operator import index
 from typing import Any
 
-from symbalance.errors import SymbalanceError, shown, written
+from symbalance.errors import SymbalanceError, brief, literal
 from symbalance.text.reals import Real, nstr
 
 LONGEST_TEXT = 250
@@ -49,10 +49,10 @@ def exact(value: object, name: str, finest: int | None = None) -> Fraction:
         if isinstance(value, Real):
             rule = f"is rounded to {value.digits} digits, and no size as it was written"
         remedy = 'give a float, a fraction, or text such as "0.1"'
-        raise SymbalanceError(f"{name} = {shown(value)}", rule, remedy)
+        raise SymbalanceError(f"{name} = {brief(value)}", rule, remedy)
     if number is None:
         raise SymbalanceError(
-            f"{name} = {shown(value)}",
+            f"{name} = {brief(value)}",
             "must be a number or a fraction",
             'write it like 120, 13.5 or "360/7"',
         )
@@ -62,7 +62,7 @@ def exact(value: object, name: str, finest: int | None = None) -> Fraction:
             fine = f"a denominator up to 10^{len(str(finest)) - 1}"
         remedy = "check the unit" if abs(number) > LARGEST else "write fewer digits"
         rule = f"must lie within {-LARGEST} and {LARGEST} with {fine}"
-        raise SymbalanceError(f"{name} = {shown(value)}", rule, remedy)
+        raise SymbalanceError(f"{name} = {brief(value)}", rule, remedy)
     return number
 
 
@@ -129,19 +129,19 @@ def checked_whole(value: Any, name: str, lowest: int, highest: int, remedy: str)
     number = whole(value)
     if number is None or not lowest <= number <= highest:
         raise SymbalanceError(
-            f"{name} = {written(value)}", f"must be a whole number from {lowest} to {highest}", remedy
+            f"{name} = {literal(value)}", f"must be a whole number from {lowest} to {highest}", remedy
         )
     return number
 
 
-def listed(values: Any, name: str, example: str = "[0, 120, 240]") -> list[Any]:
+def as_list(values: Any, name: str, example: str = "[0, 120, 240]") -> list[Any]:
     """Return several values as a list; text and tables are refused, being no list of values.
 
-    >>> listed((0, 120, 240), "throws")
+    >>> as_list((0, 120, 240), "throws")
     [0, 120, 240]
     """
     if isinstance(values, str | bytes | dict) or not isinstance(values, Iterable):
-        raise SymbalanceError(f"{name} = {shown(values)}", "must be a list", f"as in {example}")
+        raise SymbalanceError(f"{name} = {brief(values)}", "must be a list", f"as in {example}")
     return list(values)
 
 

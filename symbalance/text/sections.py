@@ -13,7 +13,7 @@ from difflib import get_close_matches
 from functools import cached_property
 from typing import Any, TypeVar
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.text.files import toml_table
 from symbalance.text.key_tables import Key, TableKeys
 from symbalance.text.numbers import checked_whole
@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 
 @dataclass(frozen=True)
-class Source:
+class SourceText:
     """The text of a file, `place` being what errors call it; no text where a table came from Python."""
 
     text: str
@@ -49,7 +49,7 @@ class Section:
 
     table: dict[str, Any]
     keys: TableKeys
-    source: Source
+    source: SourceText
     path: KeyPath = ()
 
     def __post_init__(self) -> None:
@@ -60,7 +60,7 @@ class Section:
                 known = tuple(self.keys.by_name)
                 near = get_close_matches(str(key), known, 1)
                 remedy = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(known)}"
-                what = shown(f"{self.keys.name}.{key}" if self.keys.name else key)
+                what = brief(f"{self.keys.name}.{key}" if self.keys.name else key)
                 raise SymbalanceError(what, "is an unknown key", remedy, self.place(key))
 
     def __contains__(self, key: str) -> bool:
@@ -72,7 +72,7 @@ class Section:
 
     def refusal(self, key: str, rule: str, remedy: str) -> SymbalanceError:
         """Return the refusal of a key's value."""
-        return SymbalanceError(f"{key} = {shown(self.table.get(key))}", rule, remedy, self.place(key))
+        return SymbalanceError(f"{key} = {brief(self.table.get(key))}", rule, remedy, self.place(key))
 
     def refused(self, rule: str, remedy: str) -> SymbalanceError:
         """Return the refusal of the whole table."""
@@ -190,4 +190,4 @@ class Section:
 
 def read_sections(text: str, place: str, keys: TableKeys, remedy: str = "correct the line") -> Section:
     """Return the tables of a TOML text, which errors call `place`; `remedy` is for what is no TOML."""
-    return Section(toml_table(text, place, remedy), keys, Source(text, place)).check()
+    return Section(toml_table(text, place, remedy), keys, SourceText(text, place)).check()

@@ -28,8 +28,8 @@ from symbalance.torque.roll import rod_couple as rod_couple
 from symbalance.torque.roll import rod_torque as rod_torque
 from symbalance.torque.roll import roll_moment as roll_moment
 from symbalance.torque.roll import torque_report as torque_report
-from symbalance.torque.running import CrankTorque as CrankTorque
-from symbalance.torque.running import crank_torque as crank_torque
+from symbalance.torque.running import RunningTorque as RunningTorque
+from symbalance.torque.running import running_torque as running_torque
 from symbalance.torque.star_diagrams import FiringStars as FiringStars
 from symbalance.torque.star_diagrams import Star as Star
 from symbalance.torque.star_diagrams import firing_pin_passings as firing_pin_passings

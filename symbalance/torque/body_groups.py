@@ -41,40 +41,40 @@ class TorqueGroup:
     cylinders: tuple[Cylinder, ...]
 
 
-def torque_groups(layout: Engine, measures: Sequence[str] = MASSES) -> list[TorqueGroup]:
+def torque_groups(engine: Engine, measures: Sequence[str] = MASSES) -> list[TorqueGroup]:
     """Return what moves with the cylinders, in groups that have one torque each.
 
     >>> from symbalance.engine.catalogue import load
     >>> [(g.body.measure, g.size, len(g.cylinders)) for g in torque_groups(load("inline-4"))]
     [('reciprocating mass', Fraction(1, 1), 4)]
     """
-    if layout.has_symbols:
+    if engine.has_symbols:
         rule = "has angles with symbols, and cylinders or rods that need numbers"
-        raise SymbalanceError(f"engine {layout.name!r}", rule, "give the angles in numbers")
+        raise SymbalanceError(f"engine {engine.name!r}", rule, "give the angles in numbers")
     groups = []
     for measure in measures:
-        size = dict(zip(layout.cylinders, _sizes(layout, measure), strict=True))
-        for (_, weight), like in layout.grouped(lambda c, of=size: (c.mechanism, of[c])).items():
+        size = dict(zip(engine.cylinders, _sizes(engine, measure), strict=True))
+        for (_, weight), like in engine.grouped(lambda c, of=size: (c.mechanism, of[c])).items():
             moving = bodies(like[0].known_mechanism) if weight else ()
             groups += [TorqueGroup(body, weight, like) for body in moving if body.measure == measure]
     return groups
 
 
-def _sizes(layout: Engine, measure: str) -> list[Fraction]:
+def _sizes(engine: Engine, measure: str) -> list[Fraction]:
     if measure == EXCESS:
-        return [c.excess for c in layout.cylinders]
-    if measure == ROTATING and not layout.has_link_pin_masses:
-        return [Fraction(0)] * len(layout.cylinders)  # what it counts in need not be given
-    masses = layout.sizes if measure == RECIPROCATING else layout.rotating_sizes
-    return [mass * radius for mass, radius in zip(masses, layout.radii, strict=True)]
+        return [c.excess for c in engine.cylinders]
+    if measure == ROTATING and not engine.has_link_pin_masses:
+        return [Fraction(0)] * len(engine.cylinders)  # what it counts in need not be given
+    masses = engine.sizes if measure == RECIPROCATING else engine.rotating_sizes
+    return [mass * radius for mass, radius in zip(masses, engine.radii, strict=True)]
 
 
-def has_common_torque(layout: Engine) -> bool:
+def has_common_torque(engine: Engine) -> bool:
     """Tell whether all pistons have one t_n m r^2 omega^2, of a centred rod: one group, J_x apart.
 
     Then an order is its t_n times a sum over angles, which is exact whatever lambda is.
     """
-    return layout.has_common_harmonics and {*layout.sizes} == {*layout.radii} == {1}
+    return engine.has_common_harmonics and {*engine.sizes} == {*engine.radii} == {1}
 
 
 def total_torque(groups: Sequence[TorqueGroup], order: int) -> dict[int, Component]:

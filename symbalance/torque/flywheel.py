@@ -18,8 +18,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
 
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.measurements import measured, positive
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.measurements import measurement, positive_float
 
 POINTS = 1440
 """Of the grid on which extremes are sought: two a degree of a four-stroke's cycle."""
@@ -96,14 +96,14 @@ def flywheel_inertia(energy: float, omega: float, delta: object) -> float:
     >>> flywheel_inertia(500.0, 100.0, "1/50")
     2.5
     """
-    return energy / (positive(delta, "delta") * omega**2)
+    return energy / (positive_float(delta, "delta") * omega**2)
 
 
 def checked_delta(delta: object, name: str = "delta") -> float:
     """Return a speed fluctuation (omega_max - omega_min)/omega, or refuse what does not lie in (0, 1)."""
-    number = measured(delta, name)
+    number = measurement(delta, name)
     if not 0 < number < 1:
-        what, rule = f"{name} = {shown(delta)}", "must lie between 0 and 1"
+        what, rule = f"{name} = {brief(delta)}", "must lie between 0 and 1"
         raise SymbalanceError(what, rule, "(highest - lowest)/mean speed, often 0.02")
     return float(number)
 
@@ -119,4 +119,4 @@ def speed_fluctuation(energy: float, omega: float, inertia: object) -> float:
     >>> speed_fluctuation(500.0, 100.0, 2.5)
     0.02
     """
-    return energy / (positive(inertia, "inertia") * omega**2)
+    return energy / (positive_float(inertia, "inertia") * omega**2)

@@ -10,17 +10,17 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.forces.free_forces import listed_orders
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.mechanism_types import simplified
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.measurements import measured
+from symbalance.text.measurements import measurement
 from symbalance.text.numbers import exact
 from symbalance.text.reals import Real
 from symbalance.torque.cylinder_gas import AMBIENT, TangentialPressure
 from symbalance.torque.ideal_cycles import IdealCycle
-from symbalance.torque.inertia_balance import checked_known, checked_layout
+from symbalance.torque.inertia_balance import checked_engine, checked_known
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
 from symbalance.torque.star_diagrams import Star, firing_pin_passings, firing_stars, stars_of
 
@@ -66,14 +66,14 @@ class GasOrder:
 
 @dataclass(frozen=True, repr=False)
 class GasTorque(Result):
-    """The gas torque of a layout by order, in bar: times A r (piston area, crank radius) the torque.
+    """The gas torque of an engine by order, in bar: times A r (piston area, crank radius) the torque.
 
     Every cylinder has the same bore, and the same trace or ideal cycle, counted from its own firing top
     dead centre. r is cylinder 1's. Orders that close among like cylinders, and in all, are absent.
     `pressure` is that trace or cycle.
     """
 
-    layout: Engine
+    engine: Engine
     groups: tuple[GasGroup, ...]
     highest: int
     orders: tuple[GasOrder, ...]
@@ -84,7 +84,7 @@ class GasTorque(Result):
     def summary(self) -> str:
         """Return the mean and the orders that survive, in one line."""
         orders = f"order {listed_orders([o.order for o in self.orders])}" if self.orders else "no order"
-        what = f"Gas torque of {self.layout.name} to order {self.highest}"
+        what = f"Gas torque of {self.engine.name} to order {self.highest}"
         return f"{what}: {orders}; mean {self.mean:.6g} bar"
 
     def document(self) -> Document:
@@ -96,8 +96,8 @@ class GasTorque(Result):
     def data(self) -> dict[str, Any]:
         """Return the mean and every order that survives, in bar: times A r the torque."""
         return {
-            "engine": self.layout.name,
-            "strokes": self.layout.strokes,
+            "engine": self.engine.name,
+            "strokes": self.engine.strokes,
             "ratio": str(self.cylinder.ratio),
             "ambient_bar": self.ambient,
             "pressure": self.pressure.summary(),
@@ -131,7 +131,7 @@ class GasTorque(Result):
     @property
     def cylinder(self) -> TangentialPressure:
         """The tangential pressure of the first cylinder."""
-        return _of_first(self.layout, self.groups)
+        return _of_first(self.engine, self.groups)
 
     @property
     def mean(self) -> float:
@@ -155,16 +155,16 @@ class GasTorque(Result):
 
 
 def gas_torque(
-    layout: Engine,
+    engine: Engine,
     trace: PressureTrace | IdealCycle,
     order: int = 6,
     *,
     ratio: object = None,
     ambient: object = AMBIENT,
 ) -> GasTorque:
-    """Return the gas torque of a layout whose cylinders all have one pressure trace, or one ideal cycle.
+    """Return the gas torque of an engine whose cylinders all have one pressure trace, or one ideal cycle.
 
-    `ratio` overrides the layout's rod ratio, `ambient` is the pressure below the pistons, bar absolute.
+    `ratio` overrides the engine's rod ratio, `ambient` is the pressure below the pistons, bar absolute.
     An ideal cycle gives every kind of cylinder the trace of its own piston's displacement.
 
     >>> from symbalance.engine.catalogue import load
@@ -173,31 +173,31 @@ def gas_torque(
     >>> [(str(o.order), round(o.amplitude, 2)) for o in six.orders]
     [('3', 12.43), ('6', 3.65), ('9', 1.32)]
     """
-    groups = gas_groups(layout, trace, ratio=ratio, ambient=ambient)
-    layout = layout if ratio is None else layout.with_ratio(ratio)
+    groups = gas_groups(engine, trace, ratio=ratio, ambient=ambient)
+    engine = engine if ratio is None else engine.with_ratio(ratio)
     checked_order(order)
     total: dict[Fraction, complex] = {}
     for group in groups:
-        for n, number in group.numbers(layout.strokes, order).items():
+        for n, number in group.numbers(engine.strokes, order).items():
             total[n] = total.get(n, 0j) + number
-    stars = {star.order: star for star in firing_stars(layout, order)}
+    stars = {star.order: star for star in firing_stars(engine, order)}
     orders = tuple(GasOrder(n, stars[n], total[n]) for n in sorted(total))
-    return GasTorque(layout, groups, order, orders, trace)
+    return GasTorque(engine, groups, order, orders, trace)
 
 
 def gas_groups(
-    layout: Engine,
+    engine: Engine,
     trace: PressureTrace | IdealCycle,
     *,
     ratio: object = None,
     ambient: object = AMBIENT,
 ) -> tuple[GasGroup, ...]:
     """Return the cylinders by kind, each with its tangential pressure."""
-    below, firing_angles = _checked(layout, trace, ambient), firing_pin_passings(layout)
-    layout = layout if ratio is None else layout.with_ratio(ratio)
-    radius = {c.number: r for c, r in zip(layout.cylinders, layout.radii, strict=True)}
-    by_kind = layout.grouped(
-        lambda c: (c.mechanism or SliderCrank(checked_known(layout, None)), radius[c.number])
+    below, firing_angles = _checked(engine, trace, ambient), firing_pin_passings(engine)
+    engine = engine if ratio is None else engine.with_ratio(ratio)
+    radius = {c.number: r for c, r in zip(engine.cylinders, engine.radii, strict=True)}
+    by_kind = engine.grouped(
+        lambda c: (c.mechanism or SliderCrank(checked_known(engine, None)), radius[c.number])
     )
     return tuple(
         GasGroup(
@@ -210,18 +210,18 @@ def gas_groups(
 
 
 def tangential_pressure(
-    layout: Engine,
+    engine: Engine,
     trace: PressureTrace | IdealCycle,
     *,
     ratio: object = None,
     ambient: object = AMBIENT,
 ) -> TangentialPressure:
-    """Return the tangential pressure of a layout's first cylinder."""
-    return _of_first(layout, gas_groups(layout, trace, ratio=ratio, ambient=ambient))
+    """Return the tangential pressure of an engine's first cylinder."""
+    return _of_first(engine, gas_groups(engine, trace, ratio=ratio, ambient=ambient))
 
 
-def _of_first(layout: Engine, groups: tuple[GasGroup, ...]) -> TangentialPressure:
-    return next(group.tangential for group in groups if layout.first.number in group.firing_angles)
+def _of_first(engine: Engine, groups: tuple[GasGroup, ...]) -> TangentialPressure:
+    return next(group.tangential for group in groups if engine.first.number in group.firing_angles)
 
 
 def _tangential(
@@ -231,18 +231,18 @@ def _tangential(
     return TangentialPressure(own, simplified(mechanism).length, below, mechanism)
 
 
-def _checked(layout: Engine, trace: object, ambient: object) -> float:
-    """Return the pressure below the pistons; refuse it, or a trace that does not fit the layout."""
-    checked_layout(layout)
+def _checked(engine: Engine, trace: object, ambient: object) -> float:
+    """Return the pressure below the pistons; refuse it, or a trace that does not fit the engine."""
+    checked_engine(engine)
     if not isinstance(trace, PressureTrace | IdealCycle):
         rule, remedy = "must be a PressureTrace", "read_pressure(path), or ideal_cycle(...).trace(ratio)"
-        raise SymbalanceError(f"trace = {shown(trace)}", rule, remedy)
-    if trace.strokes != layout.strokes:
+        raise SymbalanceError(f"trace = {brief(trace)}", rule, remedy)
+    if trace.strokes != engine.strokes:
         what = f"a trace of {trace.strokes} strokes"
-        rule = f"does not fit {layout.name}, of {layout.strokes}"
+        rule = f"does not fit {engine.name}, of {engine.strokes}"
         raise SymbalanceError(what, rule, "give the same strokes to both")
-    below = measured(ambient, "ambient")
+    below = measurement(ambient, "ambient")
     if not 0 <= below <= MOST_BAR:
-        what, rule = f"ambient = {shown(ambient)}", f"must lie in [0, {MOST_BAR}] bar"
+        what, rule = f"ambient = {brief(ambient)}", f"must lie in [0, {MOST_BAR}] bar"
         raise SymbalanceError(what, rule, "absolute; the atmosphere is 1.01325")
     return float(below)

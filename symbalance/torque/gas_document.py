@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.document.decimals import rounded
+from symbalance.document.decimals import decimal
 from symbalance.document.formula import Name, Subscript, number
 from symbalance.document.nodes import Column, Document, Facts, Table, blocks
 from symbalance.engine.engine_document import ORDER, angle_text, engine_words, origin_facts
@@ -23,20 +23,20 @@ def gas_document(gas: GasTorque) -> Document:
     """Return a gas torque as a document: its mean, its orders, what they are times, where it acts."""
     each = gas.cylinder.mean_effective_pressure
     facts: tuple[Entry, ...] = (
-        ("mean", (rounded(gas.mean), " bar times ", _A * _R)),
+        ("mean", (decimal(gas.mean), " bar times ", _A * _R)),
         (
             "mean effective pressure",
-            (rounded(each), " bar, of cylinder ", number(gas.layout.first.number)),
+            (decimal(each), " bar, of cylinder ", number(gas.engine.first.number)),
         ),
     )
     rows = tuple(
-        (order_cell(o.order), *map(rounded, (o.number.real, o.number.imag, o.amplitude)))
+        (order_cell(o.order), *map(decimal, (o.number.real, o.number.imag, o.amplitude)))
         for o in gas.orders
     )
     title = ("Gas torque on the crank over ", _A * _R, ", bar")
     legend: tuple[Entry, ...] = (
-        *origin_facts(gas.layout),
-        ((_A, ", ", _R), f"area of a piston, crank radius of cylinder {gas.layout.first.number}"),
+        *origin_facts(gas.engine),
+        ((_A, ", ", _R), f"area of a piston, crank radius of cylinder {gas.engine.first.number}"),
         *pressure_facts(gas.pressure.summary(), gas.ambient),
         ("signs", "a torque is + on the crank in the sense of rotation; the frame gets the opposite"),
         ORDER,
@@ -46,7 +46,7 @@ def gas_document(gas: GasTorque) -> Document:
         Table(title, ORDER_COLUMNS, rows, empty=f"none, to order {gas.highest}"),
         Facts(legend, "How to read it"),
     )
-    return Document(f"{gas.layout.name}: gas torque on the crank", body, engine_words(gas.layout))
+    return Document(f"{gas.engine.name}: gas torque on the crank", body, engine_words(gas.engine))
 
 
 def stars_document(stars: FiringStars) -> Document:
@@ -58,7 +58,7 @@ def stars_document(stars: FiringStars) -> Document:
     )
     theta = Subscript(Name("theta"), _J)
     legend: tuple[Entry, ...] = (
-        *origin_facts(stars.layout),
+        *origin_facts(stars.engine),
         ("star", ("one unit vector a cylinder, at the angle ", Name("n") * theta)),
         (theta, ("crank angle at which the pin of cylinder ", _J, " passes its axis to fire")),
         ("closed", "the vectors cancel, and so does this order of the gas torque"),
@@ -69,7 +69,7 @@ def stars_document(stars: FiringStars) -> Document:
         Table("Stars", _STAR_COLUMNS, vectors),
         Facts(legend, "How to read it"),
     )
-    return Document(f"{stars.layout.name}: firing stars", body, engine_words(stars.layout))
+    return Document(f"{stars.engine.name}: firing stars", body, engine_words(stars.engine))
 
 
 def _directions(star: Star) -> str:

@@ -30,11 +30,11 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import checked_strokes
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.kinematics.mechanisms import LinkRod, SliderCrank
 from symbalance.kinematics.piston_motion import Piston
 from symbalance.kinematics.slider_crank import checked_ratio
-from symbalance.text.measurements import measured
+from symbalance.text.measurements import measurement
 from symbalance.text.numbers import checked_whole
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
 
@@ -212,7 +212,7 @@ def ideal_cycle(
     out = bottom if exhaust is None else _above(exhaust, "exhaust", 0, MOST_BAR, "absolute, in bar")
     if checked_strokes(strokes) == 2 and out != bottom:
         rule = "must be the intake's: the gas of a two-stroke changes at bottom dead centre"
-        raise SymbalanceError(f"exhaust = {shown(exhaust)}", rule, "leave it out")
+        raise SymbalanceError(f"exhaust = {brief(exhaust)}", rule, "leave it out")
     pressed = bottom * volume**index
     peak, cutoff, added = _add_heat(heat, peak_pressure, volume, index, pressed)
     return IdealCycle(volume, index, bottom, out, pressed, peak, cutoff, added, strokes)
@@ -233,7 +233,7 @@ def _add_heat(
     if peak < pressed * (1 - 1e-12):
         rule = f"is below the compression's end, {pressed:.6g} bar"
         raise SymbalanceError(
-            f"peak_pressure = {shown(peak_pressure)}", rule, "raise it, or compress less"
+            f"peak_pressure = {brief(peak_pressure)}", rule, "raise it, or compress less"
         )
     if added is None:
         return peak, 1.0, (peak - pressed) / scale
@@ -244,23 +244,23 @@ def _add_heat(
             "is not reached with this heat" if remaining < 0 else "leaves heat beyond bottom dead centre"
         )
         remedy = "leave peak_pressure out" if remaining < 0 else "raise it, or add less heat"
-        raise SymbalanceError(f"peak_pressure = {shown(peak_pressure)}", rule, remedy)
+        raise SymbalanceError(f"peak_pressure = {brief(peak_pressure)}", rule, remedy)
     return peak, max(cutoff, 1.0), added
 
 
 def _heat(heat: object) -> float:
-    number = measured(heat, "heat")
+    number = measurement(heat, "heat")
     if not 0 <= number <= MOST_HEAT:
         rule, remedy = (
             f"must lie in [0, {MOST_HEAT}]",
             "Q/V_h in bar: 100 J per litre; 0 is a motored engine",
         )
-        raise SymbalanceError(f"heat = {shown(heat)}", rule, remedy)
+        raise SymbalanceError(f"heat = {brief(heat)}", rule, remedy)
     return float(number)
 
 
 def _above(value: object, name: str, low: int, high: int, remedy: str) -> float:
-    number = measured(value, name)
+    number = measurement(value, name)
     if not Fraction(low) < number <= high:
-        raise SymbalanceError(f"{name} = {shown(value)}", f"must lie in ({low}, {high}]", remedy)
+        raise SymbalanceError(f"{name} = {brief(value)}", f"must lie in ({low}, {high}]", remedy)
     return float(number)

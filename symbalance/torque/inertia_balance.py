@@ -28,7 +28,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import QUARTER, Component
 from symbalance.forces.free_forces import listed_orders
 from symbalance.kinematics.coefficients import INERTIA, Kinematics
@@ -56,7 +56,7 @@ class TorqueOrder:
 
 @dataclass(frozen=True, repr=False)
 class TorqueBalance(Result):
-    """A torque of a layout by order, up to `highest`; unit T_n = t_n m r^2 omega^2.
+    """A torque of an engine by order, up to `highest`; unit T_n = t_n m r^2 omega^2.
 
     `kinematics` says what t_n is; None where the components hold it, in `unit`. `quantity` is which
     torque or moment it is, in words.
@@ -67,7 +67,7 @@ class TorqueBalance(Result):
     [(2, 4, pi/2), (4, 4, pi/2), (6, 4, pi/2)]
     """
 
-    layout: Engine
+    engine: Engine
     highest: int
     components: Mapping[int, Component] = field(hash=False)
     power: int | None = None
@@ -81,7 +81,7 @@ class TorqueBalance(Result):
         """Return which orders are left, in one line."""
         orders = f"order {listed_orders([*self.components])}" if self.components else "none"
         what = self.quantity[0].upper() + self.quantity[1:]
-        return f"{what}, {self.layout.name} to order {self.highest}: {orders}"
+        return f"{what}, {self.engine.name} to order {self.highest}: {orders}"
 
     def document(self) -> Document:
         """Return the orders that survive, then what the letters mean."""
@@ -104,7 +104,7 @@ class TorqueBalance(Result):
     @property
     def ratio(self) -> Fraction | None:
         """The rod ratio lambda = l/r, if known."""
-        return self.layout.ratio
+        return self.engine.ratio
 
     @cached_property
     def orders(self) -> tuple[TorqueOrder, ...]:
@@ -154,43 +154,43 @@ class TorqueBalance(Result):
         if not self.components:
             return ()
         if self.kinematics is None:
-            _check_own(self.layout, ratio)
+            _check_own(self.engine, ratio)
             return tuple((Fraction(n), *c.decimal(digits)) for n, c in self.components.items())
-        known = checked_known(self.layout, ratio)
+        known = checked_known(self.engine, ratio)
         values = self.kinematics.values(max(self.components), known, digits)
         parts = {n: component.decimal(digits + 10) for n, component in self.components.items()}
         return tuple((Fraction(n), c * values[n], s * values[n]) for n, (c, s) in parts.items())
 
 
-def _check_own(layout: Engine, ratio: object) -> None:
-    if ratio is not None and checked_ratio(ratio) != layout.ratio:
+def _check_own(engine: Engine, ratio: object) -> None:
+    if ratio is not None and checked_ratio(ratio) != engine.ratio:
         rule = "cannot be set for cylinders that are not alike"
-        raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give each its stroke and rod")
+        raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give each its stroke and rod")
 
 
-def checked_known(layout: Engine, ratio: object) -> Fraction:
-    """Return a rod ratio: the one given, else the layout's, or refuse."""
-    known = checked_layout(layout).ratio if ratio is None else ratio
+def checked_known(engine: Engine, ratio: object) -> Fraction:
+    """Return a rod ratio: the one given, else the engine's, or refuse."""
+    known = checked_engine(engine).ratio if ratio is None else ratio
     if known is None:
         rule = "its torque's numbers need the rod ratio lambda = l/r"
-        raise SymbalanceError(f"{layout.name} has no rod ratio", rule, "give ratio=4, or another")
+        raise SymbalanceError(f"{engine.name} has no rod ratio", rule, "give ratio=4, or another")
     return checked_ratio(known)
 
 
-def checked_layout(layout: object) -> Engine:
-    """Return a layout, or refuse what is none."""
-    if not isinstance(layout, Engine):
+def checked_engine(engine: object) -> Engine:
+    """Return an engine, or refuse what is none."""
+    if not isinstance(engine, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
-    return layout
+        raise SymbalanceError(f"engine = {brief(engine)}", "must be an Engine", remedy)
+    return engine
 
 
 def inertia_torque(
-    layout: Engine, order: int = 12, *, ratio: object = None, power: int | None = None
+    engine: Engine, order: int = 12, *, ratio: object = None, power: int | None = None
 ) -> TorqueBalance:
-    """Return the inertia torque of a layout to an order, each order exact.
+    """Return the inertia torque of an engine to an order, each order exact.
 
-    `ratio` overrides the layout's rod ratio lambda = l/r; `power` keeps that many powers of 1/lambda in
+    `ratio` overrides the engine's rod ratio lambda = l/r; `power` keeps that many powers of 1/lambda in
     the series. Symbolic angles are kept as symbols. Of cylinders that are not alike the components are
     numbers, in m r^2 omega^2 of cylinder 1.
 
@@ -199,32 +199,32 @@ def inertia_torque(
     [[3, 6, 9, 12], [4, 8, 12], [6, 12]]
     """
     order = checked_order(order)
-    checked_layout(layout)
+    checked_engine(engine)
     if ratio is not None:
-        layout = layout.with_ratio(ratio)
-    if has_common_torque(layout):
-        components = sine_components(layout, order)
+        engine = engine.with_ratio(ratio)
+    if has_common_torque(engine):
+        components = sine_components(engine, order)
         _check_power(power, list(components))
-        return TorqueBalance(layout, order, components, power)
-    _check_no_power(layout, power)
-    components = total_torque(torque_groups(layout), order)
-    return TorqueBalance(layout, order, components, kinematics=None)
+        return TorqueBalance(engine, order, components, power)
+    _check_no_power(engine, power)
+    components = total_torque(torque_groups(engine), order)
+    return TorqueBalance(engine, order, components, kinematics=None)
 
 
-def sine_components(layout: Engine, highest: int) -> dict[int, Component]:
+def sine_components(engine: Engine, highest: int) -> dict[int, Component]:
     """Return the components that do not vanish; orders a modulus apart share them, and the work."""
-    modulus = highest + 1 if layout.has_symbols else layout.modulus
+    modulus = highest + 1 if engine.has_symbols else engine.modulus
     by_residue: dict[int, Component] = {}
     for n in range(1, min(highest, modulus) + 1):
-        angles = [c.delay.scaled(-n) for c in layout.cylinders]
-        by_residue[n % modulus] = Component(unit_vector_sum(angles).turned(QUARTER))
+        angles = [c.delay.scaled(-n) for c in engine.cylinders]
+        by_residue[n % modulus] = Component(unit_vector_sum(angles).rotated(QUARTER))
     components = {n: by_residue[n % modulus] for n in range(1, highest + 1)}
     return {n: c for n, c in components.items() if not c.is_zero()}
 
 
-def _check_no_power(layout: Engine, power: int | None) -> None:
+def _check_no_power(engine: Engine, power: int | None) -> None:
     if power is not None:
-        rule = f"is for cylinders that are alike, and those of {layout.name} are not"
+        rule = f"is for cylinders that are alike, and those of {engine.name} are not"
         raise SymbalanceError(f"power = {power}", rule, "leave it out: the numbers hold all powers")
 
 

@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import checked_strokes
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.measurements import reading
-from symbalance.text.numbers import listed
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.measurements import as_float
+from symbalance.text.numbers import as_list
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -144,12 +144,14 @@ def pressure_trace(
     >>> len(trace.degrees), trace.degrees[0], trace.at(5)
     (72, 0.0, 1.0)
     """
-    angles, values = listed(degrees, "degrees"), listed(bar, "bar", "[1.0, 1.1, 1.3]")
+    angles, values = as_list(degrees, "degrees"), as_list(bar, "bar", "[1.0, 1.1, 1.3]")
     if len(angles) != len(values):
         what = f"{len(angles)} angles and {len(values)} pressures"
         raise SymbalanceError(what, "must be as many", "give one pressure an angle")
     points = zip(angles, values, strict=True)
-    rows = [(f"point {i}", reading(a, "angle"), reading(p, "bar")) for i, (a, p) in enumerate(points, 1)]
+    rows = [
+        (f"point {i}", as_float(a, "angle"), as_float(p, "bar")) for i, (a, p) in enumerate(points, 1)
+    ]
     return from_rows(rows, 180 * checked_strokes(strokes))
 
 
@@ -171,19 +173,19 @@ def from_rows(rows: list[Point], cycle: int, name: str = "the trace") -> Pressur
 
 def _check_point(place: str, angle: float, bar: float, cycle: int) -> None:
     if not -cycle <= angle <= cycle:
-        what, rule = f"angle = {shown(angle)}", f"must lie in [{-cycle}, {cycle}] degrees"
+        what, rule = f"angle = {brief(angle)}", f"must lie in [{-cycle}, {cycle}] degrees"
         raise SymbalanceError(what, rule, "count from the firing top dead centre", place)
     if not 0 <= bar <= MOST_BAR:
-        what, rule = f"pressure = {shown(bar)}", f"must lie in [0, {MOST_BAR}] bar"
+        what, rule = f"pressure = {brief(bar)}", f"must lie in [0, {MOST_BAR}] bar"
         raise SymbalanceError(what, rule, "give absolute pressures, in bar", place)
 
 
 def _check_step(place: str, before: float, after: float) -> None:
     if after <= before:
-        what, rule = f"angle = {shown(after)}", f"must be above the one before, {before}"
+        what, rule = f"angle = {brief(after)}", f"must be above the one before, {before}"
         raise SymbalanceError(what, rule, "sort the points, each angle once", place)
     if after - before > WIDEST:
-        what = f"angle = {shown(after)}"
+        what = f"angle = {brief(after)}"
         rule = f"is more than {WIDEST} degrees past the one before, {before}"
         raise SymbalanceError(what, rule, "give the points between", place)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.decimals import rounded
+from symbalance.document.decimals import decimal
 from symbalance.document.formula import Name, Power, Product, Upright, equal
 from symbalance.document.nodes import Column, Document, Facts, Table, Words
 from symbalance.torque.ideal_cycles import IdealCycle
@@ -16,11 +16,11 @@ _STROKES = {2: "two-stroke", 4: "four-stroke"}
 def trace_document(trace: PressureTrace) -> Document:
     """Return a trace as a document: its peak, the pressure at even steps, what angles count from."""
     facts: tuple[tuple[Words, Words], ...] = (
-        ("peak", (rounded(trace.peak), " bar at ", rounded(trace.peak_degrees), "°")),
-        ("lowest", (rounded(min(trace.bar)), " bar")),
+        ("peak", (decimal(trace.peak), " bar at ", decimal(trace.peak_degrees), "°")),
+        ("lowest", (decimal(min(trace.bar)), " bar")),
     )
     step = trace.cycle // ROWS
-    rows = tuple((rounded(a), rounded(trace.at(a))) for a in range(0, trace.cycle, step))
+    rows = tuple((decimal(a), decimal(trace.at(a))) for a in range(0, trace.cycle, step))
     count = len(trace.degrees)
     legend: tuple[tuple[Words, Words], ...] = (
         ("angle", "crank angle after the firing top dead centre"),
@@ -35,27 +35,27 @@ def trace_document(trace: PressureTrace) -> Document:
 
 def cycle_document(cycle: IdealCycle) -> Document:
     """Return an ideal cycle as a document: its pressures and its work, then what it is computed from."""
-    mean = (rounded(cycle.mean_effective_pressure), " bar")
+    mean = (decimal(cycle.mean_effective_pressure), " bar")
     facts: list[tuple[Words, Words]] = [
         ("mean effective pressure", mean),
-        ("efficiency", rounded(cycle.efficiency)),
+        ("efficiency", decimal(cycle.efficiency)),
     ]
     rows: list[tuple[Words, Words]] = [
-        ("intake", rounded(cycle.intake)),
-        ("end of compression", rounded(cycle.compressed)),
-        ("peak", rounded(cycle.peak)),
-        ("end of expansion", rounded(cycle.expanded)),
-        ("exhaust", rounded(cycle.exhaust)),
+        ("intake", decimal(cycle.intake)),
+        ("end of compression", decimal(cycle.compressed)),
+        ("peak", decimal(cycle.peak)),
+        ("end of expansion", decimal(cycle.expanded)),
+        ("exhaust", decimal(cycle.exhaust)),
     ]
-    heat = (rounded(cycle.heat), " bar: heat over the swept volume, 100 J per litre")
+    heat = (decimal(cycle.heat), " bar: heat over the swept volume, 100 J per litre")
     legend: list[tuple[Words, Words]] = [
-        ("compression ratio", rounded(cycle.compression_ratio)),
+        ("compression ratio", decimal(cycle.compression_ratio)),
         ("heat", heat),
     ]
     if cycle.cutoff > 1:
-        legend.append(("cutoff", (rounded(cycle.cutoff), " clearance volumes: end of constant pressure")))
+        legend.append(("cutoff", (decimal(cycle.cutoff), " clearance volumes: end of constant pressure")))
     constant = Product((Name("p"), Power(Name("V"), Name("gamma"))))
-    gamma = (rounded(cycle.gamma), ": ", equal(constant, Upright("constant")))
+    gamma = (decimal(cycle.gamma), ": ", equal(constant, Upright("constant")))
     legend += [(Name("gamma"), gamma), ("pressures", "absolute; the gas is an ideal one")]
     table = Table("Pressures, bar", (Column("state"), Column("pressure")), tuple(rows))
     title = f"Ideal {_STROKES[cycle.strokes]} cycle"

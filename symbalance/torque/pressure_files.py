@@ -7,7 +7,7 @@ from pathlib import Path
 
 from symbalance.engine.engine import checked_strokes
 from symbalance.errors import SymbalanceError
-from symbalance.text.csv_rows import Row, check_units, rows_of, without_headers
+from symbalance.text.csv_rows import CsvRow, check_units, rows_of, without_headers
 from symbalance.text.files import file_name, read_text
 from symbalance.torque.pressure import Point, PressureTrace, from_rows
 
@@ -45,6 +45,6 @@ def parse_pressure(text: str, place: str, cycle: int = 720) -> PressureTrace:
     return from_rows([_point(row) for row in rows], cycle, place)
 
 
-def _point(row: Row) -> Point:
+def _point(row: CsvRow) -> Point:
     row.check_width(2, "write angle, pressure, decimals with a point")
     return row.place, row.number(0, "angle"), row.number(1, "pressure")

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
 from symbalance.forces.shaft_moments import shaft_moment, shaft_terms
@@ -37,14 +37,14 @@ from symbalance.text.reals import DIGITS, Complex
 from symbalance.torque.body_groups import has_common_torque, torque_groups, total_moment, total_torque
 from symbalance.torque.inertia_balance import (
     TorqueBalance,
-    checked_layout,
+    checked_engine,
     inertia_torque,
     sine_components,
 )
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
-    from symbalance.torque.running import CrankTorque
+    from symbalance.torque.running import RunningTorque
 
 MILLI = 1000
 """Millimetres in a metre."""
@@ -54,43 +54,43 @@ BESIDE_MOMENT = "moment on the frame of inertia forces beside the crank's axis"
 ROLL_MOMENT = "roll moment on the frame about the crank's axis, of all inertia"
 
 
-def has_rods(layout: Engine) -> bool:
+def has_rods(engine: Engine) -> bool:
     """Tell whether some rod's inertia is given and is not that of two masses."""
-    return any(excesses(layout))
+    return any(excesses(engine))
 
 
-def first_excess(layout: Engine) -> Fraction:
+def first_excess(engine: Engine) -> Fraction:
     """Return J_x in kg mm^2 of the first rod that has one: the unit of the rods' parts."""
-    rods = sorted(layout.cylinders, key=lambda c: c.number)
+    rods = sorted(engine.cylinders, key=lambda c: c.number)
     return next((c.excess for c in rods if c.excess), Fraction(0))
 
 
-def rod_torque(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+def rod_torque(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return what the rods' own inertia adds to the torque on the crank, in J_x omega^2.
 
     J_x is that of the first rod that has one; it comes from `rod_mass`, `rod_centre` and `rod_inertia`.
     """
-    return _of_rods(layout, order, ratio, RODS)
+    return _of_rods(engine, order, ratio, RODS)
 
 
-def rod_couple(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+def rod_couple(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return the couple of the rods' own inertia on the frame, in J_x omega^2, as in `rod_torque`."""
-    return _of_rods(layout, order, ratio, ROCKING)
+    return _of_rods(engine, order, ratio, ROCKING)
 
 
-def beside_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+def beside_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return the moment about the crank's axis of inertia forces that act beside it.
 
     They are those of pistons whose axes are offset, and of masses on link pins. Units of m r^2 omega^2
     of cylinder 1; empty where there are none.
     """
-    layout = _at_ratio(layout, order, ratio)
-    groups = [] if has_common_torque(layout) else torque_groups(layout)
+    engine = _at_ratio(engine, order, ratio)
+    groups = [] if has_common_torque(engine) else torque_groups(engine)
     moments = total_moment(groups, order)
-    return TorqueBalance(layout, order, moments, kinematics=None, quantity=BESIDE_MOMENT)
+    return TorqueBalance(engine, order, moments, kinematics=None, quantity=BESIDE_MOMENT)
 
 
-def roll_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+def roll_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return the whole inertia moment on the frame about the crank, in m r^2 omega^2 of cylinder 1.
 
     It is that of pistons, rods and balance shafts together.
@@ -101,13 +101,13 @@ def roll_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> Tor
     >>> roll_moment(load("inline-4"), 2, ratio=4)[2].torque.sin.round(6)
     2.000521
     """
-    layout = _at_ratio(layout, order, ratio)
-    excess = first_excess(layout) / _checked_scale(layout) if has_rods(layout) else Fraction(0)
-    parts = [(inertia_torque(layout, order), Fraction(-1)), (beside_moment(layout, order), Fraction(1))]
+    engine = _at_ratio(engine, order, ratio)
+    excess = first_excess(engine) / _checked_scale(engine) if has_rods(engine) else Fraction(0)
+    parts = [(inertia_torque(engine, order), Fraction(-1)), (beside_moment(engine, order), Fraction(1))]
     if excess:
-        parts += [(rod_torque(layout, order), -excess), (rod_couple(layout, order), excess)]
+        parts += [(rod_torque(engine, order), -excess), (rod_couple(engine, order), excess)]
     terms = [(n, c, s, weight) for part, weight in parts for n, c, s in part.terms(digits=DIGITS)]
-    of_shafts = list(shaft_terms(layout, order))
+    of_shafts = list(shaft_terms(engine, order))
     terms += [(n, c, s, Fraction(1)) for n, c, s in of_shafts]
     total: dict[int, DecimalPhasor] = {}
     for n, cos, sin, weight in terms:
@@ -115,12 +115,12 @@ def roll_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> Tor
         total[int(n)] = total[int(n)] + number if int(n) in total else number
     components = {n: Component(total[n]) for n in sorted(total) if not total[n].is_zero()}
     quantity = ROLL_MOMENT + (" and balance shafts" if of_shafts else "")
-    return TorqueBalance(layout, order, components, kinematics=None, quantity=quantity)
+    return TorqueBalance(engine, order, components, kinematics=None, quantity=quantity)
 
 
 @dataclass(frozen=True, repr=False)
 class TorqueReport(Result):
-    """All that is known of a layout's inertia torque: on the crank, and on the frame.
+    """All that is known of an engine's inertia torque: on the crank, and on the frame.
 
     `rod` and `rocking` are the rods' parts on crank and frame; `beside` is the frame's from offset axes;
     `shafts` is the moment of balance shafts in F_n r, and
@@ -135,7 +135,7 @@ class TorqueReport(Result):
     shafts: dict[int, Component]
     excess: Fraction
     frame: TorqueBalance | None
-    running: CrankTorque | None = None
+    running: RunningTorque | None = None
 
     kind: ClassVar[str] = "torque"
 
@@ -172,9 +172,9 @@ class TorqueReport(Result):
         return (self.inertia, *rods, *beside, *whole)
 
     @property
-    def layout(self) -> Engine:
-        """The layout, at the rod ratio asked for."""
-        return self.inertia.layout
+    def engine(self) -> Engine:
+        """The engine, at the rod ratio asked for."""
+        return self.inertia.engine
 
     @property
     def is_opposite(self) -> bool:
@@ -183,67 +183,67 @@ class TorqueReport(Result):
 
 
 def torque_report(
-    layout: Engine, order: int = 12, *, ratio: object = None, running: CrankTorque | None = None
+    engine: Engine, order: int = 12, *, ratio: object = None, running: RunningTorque | None = None
 ) -> TorqueReport:
-    """Return a layout's inertia torque, all that goes to the frame, and the running engine's torque.
+    """Return an engine's inertia torque, all that goes to the frame, and the running engine's torque.
 
-    `running` is `crank_torque` of the same engine, at the same rod ratio.
+    `running` is `running_torque` of the same engine, at the same rod ratio.
 
     >>> from symbalance.engine.catalogue import load
     >>> torque_report(load("inline-6"), 6)
     Inertia torque on the crank, inline-6 to order 6: order 3, 6; the frame gets the opposite
     """
-    inertia = inertia_torque(layout, order, ratio=ratio)
-    layout = inertia.layout
-    if running is not None and running.layout != layout:
-        what = f"running = {shown(running.layout.name)}"
-        rule = f"is another engine than {layout.name}, or has another rod ratio"
+    inertia = inertia_torque(engine, order, ratio=ratio)
+    engine = inertia.engine
+    if running is not None and running.engine != engine:
+        what = f"running = {brief(running.engine.name)}"
+        rule = f"is another engine than {engine.name}, or has another rod ratio"
         raise SymbalanceError(what, rule, "give the same engine and ratio to crank_torque")
-    rod, rocking = rod_torque(layout, order), rod_couple(layout, order)
-    beside, excess = beside_moment(layout, order), first_excess(layout)
-    known = all(c.mechanism for c in layout.cylinders) and not layout.has_symbols
-    needs = known and (mass_scale(layout) is not None or not excess)
-    shafts = {n: c for n, c in shaft_moment(layout).items() if n <= order}
+    rod, rocking = rod_torque(engine, order), rod_couple(engine, order)
+    beside, excess = beside_moment(engine, order), first_excess(engine)
+    known = all(c.mechanism for c in engine.cylinders) and not engine.has_symbols
+    needs = known and (mass_scale(engine) is not None or not excess)
+    shafts = {n: c for n, c in shaft_moment(engine).items() if n <= order}
     opposite = not (excess or beside.components or shafts)
-    frame = roll_moment(layout, order) if needs and not opposite else None
+    frame = roll_moment(engine, order) if needs and not opposite else None
     return TorqueReport(inertia, rod, rocking, beside, shafts, excess, frame, running)
 
 
-def mass_scale(layout: Engine) -> Fraction | None:
+def mass_scale(engine: Engine) -> Fraction | None:
     """Return m r^2 of cylinder 1 in kg mm^2, None where its mass or its stroke is not known."""
-    first = layout.first
+    first = engine.first
     mass, radius = first.reciprocating_mass, first.radius
     return mass * radius * radius if mass and radius else None
 
 
-def _checked_scale(layout: Engine) -> Fraction:
-    scale = mass_scale(layout)
+def _checked_scale(engine: Engine) -> Fraction:
+    scale = mass_scale(engine)
     if scale is None:
         rule = "has rods with inertia, but no reciprocating mass or no stroke to compare it with"
-        raise SymbalanceError(f"engine {layout.name!r}", rule, "give reciprocating_mass and stroke")
+        raise SymbalanceError(f"engine {engine.name!r}", rule, "give reciprocating_mass and stroke")
     return scale
 
 
-def _of_rods(layout: Engine, order: int, ratio: object, kinematics: Kinematics) -> TorqueBalance:
-    layout = _at_ratio(layout, order, ratio)
-    unit, couple = first_excess(layout), kinematics is ROCKING
+def _of_rods(engine: Engine, order: int, ratio: object, kinematics: Kinematics) -> TorqueBalance:
+    engine = _at_ratio(engine, order, ratio)
+    unit, couple = first_excess(engine), kinematics is ROCKING
     components: dict[int, Component] = {}
     own: Kinematics | None = kinematics
-    if unit and has_common_torque(layout) and {*excesses(layout)} == {unit}:
-        components = {n: c for n, c in sine_components(layout, order).items() if n % 2 == couple}
+    if unit and has_common_torque(engine) and {*excesses(engine)} == {unit}:
+        components = {n: c for n, c in sine_components(engine, order).items() if n % 2 == couple}
     elif unit:
         own, total_of = None, total_moment if couple else total_torque
-        total = total_of(torque_groups(layout, [EXCESS]), order)
+        total = total_of(torque_groups(engine, [EXCESS]), order)
         components = {n: Component(c.number.scaled(1 / unit)) for n, c in total.items()}
     quantity = ROD_COUPLE if couple else ROD_TORQUE
-    return TorqueBalance(layout, order, components, kinematics=own, unit=OF_RODS, quantity=quantity)
+    return TorqueBalance(engine, order, components, kinematics=own, unit=OF_RODS, quantity=quantity)
 
 
-def _at_ratio(layout: Engine, order: int, ratio: object) -> Engine:
+def _at_ratio(engine: Engine, order: int, ratio: object) -> Engine:
     checked_order(order)
-    return checked_layout(layout) if ratio is None else checked_layout(layout).with_ratio(ratio)
+    return checked_engine(engine) if ratio is None else checked_engine(engine).with_ratio(ratio)
 
 
-def excesses(layout: Engine) -> list[Fraction]:
+def excesses(engine: Engine) -> list[Fraction]:
     """Return every rod's J_x in kg mm^2, 0 where its inertia is not given."""
-    return [c.excess for c in layout.cylinders]
+    return [c.excess for c in engine.cylinders]

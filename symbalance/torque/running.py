@@ -25,10 +25,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.forces.shaft_moments import shaft_terms
 from symbalance.kinematics.slider_crank import checked_order
-from symbalance.text.measurements import measured, positive
+from symbalance.text.measurements import measurement, positive_float
 from symbalance.text.numbers import checked_whole
 from symbalance.text.reals import Complex, Real
 from symbalance.torque.body_groups import has_common_torque
@@ -42,7 +42,7 @@ from symbalance.torque.flywheel import (
 )
 from symbalance.torque.gas import GasGroup, gas_groups
 from symbalance.torque.ideal_cycles import IdealCycle
-from symbalance.torque.inertia_balance import checked_layout, inertia_torque
+from symbalance.torque.inertia_balance import checked_engine, inertia_torque
 from symbalance.torque.pressure import PressureTrace
 from symbalance.torque.roll import MILLI, first_excess, rod_torque
 from symbalance.torque.star_diagrams import firing_pin_passings
@@ -99,14 +99,14 @@ class RunningCylinder:
 
 
 @dataclass(frozen=True, repr=False)
-class CrankTorque(Result):
+class RunningTorque(Result):
     """A running engine's torque on its crank, SI: `area` of one piston in m^2, `omega` in rad/s.
 
     `pressure` is the trace or the cycle of every cylinder. `highest` is the highest order that is
     printed, `delta` the speed fluctuation that the flywheel is printed for.
     """
 
-    layout: Engine
+    engine: Engine
     cylinders: tuple[RunningCylinder, ...]
     area: float
     omega: float
@@ -120,7 +120,7 @@ class CrankTorque(Result):
         """Return the mean torque, its extremes and the power, in one line."""
         swing = self.fluctuation
         return (
-            f"Running torque of {self.layout.name} at {self.rpm:.6g} rpm: mean {self.mean:.6g} N m, "
+            f"Running torque of {self.engine.name} at {self.rpm:.6g} rpm: mean {self.mean:.6g} N m, "
             f"from {swing.least:.6g} to {swing.largest:.6g} N m; {self.power / 1000:.6g} kW"
         )
 
@@ -134,8 +134,8 @@ class CrankTorque(Result):
         """Return the same numbers: torque in N m, power in W, energy in J, flywheel in kg m^2."""
         swing = self.fluctuation
         return {
-            "engine": self.layout.name,
-            "strokes": self.layout.strokes,
+            "engine": self.engine.name,
+            "strokes": self.engine.strokes,
             "rpm": round(self.rpm, 9),
             "bore_mm": self.bore * MILLI,
             "ambient_bar": self.cylinder.ambient,
@@ -149,7 +149,7 @@ class CrankTorque(Result):
                     "rod_excess_kg_m2": own.excess,
                     "ratio": str(own.tangential.ratio),
                 }
-                for cylinder, own in zip(self.layout.cylinders, self.cylinders, strict=True)
+                for cylinder, own in zip(self.engine.cylinders, self.cylinders, strict=True)
             ],
             "mean": self.mean,
             "power": self.power,
@@ -194,7 +194,7 @@ class CrankTorque(Result):
     @cached_property
     def first(self) -> RunningCylinder:
         """Cylinder 1."""
-        return self.cylinders[self.layout.cylinders.index(self.layout.first)]
+        return self.cylinders[self.engine.cylinders.index(self.engine.first)]
 
     @property
     def cylinder(self) -> TangentialPressure:
@@ -248,8 +248,8 @@ class CrankTorque(Result):
     @cached_property
     def shafts(self) -> tuple[tuple[int, float, float], ...]:
         """The balance shafts' roll moment, (n, C, S) in m r^2 omega^2."""
-        fastest = max((abs(shaft.speed) for shaft in self.layout.balancers.shafts), default=0)
-        return tuple((n, float(c), float(s)) for n, c, s in shaft_terms(self.layout, fastest))
+        fastest = max((abs(shaft.speed) for shaft in self.engine.balancers.shafts), default=0)
+        return tuple((n, float(c), float(s)) for n, c, s in shaft_terms(self.engine, fastest))
 
     @property
     def mean(self) -> float:
@@ -298,7 +298,7 @@ class CrankTorque(Result):
         """Return delta = (omega_max - omega_min)/omega for a moment of inertia in kg m^2."""
         return speed_fluctuation(self.fluctuation.energy, self.omega, inertia)
 
-    def at_speed(self, rpm: object) -> CrankTorque:
+    def at_speed(self, rpm: object) -> RunningTorque:
         """Return the same engine with the same trace at another speed."""
         return replace(self, omega=_omega(rpm))
 
@@ -319,15 +319,15 @@ class CrankTorque(Result):
         unit, groups = self.area * self.radius * PASCAL, self._groups
         sums: dict[Fraction, complex] = {}
         for group in groups:
-            for n, number in group.numbers(self.layout.strokes, order).items():
+            for n, number in group.numbers(self.engine.strokes, order).items():
                 sums[n] = sums.get(n, 0j) + number * unit
         return tuple((n, Real(sums[n].real), Real(sums[n].imag)) for n in sorted(sums))
 
     @cached_property
     def _groups(self) -> tuple[GasGroup, ...]:
         """The cylinders by what their gas does, as `gas_torque` has them."""
-        nominal, members = firing_pin_passings(self.layout), {}
-        for cylinder, own in zip(self.layout.cylinders, self.cylinders, strict=True):
+        nominal, members = firing_pin_passings(self.engine), {}
+        for cylinder, own in zip(self.engine.cylinders, self.cylinders, strict=True):
             key = (id(own.tangential), own.radius)
             members.setdefault(key, (own, {}))[1][cylinder.number] = nominal[cylinder.number]
         return tuple(
@@ -338,18 +338,18 @@ class CrankTorque(Result):
     def inertia_terms(self, order: int | None = None) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) of the inertia torque in N m, the rods' own included."""
         order = self.highest if order is None else order
-        unit, rods = self.mass * (self.radius * self.omega) ** 2, float(first_excess(self.layout))
+        unit, rods = self.mass * (self.radius * self.omega) ** 2, float(first_excess(self.engine))
         total: dict[Fraction, Complex] = {}
-        parts = [(inertia_torque(self.layout, order), unit)]
-        parts += [(rod_torque(self.layout, order), rods / MILLI**2 * self.omega**2)] if rods else []
+        parts = [(inertia_torque(self.engine, order), unit)]
+        parts += [(rod_torque(self.engine, order), rods / MILLI**2 * self.omega**2)] if rods else []
         for balance, scale in parts:
             for n, cos, sin in balance.terms(digits=20):
                 total[n] = total.get(n, Complex(0)) + Complex(cos, sin) * scale
         return tuple((n, total[n].real, total[n].imag) for n in sorted(total))
 
 
-def crank_torque(
-    layout: Engine,
+def running_torque(
+    engine: Engine,
     trace: PressureTrace | IdealCycle,
     *,
     bore: object,
@@ -360,29 +360,30 @@ def crank_torque(
     ambient: object = AMBIENT,
     order: int = HIGHEST,
     delta: object = DELTA,
-) -> CrankTorque:
+) -> RunningTorque:
     """Return the torque of a running engine: bore and stroke in mm, mass in kg, rpm, ambient in bar.
 
-    Stroke, reciprocating mass (per cylinder) and rod ratio default to the layout's crank train; where
+    Stroke, reciprocating mass (per cylinder) and rod ratio default to the engine's crank train; where
     that gives them, they cannot be given anew for cylinders that are not alike. `order` is the highest
     order that is printed, `delta` the speed fluctuation that the flywheel is printed for.
 
     >>> from symbalance.engine.catalogue import load
     >>> from symbalance.torque.ideal_cycles import ideal_cycle
     >>> trace = ideal_cycle(10, heat=20).trace(4)
-    >>> four = crank_torque(load("inline-4"), trace, bore=80, stroke=80, reciprocating_mass=0.5, rpm=3000)
+    >>> sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": 0.5}
+    >>> four = running_torque(load("inline-4"), trace, rpm=3000, **sizes)
     >>> round(four.mean, 1), round(four.work, 1), round(four.fluctuation.of_torque, 2)
     (141.6, 1780.0, 2.78)
     """
     order, fluctuation = checked_order(order), checked_delta(delta)
-    if not has_common_torque(checked_layout(layout)):
-        _check_own(layout, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
-    layout = layout if ratio is None else layout.with_ratio(ratio)
-    groups = gas_groups(layout, trace, ambient=ambient)
-    width = positive(bore, "bore") / MILLI
+    if not has_common_torque(checked_engine(engine)):
+        _check_own(engine, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
+    engine = engine if ratio is None else engine.with_ratio(ratio)
+    groups = gas_groups(engine, trace, ambient=ambient)
+    width = positive_float(bore, "bore") / MILLI
     tangential = {number: group.tangential for group in groups for number in group.firing_angles}
-    firing_angles, cylinders = firing_pin_passings(layout), []
-    for cylinder in layout.cylinders:
+    firing_angles, cylinders = firing_pin_passings(engine), []
+    for cylinder in engine.cylinders:
         own = tangential[cylinder.number]
         length = _argument_or_known(stroke, cylinder.stroke, "stroke", "mm")
         known = cylinder.reciprocating_mass
@@ -391,25 +392,25 @@ def crank_torque(
         excess = float(cylinder.excess) / MILLI**2
         cylinders.append(RunningCylinder(own, firing_angle, float(length) / (2 * MILLI), mass, excess))
     area, omega = pi * width**2 / 4, _omega(rpm)
-    return CrankTorque(layout, tuple(cylinders), area, omega, trace, order, fluctuation)
+    return RunningTorque(engine, tuple(cylinders), area, omega, trace, order, fluctuation)
 
 
-def _check_own(layout: Engine, **arguments: object) -> None:
+def _check_own(engine: Engine, **arguments: object) -> None:
     for name, value in arguments.items():
-        if value is not None and any(getattr(c, name) is not None for c in layout.cylinders):
-            rule = f"cannot be set for all cylinders of {layout.name}, which are not alike"
-            raise SymbalanceError(f"{name} = {shown(value)}", rule, "give it in the engine file")
+        if value is not None and any(getattr(c, name) is not None for c in engine.cylinders):
+            rule = f"cannot be set for all cylinders of {engine.name}, which are not alike"
+            raise SymbalanceError(f"{name} = {brief(value)}", rule, "give it in the engine file")
 
 
 def _argument_or_known(value: object, known: Fraction | None, name: str, unit: str) -> Fraction:
     if value is None and known is None:
         rule, remedy = "is needed, and the engine does not give it", f"give {name}, in {unit}"
         raise SymbalanceError(name, rule, remedy)
-    number = measured(known if value is None else value, name)
+    number = measurement(known if value is None else value, name)
     if number < 0 or (number == 0 and name == "stroke"):
-        raise SymbalanceError(f"{name} = {shown(value)}", "must be positive", f"in {unit}")
+        raise SymbalanceError(f"{name} = {brief(value)}", "must be positive", f"in {unit}")
     return number
 
 
 def _omega(rpm: object) -> float:
-    return positive(rpm, "rpm") * pi / 30
+    return positive_float(rpm, "rpm") * pi / 30

@@ -58,7 +58,7 @@ class Star:
 class FiringStars(SequenceResult[Star]):
     """The stars of all orders of an engine's gas torque, up to `highest`: a sequence of `Star`."""
 
-    layout: Engine
+    engine: Engine
     highest: int
     items: tuple[Star, ...]
 
@@ -73,7 +73,7 @@ class FiringStars(SequenceResult[Star]):
         """Return which orders are left, in one line."""
         orders = [star.order for star in self.open]
         words = f"open in order {listed_orders(orders)}" if orders else "all closed"
-        return f"Firing stars of {self.layout.name} to order {self.highest}: {words}"
+        return f"Firing stars of {self.engine.name} to order {self.highest}: {words}"
 
     def document(self) -> Document:
         """Return the sums of the stars that are open, then every star's vectors."""
@@ -101,7 +101,7 @@ class FiringStars(SequenceResult[Star]):
         ]
 
 
-def firing_pin_passings(layout: Engine) -> dict[int, Fraction]:
+def firing_pin_passings(engine: Engine) -> dict[int, Fraction]:
     """Return the crank angle at which each cylinder's pin passes its axis to fire, degrees, 0 to a cycle.
 
     Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
@@ -113,18 +113,18 @@ def firing_pin_passings(layout: Engine) -> dict[int, Fraction]:
     >>> {n: str(top) for n, top in firing_pin_passings(inline("1-3-4-2")).items()}
     {1: '0', 2: '540', 3: '180', 4: '360'}
     """
-    cycle = 180 * layout.strokes
-    first = next((c for c in layout.cylinders if c.fires is not None), None)
+    cycle = 180 * engine.strokes
+    first = next((c for c in engine.cylinders if c.fires is not None), None)
     start = Fraction(0) if first is None else _top(first) - (first.fires or 0)
     start %= 360
     firing_angles = {}
-    for cylinder in layout.cylinders:
-        if layout.strokes == 2:
+    for cylinder in engine.cylinders:
+        if engine.strokes == 2:
             firing_angles[cylinder.number] = _top(cylinder) % cycle
         elif cylinder.fires is None:
             rule = "has no firing angle, and every other top dead centre of a four-stroke fires"
             remedy = "build it from a firing order, or give each cylinder fires"
-            raise SymbalanceError(f"cylinder {cylinder.number} of {layout.name}", rule, remedy)
+            raise SymbalanceError(f"cylinder {cylinder.number} of {engine.name}", rule, remedy)
         else:
             top = _top(cylinder)
             turns = round((start + cylinder.fires - top) / 360)
@@ -144,7 +144,7 @@ def _checked_delay(cylinder: Cylinder) -> Cylinder:
     return cylinder
 
 
-def firing_stars(layout: Engine, order: int = 6) -> FiringStars:
+def firing_stars(engine: Engine, order: int = 6) -> FiringStars:
     """Return the stars of all orders of the gas torque to `order`: halves in a four-stroke.
 
     Vectors stand where the pins pass the cylinders' axes: like cylinders are moved from there alike.
@@ -153,8 +153,8 @@ def firing_stars(layout: Engine, order: int = 6) -> FiringStars:
     >>> [str(s.order) for s in firing_stars(inline("1-5-3-6-2-4"), 9) if not s.is_closed()]
     ['3', '6', '9']
     """
-    stars = stars_of(firing_pin_passings(layout), layout.strokes, order)
-    return FiringStars(layout, order, stars)
+    stars = stars_of(firing_pin_passings(engine), engine.strokes, order)
+    return FiringStars(engine, order, stars)
 
 
 def stars_of(firing_angles: Mapping[int, Fraction], strokes: int, order: int) -> tuple[Star, ...]:

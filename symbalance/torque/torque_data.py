@@ -16,11 +16,11 @@ DIGITS = 20
 
 def torque_data(report: TorqueReport) -> dict[str, Any]:
     """Return what `to_json` writes of a report, as plain Python values."""
-    layout = report.layout
+    engine = report.engine
     return {
-        "engine": layout.name,
-        "strokes": layout.strokes,
-        "ratio": None if layout.ratio is None else str(layout.ratio),
+        "engine": engine.name,
+        "strokes": engine.strokes,
+        "ratio": None if engine.ratio is None else str(engine.ratio),
         "highest_order": report.inertia.highest,
         "unit": report.inertia.unit,
         "inertia": _orders(report.inertia),
@@ -37,8 +37,8 @@ def torque_data(report: TorqueReport) -> dict[str, Any]:
 def orders_data(balance: TorqueBalance) -> dict[str, Any]:
     """Return what `to_json` writes of one torque, as plain Python values."""
     return {
-        "engine": balance.layout.name,
-        "strokes": balance.layout.strokes,
+        "engine": balance.engine.name,
+        "strokes": balance.engine.strokes,
         "ratio": None if balance.ratio is None else str(balance.ratio),
         "highest_order": balance.highest,
         "quantity": balance.quantity,
@@ -50,8 +50,8 @@ def orders_data(balance: TorqueBalance) -> dict[str, Any]:
 def stars_data(stars: FiringStars) -> dict[str, Any]:
     """Return what `to_json` writes of firing stars: angles in turns, and the vectors' sums."""
     return {
-        "engine": stars.layout.name,
-        "strokes": stars.layout.strokes,
+        "engine": stars.engine.name,
+        "strokes": stars.engine.strokes,
         "highest_order": stars.highest,
         "stars": [
             {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbalance.document.decimals import rounded
+from symbalance.document.decimals import decimal
 from symbalance.document.formula import Equation, Formula, Name, Subscript, equal
 from symbalance.document.nodes import Block, Document, Facts, Heading, Paragraph, Table, Words, blocks
 from symbalance.engine.engine import Engine
@@ -34,15 +34,15 @@ SIGNS: tuple[Words, Words] = (
 
 def torque_document(report: TorqueReport) -> Document:
     """Return a report as a document: the torque on crank and frame, the running engine's, the legend."""
-    layout, running = report.layout, report.running
-    title, lead = f"{layout.name}: torque on crank and frame", engine_words(layout)
+    engine, running = report.engine, report.running
+    title, lead = f"{engine.name}: torque on crank and frame", engine_words(engine)
     inertia = _report_blocks(report)
     if running is None:
         gas: tuple[Words, Words] = (
             "gas torque",
             "comes on top: it needs a pressure trace or an ideal cycle",
         )
-        return Document(title, inertia + _legend(layout, LEGEND, gas), lead)
+        return Document(title, inertia + _legend(engine, LEGEND, gas), lead)
     return Document(
         title,
         blocks(
@@ -51,7 +51,7 @@ def torque_document(report: TorqueReport) -> Document:
             Heading(running_title(running)),
             running_blocks(running),
             Heading(LEGEND),
-            _legend(layout, "", *running_facts(running)),
+            _legend(engine, "", *running_facts(running)),
         ),
         lead,
     )
@@ -59,9 +59,9 @@ def torque_document(report: TorqueReport) -> Document:
 
 def orders_document(balance: TorqueBalance) -> Document:
     """Return one torque or moment as a document: its orders, one cylinder's coefficients, the legend."""
-    title = f"{balance.layout.name}: {balance.quantity}"
-    body = blocks(_orders(balance), _coefficients(balance), _legend(balance.layout, LEGEND))
-    return Document(title, body, engine_words(balance.layout))
+    title = f"{balance.engine.name}: {balance.quantity}"
+    body = blocks(_orders(balance), _coefficients(balance), _legend(balance.engine, LEGEND))
+    return Document(title, body, engine_words(balance.engine))
 
 
 def _report_blocks(report: TorqueReport) -> tuple[Block, ...]:
@@ -104,25 +104,25 @@ def _coefficients(balance: TorqueBalance) -> tuple[Block, ...]:
     return (coefficient_table(balance.kinematics, balance.orders, balance.values, balance.ratio),)
 
 
-def _legend(layout: Engine, title: str, *more: tuple[Words, Words]) -> tuple[Block, ...]:
+def _legend(engine: Engine, title: str, *more: tuple[Words, Words]) -> tuple[Block, ...]:
     """Return what letters, signs and angles mean; `more` stands before the signs."""
-    alike = has_common_torque(layout)
+    alike = has_common_torque(engine)
     entries = [
-        *origin_facts(layout),
-        *size_facts(layout, layout.ratio, alike=alike, pitch=False),
-        *_rods(layout),
-        *balancer_entries(layout),
+        *origin_facts(engine),
+        *size_facts(engine, engine.ratio, alike=alike, pitch=False),
+        *_rods(engine),
+        *balancer_entries(engine),
         *more,
         SIGNS,
         ORDER,
     ]
-    return blocks(None if alike else group_table(layout), Facts(tuple(entries), title))
+    return blocks(None if alike else group_table(engine), Facts(tuple(entries), title))
 
 
-def _rods(layout: Engine) -> list[tuple[Words, Words]]:
-    excess = first_excess(layout)
+def _rods(engine: Engine) -> list[tuple[Words, Words]]:
+    excess = first_excess(engine)
     if not excess:
         return []
-    whose = "a rod" if len({*excesses(layout)}) == 1 else "the first rod that has one"
-    size = rounded(excess / MILLI**2)
+    whose = "a rod" if len({*excesses(engine)}) == 1 else "the first rod that has one"
+    size = decimal(excess / MILLI**2)
     return [(_J, (f"moment of inertia of {whose} beyond that of its two end masses: ", size, " kg m²"))]

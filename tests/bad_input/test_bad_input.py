@@ -24,7 +24,7 @@ from symbalance.engine.crank_train import CrankTrain
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import angle, degrees
 from symbalance.forces.free_forces import balance
 from symbalance.forces.inline_sums import dirichlet_quotient, inline_couple, inline_sum, spacing
@@ -127,12 +127,12 @@ def test_what_is_no_angle_is_refused(value: object) -> None:
     assert_refused(lambda: angle(value, "bank"), "bank = ")
 
 
-@pytest.mark.parametrize("value", [10**9 + 1, -1e10, 10**5000, "1e20", 400.12345], ids=shown)
+@pytest.mark.parametrize("value", [10**9 + 1, -1e10, 10**5000, "1e20", 400.12345], ids=brief)
 def test_a_bank_is_taken_modulo_a_turn_but_bounded(value: object) -> None:
     assert_refused(lambda: Cylinder(1, bank=value), "bank = ")
 
 
-@pytest.mark.parametrize("value", [0, -1, 1001, "1", 1.0, True, None, 10**5000], ids=shown)
+@pytest.mark.parametrize("value", [0, -1, 1001, "1", 1.0, True, None, 10**5000], ids=brief)
 def test_a_cylinder_has_a_number(value: object) -> None:
     assert_refused(lambda: Cylinder(value), "number = ")  # type: ignore[arg-type]
 
@@ -257,8 +257,8 @@ def test_firing_angles_that_agree_are_taken(start: object) -> None:
     for half in (0, 360):
         layout = Engine([Cylinder(1, first, fires=0), Cylinder(2, first - 90, 60, fires=150 + half)])
         assert layout.firing_order() == [1, 2]
-    for turned in (vee(X, "1-3-2-4"), radial(5), boxer("1-4-3-2")):
-        assert Engine(turned.cylinders).firing_order() == turned.firing_order()
+    for rotated in (vee(X, "1-3-2-4"), radial(5), boxer("1-4-3-2")):
+        assert Engine(rotated.cylinders).firing_order() == rotated.firing_order()
 
 
 def test_names_with_line_breaks_do_not_break_the_line() -> None:

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from symbalance.document.decimals import fixed, rounded
+from symbalance.document.decimals import decimal, fixed_cell
 from symbalance.document.formula import INFINITY, Decimal, Equation, Matrix, Name, Subscript, number
 from symbalance.document.html_document import document_html
 from symbalance.document.latex_document import document_latex
@@ -89,13 +89,13 @@ def test_lists_in_text_are_wrapped_and_names_stand_apart() -> None:
     ],
 )
 def test_floats_are_rounded_to_significant_digits(value: float, digits: int, text: str) -> None:
-    assert rounded(value, digits) == Decimal(text)
+    assert decimal(value, digits) == Decimal(text)
 
 
 def test_what_is_not_finite_is_no_decimal() -> None:
-    assert rounded(float("nan")) == fixed(float("nan"), 2) == UNKNOWN
-    assert rounded(float("inf")) == fixed(float("inf"), 2) == INFINITY
-    assert fixed(-0.001, 2) == Decimal("0.00")
+    assert decimal(float("nan")) == fixed_cell(float("nan"), 2) == UNKNOWN
+    assert decimal(float("inf")) == fixed_cell(float("inf"), 2) == INFINITY
+    assert fixed_cell(-0.001, 2) == Decimal("0.00")
 
 
 def test_an_index_of_an_indexed_letter_compiles(compile_latex) -> None:  # type: ignore[no-untyped-def]

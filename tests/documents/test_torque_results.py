@@ -16,13 +16,13 @@ SIZES = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5", "rpm": 3000}
 
 
 def test_a_running_engine_prints_the_orders_and_the_flywheel_it_was_made_for() -> None:
-    four = sb.crank_torque(sb.load("inline-4"), CYCLE, order=4, delta="0.01", **SIZES)
+    four = sb.running_torque(sb.load("inline-4"), CYCLE, order=4, delta="0.01", **SIZES)
     assert [n for n, *_ in four.terms()] == [2, 4]
     assert [row["order"] for row in four.records()] == [2.0, 4.0]
     assert four.flywheel() == pytest.approx(2 * four.flywheel("0.02"))
     at_6000 = four.at_speed(6000)
     assert (at_6000.highest, at_6000.delta) == (4, 0.01)
-    usual = sb.crank_torque(sb.load("inline-4"), CYCLE, **SIZES)
+    usual = sb.running_torque(sb.load("inline-4"), CYCLE, **SIZES)
     assert (usual.highest, usual.delta) == (12, 0.02)
     for order in usual.gas_terms(), usual.inertia_terms(), usual.terms():
         assert max(n for n, *_ in order) == 12
@@ -39,12 +39,12 @@ def test_a_running_engine_prints_the_orders_and_the_flywheel_it_was_made_for() -
 )
 def test_what_cannot_be_printed_is_refused(wrong: dict[str, object], words: str) -> None:
     with pytest.raises(SymbalanceError, match=words):
-        sb.crank_torque(sb.load("inline-4"), CYCLE, **SIZES, **wrong)  # type: ignore[arg-type]
+        sb.running_torque(sb.load("inline-4"), CYCLE, **SIZES, **wrong)  # type: ignore[arg-type]
 
 
 def test_a_report_takes_the_running_torque_of_its_own_engine_only() -> None:
     four = sb.load("inline-4")
-    running = sb.crank_torque(four, CYCLE, **SIZES)
+    running = sb.running_torque(four, CYCLE, **SIZES)
     whole = torque_report(four, 4, running=running)
     assert whole.data()["running"] == running.data()
     assert len(whole.records()) == 2 + len(running.records())
@@ -98,7 +98,7 @@ def test_stars_are_a_sequence_whose_document_sums_their_vectors() -> None:
 
 def test_the_gas_torque_carries_its_ratio_pressure_and_mean() -> None:
     gas = sb.gas_torque(sb.load("inline-4"), CYCLE, 4, ratio=5)
-    assert gas.layout.ratio == 5
+    assert gas.engine.ratio == 5
     assert gas.data()["ratio"] == "5"
     each = gas.data()["mean"] * 4 * math.pi / 4 / 2  # work of a cycle over A and twice the crank radius
     assert each == pytest.approx(CYCLE.mean_effective_pressure, rel=1e-4)

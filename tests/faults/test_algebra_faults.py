@@ -16,7 +16,7 @@ from symbalance.exact.phasor import Phasor
 from symbalance.notes.algebra import derivatives, functions, polynomials, zero
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import unit
-from symbalance.notes.algebra.series import Expansion, Series
+from symbalance.notes.algebra.series import Expansion, FormSeries
 from tests.formulas import POINT, forms, tree
 from tests.independent.test_algebra import DisagreementError, assert_soundly_compared, assert_value
 from tests.independent.test_algebra_series import LARGE, SMALL, RemainderError, assert_good, series_of
@@ -49,7 +49,7 @@ def half_angle_lost(patch: Patch) -> None:
 def gauss_sum_not_turned(patch: Patch) -> None:
     """√p of p = 3 mod 4 without the factor -i."""
     right, lost = zero.root_of_prime, Fraction(1, 4)
-    patch.setattr(zero, "root_of_prime", lambda p: right(p).turned(lost) if p % 4 == 3 else right(p))
+    patch.setattr(zero, "root_of_prime", lambda p: right(p).rotated(lost) if p % 4 == 3 else right(p))
 
 
 def gauss_sum_of_a_wrong_residue(patch: Patch) -> None:
@@ -61,7 +61,7 @@ def gauss_sum_of_a_wrong_residue(patch: Patch) -> None:
 def wrong_binomial_coefficient(patch: Patch) -> None:
     right = Expansion._compose
 
-    def composed(self: Expansion, coefficients: list[Fraction], inner: Series) -> Series:
+    def composed(self: Expansion, coefficients: list[Fraction], inner: FormSeries) -> FormSeries:
         wrong = [c * Fraction(1001, 1000) if k == 3 else c for k, c in enumerate(coefficients)]
         return right(self, wrong, inner)
 
@@ -69,13 +69,13 @@ def wrong_binomial_coefficient(patch: Patch) -> None:
 
 
 def products_claiming_the_limit(patch: Patch) -> None:
-    right = Series.times
+    right = FormSeries.times
 
-    def times(self: Series, other: Series, limit: int) -> Series:
+    def times(self: FormSeries, other: FormSeries, limit: int) -> FormSeries:
         product = right(self, other, limit)
-        return Series(product.domain, product.terms, limit)
+        return FormSeries(product.domain, product.terms, limit)
 
-    patch.setattr(Series, "times", times)
+    patch.setattr(FormSeries, "times", times)
 
 
 def no_chain_rule_in_angles(patch: Patch) -> None:

@@ -61,7 +61,7 @@ def tiny(points: list[Point], monkeypatch: pytest.MonkeyPatch) -> AccuracyReport
 @pytest.mark.parametrize("case", [FIVE, Case("v8-90", "couple.lateral", None, Fraction(10, 9))])
 def test_the_truth_is_that_of_the_tests_own_kinematics(case):
     known = truth(case, 12)
-    places = [Place(c.throw.in_degrees(), c.bank.in_degrees(), c.station) for c in case.layout.cylinders]
+    places = [Place(c.throw.in_degrees(), c.bank.in_degrees(), c.station) for c in case.engine.cylinders]
     with mp.workdps(50):
         function = planar(places, case.known_ratio, arms=True)
         for theta, value in zip(known.angles, known.values, strict=True):

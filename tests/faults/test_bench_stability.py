@@ -167,7 +167,7 @@ def test_all_orders_sum_to_the_kinematics(name):
     """Two ways to the truth: harmonics of whole cylinders' vectors, and each cylinder's acceleration."""
     asked = Asked(sb.load("v6-90"), name, REAL, tolerance=0.0)
     points = Points(ANGLES)
-    whole = accelerations_at(points, weights(asked.layout, name), REAL)
+    whole = accelerations_at(points, weights(asked.engine, name), REAL)
     parts = harmonics_at(points, asked.terms)
     assert np.all(np.abs((whole.high - parts.high) + (whole.low - parts.low)) <= 1e-25)
 
@@ -185,8 +185,8 @@ def test_angles_are_hard():
         quarter = mp.pi / 2
         left = [abs(mp.mpf(float(a)) / quarter - mp.nint(mp.mpf(float(a)) / quarter)) for a in closest()]
         assert min(left) < 1e-14
-        turned = near_turns(5)[::5] / float(2 * mp.pi)
-    assert np.abs(turned - np.rint(turned)).max() < 1e-9
+        rotated = near_turns(5)[::5] / float(2 * mp.pi)
+    assert np.abs(rotated - np.rint(rotated)).max() < 1e-9
     assert np.abs(near_turns(50)).max() < 2.0**20
     assert np.abs(hard(200)).max() >= 1e6
     assert np.abs(small(9)).min() == 5e-324

@@ -89,7 +89,7 @@ def _compare_order(
 ) -> None:
     cosine, sine = measured
     listed = {o.order: o for o in result.orders}
-    what = f"{result.layout.name}: {name}, order {n}"
+    what = f"{result.engine.name}: {name}, order {n}"
     if n not in listed:
         assert_close(cosine, 0, f"{what}, absent, cos")
         assert_close(sine, 0, f"{what}, absent, sin")

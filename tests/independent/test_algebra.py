@@ -17,7 +17,7 @@ from mpmath import mp
 from symbalance.document.formula import Derivative, Formula, Name, Number, children, with_children
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.polynomials import quotient
 from symbalance.notes.algebra.tree_values import TreeValues
@@ -150,7 +150,7 @@ def test_chosen_values(text: str) -> None:
 
 
 def test_derivatives_by_time_use_the_rates_of_the_letters() -> None:
-    meaning = Meaning(rates={"t": {"theta": Name("omega")}})
+    meaning = SymbolValue(rates={"t": {"theta": Name("omega")}})
     evaluator = FormEvaluator(Domain(), meaning)
     slope = Derivative(tree("sin(theta)**2*sqrt(4 - cos(theta)**2)"), Name("t"), 2)
     form = evaluator.form(slope)

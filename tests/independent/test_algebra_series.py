@@ -18,7 +18,7 @@ from mpmath import mp
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.series import Expansion, Series
+from symbalance.notes.algebra.series import Expansion, FormSeries
 from tests import formulas
 from tests.formulas import POINT, forms, tree
 
@@ -30,18 +30,18 @@ class RemainderError(AssertionError):
     """A series leaves more than it may."""
 
 
-def series_of(text: str | Formula, letter: tuple[str, int], through: int) -> Series:
+def series_of(text: str | Formula, letter: tuple[str, int], through: int) -> FormSeries:
     (form,) = forms(text)
     return Expansion(form.domain, *letter, through).of(form)
 
 
-def coefficients(series: Series) -> dict[int, Any]:
+def coefficients(series: FormSeries) -> dict[int, Any]:
     """Return the values of the coefficients at POINT with DIGITS digits."""
     with values.context().workdps(DIGITS):
         return {k: values.value(form, POINT) for k, form in series.terms.items()}
 
 
-def remainder(text: str | Formula, letter: tuple[str, int], series: Series, small: Fraction) -> Any:
+def remainder(text: str | Formula, letter: tuple[str, int], series: FormSeries, small: Fraction) -> Any:
     """Return (f(ε) - the partial sum)/ε^(through + 1)."""
     name, sign = letter
     node = tree(text) if isinstance(text, str) else text
@@ -52,7 +52,7 @@ def remainder(text: str | Formula, letter: tuple[str, int], series: Series, smal
         return (exact - partial) / epsilon ** (series.through + 1)
 
 
-def assert_good(text: str | Formula, letter: tuple[str, int], series: Series) -> None:
+def assert_good(text: str | Formula, letter: tuple[str, int], series: FormSeries) -> None:
     """Assert that the remainder is of the next order: it settles to the next coefficient."""
     first, second = (remainder(text, letter, series, Fraction(1, 10**n)) for n in (8, 9))
     if not abs(first - second) <= (1 + abs(first)) * mp.mpf(10) ** -3:
@@ -217,13 +217,13 @@ def test_random_series_never_claim_too_much(node: Formula, through: int) -> None
 
 def test_a_product_of_truncated_series_is_cut_where_the_first_unknown_term_falls() -> None:
     (one, a) = forms("1", "a")
-    left = Series(one.domain, {-2: one, 3: a}, 3)
-    right = Series(one.domain, {1: a, 2: one}, 6)
+    left = FormSeries(one.domain, {-2: one, 3: a}, 3)
+    right = FormSeries(one.domain, {1: a, 2: one}, 6)
     assert left.times(right, 40).through == 4
     assert set(left.times(right, 40).terms) == {-1, 0, 4}
     assert left.times(right, 2).through == 2
     assert left.plus(right).through == 3
-    nothing = Series(one.domain, {}, 5)
+    nothing = FormSeries(one.domain, {}, 5)
     assert nothing.start == 6
     assert nothing.times(left, 40).through == 3
     assert left.shifted(-4).through == -1

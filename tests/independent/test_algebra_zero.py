@@ -28,7 +28,7 @@ from symbalance.document.formula import (
 from symbalance.exact.phasor import Phasor
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.functions import cosine
 from symbalance.notes.algebra.roots import root
@@ -204,14 +204,14 @@ def test_infinity_dots_and_circles_of_definitions() -> None:
     with pytest.raises(NoFormError):
         forms(Constant("infinity"))
     circle = {"x": tree("y + 1"), "y": tree("x - 1")}
-    evaluator = FormEvaluator(Domain(), Meaning(circle))
+    evaluator = FormEvaluator(Domain(), SymbolValue(circle))
     assert evaluator.form(Name("x")).equals(Form.letter(evaluator.domain, "x")) is True
     inside = {"x": tree("sum(k*x, k, 1, 3)")}
-    evaluator = FormEvaluator(Domain(), Meaning(inside))
+    evaluator = FormEvaluator(Domain(), SymbolValue(inside))
     assert evaluator.form(Name("x")).equals(Form.letter(evaluator.domain, "x").scaled(6)) is True
     long = {f"q{i}": Name(f"q{i + 1}") for i in range(1000)}
     with pytest.raises((NoFormError, TooLargeError)):
-        FormEvaluator(Domain(), Meaning(long)).form(Name("q0"))
+        FormEvaluator(Domain(), SymbolValue(long)).form(Name("q0"))
 
 
 @pytest.mark.parametrize(

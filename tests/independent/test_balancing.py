@@ -37,7 +37,7 @@ ALPHA = sympy.Symbol("alpha")
 def assert_ended(design: sb.Design, pistons=rotating_model.like_pistons, gone=GONE, **how) -> None:
     """Assert that the orders to remove are gone and others as they were, in the time domain."""
     wanted = sorted({*design.remove, 3, 6})
-    before = rotating_model.orders(design.layout, wanted, pistons, **how)
+    before = rotating_model.orders(design.engine, wanted, pistons, **how)
     after = rotating_model.orders(design.balanced, wanted, pistons, **how)
     for key in before:
         if key[0] in design.remove:
@@ -171,7 +171,7 @@ def _at(number, degrees: Fraction):
     parts = number.parts if hasattr(number, "parts") else {(): number}
     for symbols, phasor in parts.items():
         turns = sum((f * degrees / 360 for _, f in symbols), Fraction(0))
-        total = total + phasor.turned(turns)
+        total = total + phasor.rotated(turns)
     return total
 
 
@@ -654,7 +654,7 @@ def test_every_roll_moment_has_the_shafts():
     trace = sb.ideal_cycle(10, heat=20).trace(4)
     given = {"bore": 80, "stroke": 86, "reciprocating_mass": "1/2", "rpm": 3000}
     given["ratio"] = Fraction(143, 43)
-    running = [sb.crank_torque(layout, trace, **given) for layout in (four, built)]
+    running = [sb.running_torque(layout, trace, **given) for layout in (four, built)]
     scale = 0.5 * 0.043**2 * running[0].omega ** 2
     for theta in (0.3, 1.9):
         moved = running[1].frame(theta) - running[0].frame(theta)

@@ -211,13 +211,13 @@ def test_an_uneven_throw_needs_the_product_of_inertia():
     """A body with I_uv = 0 has one when it is turned by 120 degrees about W."""
     tensor = sympy.diag(1, 2, 3)
     turn = sympy.rot_ccw_axis3(sympy.pi * 2 / 3)
-    turned = turn * tensor * turn.T
-    assert turned[0, 1] == sympy.sqrt(3) / 4
+    rotated = turn * tensor * turn.T
+    assert rotated[0, 1] == sympy.sqrt(3) / 4
     node = node_equations()
     values = {
-        "I_uu": turned[0, 0],
-        "I_vv": turned[1, 1],
-        "I_uv": turned[0, 1],
+        "I_uu": rotated[0, 0],
+        "I_vv": rotated[1, 1],
+        "I_uv": rotated[0, 1],
         "I_ww": 3,
         "I_uw": 0,
         "I_vw": 0,
@@ -290,7 +290,7 @@ C = np.array([[0.2329, -0.081924], [-0.081924, 0.29491]])
 
 
 def test_the_turned_bearing_is_the_symbolic_one():
-    turned = turned_bearing()
+    rotated = turned_bearing()
     values = dict(zip([*STIFFNESS, *DAMPING], [*K.ravel(), *C.ravel()], strict=True)) | {OMEGA: 157.0}
     angles = np.array([0.0, 0.3, 1.9, 4.4])
     for angle, stiffness, damping in zip(
@@ -298,9 +298,11 @@ def test_the_turned_bearing_is_the_symbolic_one():
     ):
         there = {**values, THETA: angle}
         np.testing.assert_allclose(
-            stiffness, np.array(turned.stiffness.subs(there), dtype=float), atol=1e-12
+            stiffness, np.array(rotated.stiffness.subs(there), dtype=float), atol=1e-12
         )
-        np.testing.assert_allclose(damping, np.array(turned.damping.subs(there), dtype=float), atol=1e-12)
+        np.testing.assert_allclose(
+            damping, np.array(rotated.damping.subs(there), dtype=float), atol=1e-12
+        )
 
 
 def test_the_turned_bearing_gives_the_stationary_force():
@@ -323,8 +325,8 @@ def test_the_turned_bearing_gives_the_stationary_force():
 
 
 def test_isotropic_damping_circulates():
-    turned = turned_bearing().isotropic()
-    assert turned.circulatory == sympy.Matrix([[0, -OMEGA * DAMPING[0]], [OMEGA * DAMPING[0], 0]])
+    rotated = turned_bearing().isotropic()
+    assert rotated.circulatory == sympy.Matrix([[0, -OMEGA * DAMPING[0]], [OMEGA * DAMPING[0], 0]])
 
 
 def test_turned_shapes():

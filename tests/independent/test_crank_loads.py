@@ -53,11 +53,11 @@ def newton_euler(p: float, force: float, sizes: dict[str, float]) -> complex:
     top = sizes["piston"] * second(piston, p).real - force  # the rod's push on the piston, along the axis
     rod = sizes["rod"] * second(centre, p)
     low_up = rod.real + top  # the crank's push on the rod, along the axis
-    turned = sizes["J"] * second(lambda t: mp.mpc(angle(t)), p).real
+    rotated = sizes["J"] * second(lambda t: mp.mpc(angle(t)), p).real
     low, high = pin(p) - centre(p), piston(p) - centre(p)
     # rod: F_low + F_high = rod, low x F_low + high x F_high = turned; F_high = -(top + i side)
     # low.real y - low.imag low_up + high.real (rod.imag - y) + high.imag top = turned
-    y = (turned + low.imag * low_up - high.real * rod.imag - high.imag * top) / (low.real - high.real)
+    y = (rotated + low.imag * low_up - high.real * rod.imag - high.imag * top) / (low.real - high.real)
     return -complex(low_up, y)
 
 
@@ -101,7 +101,7 @@ def test_an_offset_engine_burns_at_its_pistons_tops(gas, tmp_path):
     made = engine(tmp_path, text)
     theta = np.linspace(0, 4 * np.pi, 97)
     trace = made.operation.ideal or made.operation.trace
-    torque = sb.crank_torque(made.layout, trace, bore=92, rpm=OMEGA * 30 / np.pi)
+    torque = sb.running_torque(made.engine, trace, bore=92, rpm=OMEGA * 30 / np.pi)
     expected = np.array([torque.gas(t) for t in theta])
     rods = replace(pin_loads(made, OMEGA).rods, parts=("gas",))
     assert np.abs(rods.torque(theta) - expected).max() < 1e-9 * np.abs(expected).max()
@@ -111,7 +111,7 @@ def test_an_offset_engine_burns_at_its_pistons_tops(gas, tmp_path):
 def test_the_torque_of_the_pin_forces_is_the_librarys(name):
     made = read_running_engine(WORKED / name)
     loads, theta = pin_loads(made, OMEGA), np.linspace(0, 4 * np.pi, 97)
-    torque = sb.crank_torque(made.layout, made.operation.trace, bore=92, rpm=2200)
+    torque = sb.running_torque(made.engine, made.operation.trace, bore=92, rpm=2200)
     expected = np.array([torque.at(t) for t in theta])
     assert np.abs(loads.rods.torque(theta) - expected).max() < 1e-9 * np.abs(expected).max()
     assert loads.mean_torque == pytest.approx(torque.mean, rel=2e-4)
@@ -145,7 +145,7 @@ def check_virtual_work(made):
     loads, theta = pin_loads(made, OMEGA), np.linspace(0, 4 * np.pi, 181)
     radius = made.crank.pins[0].radius
     total = np.zeros_like(theta)
-    for cylinder in made.layout.cylinders:
+    for cylinder in made.engine.cylinders:
         moved = loads.rods._motion(cylinder.number, theta)
         total += loads.rods.axial(cylinder.number, theta) * moved.speed * radius
         total -= made.operation.excess * OMEGA**2 * moved.angle_acceleration * moved.angle_rate
@@ -157,12 +157,12 @@ def test_bearings_walls_and_heads_together_get_the_free_force(tmp_path):
     made = engine(tmp_path, sheet(VEE, young=FLYING))
     loads, theta = pin_loads(made, OMEGA), np.linspace(0, 4 * np.pi, 61)
     frame = np.zeros(len(theta), complex)
-    for cylinder in made.layout.cylinders:
+    for cylinder in made.engine.cylinders:
         number, bank = cylinder.number, 2 * np.pi * float(cylinder.bank.turns)
         gas = -pin_loads(made, OMEGA, "gas").rods.axial(number, theta)
         own = loads.rods.own(number, theta) + 1j * loads.rods.side_thrust(number, theta) + gas
         frame += own * np.exp(1j * bank)
-    free = sb.to_function(sb.balance(made.layout, 40), outputs=("force.vertical", "force.lateral"))
+    free = sb.to_function(sb.balance(made.engine, 40), outputs=("force.vertical", "force.lateral"))
     expected = free(theta, mass=1.5, radius=0.06, omega=OMEGA)
     whole = expected["force.vertical"] + 1j * expected["force.lateral"]
     unit = 1.5 * 0.06 * OMEGA**2

@@ -115,7 +115,7 @@ def test_pins_pass_and_pistons_top_out_at_different_angles(name):
     passings, after_first = firing_pin_passings(made), firing_dead_centres(made)
     angles = {n: math.degrees(a) for n, a in firing_crank_angles(made).items()}
     tops = {c.number: placed.stroke_and_top(made, c)[1] for c in made.cylinders}  # by the pistons alone
-    cycle, turned = 180 * made.strokes, []
+    cycle, rotated = 180 * made.strokes, []
     for cylinder in made.cylinders:
         n = cylinder.number
         assert abs((angles[n] - tops[n] + 180) % 360 - 180) < 5e-6
@@ -123,11 +123,11 @@ def test_pins_pass_and_pistons_top_out_at_different_angles(name):
         assert abs((late + cycle / 2) % cycle - cycle / 2) < 5e-6
         pin_on_axis = float(passings[n] + cylinder.throw.in_degrees() - cylinder.bank.in_degrees())
         assert pin_on_axis % 360 == 0
-        turned.append(abs((angles[n] - float(passings[n]) + 180) % 360 - 180))
-    assert max(turned) == pytest.approx(
-        {"vw-vr6": 3.4288, "merlin-v12": 0}.get(name, max(turned)), abs=1e-4
+        rotated.append(abs((angles[n] - float(passings[n]) + 180) % 360 - 180))
+    assert max(rotated) == pytest.approx(
+        {"vw-vr6": 3.4288, "merlin-v12": 0}.get(name, max(rotated)), abs=1e-4
     )
-    assert (max(turned) > 0.5) == has_shifted_dead_centres(made)
+    assert (max(rotated) > 0.5) == has_shifted_dead_centres(made)
 
 
 def test_a_table_says_how_far_apart_dead_centres_are(capsys):

@@ -18,12 +18,12 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.errors import SymbalanceError
 from symbalance.torque import (
-    CrankTorque,
-    crank_torque,
+    RunningTorque,
     ideal_cycle,
     inertia_torque,
     rod_torque,
     roll_moment,
+    running_torque,
 )
 from tests import kinematics
 from tests.independent.test_targets import self_test
@@ -36,8 +36,8 @@ U = 2.0**-53
 OTTO = ideal_cycle(10, heat=18)
 
 
-def running(name: str = "v6-90") -> CrankTorque:
-    return crank_torque(sb.load(name), OTTO, bore=80, stroke=80, reciprocating_mass=0.5, rpm=3000)
+def running(name: str = "v6-90") -> RunningTorque:
+    return running_torque(sb.load(name), OTTO, bore=80, stroke=80, reciprocating_mass=0.5, rpm=3000)
 
 
 def terms_at(terms, theta: float) -> float:
@@ -184,7 +184,7 @@ def test_every_language_writes_a_source_that_tests_itself(target: str, tmp_path:
 
 def test_a_grid_of_half_orders_repeats_after_two_turns() -> None:
     made = fired(offset_twin())
-    function = sb.to_function(crank_torque(made, OTTO, bore=80, rpm=3000), order=6)
+    function = sb.to_function(running_torque(made, OTTO, bore=80, rpm=3000), order=6)
     grid = function.on_grid(8, 4)
     assert grid == pytest.approx(function(2 * np.pi * np.arange(32) / 8), rel=1e-12)
     assert (grid[:16] == grid[16:]).all()

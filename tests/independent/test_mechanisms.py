@@ -152,8 +152,8 @@ def test_what_is_left_out_is_zero_and_nothing_else_is(mechanism):
         samples = [function(mechanism, p) for p in angles]
         found = harmonics(mechanism, 8, 24)
         for n in range(9):
-            turned = [mp.expj(-n * p) for p in angles]
-            expected = mp.fsum(s * t for s, t in zip(samples, turned, strict=True)) / points
+            rotated = [mp.expj(-n * p) for p in angles]
+            expected = mp.fsum(s * t for s, t in zip(samples, rotated, strict=True)) / points
             close(found.get(n, 0), expected, 24)
             parts = (found[n].real, found[n].imag) if n in found else ()
             assert all(x == 0 or abs(x) > 1e-20 for x in parts)

@@ -224,8 +224,8 @@ def test_unbalance_is_the_steady_state_and_the_multipliers_are_the_roots():
     found = sb.unbalance_response(rotor, supports, amounts, [FAST])
     wave = np.exp(1j * steady.theta)
     for node in range(len(rotor.points)):
-        turned = steady.position[:, 6 * node : 6 * node + 2]
-        place = (rotation(steady.theta) @ turned[..., None])[..., 0]
+        rotated = steady.position[:, 6 * node : 6 * node + 2]
+        place = (rotation(steady.theta) @ rotated[..., None])[..., 0]
         given = [(a[0, node] * wave).real for a in (found.vertical, found.lateral)]
         assert np.abs(place - np.transpose(given)).max() < 1e-7 * found.largest.max()
     for j in range(2):

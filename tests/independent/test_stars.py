@@ -259,7 +259,7 @@ def test_intervals_and_overlaps():
     table = {2: 360, 3: 240, 4: 180, 5: 144, 6: 120, 8: 90, 10: 72, 12: 60}
     assert {n: even_interval(n) for n in table} == table
     assert even_interval(3, 2) == 120
-    overlaps = [firing_orders(crank_stars(n)[0].layout)[0].overlap() for n in (3, 4, 5, 6)]
+    overlaps = [firing_orders(crank_stars(n)[0].engine)[0].overlap() for n in (3, 4, 5, 6)]
     assert overlaps == [-60, 0, 36, 60]
     assert (fewest_cylinders(), fewest_cylinders("144"), fewest_cylinders(strokes=2)) == (5, 6, 3)
 
@@ -313,7 +313,7 @@ def test_couples_are_plain_sums_in_order(count, strokes):
 
 def test_couples_are_those_of_the_balance():
     for found in (*crank_stars(5), *crank_stars(6), *crank_stars(7)[::60]):
-        left = balance(found.layout, order=2).couple
+        left = balance(found.engine, order=2).couple
         for order, amplitude in ((1, found.first_couple), (2, found.second_couple)):
             assert left.component(order, "vertical").amplitude == amplitude
 

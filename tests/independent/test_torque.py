@@ -25,10 +25,9 @@ from symbalance.errors import SymbalanceError
 from symbalance.kinematics.piston_torque import torque_left_out, torque_series, torque_values
 from symbalance.kinematics.slider_crank import acceleration_series, acceleration_value, surviving
 from symbalance.torque import (
-    CrankTorque,
     PressureTrace,
+    RunningTorque,
     TangentialPressure,
-    crank_torque,
     firing_pin_passings,
     firing_stars,
     flywheel_inertia,
@@ -38,6 +37,7 @@ from symbalance.torque import (
     parse_pressure,
     pressure_trace,
     read_pressure,
+    running_torque,
     speed_fluctuation,
 )
 from tests import kinematics
@@ -217,15 +217,15 @@ def test_gas_orders_that_survive(name: str, orders: str) -> None:
 def test_firing_pin_passings_of_an_engine_not_at_top_dead_centre() -> None:
     """theta = 0 need not be cylinder 1's firing: it then fires in the turn from theta = 0 on."""
     four = sb.load("inline-4")
-    turned = sb.Engine(
+    rotated = sb.Engine(
         sb.Cylinder(c.number, c.throw.in_degrees() + 30, 0, 0, c.fires) for c in four.cylinders
     )
-    assert firing_pin_passings(turned) == {
+    assert firing_pin_passings(rotated) == {
         n: (top + 330) % 720 for n, top in firing_pin_passings(four).items()
     }
     here, there = (
-        crank_torque(e, TRACE, bore=80, stroke=80, reciprocating_mass=1, rpm=2000, ratio=4)
-        for e in (four, turned)
+        running_torque(e, TRACE, bore=80, stroke=80, reciprocating_mass=1, rpm=2000, ratio=4)
+        for e in (four, rotated)
     )
     for theta in (0.1, 2.0, 7.0):
         assert there.at(theta) == pytest.approx(here.at(theta - math.radians(330)), rel=1e-9)
@@ -357,8 +357,8 @@ def test_work_is_the_area_in_the_indicator_diagram() -> None:
 # --- gas and inertia together ---
 
 
-def engine(name: str = "inline-4", rpm: float = 3000, mass: float = 0.5) -> CrankTorque:
-    return crank_torque(
+def engine(name: str = "inline-4", rpm: float = 3000, mass: float = 0.5) -> RunningTorque:
+    return running_torque(
         sb.load(name), TRACE, bore=80, stroke=80, reciprocating_mass=mass, rpm=rpm, ratio=4
     )
 
@@ -409,7 +409,7 @@ def test_energy_is_the_integral_of_torque_less_mean() -> None:
 def test_terms_add_up_to_the_torque() -> None:
     smooth = [3 + 2 * math.cos(math.radians(a / 2)) ** 4 for a in range(0, 720, 2)]
     trace = pressure_trace(range(0, 720, 2), [f"{p:.9f}" for p in smooth])
-    made = crank_torque(
+    made = running_torque(
         sb.load("v6-90"), trace, bore=90, stroke=70, reciprocating_mass="0.4", rpm=2500, ratio=4
     )
     for theta in (0.0, 1.0, 9.0):
@@ -557,7 +557,7 @@ BAD = {
         "does not fit inline-4",
     ),
     "no stroke": (
-        lambda: crank_torque(sb.load("inline-4"), TRACE, bore=80, rpm=3000),
+        lambda: running_torque(sb.load("inline-4"), TRACE, bore=80, rpm=3000),
         "stroke: is needed",
     ),
     "rpm": (lambda: engine(rpm=0), "rpm = 0"),
@@ -573,7 +573,7 @@ BAD = {
     "infinite": (lambda: PressureTrace((0.0,), (math.inf,)), "finite"),
     "motored": (
         lambda: (
-            crank_torque(
+            running_torque(
                 sb.load("inline-4"),
                 pressure_trace(range(0, 720, 2), [1] * 360),
                 bore=1,

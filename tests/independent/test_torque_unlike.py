@@ -29,7 +29,6 @@ from symbalance.kinematics.rod_torque import (
 )
 from symbalance.torque import (
     beside_moment,
-    crank_torque,
     gas_torque,
     ideal_cycle,
     inertia_torque,
@@ -37,12 +36,13 @@ from symbalance.torque import (
     rod_couple,
     rod_torque,
     roll_moment,
+    running_torque,
     torque_report,
 )
 from tests.cylinders import cylinder_with
 from tests.independent.test_unlike import SHARED, hung_radial, mixed_four, narrow_six
 from tests.placed import along, exact, place
-from tests.placed import turned as direction
+from tests.placed import rotated as direction
 
 POINTS = ((Fraction(1, 3), Fraction(-1, 10)), (Fraction(1, 5), Fraction(2, 5)), (Fraction(1, 7), 1))
 """A rod: kg at shares of its length from the big end."""
@@ -252,7 +252,7 @@ def test_a_running_engine_does_the_work_of_its_cycles(name: str) -> None:
     layout = fired({**ENGINES, "offset twin": offset_twin}[name]())
     known = layout.cylinders[0].reciprocating_mass is not None
     mass = {} if known else {"reciprocating_mass": "0.55"}
-    made = crank_torque(layout, CYCLE, bore=80, rpm=3000, **mass)
+    made = running_torque(layout, CYCLE, bore=80, rpm=3000, **mass)
     swept = 0.0
     for cylinder in layout.cylinders:
         ways = [float(place(layout, cylinder, mp.mpf(i) / 500)) for i in range(3200)]
@@ -274,7 +274,7 @@ def test_a_running_engine_does_the_work_of_its_cycles(name: str) -> None:
 @pytest.mark.parametrize("name", RODDED)
 def test_the_running_frame_is_the_crank_reversed_and_the_change_of_momentum(name: str) -> None:
     layout = fired(RODDED[name]())
-    made = crank_torque(layout, CYCLE, bore=80, rpm=3000)
+    made = running_torque(layout, CYCLE, bore=80, rpm=3000)
     for theta in (0.4, 2.9):
         with mp.workdps(30):
             torque = -float(mp.diff(lambda t: energy(layout, t), theta)) * 1e-6 * made.omega**2
@@ -316,7 +316,7 @@ def test_a_measured_trace_counts_from_each_pistons_own_top() -> None:
     """A pressure that is high from the top to the bottom alone works over the whole stroke."""
     layout = fired(offset_twin())
     trace = pressure_trace(range(0, 720, 2), [11 if a < 150 else 1 for a in range(0, 720, 2)])
-    made = crank_torque(layout, trace, bore=80, rpm=100)
+    made = running_torque(layout, trace, bore=80, rpm=100)
     first = made.cylinders[0]
     assert first.tangential.at(0.0) == pytest.approx(0, abs=1e-12)
     p = -math.radians(10 + 15) + math.asin(12.5 / (164 + 45))  # theta of the first one's own top
@@ -396,7 +396,7 @@ def test_the_unit_is_cylinder_one_wherever_it_is_listed(name: str) -> None:
     both = (layout, turned_round)
     pushes = [sb.to_function(sb.balance(e, 4), outputs="force.vertical")(0.7) for e in both]
     assert pushes[1] == pytest.approx(pushes[0], rel=1e-12)
-    runs = [crank_torque(e, CYCLE, bore=80, rpm=3000) for e in both]
+    runs = [running_torque(e, CYCLE, bore=80, rpm=3000) for e in both]
     assert (runs[1].radius, runs[1].mass) == (runs[0].radius, runs[0].mass)
     assert runs[1].at(0.7) == pytest.approx(runs[0].at(0.7), rel=1e-12)
 

@@ -8,13 +8,13 @@ import pytest
 
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading import read_document
-from symbalance.notes.reading.equations import Chain, Document
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
 LETTERS_TEXT = "theta lambda s l x n N h L R Lh omega r rho F a M m alpha k t b c y v"
 LETTERS = LETTERS_TEXT.split()
 
 
-def read(text: str, suffix: str = "") -> Document:
+def read(text: str, suffix: str = "") -> ReadNotes:
     return read_document(text, f"notes{suffix}", lambda line: LETTERS)
 
 

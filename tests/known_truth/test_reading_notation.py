@@ -9,7 +9,7 @@ import pytest
 from symbalance.document.formula import Name, Number, Product
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading import ReadingError, canonical_name, read_document, read_expression
-from symbalance.notes.reading.equations import Document
+from symbalance.notes.reading.equations import ReadNotes
 from symbalance.notes.reading.units import scale_of
 
 LETTERS_TEXT = (
@@ -18,11 +18,11 @@ LETTERS_TEXT = (
 LETTERS = LETTERS_TEXT.split()
 
 
-def read(text: str, suffix: str = "") -> Document:
+def read(text: str, suffix: str = "") -> ReadNotes:
     return read_document(text, f"notes{suffix}", lambda line: LETTERS)
 
 
-def said(document: Document) -> list[str]:
+def said(document: ReadNotes) -> list[str]:
     chains: list[str] = []
     for chain in document.chains:
         text = formula_text(chain.sides[0].node, plain=True)

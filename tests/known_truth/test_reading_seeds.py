@@ -12,7 +12,7 @@ import pytest
 from symbalance.document.latex_writer import formula_latex
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.reading import read_document, read_expression
-from symbalance.notes.reading.equations import Chain, Document
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
 ONE_CYLINDER_LETTERS = """theta beta s lambda l x X n omega v a F M Mw rw Fw Fwv Fwh N h S u alpha L R Lh Lv Rh Rv M1 M2 M3"""
 ONE_CYLINDER = r"""
@@ -301,7 +301,7 @@ PROSE = [
 ]
 
 
-def document(text: str, letters: str) -> Document:
+def document(text: str, letters: str) -> ReadNotes:
     return read_document(text, "notes.txt", lambda line: letters.split())
 
 

@@ -64,7 +64,7 @@ def test_what_each_kind_does_alone(number, turn, weight):
     pairs = [
         (-number, -own),
         (number.scaled(weight), own * weight),
-        (number.turned(turn), own * expjpi(2 * turn)),
+        (number.rotated(turn), own * expjpi(2 * turn)),
         (number.conjugate(), own.conjugate()),
         (number.real(), Complex(own.real)),
         (number.imaginary(), Complex(own.imag)),

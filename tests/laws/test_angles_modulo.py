@@ -67,8 +67,8 @@ def answers(capsys, tmp_path, text: str, *errors: str) -> list[str]:
 def test_banks_beyond_half_a_turn_in_files_give_the_very_same_answers(capsys, tmp_path, turns):
     errors = "--bank", "0.1", "--throw", "0.1"
     usual = answers(capsys, tmp_path, vee(-90, 30), *errors)
-    turned = vee(270 + 360 * turns, 30 - 360 * turns, turns)
-    assert answers(capsys, tmp_path, turned, *errors) == usual
+    rotated = vee(270 + 360 * turns, 30 - 360 * turns, turns)
+    assert answers(capsys, tmp_path, rotated, *errors) == usual
 
 
 @pytest.mark.slow

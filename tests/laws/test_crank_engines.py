@@ -97,7 +97,7 @@ def test_bearings_with_walls_and_heads_pass_on_the_librarys_free_force(tmp_path)
     frame = -found.bearing.sum(axis=1) @ [1, 1j]
     for number in (1, 2, 3, 4):
         frame = frame - gas.axial(number, theta) + 1j * rods.side_thrust(number, theta)
-    free = sb.to_function(sb.balance(made.engine.layout, 20), outputs=("force.vertical",))
+    free = sb.to_function(sb.balance(made.engine.engine, 20), outputs=("force.vertical",))
     expected = free(theta, mass=1.5, radius=0.06, omega=omega)
     weight = 9.80665 * made.rotor.mass[0::6, 0::6].sum()
     unit = 1.5 * 0.06 * omega**2
@@ -111,8 +111,8 @@ def test_what_the_pins_take_up_the_films_and_the_driveline_give_away(tmp_path):
     system = made.system(1500, constant_film(2, 3e8, 5e4))
     found = steady_state(system, steps=1440, multipliers=False)
     step = system.cycle / 1440 / system.omega
-    turned = np.einsum("sij,sbi->sbj", _rotation(found.theta), found.bearing)
-    borne = np.einsum("bin,sbi->sn", system.points, turned)
+    rotated = np.einsum("sij,sbi->sbj", _rotation(found.theta), found.bearing)
+    borne = np.einsum("bin,sbi->sn", system.points, rotated)
     put_in = ((system.force(found.theta) + borne) * found.velocity).sum() * step
     symmetric = (system.damping + system.damping.T) / 2
     lost = np.einsum("sn,nm,sm->", found.velocity, symmetric, found.velocity) * step

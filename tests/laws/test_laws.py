@@ -109,9 +109,9 @@ def test_sums_products_and_conjugates_are_those_of_complex_numbers(a: Phasor, b:
 @given(phasors(), st.fractions(-3, 3, max_denominator=30))
 def test_turning_multiplies_by_a_root_of_unity(a: Phasor, turns: Fraction) -> None:
     expected = value(a) * cmath.exp(2j * cmath.pi * float(turns))
-    assert same(value(a.turned(turns)), expected)
-    assert (a.turned(turns) - a.times(Phasor.root(turns))).is_zero()
-    assert (a.turned(turns).turned(-turns) - a).is_zero()
+    assert same(value(a.rotated(turns)), expected)
+    assert (a.rotated(turns) - a.times(Phasor.root(turns))).is_zero()
+    assert (a.rotated(turns).rotated(-turns) - a).is_zero()
 
 
 @given(phasors(), phasors(), phasors())
@@ -302,8 +302,8 @@ def assert_same(left: Spectrum, right: Spectrum) -> None:
 @given(layouts(), ANGLES)
 def test_turning_the_engine_turns_what_it_does(layout: Engine, turn: Fraction) -> None:
     before, after = balance(layout, 8), balance(remade(layout, turn=turn), 8)
-    assert_same(after.force, before.force.turned(turn / 360))
-    assert_same(after.couple, before.couple.turned(turn / 360))
+    assert_same(after.force, before.force.rotated(turn / 360))
+    assert_same(after.couple, before.couple.rotated(turn / 360))
 
 
 @given(layouts(), ANGLES)

@@ -56,9 +56,9 @@ def test_cosines_keep_their_value_however_they_are_folded(m: int) -> None:
         for k in range(m):
             cosine = sympy.cos(2 * sympy.pi * sympy.Rational(k, m))
             sine = sympy.sin(2 * sympy.pi * sympy.Rational(k, m))
-            turned = mp.mpf(2 * k) / m
-            assert abs(mp.mpmathify(sympy.N(cosine, 35)) - mp.cospi(turned)) < mp.mpf(10) ** -33
-            assert abs(mp.mpmathify(sympy.N(sine, 35)) - mp.sinpi(turned)) < mp.mpf(10) ** -33
+            rotated = mp.mpf(2 * k) / m
+            assert abs(mp.mpmathify(sympy.N(cosine, 35)) - mp.cospi(rotated)) < mp.mpf(10) ** -33
+            assert abs(mp.mpmathify(sympy.N(sine, 35)) - mp.sinpi(rotated)) < mp.mpf(10) ** -33
 
 
 def test_cosines_of_sevenths_are_left_as_they_are() -> None:

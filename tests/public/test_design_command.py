@@ -134,8 +134,8 @@ def test_records_name_every_weight_once():
     for row in rows:
         up, right = (float(sympy.sympify(row[f"exact_{name}"])) for name in ("up", "right"))
         assert row["share"] == pytest.approx(abs(complex(up, right)), rel=1e-12)
-        turned = math.radians(row["direction_deg"])
-        assert complex(up, right) == pytest.approx(row["share"] * cmath.exp(1j * turned), rel=1e-9)
+        rotated = math.radians(row["direction_deg"])
+        assert complex(up, right) == pytest.approx(row["share"] * cmath.exp(1j * rotated), rel=1e-9)
     throws = sb.design_balance(sb.load("v2-45"), [1], shafts=0, per_throw=True).records()
     assert [(row["throw"], row["overbalance"], row["share"]) for row in throws] == [
         (1, 0.5, None),
@@ -175,7 +175,7 @@ def test_the_balanced_engine_goes_through_every_command(name, capsys, tmp_path):
     assert not {"1", "2"} & {order["order"] for order in found["orders"]}
     design = sb.design_balance(sb.load(name))
     again = sb.balance(sb.load(path))
-    if design.layout.has_common_harmonics:
+    if design.engine.has_common_harmonics:
         for kind in ("force", "couple"):
             was, now = getattr(design.remains, kind).terms, getattr(again, kind).terms
             assert was.keys() == now.keys()

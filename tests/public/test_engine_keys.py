@@ -30,7 +30,7 @@ from symbalance.engine.catalogue import preset_names, preset_text
 from symbalance.engine.engine_file import SCHEMA, parse_engine, schema_text
 from symbalance.errors import SymbalanceError
 from symbalance.text.key_tables import Key, TableKeys
-from symbalance.text.kinds import Choice, ListOf, Measured, Number, OneOrList, Text, Whole
+from symbalance.text.kinds import Choice, ExactNumber, ListOf, MeasuredNumber, OneOrList, Text, Whole
 from tests import ROOT
 from tests.toml_writing import Path, text_of, written
 
@@ -358,7 +358,7 @@ def wrong_types(key: Key) -> list[Any]:
         return [3, "x", [3], True]
     day = date(1979, 5, 27)
     match key.kind:
-        case Number():
+        case ExactNumber():
             return ["x", "", "1/0", "1,5", True, day, [[1]], {"inline": True, "a": 1}]
         case OneOrList():
             return ["x", True, day, ["x"], [[1]], [True]]
@@ -378,12 +378,12 @@ def wrong_types(key: Key) -> list[Any]:
 def out_of_range(kind: Any) -> list[Any]:
     """Return values of a kind's type just outside its range."""
     match kind:
-        case Number():
+        case ExactNumber():
             low = [] if kind.low is None else [kind.low] if kind.open_low else [kind.low - 1]
             low += [] if kind.low is None else [kind.low - Fraction(1, 2)]
             high = [] if kind.high is None else [kind.high] if kind.open_high else [kind.high + 1]
             bounds = [Decimal(float(n)) for n in low + high]
-            bounds += [] if isinstance(kind, Measured) else [10**9 + 1]
+            bounds += [] if isinstance(kind, MeasuredNumber) else [10**9 + 1]
             bounds += ["-1/2"] if kind.low is not None and kind.low >= 0 else []
             return bounds + (["0", ".0/7"] if kind.open_low else [])
         case Whole():

@@ -161,11 +161,11 @@ def test_a_balance_says_the_same_after_pickle(name, warm):
     expected = sb.to_json(sb.balance(LAYOUTS[name](), 4))
     if warm:  # cached properties and components are pickled too
         assert sb.to_json(made) == expected
-        _ = made.layout.modulus, made.layout.first, made.layout.has_common_harmonics
+        _ = made.engine.modulus, made.engine.first, made.engine.has_common_harmonics
     for way in ("pickle 2", "pickle 5", "deepcopy"):
         again = WAYS[way](made)
-        assert again.layout == made.layout
-        assert hash(again.layout) == hash(made.layout)
+        assert again.engine == made.engine
+        assert hash(again.engine) == hash(made.engine)
         assert (sb.to_json(again), sb.to_text(again)) == (expected, sb.to_text(made))
         assert sb.to_latex(again) == sb.to_latex(made)
 
@@ -182,7 +182,7 @@ def test_torque_says_the_same_after_pickle(name):
     for again in [*twice(warm), *twice(torque_report(engine, 4))]:
         assert sb.to_text(again) == text
     sizes = {"reciprocating_mass": 0.5} if name == "vw-vr6" else {"reciprocating_mass": 0.5, "stroke": 80}
-    running = sb.crank_torque(engine, sb.ideal_cycle(10, heat=20), bore=80, rpm=3000, **sizes)
+    running = sb.running_torque(engine, sb.ideal_cycle(10, heat=20), bore=80, rpm=3000, **sizes)
     expected = running.mean, running.fluctuation, running.terms(3)
     for again in twice(running):
         assert (again.mean, again.fluctuation, again.terms(3)) == expected

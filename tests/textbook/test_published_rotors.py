@@ -140,8 +140,8 @@ def test_uneven_bearings_by_floquet():
 
     def slope(t, state):
         x, v = state.reshape(2, n, 2 * n)
-        turned = turned_stiffness(block, np.zeros((2, 2)), FAST * t, FAST)
-        S = fixed + sum(end.T @ turned @ end for end in ends)
+        rotated = turned_stiffness(block, np.zeros((2, 2)), FAST * t, FAST)
+        S = fixed + sum(end.T @ rotated @ end for end in ends)
         return np.concatenate([v, -S @ x - D @ v]).ravel()
 
     period = 2 * np.pi / FAST

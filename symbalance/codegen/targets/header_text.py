@@ -12,8 +12,8 @@ from symbalance.codegen.plans import Output, Plan
 WIDTH = 96
 """Columns of the text; the comment signs around it come on top."""
 CONVENTIONS = (
-    "theta is the crank angle in radians, positive in the sense of rotation, on the layout's own zero "
-    "(cylinder 1 at firing top dead centre, where the layout was made from a firing order). Vertical is "
+    "theta is the crank angle in radians, positive in the sense of rotation, on the engine's own zero "
+    "(cylinder 1 at firing top dead centre, where the engine was made from a firing order). Vertical is "
     "positive upwards, lateral positive to the right seen from the front; a couple is positive where the "
     "front is pushed up, or right.",
     "mass: reciprocating mass of one cylinder, kg. radius: crank radius, half the stroke, m. omega: "

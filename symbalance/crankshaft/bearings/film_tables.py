@@ -9,8 +9,8 @@ import numpy as np
 
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.system import Film
-from symbalance.errors import MissingPartError, SymbalanceError, shown
-from symbalance.text.csv_rows import Row, rows_of, without_headers
+from symbalance.errors import MissingPartError, SymbalanceError, brief
+from symbalance.text.csv_rows import CsvRow, rows_of, without_headers
 from symbalance.text.files import read_text
 
 INSTALL = "pip install 'symbalance[crankshaft]'"
@@ -72,7 +72,7 @@ def check_table(theta: Array, stiffness: Array, damping: Array, cycle: float) ->
     least = np.linalg.eigvalsh(symmetric)[..., 0]
     if not (least > 0).all():
         row, bearing = np.argwhere(least <= 0)[0]
-        what = f"damping with least eigenvalue {shown(float(f'{least[row, bearing]:.4g}'))} N s/m"
+        what = f"damping with least eigenvalue {brief(float(f'{least[row, bearing]:.4g}'))} N s/m"
         rule = "must be positive definite in its symmetric part: a film takes energy out"
         remedy = "look for a sign, or for rows and columns in another order"
         raise SymbalanceError(what, rule, remedy, _place(float(theta[row]), int(bearing)))
@@ -133,6 +133,6 @@ def _numbers(path: Path, bearings: int) -> tuple[Array, Array, Array]:
     return np.radians(values[:, 0]), table[:, :, 0], table[:, :, 1]
 
 
-def _row(row: Row, names: list[str]) -> list[float]:
+def _row(row: CsvRow, names: list[str]) -> list[float]:
     row.check_width(len(names), f"degrees, then for each bearing {', '.join(COEFFICIENTS)}")
     return [row.number(column, name) for column, name in enumerate(names)]

@@ -20,8 +20,8 @@ from symbalance.crankshaft.bearings.periodic_newton import periodic_places
 from symbalance.crankshaft.bearings.short_film import MAKE, Bearing, FilmState, equilibrium, film_states
 from symbalance.crankshaft.integrators.tableau import radau_iia
 from symbalance.crankshaft.system import UnsolvedError
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.numbers import listed
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.numbers import as_list
 
 MOST_CYCLES, MOST_NEWTON = 40, 60
 CLOSES, NEWTON = 1e-7, 1e-11
@@ -54,7 +54,7 @@ def journal_orbit(bearings: Sequence[Bearing], loads: Array, omega: float, cycle
 
     Refuses loads under which no orbit closes: none turns, or a load too large for the film.
     """
-    for number, bearing in enumerate(listed(bearings, "bearings", "[sb.Bearing(...)]"), 1):
+    for number, bearing in enumerate(as_list(bearings, "bearings", "[sb.Bearing(...)]"), 1):
         check_kind(bearing, Bearing, f"bearing {number}", MAKE)
     steps, count = loads.shape[:2]
     if count != len(bearings):
@@ -153,7 +153,7 @@ class _March:
             if (np.abs(np.tensordot(inner, change, axes=1)) / self.limits).max() <= NEWTON:
                 return stage[-1], rate
         rule = "Newton's method does not settle on the film's velocity"
-        raise UnsolvedError(f"journal orbit at step {shown(k)}", rule, "more angles or smaller loads")
+        raise UnsolvedError(f"journal orbit at step {brief(k)}", rule, "more angles or smaller loads")
 
     def _limited_change(self, place: Array, rate: Array, change: Array) -> tuple[Array, Array]:
         """Return new rates and stage places, a bearing's change halved until its journal fits."""

@@ -25,7 +25,7 @@ from symbalance.crankshaft.arguments import check_kind, check_number
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.frames import QUARTER_TURN
 from symbalance.crankshaft.system import UnsolvedError
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 DENSEST = 1 - 1e-9
 """The largest eccentricity; the film's force has no bound towards 1."""
@@ -53,7 +53,7 @@ class Bearing:
             check_number(value, f"bearing {name}", "m; viscosity in Pa s", signed=True)
             if not 0 < value < np.inf:
                 remedy = "radial clearance, diameter and length in m, viscosity in Pa s"
-                raise SymbalanceError(f"bearing {name} = {shown(value)}", "must be positive", remedy)
+                raise SymbalanceError(f"bearing {name} = {brief(value)}", "must be positive", remedy)
 
     @property
     def strength(self) -> float:
@@ -140,7 +140,7 @@ def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
     force = np.asarray(load, dtype=float)
     size, clear = float(np.linalg.norm(force)), bearing.clearance
     if not np.isfinite(size) or not 0 < abs(omega) < np.inf:
-        what = f"load = {shown(size)} N at {shown(omega)} rad/s"
+        what = f"load = {brief(size)} N at {brief(omega)} rad/s"
         raise SymbalanceError(what, "must be finite, on a journal that turns", "N, rad/s")
     if size == 0:
         return np.zeros(2)

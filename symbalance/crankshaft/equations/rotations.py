@@ -17,7 +17,7 @@ from symbalance.crankshaft.equations.quantities import (
     ring_elements,
     ring_sum,
 )
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 CARDAN = tuple("".join(order) for order in permutations("uvw"))
 ROTATIONS = ("vector", *CARDAN)
@@ -37,7 +37,7 @@ def rotation_rows(kind: str) -> RingMatrix:
         return _exponential([_axis_rows(axis, angle) for axis, angle in angles.items()])
     if kind not in CARDAN:
         names = ", ".join(ROTATIONS)
-        raise SymbalanceError(f"rotation = {shown(kind)}", "is unknown", f"known: {names}")
+        raise SymbalanceError(f"rotation = {brief(kind)}", "is unknown", f"known: {names}")
     first, second, third = (_exponential([_axis_rows(axis, angles[axis])]) for axis in kind)
     return matrix_product(matrix_product(first, second), third)
 

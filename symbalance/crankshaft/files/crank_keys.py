@@ -14,23 +14,23 @@ from symbalance.engine.crank_train import ROD
 from symbalance.engine.engine_keys import DEGREES, ENGINE_FILE, KG, KG_MM2, MM, ROD_KEYS
 from symbalance.text.key_tables import (
     Excludes,
+    FileUnit,
     Key,
     Needs,
     OneOf,
     Some,
     TableKeys,
     Together,
-    Unit,
     json_schema,
 )
-from symbalance.text.kinds import ListOf, Measured, OneOrList, Text, Whole
+from symbalance.text.kinds import ListOf, MeasuredNumber, OneOrList, Text, Whole
 from symbalance.torque.cylinder_gas import AMBIENT
 from symbalance.torque.ideal_cycles import HIGHEST_COMPRESSION, MOST_HEAT
 from symbalance.torque.pressure import MOST_BAR
 
-GPA, MPA, BAR, RPM = Unit("GPa", 1e9), Unit("MPa", 1e6), Unit("bar"), Unit("rpm")
-DENSITY, VISCOSITY = Unit("kg/m³"), Unit("Pa s")
-STIFFNESS, DAMPING = Unit("N/m"), Unit("N s/m")
+GPA, MPA, BAR, RPM = FileUnit("GPa", 1e9), FileUnit("MPa", 1e6), FileUnit("bar"), FileUnit("rpm")
+DENSITY, VISCOSITY = FileUnit("kg/m³"), FileUnit("Pa s")
+STIFFNESS, DAMPING = FileUnit("N/m"), FileUnit("N s/m")
 MOST_PLACES = 2000
 """Journals, pins or webs of the longest crank that a file can describe."""
 MOST_RPM = 100_000
@@ -38,7 +38,7 @@ THRUST_STIFFNESS = 2e8
 """N/m of the thrust bearing where none is given: an estimate; it only holds the crank in place."""
 REMEDY = "check the value, and its unit"
 
-POSITIVE, NOT_NEGATIVE, ANY = Measured(0, open_low=True), Measured(0), Measured()
+POSITIVE, NOT_NEGATIVE, ANY = MeasuredNumber(0, open_low=True), MeasuredNumber(0), MeasuredNumber()
 NAME = Text(longest=4096)
 EACH = OneOrList(POSITIVE)
 PLACES = ListOf(Whole(1, MOST_PLACES), "[1, 3]")
@@ -122,7 +122,7 @@ CRANKSHAFT = TableKeys(
         Key("young", POSITIVE, "Young's modulus", GPA, 206, remedy=REMEDY),
         Key(
             "poisson",
-            Measured(0, Fraction(1, 2), open_high=True),
+            MeasuredNumber(0, Fraction(1, 2), open_high=True),
             "Poisson's ratio",
             default=0.29,
             remedy="steel has 0.29",
@@ -232,7 +232,7 @@ OVERLAY = TableKeys(
     ),
     meaning="A measured curve that is drawn beside the computed one.",
 )
-_SPEED = Measured(0, MOST_RPM, open_low=True, said="must be positive, and at most 100000")
+_SPEED = MeasuredNumber(0, MOST_RPM, open_low=True, rule_text="must be positive, and at most 100000")
 RUNNING = TableKeys(
     "running",
     (
@@ -254,27 +254,27 @@ RUNNING = TableKeys(
         ),
         Key(
             "compression",
-            Measured(1, HIGHEST_COMPRESSION, open_low=True),
+            MeasuredNumber(1, HIGHEST_COMPRESSION, open_low=True),
             "Or the compression ratio of an ideal cycle",
             remedy="a volume ratio, 8 to 22",
         ),
         Key(
             "heat",
-            Measured(0, MOST_HEAT),
+            MeasuredNumber(0, MOST_HEAT),
             "Of the ideal cycle, over the swept volume: 1 bar is 100 J per litre",
             BAR,
             remedy="Q/V_h in bar: 100 J per litre; 0 is a motored engine",
         ),
         Key(
             "peak_pressure",
-            Measured(0, MOST_BAR, open_low=True),
+            MeasuredNumber(0, MOST_BAR, open_low=True),
             "Of the ideal cycle, absolute",
             BAR,
             remedy="absolute, in bar",
         ),
         Key(
             "intake",
-            Measured(0, MOST_BAR, open_low=True),
+            MeasuredNumber(0, MOST_BAR, open_low=True),
             "Of the ideal cycle, absolute",
             BAR,
             otherwise="1",
@@ -292,7 +292,7 @@ RUNNING = TableKeys(
         *ROD_KEYS,
         Key(
             "damping",
-            Measured(0, 1, open_high=True),
+            MeasuredNumber(0, 1, open_high=True),
             "Of the critical damping",
             default=0.01,
             remedy="of critical; 0.01 to 0.03 is usual",

@@ -21,9 +21,9 @@ from symbalance.text.sections import Section, read_sections
 
 @dataclass(frozen=True)
 class RunningEngine:
-    """A layout, its crank, its bearings and how it runs."""
+    """An engine, its crank, its bearings and how it runs."""
 
-    layout: Engine
+    engine: Engine
     crank: Crank
     bearings: MainBearings
     operation: Operation
@@ -31,7 +31,7 @@ class RunningEngine:
     @property
     def mass(self) -> float:
         """The reciprocating mass of the first cylinder in kg."""
-        return float(self.layout.first.reciprocating_mass or 0)
+        return float(self.engine.first.reciprocating_mass or 0)
 
     def at_speeds(self, rpm: Sequence[float]) -> RunningEngine:
         """Return the same engine with other speeds to run at."""
@@ -44,16 +44,16 @@ def read_running_engine(path: str | Path) -> RunningEngine:
     refuse_preset(path)
     text, place = read_text(path), file_name(path)
     file = read_sections(text, place, FILE_KEYS)
-    layout = engine_from(file, default_name(path))
+    engine = engine_from(file, default_name(path))
     folder = Path(path).parent
-    for cylinder in layout.cylinders:
+    for cylinder in engine.cylinders:
         if cylinder.reciprocating_mass is None:
             what = f"{place}: cylinder {cylinder.number}"
             raise SymbalanceError(what, "has no reciprocating_mass", "give it in [crank_train], in kg")
-    crank = geometry.read_crank(_section(file, "crankshaft"), layout)
+    crank = geometry.read_crank(_section(file, "crankshaft"), engine)
     bearings = supports.read_bearings(_section(file, "bearings"), crank, folder)
-    run = operation.read_operation(_section(file, "running"), layout, folder)
-    return RunningEngine(layout, crank, bearings, run)
+    run = operation.read_operation(_section(file, "running"), engine, folder)
+    return RunningEngine(engine, crank, bearings, run)
 
 
 def refuse_preset(path: str | Path) -> None:

@@ -29,10 +29,10 @@ PITCH_TOLERANCE = 1e-3
 PinCylinders = tuple[Cylinder, ...]
 
 
-def read_crank(section: Section, layout: Engine) -> Crank:
-    """Return the crank of [crankshaft] for a layout; lengths in mm, moduli in GPa, kg, kg mm^2."""
-    bays = _join_bays(_bays(layout), section)
-    pins = _read_pins(section, bays, layout)
+def read_crank(section: Section, engine: Engine) -> Crank:
+    """Return the crank of [crankshaft] for an engine; lengths in mm, moduli in GPa, kg, kg mm^2."""
+    bays = _join_bays(_bays(engine), section)
+    pins = _read_pins(section, bays, engine)
     webs = _read_webs(section, bays, pins)
     journals = _read_journals(section, len(bays) + 1)
     crank = Crank(
@@ -42,15 +42,15 @@ def read_crank(section: Section, layout: Engine) -> Crank:
         _disc(section, "flywheel"),
     )
     section.guarded(lambda: check_geometry(crank))
-    _check_pitch(section, crank, layout, [pin for bay in bays for pin in bay])
+    _check_pitch(section, crank, engine, [pin for bay in bays for pin in bay])
     return crank
 
 
-def _bays(layout: Engine) -> list[list[PinCylinders]]:
+def _bays(engine: Engine) -> list[list[PinCylinders]]:
     """Return the bays front to rear, each its pins, each the cylinders that share it."""
-    if layout.has_symbols:
-        raise SymbalanceError(layout.name, "has angles with symbols", "a crankshaft needs numbers")
-    from_front = sorted(layout.cylinders, key=lambda c: -c.station)
+    if engine.has_symbols:
+        raise SymbalanceError(engine.name, "has angles with symbols", "a crankshaft needs numbers")
+    from_front = sorted(engine.cylinders, key=lambda c: -c.station)
     bays = []
     for _, here in groupby(from_front, lambda c: c.station):
         pins: dict[Fraction, list[Cylinder]] = {}
@@ -97,7 +97,7 @@ def _join_bays(bays: list[list[PinCylinders]], section: Section) -> list[list[Pi
     return bays_joined
 
 
-def _read_pins(section: Section, bays: list[list[PinCylinders]], layout: Engine) -> list[Pin]:
+def _read_pins(section: Section, bays: list[list[PinCylinders]], engine: Engine) -> list[Pin]:
     table = section.section("pin")
     groups = [pin for bay in bays for pin in bay]
     sizes = [table.numbers(key, len(groups)) for key in ROUND]
@@ -224,9 +224,9 @@ def _chain(
     return tuple(parts)
 
 
-def _check_pitch(section: Section, crank: Crank, layout: Engine, groups: Sequence[PinCylinders]) -> None:
+def _check_pitch(section: Section, crank: Crank, engine: Engine, groups: Sequence[PinCylinders]) -> None:
     """Refuse a chain whose pins do not stand where the cylinders do."""
-    pitch = layout.pitch
+    pitch = engine.pitch
     if pitch is None:
         return
     middles = [

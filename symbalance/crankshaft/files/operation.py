@@ -66,15 +66,15 @@ class Operation:
         return pi * self.bore**2 / 4
 
 
-def read_operation(section: Section, layout: Engine, folder: Path) -> Operation:
+def read_operation(section: Section, engine: Engine, folder: Path) -> Operation:
     """Return what [running] says: bore in mm, speeds in rpm, pressures in bar absolute, kg, kg mm^2."""
-    rod, ideal = _rod(section, layout), _ideal(section, layout)
+    rod, ideal = _rod(section, engine), _ideal(section, engine)
     big_end_mass = _big_end_mass(section, rod)
-    _check_rods(section, layout, rod, big_end_mass)
+    _check_rods(section, engine, rod, big_end_mass)
     return Operation(
         bore=section.number("bore"),
         rpm=_speeds(section),
-        trace=_trace(section, layout, folder) if ideal is None else _first(section, ideal, layout),
+        trace=_trace(section, engine, folder) if ideal is None else _first(section, ideal, engine),
         ambient=section.number("ambient"),
         big_end_mass=big_end_mass,
         excess=0.0 if rod is None else float(rod.excess) * MILLI**2,
@@ -117,36 +117,36 @@ def sorted_speeds(speeds: list[float]) -> tuple[float, ...]:
     return speeds_up
 
 
-def _trace(section: Section, layout: Engine, folder: Path) -> PressureTrace:
+def _trace(section: Section, engine: Engine, folder: Path) -> PressureTrace:
     path = folder / section.value("pressure")
-    return section.guarded(lambda: read_pressure(path, strokes=layout.strokes), "pressure")
+    return section.guarded(lambda: read_pressure(path, strokes=engine.strokes), "pressure")
 
 
-def _ideal(section: Section, layout: Engine) -> IdealCycle | None:
+def _ideal(section: Section, engine: Engine) -> IdealCycle | None:
     """Return the ideal cycle, None where a pressure trace is given."""
     if "pressure" in section:
         return None
     options = {key: section.value(key) for key in IDEAL if key in section}
     compression = section.value("compression")
     return section.guarded(
-        lambda: ideal_cycle(compression, strokes=layout.strokes, **options), "compression"
+        lambda: ideal_cycle(compression, strokes=engine.strokes, **options), "compression"
     )
 
 
-def _first(section: Section, ideal: IdealCycle, layout: Engine) -> PressureTrace:
-    return section.guarded(lambda: ideal.trace(layout.first.known_mechanism), "compression")
+def _first(section: Section, ideal: IdealCycle, engine: Engine) -> PressureTrace:
+    return section.guarded(lambda: ideal.trace(engine.first.known_mechanism), "compression")
 
 
-def _rod(section: Section, layout: Engine) -> RodSplit | None:
+def _rod(section: Section, engine: Engine) -> RodSplit | None:
     keys = [key for key in ROD if key in section]
     if not keys:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
-        return layout.first.rod_split
-    length = layout.first.sizes.rod
+        return engine.first.rod_split
+    length = engine.first.sizes.rod
     if length is None:
         raise section.refusal(keys[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]")
     mass, centre, inertia = (section.value(key) for key in ROD)
     rod = section.guarded(lambda: RodSplit(mass, length, centre, inertia), "rod_centre")
-    share = layout.first.reciprocating_mass
+    share = engine.first.reciprocating_mass
     if share is not None and rod.reciprocating > share:
         rule = f"puts {float(rod.reciprocating):.6g} kg at the piston, above reciprocating_mass"
         raise section.refusal(
@@ -164,15 +164,15 @@ def _big_end_mass(section: Section, rod: RodSplit | None) -> float:
     return section.number("big_end_mass")
 
 
-def _check_rods(section: Section, layout: Engine, rod: RodSplit | None, big_end_mass: float) -> None:
+def _check_rods(section: Section, engine: Engine, rod: RodSplit | None, big_end_mass: float) -> None:
     """Refuse one rod's masses and inertia for all where rods differ, or hang on link pins."""
     key = next((k for k in ("rod_mass", "big_end_mass") if k in section), "")
     what, place = f"{key} = {section.table[key]}" if key else "rod_mass", section.place(key)
-    if layout.link_pins and (big_end_mass or (rod is not None and rod.excess)):
-        rule = f"of cylinder {layout.link_pins[0]} would sit on its link pin, and is put on the crank pin"
+    if engine.link_pins and (big_end_mass or (rod is not None and rod.excess)):
+        rule = f"of cylinder {engine.link_pins[0]} would sit on its link pin, and is put on the crank pin"
         remedy = "give big_end_mass = 0 and no rod_mass: what a link pin's mass adds is not computed"
         raise SymbalanceError(what, rule, remedy, place)
-    rods = {tuple(getattr(c.sizes, key) for key in ("rod", *ROD)) for c in layout.cylinders}
+    rods = {tuple(getattr(c.sizes, key) for key in ("rod", *ROD)) for c in engine.cylinders}
     if rod is not None and len(rods) > 1:
         rule = "is one rod's, and the engine's rods are not alike"
         raise SymbalanceError(what, rule, "give big_end_mass, and no rod_mass", place)

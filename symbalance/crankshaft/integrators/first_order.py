@@ -28,7 +28,7 @@ from symbalance.crankshaft.integrators.coefficients import (
     state_units,
 )
 from symbalance.crankshaft.system import PeriodicSystem
-from symbalance.errors import MissingPartError, SymbalanceError, shown
+from symbalance.errors import MissingPartError, SymbalanceError, brief
 
 INSTALL = "pip install 'symbalance[crankshaft]'"
 SCIPY = {"rk45": "RK45", "dop853": "DOP853", "radau": "Radau", "bdf": "BDF", "lsoda": "LSODA"}
@@ -151,7 +151,7 @@ def scipy_states(
         **extra,
     )
     if not solution.success:
-        raise SymbalanceError(f"method = {shown(method)}", f"gave up: {solution.message}", "another rtol")
+        raise SymbalanceError(f"method = {brief(method)}", f"gave up: {solution.message}", "another rtol")
     return solution.y.T
 
 

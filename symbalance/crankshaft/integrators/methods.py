@@ -8,7 +8,7 @@ from symbalance.crankshaft.integrators.newmark import newmark_steps
 from symbalance.crankshaft.integrators.radau import radau_steps
 from symbalance.crankshaft.integrators.time_stepping import LinearSteps
 from symbalance.crankshaft.system import PeriodicSystem, check_consistency, check_steps
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 FIXED: dict[str, Callable[[PeriodicSystem, int], LinearSteps]] = {
     "radau-iia": radau_steps,
@@ -20,7 +20,7 @@ FIXED: dict[str, Callable[[PeriodicSystem, int], LinearSteps]] = {
 def linear_steps(system: PeriodicSystem, method: str, steps: int) -> LinearSteps:
     """Return one cycle of a fixed-step method."""
     if method not in FIXED:
-        raise SymbalanceError(f"method = {shown(method)!r}", "is not known", f"one of {', '.join(FIXED)}")
+        raise SymbalanceError(f"method = {brief(method)!r}", "is not known", f"one of {', '.join(FIXED)}")
     check_steps(steps)
     check_consistency(system)
     return FIXED[method](system, steps)

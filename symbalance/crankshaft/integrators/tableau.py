@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.crankshaft.arrays import Array
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 Complex = NDArray[np.complexfloating[Any, Any]]
 MOST_STAGES = 9
@@ -56,7 +56,7 @@ def radau_iia(stages: int = 3) -> Tableau:
     ([0.155051, 0.644949, 1.0], 0.155051)
     """
     if not 1 <= stages <= MOST_STAGES:
-        what = f"{shown(stages)} stages"
+        what = f"{brief(stages)} stages"
         raise SymbalanceError(what, f"must lie in 1 to {MOST_STAGES}", "3 has order 5, 5 has order 9")
     legendre = np.polynomial.legendre.Legendre
     difference = legendre.basis(stages) - (legendre.basis(stages - 1) if stages else 0)

@@ -79,7 +79,7 @@ class RodForces:
 
     @cached_property
     def _cylinders(self) -> dict[int, Cylinder]:
-        return {c.number: c for c in self.engine.layout.cylinders}
+        return {c.number: c for c in self.engine.engine.cylinders}
 
     @cached_property
     def _mechanisms(self) -> dict[int, Mechanism]:
@@ -87,14 +87,14 @@ class RodForces:
 
     @cached_property
     def _firing_angles(self) -> dict[int, float]:
-        return firing_crank_angles(self.engine.layout)
+        return firing_crank_angles(self.engine.engine)
 
     @cached_property
     def _traces(self) -> dict[int, PressureTrace]:
         run = self.engine.operation
         if run.ideal is None:
             return dict.fromkeys(self._mechanisms, run.trace)
-        traces = {self._mechanisms[self.engine.layout.first.number]: run.trace}
+        traces = {self._mechanisms[self.engine.engine.first.number]: run.trace}
         traces |= {m: run.ideal.trace(m) for m in set(self._mechanisms.values()) - traces.keys()}
         return {n: traces[m] for n, m in self._mechanisms.items()}
 
@@ -130,15 +130,15 @@ class RodForces:
         return (np.conj(arm) * self.own(cylinder.number, theta)).imag
 
 
-def firing_crank_angles(layout: Engine) -> dict[int, float]:
+def firing_crank_angles(engine: Engine) -> dict[int, float]:
     """Return theta at every piston's own firing top dead centre, in radians, 0 to under a cycle.
 
     >>> from symbalance.engine.catalogue import load
     >>> [round(float(np.degrees(top)), 3) for top in firing_crank_angles(load("vw-vr6")).values()]
     [0.071, 240.071, 120.071, 479.929, 599.929, 359.929]
     """
-    passes, cycle = firing_pin_passings(layout), layout.strokes * pi
-    pistons = {c.number: Piston(c.known_mechanism) for c in layout.cylinders}
+    passes, cycle = firing_pin_passings(engine), engine.strokes * pi
+    pistons = {c.number: Piston(c.known_mechanism) for c in engine.cylinders}
     return {n: (float(passes[n]) * pi / 180 + p.top) % cycle for n, p in pistons.items()}
 
 

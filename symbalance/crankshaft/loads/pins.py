@@ -29,7 +29,7 @@ class PinLoads:
     @property
     def cycle(self) -> float:
         """The crank angle after which the loads repeat, in radians: 2 pi or 4 pi."""
-        return self.rods.engine.layout.strokes * np.pi
+        return self.rods.engine.engine.strokes * np.pi
 
     def at(self, theta: Array) -> Array:
         """Return (s, pins, 6): F_u, F_v, F_w, N_u, N_v, N_w at angles (s,), N and N m."""
@@ -52,7 +52,7 @@ class PinLoads:
         """
         theta = self.cycle * np.arange(points) / points
         spectrum = np.fft.rfft(self.at(theta), axis=0) / points
-        return spectrum[: order * self.rods.engine.layout.strokes // 2 + 1]
+        return spectrum[: order * self.rods.engine.engine.strokes // 2 + 1]
 
     @property
     def mean_torque(self) -> float:
@@ -74,8 +74,8 @@ def big_end_masses(engine: RunningEngine) -> list[float]:
 
 def _shifts(engine: RunningEngine) -> dict[int, float]:
     """Return how far behind its pin's middle each cylinder stands, in m."""
-    pitch = float(engine.layout.pitch or 0) * MILLI
-    stations = {c.number: float(c.station) for c in engine.layout.cylinders}
+    pitch = float(engine.engine.pitch or 0) * MILLI
+    stations = {c.number: float(c.station) for c in engine.engine.cylinders}
 
     def of(pin: Pin) -> dict[int, float]:
         mean = sum(stations[n] for n in pin.cylinders) / len(pin.cylinders)

@@ -86,7 +86,7 @@ def _angles(run: Summary, outcome: SpeedOutcome, kind: str) -> Any:
         n for n in outcome.names if n.startswith("pin ") and n.endswith(f" {kind}") and "fillet" not in n
     ]
     figure, axes = _figure(len(pins), 1, sharex=True, sharey=True, height=1.5)
-    firings = {n: np.degrees(a) for n, a in firing_crank_angles(run.configuration.engine.layout).items()}
+    firings = {n: np.degrees(a) for n, a in firing_crank_angles(run.configuration.engine.engine).items()}
     cycle = np.degrees(outcome.cycle)
     for axis, name, pin in zip(axes[:, 0], pins, run.configuration.engine.crank.pins, strict=True):
         axis.plot(outcome.degrees, outcome.channel(name) / MEGA, color=COLOURS[0], linewidth=1.2)

@@ -104,7 +104,7 @@ class Summary(Result):
         else:
             worst = self.worst
             verdict = f"least safety factor {worst.durability.safety:.2f}, of {worst.name}"
-        return f"Crankshaft of {self.configuration.engine.layout.name} at {speeds}{more} rpm: {verdict}"
+        return f"Crankshaft of {self.configuration.engine.engine.name} at {speeds}{more} rpm: {verdict}"
 
     def document(self) -> Document:
         """Return speeds, durability, stresses, frequencies, notes, how it was computed, and pictures."""
@@ -248,7 +248,7 @@ def _notes(configuration: RunConfiguration, outcomes: Sequence[SpeedOutcome]) ->
         there = overlay.rpm is None or any(o.rpm == overlay.rpm for o in outcomes)
         why = "whose films do not settle" if there else "which is no speed of this run"
         notes.append(f"the measured curve belongs to {where}, {why}")
-    balancers = configuration.engine.layout.balancers
+    balancers = configuration.engine.engine.balancers
     if balancers:
         notes.append(
             "[[counterweight]] and [[balance_shaft]] take no part here: a running crank's weights are "
@@ -278,7 +278,7 @@ def summary_data(run: Summary) -> dict[str, Any]:
     A speed with a `reason` is not to be relied on: channels, places and measured curves leave it out.
     """
     return {
-        "engine": run.configuration.engine.layout.name,
+        "engine": run.configuration.engine.engine.name,
         "webs": run.configuration.webs,
         "modes": run.configuration.modes,
         "connection": run.configuration.connection,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from symbalance.crankshaft.files.operation import speed_text
-from symbalance.document.decimals import fixed, rounded
+from symbalance.document.decimals import decimal, fixed_cell
 from symbalance.document.formula import Decimal, Name, Upright, absolute, number
 from symbalance.document.nodes import (
     Block,
@@ -50,7 +50,7 @@ _PICTURES = {
 def summary_document(run: Summary) -> Document:
     """Return a run as a document."""
     return Document(
-        f"Running crankshaft of {engine_title(run.configuration.engine.layout)}",
+        f"Running crankshaft of {engine_title(run.configuration.engine.engine)}",
         blocks(
             _speeds(run),
             _reasons(run),
@@ -101,11 +101,11 @@ def _is_about_centre(run: Summary) -> bool:
 def _speed(speed: SpeedFigures, about_centre: bool) -> tuple[Cell, ...]:
     return (
         _rpm(speed.rpm),
-        fixed(speed.eccentricity, 2),
-        "" if about_centre else fixed(speed.departure, 2),
-        fixed(speed.bearing / 1000, 1),
-        fixed(speed.largest, 4),
-        fixed(speed.seconds, 2),
+        fixed_cell(speed.eccentricity, 2),
+        "" if about_centre else fixed_cell(speed.departure, 2),
+        fixed_cell(speed.bearing / 1000, 1),
+        fixed_cell(speed.largest, 4),
+        fixed_cell(speed.seconds, 2),
     )
 
 
@@ -125,10 +125,10 @@ def _places(run: Summary) -> Table | None:
         (
             place.name,
             _rpm(place.rpm),
-            fixed(place.durability.amplitude / MEGA, 1),
-            fixed(place.durability.mean / MEGA, 1),
-            fixed(place.durability.safety, 2),
-            rounded(place.hours, 3),
+            fixed_cell(place.durability.amplitude / MEGA, 1),
+            fixed_cell(place.durability.mean / MEGA, 1),
+            fixed_cell(place.durability.safety, 2),
+            decimal(place.hours, 3),
         )
         for place in run.places
     )
@@ -139,7 +139,7 @@ def _places(run: Summary) -> Table | None:
 def _extremes(run: Summary) -> tuple[Block, ...]:
     """Return every channel's range over all speeds, and its largest orders."""
     ranges = tuple(
-        (e.name, e.unit, rounded(e.least, 4), rounded(e.largest, 4), _rpm(e.rpm)) for e in run.extremes
+        (e.name, e.unit, decimal(e.least, 4), decimal(e.largest, 4), _rpm(e.rpm)) for e in run.extremes
     )
     orders = tuple(
         (e.name, ", ".join(f"{order:g}: {size:.3g}" for order, size in e.orders)) for e in run.extremes
@@ -157,14 +157,16 @@ def _extremes(run: Summary) -> tuple[Block, ...]:
 def _comparisons(run: Summary) -> Table | None:
     columns = ("channel", "rpm", "rms error MPa", "error at the peak MPa", "measured range MPa")
     rows = tuple(
-        (c.channel, _rpm(c.rpm), rounded(c.rms, 3), rounded(c.peak, 3), rounded(c.span, 4))
+        (c.channel, _rpm(c.rpm), decimal(c.rms, 3), decimal(c.peak, 3), decimal(c.span, 4))
         for c in run.comparisons
     )
     return Table("Measured curves", tuple(map(Column, columns)), rows) if rows else None
 
 
 def _frequencies(run: Summary) -> Table:
-    rows = tuple((number(i), fixed(hertz, 1), kind) for i, (hertz, kind) in enumerate(run.frequencies, 1))
+    rows = tuple(
+        (number(i), fixed_cell(hertz, 1), kind) for i, (hertz, kind) in enumerate(run.frequencies, 1)
+    )
     head = (Column("mode"), Column("Hz"), Column("mostly"))
     return Table("Natural frequencies of the free crank", head, rows)
 
@@ -172,7 +174,7 @@ def _frequencies(run: Summary) -> Table:
 def _how_to_read(run: Summary) -> Facts:
     """Return what was run, and what the columns are."""
     configuration, operation = run.configuration, run.configuration.engine.operation
-    fires = configuration.engine.layout.firing_order()
+    fires = configuration.engine.engine.firing_order()
     about = f"linear about their orbits, at most {configuration.iterations} passes"
     if _is_about_centre(run):
         about = "as springs about the centre"

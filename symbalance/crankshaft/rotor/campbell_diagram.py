@@ -22,7 +22,7 @@ from symbalance.crankshaft.rotor.matrices import Rotor, check_rotor
 from symbalance.crankshaft.rotor.modes import assurance, natural_modes
 from symbalance.crankshaft.rotor.rigid_body_mode import deflated
 from symbalance.document.result import Result
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -152,7 +152,7 @@ def campbell(
     check_rotor(rotor)
     for speed in speeds:
         if not np.isfinite(speed):
-            raise SymbalanceError(f"speed = {shown(speed)} rad/s", "must be finite")
+            raise SymbalanceError(f"speed = {brief(speed)} rad/s", "must be finite")
     basis = _basis(rotor, support, basis_size)
     stiffness = rotor.stiffness + (0 if support is None else support)
     spin = rotor.rigid_motions()[:, 5]

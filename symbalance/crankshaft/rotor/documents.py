@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from symbalance.document.decimals import fixed, rounded
+from symbalance.document.decimals import decimal, fixed_cell
 from symbalance.document.formula import Name, number
 from symbalance.document.nodes import Cell, Column, Details, Document, Facts, Strong, Table, Words, blocks
 
@@ -73,7 +73,7 @@ def whirl_word(forward: float) -> str:
 
 def percent(share: float) -> Words:
     """Return a share, 0 to 1, as a cell in percent."""
-    return rounded(round(100 * share, 1), 4)
+    return decimal(round(100 * share, 1), 4)
 
 
 def supports_table(rotor: Rotor, supports: Sequence[Support]) -> Table:
@@ -84,8 +84,8 @@ def supports_table(rotor: Rotor, supports: Sequence[Support]) -> Table:
     rows = []
     for bearing, (node, support) in enumerate(zip(rotor.journals, supports, strict=True), 1):
         values = [m[place] for m in support.matrices for place in _PLACES.values()] + [support.tilt]
-        cells = ("" if value == 0 else rounded(float(value)) for value in values)
-        rows.append((number(bearing), rounded(float(rotor.points[node, 2]), 4), *cells))
+        cells = ("" if value == 0 else decimal(float(value)) for value in values)
+        rows.append((number(bearing), decimal(float(rotor.points[node, 2]), 4), *cells))
     return Table("Supports: stiffness K in N/m, damping C in N s/m", tuple(heads), tuple(rows))
 
 
@@ -108,7 +108,7 @@ def modes_document(modes: Modes) -> Document:
     """Return natural modes as a document."""
     heads = ("mode", "Hz", "mostly", "bending U %", "bending V %", "axial %", "torsion %")
     rows = tuple(
-        (number(i), rounded(float(hertz), DIGITS), kind, *map(percent, shares))
+        (number(i), decimal(float(hertz), DIGITS), kind, *map(percent, shares))
         for i, (hertz, kind, shares) in enumerate(
             zip(modes.frequencies, modes.kinds, modes.shares, strict=True), 1
         )
@@ -131,12 +131,12 @@ def torsion_document(chain: TorsionalChain) -> Document:
     """Return a torsional chain as a document."""
     hertz, shapes = chain.modes()
     frequencies = tuple(
-        (number(k), rounded(float(f), DIGITS), rounded(float(f) * 60, DIGITS))
+        (number(k), decimal(float(f), DIGITS), decimal(float(f) * 60, DIGITS))
         for k, f in enumerate(hertz, 1)
     )
-    springs = [*(rounded(float(c)) for c in chain.stiffnesses), ""]
+    springs = [*(decimal(float(c)) for c in chain.stiffnesses), ""]
     discs = tuple(
-        (number(i), rounded(float(inertia)), spring)
+        (number(i), decimal(float(inertia)), spring)
         for i, (inertia, spring) in enumerate(zip(chain.inertias, springs, strict=True), 1)
     )
     entries = (
@@ -163,7 +163,7 @@ def _shapes(shapes: np.ndarray) -> Iterator[Table]:
         stop = min(start + ABREAST, count)
         heads = (Column("disc"), *(Column(f"mode {k + 1}") for k in range(start, stop)))
         rows = tuple(
-            (number(i), *(fixed(float(x), 4) for x in row[start:stop]))
+            (number(i), *(fixed_cell(float(x), 4) for x in row[start:stop]))
             for i, row in enumerate(relative, 1)
         )
         yield Table("Shapes", heads, rows)
@@ -217,9 +217,9 @@ def _courses(lines: Campbell) -> Table:
 
 def _course(lines: Campbell, mode: int, ends: list[int]) -> tuple[Cell, ...]:
     motion = whirl_word(float(lines.forward[-1, mode])) if lines.lateral[-1, mode] else "axial or torsion"
-    hertz = [rounded(float(lines.stationary[i, mode]) * HERTZ, DIGITS) for i in ends]
+    hertz = [decimal(float(lines.stationary[i, mode]) * HERTZ, DIGITS) for i in ends]
     growth = float(lines.growth[:, mode].max())
-    return number(mode + 1), motion, *hertz, rounded(growth if abs(growth) > lines.rounding else 0.0, 3)
+    return number(mode + 1), motion, *hertz, decimal(growth if abs(growth) > lines.rounding else 0.0, 3)
 
 
 def _over_speed(title: str, lines: Campbell, values: Array) -> Iterator[Table]:
@@ -229,7 +229,7 @@ def _over_speed(title: str, lines: Campbell, values: Array) -> Iterator[Table]:
         stop = min(start + ABREAST, count)
         heads = (Column("rpm"), *(Column(f"mode {k + 1}") for k in range(start, stop)))
         rows = tuple(
-            (rounded(float(speed) * RPM), *(rounded(float(value), DIGITS) for value in row[start:stop]))
+            (decimal(float(speed) * RPM), *(decimal(float(value), DIGITS) for value in row[start:stop]))
             for speed, row in zip(lines.speeds, values, strict=True)
         )
         yield Table(title, heads, rows)
@@ -241,10 +241,10 @@ def whirl_document(whirl: Whirl) -> Document:
     rows = tuple(
         (
             number(k + 1),
-            rounded(float(abs(whirl.frequencies[k])) * HERTZ, DIGITS),
-            rounded(float(whirl.natural[k]) * HERTZ, DIGITS),
-            rounded(float(whirl.damping_ratios[k]), 3),
-            rounded(float(whirl.log_decrements[k]), 3),
+            decimal(float(abs(whirl.frequencies[k])) * HERTZ, DIGITS),
+            decimal(float(whirl.natural[k]) * HERTZ, DIGITS),
+            decimal(float(whirl.damping_ratios[k]), 3),
+            decimal(float(whirl.log_decrements[k]), 3),
             whirl_word(float(whirl.forward[k])),
             percent(float(whirl.forward[k])),
         )
@@ -276,9 +276,9 @@ def critical_document(critical: CriticalSpeeds) -> Document:
     rows = tuple(
         (
             number(k),
-            rounded(float(speed) * RPM, DIGITS),
-            rounded(float(speed), DIGITS),
-            rounded(float(speed) * HERTZ, DIGITS),
+            decimal(float(speed) * RPM, DIGITS),
+            decimal(float(speed), DIGITS),
+            decimal(float(speed) * HERTZ, DIGITS),
             whirl_word(float(forward)),
             percent(float(forward)),
         )
@@ -313,7 +313,7 @@ def unbalance_document(answer: UnbalanceResponse) -> Document:
     largest = tuple(_orbit(answer, s, int(np.argmax(row))) for s, row in enumerate(answer.largest))
     forces = tuple(
         (
-            rounded(float(speed) * RPM),
+            decimal(float(speed) * RPM),
             number(b + 1),
             *_size_and_phase(force[0], 1.0),
             *_size_and_phase(force[1], 1.0),
@@ -346,9 +346,9 @@ def speeds_words(answer: UnbalanceResponse) -> str:
 def _orbit(answer: UnbalanceResponse, speed: int, node: int) -> tuple[Cell, ...]:
     forward, backward = (complex(part[speed, node]) for part in (answer.forward, answer.backward))
     return (
-        rounded(float(answer.speeds[speed]) * RPM),
-        rounded(float(answer.places[node]), PLACES),
-        rounded(float(answer.largest[speed, node]) * MICRO, PLACES),
+        decimal(float(answer.speeds[speed]) * RPM),
+        decimal(float(answer.places[node]), PLACES),
+        decimal(float(answer.largest[speed, node]) * MICRO, PLACES),
         *_size_and_phase(forward, MICRO),
         *_size_and_phase(backward, MICRO),
     )
@@ -357,7 +357,7 @@ def _orbit(answer: UnbalanceResponse, speed: int, node: int) -> tuple[Cell, ...]
 def _size_and_phase(value: complex, scale: float) -> tuple[Cell, Cell]:
     """Return a complex amplitude's size and phase; of nothing there is no phase."""
     size = abs(value) * scale
-    return rounded(size, PLACES), rounded(round(degrees(phase(value)), 1), PLACES) if size else ""
+    return decimal(size, PLACES), decimal(round(degrees(phase(value)), 1), PLACES) if size else ""
 
 
 def _everywhere(answer: UnbalanceResponse) -> Details | None:
@@ -370,7 +370,7 @@ def _everywhere(answer: UnbalanceResponse) -> Details | None:
 
 def _unbalances(answer: UnbalanceResponse) -> tuple[tuple[Cell, ...], ...]:
     return tuple(
-        (rounded(place, PLACES), *_size_and_phase(amount, 1.0)) for place, amount in answer.unbalances
+        (decimal(place, PLACES), *_size_and_phase(amount, 1.0)) for place, amount in answer.unbalances
     )
 
 

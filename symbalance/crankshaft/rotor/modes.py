@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.rotor.matrices import Rotor, check_rotor
 from symbalance.document.result import Result
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -97,7 +97,7 @@ def natural_modes(rotor: Rotor, count: int = 20, support: Array | None = None) -
     check_rotor(rotor)
     available = rotor.size - (DOF if support is None else 0)
     if not isinstance(count, int | np.integer) or not 0 < count <= available:
-        raise SymbalanceError(f"modes = {shown(count)}", f"must lie in 1..{available}", "elastic modes")
+        raise SymbalanceError(f"modes = {brief(count)}", f"must lie in 1..{available}", "elastic modes")
     stiffness = rotor.stiffness + (0 if support is None else check_support(rotor, support))
     first = 0
     if support is None:

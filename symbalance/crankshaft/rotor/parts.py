@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from symbalance.crankshaft.arguments import check_fields, check_number
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 
 @dataclass(frozen=True)
@@ -20,13 +20,13 @@ class Material:
         for name in ("young", "poisson", "density"):
             check_number(getattr(self, name), name, "Pa, 1, kg/m^3", signed=True)
         if not self.young > 0:
-            raise SymbalanceError(f"young = {shown(self.young)}", "must be positive", "Pa; GPa in files")
+            raise SymbalanceError(f"young = {brief(self.young)}", "must be positive", "Pa; GPa in files")
         if not 0 <= self.poisson < 0.5:
-            what = f"poisson = {shown(self.poisson)}"
+            what = f"poisson = {brief(self.poisson)}"
             raise SymbalanceError(what, "must lie in [0, 0.5)", "0.29 for steel")
         if not self.density > 0:
             remedy = "kg/m^3, 7850 for steel; 1e-3 where a shaft's mass is not to count"
-            raise SymbalanceError(f"density = {shown(self.density)}", "must be positive", remedy)
+            raise SymbalanceError(f"density = {brief(self.density)}", "must be positive", remedy)
 
     @property
     def shear(self) -> float:

@@ -102,7 +102,7 @@ class RigidBody:
     offset: Array
     inertia: Array
 
-    def turned(self, angle: float) -> RigidBody:
+    def rotated(self, angle: float) -> RigidBody:
         """Return the body turned by `angle` about W."""
         turn = turn_about_w(angle)
         return RigidBody(self.mass, turn @ self.offset, turn @ self.inertia @ turn.T)

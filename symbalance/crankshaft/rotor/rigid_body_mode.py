@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symbalance.crankshaft.arrays import DOF, Array
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 
 def spin_motion(points: ArrayLike) -> Array:
@@ -45,7 +45,7 @@ def deflated(centrifugal: Array, mass: Array, spin: Array) -> Array:
     momentum = mass @ spin
     inertia = float(spin @ momentum)
     if not inertia > 0:
-        what = f"moment of inertia about the axis = {shown(inertia)}"
+        what = f"moment of inertia about the axis = {brief(inertia)}"
         raise SymbalanceError(what, "must be positive", "a mass matrix in kg, m, and the motion it turns")
     rest = np.eye(len(spin)) - np.outer(spin, momentum) / inertia
     return rest.T @ centrifugal @ rest

@@ -14,8 +14,8 @@ from symbalance.crankshaft.rotor.beams import ALONG_W, Beam, circular
 from symbalance.crankshaft.rotor.matrices import Member, Rotor, check_rotor
 from symbalance.crankshaft.rotor.parts import Disc, Material
 from symbalance.crankshaft.rotor.rigid_bodies import disc_body
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.numbers import listed, whole
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.numbers import as_list, whole
 
 CLOSE = 1e-9
 """Places along a shaft nearer than this, in m, are one node."""
@@ -37,13 +37,13 @@ class Tube:
 
     def __post_init__(self) -> None:
         check_fields(self, "tube", (("length", "m"), ("diameter", "m"), ("bore", "m")))
-        factors = listed(self.bending, "tube bending", "(1.0, 0.9): factors along U and V")
+        factors = as_list(self.bending, "tube bending", "(1.0, 0.9): factors along U and V")
         for factor in factors:
             check_number(factor, "tube bending", "factors along U and V")
         sound = len(factors) == 2 and all(factor > 0 for factor in factors)
         sound = sound and self.length > 0 and self.bore < self.diameter
         if not sound or (whole(self.elements) or 0) < 1:
-            what = ", ".join(f"{name} = {shown(value)}" for name, value in vars(self).items())
+            what = ", ".join(f"{name} = {brief(value)}" for name, value in vars(self).items())
             rule = "must have length, a bore within its diameter, a whole number of elements, factors > 0"
             raise SymbalanceError(what, rule, "m", "tube")
 
@@ -67,8 +67,8 @@ def shaft(
     (array([0.  , 0.25, 0.5 , 0.75, 1.  ]), (0, 4))
     """
     tubes, bearings = (
-        listed(tubes, "tubes", "[sb.Tube(1.0, 0.05)]"),
-        listed(bearings, "bearings", "[0, 1]"),
+        as_list(tubes, "tubes", "[sb.Tube(1.0, 0.05)]"),
+        as_list(bearings, "bearings", "[0, 1]"),
     )
     steel, weights = Material() if material is None else material, {} if discs is None else discs
     _check(tubes, steel, weights)
@@ -91,11 +91,11 @@ def _check(tubes: Sequence[Tube], steel: Material, discs: Mapping[float, Disc]) 
     check_kind(steel, Material, "material", "sb.Material(young, poisson, density)")
     check_kind(discs, Mapping, "discs", "{place in m: sb.Disc(mass, polar, diametral)}")
     for place, disc in discs.items():
-        name = f"disc at {shown(place)} m"
+        name = f"disc at {brief(place)} m"
         check_kind(disc, Disc, name, "sb.Disc(mass, polar, diametral), in kg and kg m^2")
         if disc.polar > 2 * disc.diametral * (1 + 1e-9):
-            rule = f"must be at most twice the diametral, {shown(disc.diametral)}"
-            raise SymbalanceError(f"polar = {shown(disc.polar)}", rule, "as for any body", name)
+            rule = f"must be at most twice the diametral, {brief(disc.diametral)}"
+            raise SymbalanceError(f"polar = {brief(disc.polar)}", rule, "as for any body", name)
 
 
 def held_at(rotor: Rotor, stiffness: float, across: float | None = None, axial: float = 0.0) -> Array:
@@ -106,7 +106,7 @@ def held_at(rotor: Rotor, stiffness: float, across: float | None = None, axial: 
     check_rotor(rotor)
     for value in (stiffness, across or 0.0, axial):
         if not np.isfinite(value):
-            raise SymbalanceError(f"spring = {shown(value)} N/m", "must be finite")
+            raise SymbalanceError(f"spring = {brief(value)} N/m", "must be finite")
     support = np.zeros((rotor.size, rotor.size))
     for node in rotor.journals:
         support[DOF * node, DOF * node] += stiffness
@@ -124,8 +124,8 @@ def _places(tubes: Sequence[Tube], extra: Sequence[float]) -> list[float]:
         ends_and_extra += [*np.linspace(start, start + tube.length, tube.elements + 1)]
     for place in extra:
         if not -CLOSE <= place <= ends[-1] + CLOSE:
-            rule = f"must lie on the shaft, 0 to {shown(float(ends[-1]))} m"
-            raise SymbalanceError(f"place = {shown(place)}", rule)
+            rule = f"must lie on the shaft, 0 to {brief(float(ends[-1]))} m"
+            raise SymbalanceError(f"place = {brief(place)}", rule)
     places: list[float] = []
     for place in sorted(ends_and_extra):
         if not places or place - places[-1] > CLOSE:

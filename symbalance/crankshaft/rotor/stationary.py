@@ -23,8 +23,8 @@ from symbalance.crankshaft.arguments import check_kind, check_number
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.frames import QUARTER_TURN
 from symbalance.crankshaft.rotor.matrices import Rotor, check_rotor
-from symbalance.errors import SymbalanceError, shown, written
-from symbalance.text.numbers import listed
+from symbalance.errors import SymbalanceError, brief, literal
+from symbalance.text.numbers import as_list
 
 ROUND = 1e-8
 """How far a matrix may be from commuting with a quarter turn, relative to its largest entry."""
@@ -69,7 +69,7 @@ def _square(value: ArrayLike, name: str) -> Array:
     kind = np.asarray(value, dtype=object)
     if not all(isinstance(x, Real) and not isinstance(x, bool) for x in kind.ravel()):
         rule = "must be a finite number, a pair or (2, 2)"
-        raise SymbalanceError(f"{name} = {written(value)}", rule, "N/m, N s/m; vertical, lateral")
+        raise SymbalanceError(f"{name} = {literal(value)}", rule, "N/m, N s/m; vertical, lateral")
     table = np.asarray(value, dtype=float)
     if table.shape == ():
         table = float(table) * np.eye(2)
@@ -115,8 +115,8 @@ def supports_at(rotor: Rotor, supports: Supports, omega: float) -> Sequence[Supp
     """Return the supports at a speed; refuses another number than that of the rotor's bearings."""
     check_rotor(rotor)
     if not 0 <= omega < np.inf:
-        raise SymbalanceError(f"speed = {shown(omega)} rad/s", "must be finite, not negative")
-    answer = listed(
+        raise SymbalanceError(f"speed = {brief(omega)} rad/s", "must be finite, not negative")
+    answer = as_list(
         supports(omega) if callable(supports) else supports, "supports", "[sb.Support(1e6)] * 2"
     )
     for number, support in enumerate(answer, 1):

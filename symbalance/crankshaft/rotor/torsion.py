@@ -15,7 +15,7 @@ import numpy as np
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.rotor.matrices import Rotor, check_rotor
 from symbalance.document.result import Result
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -96,7 +96,7 @@ def torsional_chain(inertias: Sequence[float], stiffnesses: Sequence[float]) -> 
         raise SymbalanceError(what, "must be two discs or more and a spring between neighbours")
     for name, values in (("moment of inertia", discs), ("stiffness", springs)):
         for value in values[~((values > 0) & np.isfinite(values))]:
-            raise SymbalanceError(f"{name} = {shown(value)}", "must be positive and finite", "SI units")
+            raise SymbalanceError(f"{name} = {brief(value)}", "must be positive and finite", "SI units")
     return TorsionalChain(discs, springs)
 
 

@@ -21,7 +21,7 @@ from symbalance.crankshaft.rotor.matrices import Rotor
 from symbalance.crankshaft.rotor.stationary import Support, Supports, stationary_rotor, supports_at
 from symbalance.crankshaft.system import Film, PeriodicSystem
 from symbalance.document.result import Result
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -178,7 +178,7 @@ def supported(
     """
     bearings = supports_at(rotor, supports, omega)
     if not rotor.journals or not omega > 0:
-        what = f"speed = {shown(omega)} rad/s, {len(rotor.journals)} bearings"
+        what = f"speed = {brief(omega)} rad/s, {len(rotor.journals)} bearings"
         raise SymbalanceError(what, "must be positive, with one bearing or more")
     whole = constrained_matrices(rotor, omega, rotor.journals[0], thrust_stiffness)
     stiffness = whole.stiffness.copy()
@@ -221,8 +221,8 @@ def _unbalanced_nodes(rotor: Rotor, unbalances: Unbalances) -> list[tuple[int, c
         node = int(np.argmin(np.abs(rotor.points[:, 2] - place)))
         if not abs(rotor.points[node, 2] - place) <= NEAR:
             rule = "must be that of a node, such as a disc or an element's end"
-            raise SymbalanceError(f"place = {shown(place)} m", rule, "see Rotor.points")
+            raise SymbalanceError(f"place = {brief(place)} m", rule, "see Rotor.points")
         if not np.isfinite(amount):
-            raise SymbalanceError(f"unbalance = {shown(amount)} kg m", "must be finite")
+            raise SymbalanceError(f"unbalance = {brief(amount)} kg m", "must be finite")
         nodes.append((node, complex(amount)))
     return nodes

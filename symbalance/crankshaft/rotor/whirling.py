@@ -28,7 +28,7 @@ from symbalance.crankshaft.rotor.stationary import (
     supports_at,
 )
 from symbalance.document.result import Result
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -248,7 +248,7 @@ def critical_speeds(rotor: Rotor, supports: Supports, most: float | None = None)
     """
     matrices = stationary_rotor(rotor)
     if most is not None and not 0 < most < np.inf:
-        raise SymbalanceError(f"most = {shown(most)} rad/s", "must be positive and finite")
+        raise SymbalanceError(f"most = {brief(most)} rad/s", "must be positive and finite")
     if not callable(supports):
         damping, stiffness = matrices.at(supports, 0.0)
         uneven = np.abs(stiffness - stiffness.T).max() / np.abs(stiffness).max()

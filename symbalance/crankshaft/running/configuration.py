@@ -121,7 +121,7 @@ class RunConfiguration:
             housing=self.housing,
             force=self.rotor_loads(rpm).at,
             omega=rpm * OMEGA,
-            cycle=self.engine.layout.strokes * np.pi,
+            cycle=self.engine.engine.strokes * np.pi,
         )
 
     def _matrices(self, rpm: float) -> ConstrainedMatrices:

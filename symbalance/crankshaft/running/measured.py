@@ -12,8 +12,8 @@ import numpy as np
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.files.operation import Overlay
 from symbalance.crankshaft.running.outcome import SpeedOutcome
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.csv_rows import Row, rows_of, without_headers
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.csv_rows import CsvRow, rows_of, without_headers
 from symbalance.text.files import read_text
 
 FEWEST = 8
@@ -57,7 +57,7 @@ def check_overlay(overlay: Overlay, names: Sequence[str], cycle: int) -> None:
     """Refuse a curve that cannot be compared: an unknown channel, a file that does not read."""
     if overlay.channel not in names:
         near = get_close_matches(overlay.channel, names, 3, 0.4) or names[:3]
-        what = f"channel = {shown(overlay.channel)}"
+        what = f"channel = {brief(overlay.channel)}"
         raise SymbalanceError(what, "names no channel of this crank", f"one of {', '.join(near)}, ...")
     read_curve(overlay.path, cycle)
 
@@ -78,10 +78,10 @@ def read_curve(path: str | Path, cycle: int = 720) -> tuple[Array, Array]:
     return curve[:, 0], curve[:, 1]
 
 
-def _point(row: Row, cycle: int) -> tuple[float, float]:
+def _point(row: CsvRow, cycle: int) -> tuple[float, float]:
     row.check_width(2, "write crank angle, MPa")
     angle, value = row.number(0, "angle"), row.number(1, "value")
     if abs(angle) > cycle:
-        what, rule = f"angle = {shown(angle)}", f"must lie in [{-cycle}, {cycle}] degrees"
+        what, rule = f"angle = {brief(angle)}", f"must lie in [{-cycle}, {cycle}] degrees"
         raise SymbalanceError(what, rule, "count from theta = 0", row.place)
     return angle, value

@@ -49,7 +49,7 @@ class OrbitFilms:
 def table_film(engine: RunningEngine) -> Film | None:
     """Return the films of a file's table, None where there is none."""
     table = engine.bearings.table
-    cycle = engine.layout.strokes * np.pi
+    cycle = engine.engine.strokes * np.pi
     return None if table is None else read_film(table, len(engine.bearings.clearance), cycle)
 
 
@@ -57,7 +57,7 @@ def loaded_places(
     engine: RunningEngine, omega: float, loads: Callable[[Array], Array], steps: int
 ) -> Array:
     """Return the journals' places (s, b, 2) at even angles, on their periodic orbits under loads, N."""
-    cycle = engine.layout.strokes * np.pi
+    cycle = engine.engine.strokes * np.pi
     count = max(steps, FEWEST_ANGLES)
     theta = cycle * np.arange(count) / count
     return journal_orbit(plain_bearings(engine), loads(theta), omega, cycle).place
@@ -70,7 +70,7 @@ def orbits_about(
 
     Places outside `CLOSEST` of the clearance are moved in to it.
     """
-    cycle = engine.layout.strokes * np.pi
+    cycle = engine.engine.strokes * np.pi
     theta = cycle * np.arange(len(place)) / len(place)
     limit = CLOSEST * np.array(engine.bearings.clearance)[:, None]
     size = np.linalg.norm(place, axis=-1, keepdims=True)

@@ -183,7 +183,7 @@ def _step_error(
 
 def _no_outcome(configuration: RunConfiguration, rpm: float, reason: str) -> SpeedOutcome:
     """Return the outcome of a speed that has none."""
-    cycle = configuration.engine.layout.strokes * np.pi
+    cycle = configuration.engine.engine.strokes * np.pi
     bearings = np.full((configuration.steps, len(configuration.engine.bearings.clearance), 2), np.nan)
     return SpeedOutcome(
         rpm=rpm,

@@ -26,7 +26,7 @@ from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.digests import digest
 from symbalance.crankshaft.webs.arm import Arm, WebCompliance, arms
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.text.writing import write_file
 
 FORMAT = 2
@@ -141,10 +141,10 @@ def _check_webs(document: dict[str, Any], place: str) -> dict[str, dict[str, Any
         except (ValueError, KeyError, TypeError, AttributeError) as problem:
             raise SymbalanceError("the file", "must hold solved webs", REMEDY, place) from problem
         if not (sound and np.isfinite(body).all()):
-            what = f"flexibility of {shown(name)}"
+            what = f"flexibility of {brief(name)}"
             raise SymbalanceError(what, "must be symmetric and positive", REMEDY, place)
         if not described_so:
-            raise SymbalanceError(f"web {shown(name)}", "is not the web it describes", REMEDY, place)
+            raise SymbalanceError(f"web {brief(name)}", "is not the web it describes", REMEDY, place)
     return document["webs"]
 
 

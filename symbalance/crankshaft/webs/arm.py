@@ -99,7 +99,7 @@ class Arm:
 
     def in_rotor_axes(self, body: RigidBody) -> RigidBody:
         """Return a body given in own axes in U, V, W."""
-        return (body.mirrored() if self.mirrored else body).turned(self.angle)
+        return (body.mirrored() if self.mirrored else body).rotated(self.angle)
 
 
 def axis_of(part: Journal | Pin) -> tuple[float, float]:

@@ -11,7 +11,7 @@ import numpy as np
 from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.crank import Web, WebCounterweight
 from symbalance.crankshaft.rotor.parts import Material
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 
 STEPS = 600
 """Steps each way of the integrals over a sector: some 1e-4 of its mass."""
@@ -43,11 +43,11 @@ def sector_counterweight(
     (1.578, 33.95, 3.1416)
     """
     if not (0 < half_angle <= pi and outer > 0):
-        what = f"counterweight outer = {shown(outer)}, half_angle = {shown(half_angle)}"
+        what = f"counterweight outer = {brief(outer)}, half_angle = {brief(half_angle)}"
         raise SymbalanceError(what, "must be positive, the angle at most 180 degrees", "m and radians")
     plate = sector_plate(web.width, web.heel, web.tip, reach, outer, half_angle, pi)
     if plate.area == 0:
-        what = f"counterweight outer = {shown(outer)}"
+        what = f"counterweight outer = {brief(outer)}"
         raise SymbalanceError(what, "must reach beyond the web", "a greater radius or angle")
     weight = material.density * web.thickness
     inertia = weight * (plate.along + plate.across)

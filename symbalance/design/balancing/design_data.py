@@ -28,7 +28,7 @@ def design_data(design: Design) -> dict[str, Any]:
     units of A_n m r/n^2 (m r/n^2 where cylinders are unlike), `unbalance` in kg mm or null.
     """
     return {
-        "engine": design.layout.name,
+        "engine": design.engine.name,
         "remove": [str(n) for n in design.remove],
         "limits": _limits(design.limits),
         "complete": design.is_complete,

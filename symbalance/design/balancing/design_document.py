@@ -57,7 +57,7 @@ def design_document(design: Design) -> Document:
     """Return a design as a document: what is proposed, the certificate, what remains, how to read it."""
     ellipses = residual_ellipses(design)
     return Document(
-        f"{design.layout.name}: {achievement(design)}",
+        f"{design.engine.name}: {achievement(design)}",
         blocks(
             _proposal(design),
             _certificate(design),
@@ -65,8 +65,8 @@ def design_document(design: Design) -> Document:
             Heading(f"What remains, to order {design.remains.highest}"),
             resultant_blocks(design.remains),
             Details(
-                f"Before: {design.layout.name} unchanged, to order {design.remove[-1]}",
-                resultant_blocks(balance(design.layout, design.remove[-1])),
+                f"Before: {design.engine.name} unchanged, to order {design.remove[-1]}",
+                resultant_blocks(balance(design.engine, design.remove[-1])),
             ),
             conventions(design.before, _reading(design)),
         ),
@@ -75,13 +75,13 @@ def design_document(design: Design) -> Document:
 
 
 def _lead(design: Design) -> str:
-    parts = (requirements(design), engine_words(design.layout))
+    parts = (requirements(design), engine_words(design.engine))
     return " ".join(f"{part[0].upper()}{part[1:]}." for part in parts if part)
 
 
 def _size(design: Design) -> Formula:
     """Return the mass times radius of a share s."""
-    return (_S * _A_N * _M * _R if design.layout.has_common_harmonics else _S * _M * _R) / _N**2
+    return (_S * _A_N * _M * _R if design.engine.has_common_harmonics else _S * _M * _R) / _N**2
 
 
 def _proposal(design: Design) -> tuple[Block, ...]:
@@ -125,7 +125,7 @@ def _reading(design: Design) -> list[tuple[Words, Words]]:
     if limits := _limits(design):
         entries.append(("limits", "; ".join(limits)))
     if design_weights(design):
-        if design.layout.has_common_harmonics:
+        if design.engine.has_common_harmonics:
             first = equal(Subscript(Name("A"), number(1)), 1)
             entries.append((_A_N, ("coefficient of one cylinder at speed ", _N, "; ", first)))
         entries += [

@@ -34,7 +34,7 @@ def design_weights(design: Design) -> list[PlacedWeight]:
 
 def throw_counterweights(design: Design) -> list[Counterweight]:
     """Return the counterweights of a design that stand on throws: their rotating mass, or more."""
-    old = len(design.layout.balancers.counterweights)
+    old = len(design.engine.balancers.counterweights)
     new = design.balanced.balancers.counterweights[old:]
     return [c for c in new if c.overbalance is not None]
 

@@ -7,9 +7,9 @@ from fractions import Fraction
 from typing import Any
 
 from symbalance.design.balancing.planes import SPREADS
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
-from symbalance.text.numbers import checked_whole, exact, listed
+from symbalance.text.numbers import as_list, checked_whole, exact
 
 MOST_SHAFTS = 1000
 """The largest number of shafts that may be given, far above what any engine has."""
@@ -59,7 +59,7 @@ def checked_limits(
     """Return limits from what a user gives, or refuse what cannot be one."""
     if spread not in SPREADS:
         rule = f"must be one of {', '.join(SPREADS)}"
-        raise SymbalanceError(f"spread = {shown(spread)}", rule, "ends takes the fewest weights")
+        raise SymbalanceError(f"spread = {brief(spread)}", rule, "ends takes the fewest weights")
     if per_throw and not counterweights:
         rule, remedy = "puts counterweights on every throw", "leave out one of the two"
         raise SymbalanceError("per_throw without counterweights", rule, remedy)
@@ -81,7 +81,7 @@ def checked_orders(remove: Any) -> tuple[int, ...]:
     >>> checked_orders([2, 1, 2])
     (1, 2)
     """
-    remedy, orders = "name orders like [1, 2]", listed(remove, "remove", "[1, 2]")
+    remedy, orders = "name orders like [1, 2]", as_list(remove, "remove", "[1, 2]")
     if not orders:
         raise SymbalanceError("remove = []", "names no order", remedy)
     return tuple(sorted({checked_whole(n, "remove", 1, HIGHEST_ORDER, remedy) for n in orders}))
@@ -91,13 +91,13 @@ def checked_weighting(vertical: object, lateral: object, length: object = 1) -> 
     """Return weights of the two directions and a length for couples, or refuse them."""
     up, side = exact(vertical, "vertical"), exact(lateral, "lateral")
     if min(up, side) < 0 or up + side == 0:
-        what, rule = f"vertical = {shown(vertical)}, lateral = {shown(lateral)}", "must be weights"
+        what, rule = f"vertical = {brief(vertical)}, lateral = {brief(lateral)}", "must be weights"
         raise SymbalanceError(what, f"{rule}, not negative, one of them above 0", "1 and 1 are even")
     return Weighting(up, side, _positive(length, "length"))
 
 
 def _places(stations: Any) -> list[object]:
-    places = listed(stations, "stations", "[2, -2]")
+    places = as_list(stations, "stations", "[2, -2]")
     if not places:
         raise SymbalanceError("stations = []", "leave no place for a weight", "give one or two")
     return places
@@ -106,5 +106,5 @@ def _places(stations: Any) -> list[object]:
 def _positive(value: object, name: str) -> Fraction:
     number = exact(value, name)
     if number <= 0:
-        raise SymbalanceError(f"{name} = {shown(value)}", "must be above 0", "give a size")
+        raise SymbalanceError(f"{name} = {brief(value)}", "must be above 0", "give a size")
     return number

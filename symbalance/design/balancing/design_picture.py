@@ -22,15 +22,15 @@ POINTS = 361
 def design_picture(design: Design, path: str) -> bytes:
     """Return a picture in the format that the file's name ends in: one row an order, force and couple.
 
-    Grey is the layout unchanged, blue what is left with the design built in; in m r omega^2 (couples
+    Grey is the engine unchanged, blue what is left with the design built in; in m r omega^2 (couples
     m r omega^2 a), seen from the front, so an engine with symbols in it has none.
     """
     ending = Path(path).suffix
     if ending not in ENDINGS:
         rule = f"must end in {', '.join(ENDINGS)}"
         raise SymbalanceError(f"--picture {path}", rule, "for instance --picture balance.png")
-    if design.layout.has_symbols:
-        raise SymbalanceError("a layout with symbols", "has no picture", "build the layout with numbers")
+    if design.engine.has_symbols:
+        raise SymbalanceError("an engine with symbols", "has no picture", "build the engine with numbers")
     figure = _figure(design)
     stream = io.BytesIO()
     about = {".pdf": {"CreationDate": None}, ".svg": {"Date": None}, ".png": {}}[ending]
@@ -47,7 +47,7 @@ def _figure(design: Design) -> Any:
     rows = len(design.remove)
     figure = Figure(figsize=(7, 3.2 * rows), layout="constrained")
     axes = figure.subplots(rows, 2, squeeze=False)
-    figure.suptitle(design.layout.name)
+    figure.suptitle(design.engine.name)
     for row, order in zip(axes, design.remove, strict=True):
         for axis, kind in zip(row, ("force", "couple"), strict=True):
             _draw(axis, design, order, kind)
@@ -77,7 +77,7 @@ def _draw(axis: Any, design: Design, order: int, kind: str) -> None:
 
 def _points(result: Balance, curve: Ellipse) -> tuple[list[float], list[float]]:
     """Return the points an order's vector goes through in a turn of it, lateral and vertical."""
-    unit = unit_of_share(result.layout, curve.order) if result.kinematics else 1
+    unit = unit_of_share(result.engine, curve.order) if result.kinematics else 1
     forward, backward = (complex(n.evaluated(20) * unit) for n in (curve.forward, curve.backward))
     turns = [complex(expjpi(Fraction(2 * i, POINTS - 1), 20)) for i in range(POINTS)]
     places = [forward * z + backward * z.conjugate() for z in turns]

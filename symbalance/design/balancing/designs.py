@@ -25,7 +25,7 @@ from symbalance.design.balancing.order_selection import parts_of
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotating_masses import unit_of_share
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Component
@@ -90,7 +90,7 @@ def certificate(before: Balance, after: Balance, orders: Sequence[int]) -> list[
 
 @dataclass(frozen=True, repr=False)
 class Design(Result):
-    """A proposal: `layout` as it was, `balanced` with the `devices` built in, and what follows.
+    """A proposal: `engine` as it was, `balanced` with the `devices` built in, and what follows.
 
     >>> from symbalance.engine.catalogue import load
     >>> four = design_balance(load("inline-4"), remove=[1, 2])
@@ -100,7 +100,7 @@ class Design(Result):
     (True, [4, 6, 8, 10, 12])
     """
 
-    layout: Engine
+    engine: Engine
     balanced: Engine
     remove: tuple[int, ...]
     devices: tuple[Device, ...]
@@ -114,7 +114,7 @@ class Design(Result):
         """Return what the design achieves and what it takes, in one line."""
         from symbalance.design.balancing.design_facts import sentence
 
-        return f"Design for {self.layout.name}: {sentence(self)}"
+        return f"Design for {self.engine.name}: {sentence(self)}"
 
     def document(self) -> Document:
         """Return the weights proposed, their certificate and what remains, then how to read them."""
@@ -165,7 +165,7 @@ class Design(Result):
 
 
 def design_balance(
-    layout: Engine,
+    engine: Engine,
     remove: Sequence[int] = (1, 2),
     *,
     shafts: int | None = None,
@@ -189,7 +189,7 @@ def design_balance(
     cannot be balanced is made least: mean squares, `vertical` and `lateral` weighted, couples over
     `length` (pitches). `most` bounds each weight, in kg mm; `ratio` overrides lambda.
     """
-    layout, orders = _checked(layout, ratio), checked_orders(remove)
+    engine, orders = _checked(engine, ratio), checked_orders(remove)
     limits = checked_limits(
         shafts=shafts,
         counter_rotation=counter_rotation,
@@ -203,16 +203,16 @@ def design_balance(
         per_throw=per_throw,
     )
     highest = max(LISTED_ORDERS, orders[-1])
-    before = balance(layout, highest)
+    before = balance(engine, highest)
     devices = tuple(devices_for(before, orders, limits))
-    balanced = layout.balanced_by(
-        *rotating_counterweights(layout, devices), *(p for d in devices for p in d.parts)
+    balanced = engine.balanced_by(
+        *rotating_counterweights(engine, devices), *(p for d in devices for p in d.parts)
     )
-    return Design(layout, balanced, orders, devices, limits, before, balance(balanced, highest))
+    return Design(engine, balanced, orders, devices, limits, before, balance(balanced, highest))
 
 
-def _checked(layout: object, ratio: object) -> Engine:
-    if not isinstance(layout, Engine):
+def _checked(engine: object, ratio: object) -> Engine:
+    if not isinstance(engine, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
-    return layout if ratio is None else layout.with_ratio(ratio)
+        raise SymbalanceError(f"engine = {brief(engine)}", "must be an Engine", remedy)
+    return engine if ratio is None else engine.with_ratio(ratio)

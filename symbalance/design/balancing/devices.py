@@ -80,15 +80,15 @@ def _residuals(before: Balance, limits: Limits) -> Residuals | None:
     def residuals(parts: dict[int, Pair], served: Sequence[int]) -> dict[int, Pair]:
         vectors = _weights_by_speed(before, parts, served, limits)
         return {
-            s: _sum(parts.get(s, (ZERO, ZERO)), _resultant(before.layout, w)) for s, w in vectors.items()
+            s: _sum(parts.get(s, (ZERO, ZERO)), _resultant(before.engine, w)) for s, w in vectors.items()
         }
 
     return residuals
 
 
-def _resultant(layout: Engine, weights: Sequence[PlacedVector]) -> Pair:
+def _resultant(engine: Engine, weights: Sequence[PlacedVector]) -> Pair:
     """Return the force and the couple about the mean of the stations that weights have."""
-    plane = layout.mean_station
+    plane = engine.mean_station
     return total(w for _, w in weights), total(w.scaled(z - plane) for z, w in weights)
 
 
@@ -100,65 +100,65 @@ def _weights_by_speed(
     before: Balance, parts: dict[int, Pair], served: Sequence[int], limits: Limits
 ) -> dict[int, list[PlacedVector]]:
     """Return, by speed, the weights that serve one order: stations and vectors in its unit."""
-    layout, tilt = before.layout, limits.weighting.tilt
+    engine, tilt = before.engine, limits.weighting.tilt
     targets = {s: targets_of(parts, s, -s in served, tilt) for s in served}
-    weights = {s: _weights(layout, s, target, limits) for s, target in targets.items()}
+    weights = {s: _weights(engine, s, target, limits) for s, target in targets.items()}
     if limits.most is None or not tilt or len(served) < 2:
         return weights
-    if all(_is_exact(layout, weights[s], targets[s]) for s in served):
+    if all(_is_exact(engine, weights[s], targets[s]) for s in served):
         return weights
-    plane = layout.mean_station
-    arms = sorted({z for target in targets.values() for z in _arms(layout, target, limits.stations)})
-    bound = _bound(layout, served[0], limits.most)
+    plane = engine.mean_station
+    arms = sorted({z for target in targets.values() for z in _arms(engine, target, limits.stations)})
+    bound = _bound(engine, served[0], limits.most)
     both = joint_vectors([targets[s] for s in served], arms[::-1], bound, limits.weighting.length, tilt)
     return {s: [(z + plane, w) for z, w in side] for s, side in zip(served, both, strict=True)}
 
 
-def _is_exact(layout: Engine, weights: Sequence[PlacedVector], target: Pair) -> bool:
-    resultant = _resultant(layout, weights)
+def _is_exact(engine: Engine, weights: Sequence[PlacedVector], target: Pair) -> bool:
+    resultant = _resultant(engine, weights)
     return all((t - r).is_zero() for t, r in zip(target, resultant, strict=True))
 
 
 def _device(before: Balance, speed: int, weights: Sequence[PlacedVector], limits: Limits) -> Device:
     on_crank = speed == 1 and limits.counterweights
     if on_crank and limits.per_throw:
-        return _on_throws(before.layout)
-    shares = [(station, _share(before.layout, speed, vector)) for station, vector in weights]
+        return _on_throws(before.engine)
+    shares = [(station, _share(before.engine, speed, vector)) for station, vector in weights]
     if not shares:  # from the stations there are, nothing is better than something
         parts: Any = ()
     elif on_crank:
         parts = tuple(Counterweight(0, station, share=vector) for station, vector in shares)
     else:
         parts = (BalanceShaft(speed, [Weight(station, share=vector) for station, vector in shares]),)
-    return Device(speed, on_crank, *_resultant(before.layout, weights), tuple(shares), parts)
+    return Device(speed, on_crank, *_resultant(before.engine, weights), tuple(shares), parts)
 
 
-def _on_throws(layout: Engine) -> Device:
+def _on_throws(engine: Engine) -> Device:
     """Return counterweights for half of the reciprocating mass on every throw."""
-    half = tuple(Counterweight(throw=c.number, overbalance="1/2") for c in layout.cylinders)
-    rows = zip(layout.cylinders, layout.sizes, strict=True)
+    half = tuple(Counterweight(throw=c.number, overbalance="1/2") for c in engine.cylinders)
+    rows = zip(engine.cylinders, engine.sizes, strict=True)
     pulls = [(c.station, directed(Phasor.of(1, {0: -size / 2}), c.throw)) for c, size in rows]
-    return Device(1, True, *_resultant(layout, pulls), (), half)
+    return Device(1, True, *_resultant(engine, pulls), (), half)
 
 
-def _weights(layout: Engine, speed: int, targets: Pair, limits: Limits) -> list[PlacedVector]:
+def _weights(engine: Engine, speed: int, targets: Pair, limits: Limits) -> list[PlacedVector]:
     """Return stations and vectors, in the unit of the order, with a force and couple."""
-    plane, length = layout.mean_station, limits.weighting.length
-    arms = _arms(layout, targets, limits.stations)
+    plane, length = engine.mean_station, limits.weighting.length
+    arms = _arms(engine, targets, limits.stations)
     vectors = in_planes(*targets, arms, spread=limits.spread, length=length)
     if limits.most is not None:
-        bound = _bound(layout, speed, limits.most)
+        bound = _bound(engine, speed, limits.most)
         if any(vector.size() > bound for _, vector in vectors):
             vectors = bounded_vectors(*targets, sorted(set(arms), reverse=True), bound, length)
     return [(arm + plane, vector) for arm, vector in vectors if not vector.is_zero()]
 
 
-def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
+def _arms(engine: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
     """Return the arms weights may have: the ends of the engine, and the one place that does alone."""
     if stations is not None:
-        plane = layout.mean_station
+        plane = engine.mean_station
         return [station - plane for station in stations]
-    places = layout.arms()
+    places = engine.lever_arms()
     half = Fraction(1, 2)
     front, rear = max(places), min(places)
     single_arm = station_of(*targets)
@@ -168,34 +168,34 @@ def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) 
     return [*ends, single_arm]
 
 
-def _share(layout: Engine, speed: int, vector: Amplitude) -> Amplitude:
+def _share(engine: Engine, speed: int, vector: Amplitude) -> Amplitude:
     """Return a vector in its order's unit as a share: itself, but where orders are not geometric."""
-    if has_unit_share(layout, speed):
+    if has_unit_share(engine, speed):
         return vector
-    return DecimalPhasor(vector.evaluated() / unit_of_share(layout, speed))
+    return DecimalPhasor(vector.evaluated() / unit_of_share(engine, speed))
 
 
-def _bound(layout: Engine, speed: int, most: Fraction) -> Fraction:
+def _bound(engine: Engine, speed: int, most: Fraction) -> Fraction:
     """Return the largest vector a weight of so many kg mm may have, rounded to 12 digits."""
-    unit = layout.unit_unbalance
+    unit = engine.unit_unbalance
     if unit is None:
         rule, remedy = "is in kg mm", "give stroke and reciprocating_mass in [crank_train]"
         raise SymbalanceError(f"most = {most}", rule, remedy)
-    if abs(speed) == 1 or not layout.counts_in_orders:
+    if abs(speed) == 1 or not engine.counts_in_orders:
         return most * speed * speed / unit
-    per_share = unit_of_share(layout, speed)
+    per_share = unit_of_share(engine, speed)
     share = most * speed * speed / unit
     return Fraction(floor(abs(share * 10**12 / per_share)), 10**12)
 
 
-def rotating_counterweights(layout: Engine, devices: Sequence[Device]) -> list[Counterweight]:
+def rotating_counterweights(engine: Engine, devices: Sequence[Device]) -> list[Counterweight]:
     """Return what balances rotating masses throw by throw: they count once there are counterweights."""
-    has_new_counterweights = any(d.on_crank for d in devices) and not layout.balancers.counterweights
+    has_new_counterweights = any(d.on_crank for d in devices) and not engine.balancers.counterweights
     if not has_new_counterweights or any(
         p.overbalance is not None for d in devices for p in _on_crank(d)
     ):
         return []
-    pairs = zip(layout.cylinders, layout.rotating_sizes, strict=True)
+    pairs = zip(engine.cylinders, engine.rotating_sizes, strict=True)
     return [Counterweight(throw=c.number, overbalance=0) for c, share in pairs if share]
 
 

@@ -9,7 +9,7 @@ import sympy
 
 from symbalance.design.balancing.ellipses import Ellipse
 from symbalance.design.balancing.weight_cells import size_cell
-from symbalance.document.decimals import shown
+from symbalance.document.decimals import short_decimal
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal, Name, Subscript, number
 from symbalance.document.nodes import Cell, Column, Document, Exact, Table, Words
@@ -56,7 +56,7 @@ def _units(ellipse: Ellipse) -> list[tuple[Words, Words]]:
     if ellipse.balance.kinematics is None:
         return []
     coefficient = Subscript(Name("A"), number(ellipse.order))
-    here = () if value is None else (", here ", Decimal(shown(value)))
+    here = () if value is None else (", here ", Decimal(short_decimal(value)))
     return [
         (unit(ellipse.balance, "force"), "force of order n of one cylinder"),
         (coefficient, ("coefficient of one cylinder", *here)),

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import sympy
 
 from symbalance.document.result import Result
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.decimal_phasor import LEAST
 from symbalance.exact.phasor import ZERO
@@ -57,7 +57,7 @@ class Ellipse(Result):
 
     def summary(self) -> str:
         """Return which order this is of, and what it draws, in one line."""
-        return f"Free {self.of} of order {self.order} of {self.balance.layout.name}: {self.description}"
+        return f"Free {self.of} of order {self.order} of {self.balance.engine.name}: {self.description}"
 
     def document(self) -> Document:
         """Return the semi-axes and the two rotating parts, then how to read them."""
@@ -76,7 +76,7 @@ class Ellipse(Result):
             numbers = (*self.decimal_axes, self.decimal_direction)
             decimals = [decimal_text(x, VALUE_DIGITS) for x in numbers]
         return {
-            "engine": self.balance.layout.name,
+            "engine": self.balance.engine.name,
             "reference_plane": plane_key(self.balance.reference),
             "unit": unit(self.balance, self.of),
             "order": str(self.order),
@@ -207,7 +207,7 @@ def ellipse(result: Balance, order: int = 1, kind: str = "force") -> Ellipse:
     """
     checked_balance(result)
     if kind not in ("force", "couple"):
-        raise SymbalanceError(f"kind = {shown(kind)}", "must be force or couple", "ask for one of them")
+        raise SymbalanceError(f"kind = {brief(kind)}", "must be force or couple", "ask for one of them")
     rule = f"of a balance to order {result.highest}"
     checked_whole(order, "order", 1, result.highest, f"{rule}; ask balance for more")
     terms = (result.force if kind == "force" else result.couple).terms

@@ -109,7 +109,7 @@ def order_residual(
     total = Real(0)
     if residuals is not None and served:
         pairs, served = pairs | residuals(pairs, served), []
-    unit = unit_of_share(result.layout, n) if result.kinematics else Real(1)
+    unit = unit_of_share(result.engine, n) if result.kinematics else Real(1)
     for which, over in ((0, Fraction(1)), (1, weighting.length)):
         forward, backward = (pairs[s][which].evaluated() if s in pairs else Complex(0) for s in (n, -n))
         total += _mean_square(forward, backward, n in served, -n in served, weighting) / over**2

@@ -26,7 +26,7 @@ import sympy
 
 from symbalance.engine.balance_masses import Counterweight, directed
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.arithmetic import quotient, total
 from symbalance.exact.phasor import ZERO, Phasor
@@ -38,19 +38,19 @@ from symbalance.text.reals import Real, sqrt
 OBJECTIVES = ("squares", "largest")
 
 
-def overbalanced(layout: Engine, share: object = Fraction(1, 2)) -> Engine:
-    """Return the layout with a counterweight on every throw: all its rotating mass, `share` of the other.
+def overbalanced(engine: Engine, share: object = Fraction(1, 2)) -> Engine:
+    """Return the engine with a counterweight on every throw: all its rotating mass, `share` of the other.
 
     >>> from symbalance.engine.catalogue import load
     >>> balance(overbalanced(load("v2-90")), 1).orders  # a 90 degree vee: complete
     ()
     """
     part = exact(share, "overbalance")
-    if not isinstance(layout, Engine):
+    if not isinstance(engine, Engine):
         remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
-    return layout.balanced_by(
-        *(Counterweight(throw=c.number, overbalance=part) for c in layout.cylinders)
+        raise SymbalanceError(f"engine = {brief(engine)}", "must be an Engine", remedy)
+    return engine.balanced_by(
+        *(Counterweight(throw=c.number, overbalance=part) for c in engine.cylinders)
     )
 
 
@@ -63,8 +63,8 @@ class FirstOrderParts:
     backward: Amplitude
 
 
-def first_order(layout: Engine, kind: str = "force") -> FirstOrderParts:
-    """Return f, g and b of a layout without counterweights.
+def first_order(engine: Engine, kind: str = "force") -> FirstOrderParts:
+    """Return f, g and b of an engine without counterweights.
 
     >>> from symbalance.engine.builders import inline
     >>> parts = first_order(inline("1"))
@@ -72,17 +72,17 @@ def first_order(layout: Engine, kind: str = "force") -> FirstOrderParts:
     [Fraction(1, 2), Fraction(1, 1), Fraction(1, 2)]
     """
     if kind not in ("force", "couple"):
-        raise SymbalanceError(f"kind = {shown(kind)}", "must be force or couple", "ask for one of them")
-    result = balance(layout, 1)
+        raise SymbalanceError(f"kind = {brief(kind)}", "must be force or couple", "ask for one of them")
+    result = balance(engine, 1)
     terms = (result.force if kind == "force" else result.couple).terms
-    weights = [Fraction(1)] * len(layout.cylinders) if kind == "force" else layout.arms()
-    rows = zip(layout.cylinders, weights, layout.sizes, strict=True)
+    weights = [Fraction(1)] * len(engine.cylinders) if kind == "force" else engine.lever_arms()
+    rows = zip(engine.cylinders, weights, engine.sizes, strict=True)
     pins = [directed(Phasor.of(1, {0: weight * size}), c.throw) for c, weight, size in rows]
     return FirstOrderParts(terms.get(1, ZERO), total(pins), terms.get(-1, ZERO))
 
 
 def best_overbalance(
-    layout: Engine,
+    engine: Engine,
     *,
     vertical: object = 1,
     lateral: object = 1,
@@ -103,12 +103,12 @@ def best_overbalance(
     """
     if objective not in OBJECTIVES:
         raise SymbalanceError(
-            f"objective = {shown(objective)}",
+            f"objective = {brief(objective)}",
             f"must be one of {', '.join(OBJECTIVES)}",
             "squares is usual",
         )
     tilt = _tilt(vertical, lateral)
-    parts = first_order(layout, kind)
+    parts = first_order(engine, kind)
     square = parts.per_share.norm()
     if square.is_zero():
         rule = f"leaves the {kind} unchanged: counterweights on its throws cancel"
@@ -123,7 +123,7 @@ def best_overbalance(
 def _tilt(vertical: object, lateral: object) -> Fraction:
     up, side = exact(vertical, "vertical"), exact(lateral, "lateral")
     if min(up, side) < 0 or up + side == 0:
-        what = f"vertical = {shown(vertical)}, lateral = {shown(lateral)}"
+        what = f"vertical = {brief(vertical)}, lateral = {brief(lateral)}"
         raise SymbalanceError(
             what, "must be weights, not negative, one of them above 0", "1 and 1 are even"
         )
@@ -141,7 +141,7 @@ def best_forward(backward: Amplitude, vertical: object = 1, lateral: object = 1)
     Fraction(-1, 1)
     """
     if not isinstance(backward, Amplitude):
-        what, rule = f"backward = {shown(backward)}", "must be a part of an order, a Phasor"
+        what, rule = f"backward = {brief(backward)}", "must be a part of an order, a Phasor"
         raise SymbalanceError(what, rule, "give first_order(layout).backward")
     return backward.conjugate().scaled(-_tilt(vertical, lateral))
 

@@ -19,13 +19,13 @@ from symbalance.design.balancing.planes import in_planes
 from symbalance.document.result import Result
 from symbalance.engine.balance_masses import Counterweight, Weight
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.arithmetic import total
 from symbalance.exact.spectrum import Component
 from symbalance.forces.balance_data import component_values
-from symbalance.text.numbers import exact, listed
+from symbalance.text.numbers import as_list, exact
 from symbalance.text.reals import atan2, pi
 
 if TYPE_CHECKING:
@@ -179,7 +179,9 @@ def throw_unbalance(parts: Iterable[tuple[object, object]]) -> Fraction:
     >>> throw_unbalance([("0.35", 40), ("0.42", 40), ("0.9", 12)])  # pin, rod end, two cheeks
     Fraction(208, 5)
     """
-    rows = [tuple(listed(part, "part", "(0.35, 40)")) for part in listed(parts, "parts", "[(0.35, 40)]")]
+    rows = [
+        tuple(as_list(part, "part", "(0.35, 40)")) for part in as_list(parts, "parts", "[(0.35, 40)]")
+    ]
     if any(len(row) != 2 for row in rows):
         raise SymbalanceError("parts", "hold a mass and a radius each", "write them like [(0.35, 40)]")
     return sum((_mass(m) * exact(r, "radius") for m, r in rows), Fraction(0))
@@ -188,11 +190,11 @@ def throw_unbalance(parts: Iterable[tuple[object, object]]) -> Fraction:
 def _mass(value: object) -> Fraction:
     mass = exact(value, "mass")
     if mass < 0:
-        raise SymbalanceError(f"mass = {shown(value)}", "must not be negative", "give a negative radius")
+        raise SymbalanceError(f"mass = {brief(value)}", "must not be negative", "give a negative radius")
     return mass
 
 
-def rotating_weights(layout: Engine) -> list[Weight]:
+def rotating_weights(engine: Engine) -> list[Weight]:
     """Return the rotating masses of an engine, in kg mm if its sizes are known, else in shares.
 
     >>> from symbalance.engine.builders import inline
@@ -201,9 +203,9 @@ def rotating_weights(layout: Engine) -> list[Weight]:
     >>> [w.vector.rational() for w in rotating_weights(inline("1-2", crank_train=train))]
     [Fraction(3, 2), Fraction(3, 2)]
     """
-    unit = layout.unit_unbalance
+    unit = engine.unit_unbalance
     weights = []
-    for cylinder, share in zip(layout.cylinders, layout.rotating_sizes, strict=True):
+    for cylinder, share in zip(engine.cylinders, engine.rotating_sizes, strict=True):
         size = {"share": share} if unit is None else {"unbalance": share * unit}
         weights += [Weight(cylinder.station, cylinder.throw, **size)] if share else []
     return weights
@@ -235,7 +237,7 @@ def balanced_weights(
     """
     rows = _checked_weights(weights)
     in_kg_mm = any(w.in_kg_mm for w in rows)
-    places = [exact(s, "stations") for s in listed(stations, "stations", "[2, -2]")]
+    places = [exact(s, "stations") for s in as_list(stations, "stations", "[2, -2]")]
     force, couple = rotating_unbalance(rows)
     if len(set(places)) == 1:  # static: the couple about the one plane is not to be had
         force, couple = -force, -force.scaled(places[0])
@@ -255,7 +257,7 @@ def _counterweight(vector: Amplitude, station: Fraction, in_kg_mm: bool) -> Coun
 
 
 def _checked_weights(weights: Iterable[Weight]) -> list[Weight]:
-    rows = listed(weights, "weights", "[Weight(1, 0, unbalance=5)]")
+    rows = as_list(weights, "weights", "[Weight(1, 0, unbalance=5)]")
     if not all(isinstance(w, Weight) for w in rows):
         raise SymbalanceError("weights", "must be Weight values", "make each with Weight(...)")
     if len({w.in_kg_mm for w in rows}) > 1:

@@ -39,10 +39,10 @@ GUARD = 12
 Pair = tuple[Complex, Complex]
 
 
-def attached_cylinders(layout: Engine) -> dict[int, list[Cylinder]]:
+def attached_cylinders(engine: Engine) -> dict[int, list[Cylinder]]:
     """Return the cylinders attached to each master, by its number."""
     coefficients: dict[int, list[Cylinder]] = {}
-    for cylinder in layout.cylinders:
+    for cylinder in engine.cylinders:
         if cylinder.link:
             coefficients.setdefault(cylinder.link.master, []).append(cylinder)
     return coefficients
@@ -138,33 +138,33 @@ def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> lis
 
 
 def articulated_sensitivities(
-    layout: Engine, own: dict[int, list[Contribution]], order: int, names: Sequence[str]
+    engine: Engine, own: dict[int, list[Contribution]], order: int, names: Sequence[str]
 ) -> Iterator[Sensitivity]:
     """Yield the derivatives of masters and link rods by the sizes of `MOVING` among `names`.
 
     `own` holds every cylinder's contributions, order by order. A link rod has no throw and no stroke of
     its own.
     """
-    attached = attached_cylinders(layout)
-    for cylinder in layout.cylinders:
+    attached = attached_cylinders(engine)
+    for cylinder in engine.cylinders:
         if cylinder.link is None and cylinder.number not in attached:
             continue
         cylinders = [cylinder, *attached.get(cylinder.number, [])]
         for name in names:
             if name in MOVING and not (cylinder.link and name in ("throw", "stroke")):
-                yield from _of_size(layout, own, order, name, cylinders)
+                yield from _of_size(engine, own, order, name, cylinders)
 
 
 def _of_size(
-    layout: Engine,
+    engine: Engine,
     own: dict[int, list[Contribution]],
     order: int,
     name: str,
     cylinders: Sequence[Cylinder],
 ) -> Iterator[Sensitivity]:
     """Yield one derivative's orders: the sums over the cylinders that the first one's size moves."""
-    first, per = cylinders[0], [_lengths(layout, c, name) for c in cylinders]
-    places = [layout.cylinders.index(c) for c in cylinders]
+    first, per = cylinders[0], [_lengths(engine, c, name) for c in cylinders]
+    places = [engine.cylinders.index(c) for c in cylinders]
     changes = [_coefficients(c.known_mechanism, name, c is first, order) for c in cylinders]
     for n in range(1, order + 1):
         total, arms, size = [Complex(0)] * 2, [Complex(0)] * 2, Real(0)
@@ -181,9 +181,9 @@ def _of_size(
             yield Sensitivity(name, first.number, n, force, Real(1), Fraction(0), couple)
 
 
-def _lengths(layout: Engine, cylinder: Cylinder, name: str) -> Fraction:
+def _lengths(engine: Engine, cylinder: Cylinder, name: str) -> Fraction:
     """Return what turns dy over its own radius into its share's unit, for one unit of the size."""
-    own, radius = cylinder.radius, layout.first.radius
+    own, radius = cylinder.radius, engine.first.radius
     if name in ("throw", "bank") or not own or not radius:
         return Fraction(1)
     return radius / own

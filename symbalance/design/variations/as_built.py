@@ -42,7 +42,7 @@ def _point(number: complex) -> list[AnnularSector]:
     return [AnnularSector(abs(number), abs(number), cmath.phase(number))] if number else []
 
 
-def as_built_parts(layout: Engine, order: int, reference: object = None) -> dict[int, dict[str, AsBuilt]]:
+def as_built_parts(engine: Engine, order: int, reference: object = None) -> dict[int, dict[str, AsBuilt]]:
     """Return n -> what turns adds to the "force" and to the "couple", for the orders it has.
 
     >>> from symbalance.engine.balance_masses import Counterweight
@@ -51,13 +51,13 @@ def as_built_parts(layout: Engine, order: int, reference: object = None) -> dict
     >>> as_built_parts(single, 4)[1]["force"].forward
     (-0.5+0j)
     """
-    force, couple = turning_vectors(layout, order, layout.plane(reference))
+    force, couple = turning_vectors(engine, order, engine.plane(reference))
     orders = sorted({*force.orders(), *couple.orders()})
-    return {n: {"force": _part(layout, force, n), "couple": _part(layout, couple, n)} for n in orders}
+    return {n: {"force": _part(engine, force, n), "couple": _part(engine, couple, n)} for n in orders}
 
 
-def _part(layout: Engine, spectrum: Spectrum, n: int) -> AsBuilt:
-    factor = float(unit_of_share(layout, n)) if layout.counts_in_orders else 1.0
+def _part(engine: Engine, spectrum: Spectrum, n: int) -> AsBuilt:
+    factor = float(unit_of_share(engine, n)) if engine.counts_in_orders else 1.0
     forward, backward = (complex(spectrum.terms.get(s, ZERO).evaluated()) for s in (n, -n))
     return AsBuilt(forward * factor, backward * factor)
 

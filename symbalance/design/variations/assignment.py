@@ -41,7 +41,7 @@ from symbalance.design.variations.shaking import (
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
-from symbalance.text.numbers import checked_whole, listed
+from symbalance.text.numbers import as_list, checked_whole
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -130,7 +130,7 @@ def _shaking(one: Shaking) -> dict[str, Any]:
 
 
 def assign_parts(
-    layout: Engine,
+    engine: Engine,
     parts: object,
     *,
     orders: object = (1,),
@@ -150,23 +150,23 @@ def assign_parts(
     >>> {number: names["piston"] for number, names in best.places.items()}, best.proved
     ({1: 'piston 4', 2: 'piston 2', 3: 'piston 1', 4: 'piston 3'}, True)
     """
-    checked_numeric_engine(layout)
-    count = len(layout.cylinders)
+    checked_numeric_engine(engine)
+    count = len(engine.cylinders)
     if count > MOST_CYLINDERS:
         rule = f"must be at most {MOST_CYLINDERS}"
         raise SymbalanceError(f"{count} cylinders", rule, "assign the parts of one engine")
     sets = checked_sets(parts, count)
     numbers = _checked_orders(orders)
-    rows = contributions(layout, max(numbers))
+    rows = contributions(engine, max(numbers))
     speed = None if rpm is None else checked_rpm(rpm)
-    units = units_of(layout, speed, lever, rows[1])
+    units = units_of(engine, speed, lever, rows[1])
     there = [n for n in numbers if n in rows]
-    vectors = generators(layout, [rows[n] for n in there], units)
-    as_built = as_built_vector(layout, there, units) if whole else None
+    vectors = generators(engine, [rows[n] for n in there], units)
+    as_built = as_built_vector(engine, there, units) if whole else None
     problem = AssignmentProblem.of(sets, vectors, whole, as_built)
-    places, best, first, search = _compare(layout, sets, problem)
+    places, best, first, search = _compare(engine, sets, problem)
     return Assignment(
-        layout,
+        engine,
         tuple(numbers),
         speed,
         places,
@@ -184,14 +184,14 @@ def assign_parts(
 
 
 def _checked_orders(orders: object) -> list[int]:
-    numbers = listed(orders, "orders", "[1, 2]")
+    numbers = as_list(orders, "orders", "[1, 2]")
     if not numbers:
         raise SymbalanceError("orders = []", "is empty", "order 1 is usual")
     return sorted({checked_whole(n, "order", 1, 1000, "1 and 2 are usual") for n in numbers})
 
 
 def _compare(
-    layout: Engine, sets: Sequence[PartSet], problem: AssignmentProblem
+    engine: Engine, sets: Sequence[PartSet], problem: AssignmentProblem
 ) -> tuple[dict[int, dict[str, str]], Vector, Vector, Arrangement]:
     """Return the best places, what they leave, what the listed order leaves, and the search's bound.
 
@@ -207,6 +207,6 @@ def _compare(
     sets_in_order = list(zip(sets, orders, strict=True))
     places = {
         c.number: {one.kind: one.parts[order[j]].name for one, order in sets_in_order}
-        for j, c in sorted(enumerate(layout.cylinders), key=lambda pair: pair[1].number)
+        for j, c in sorted(enumerate(engine.cylinders), key=lambda pair: pair[1].number)
     }
     return places, best, first, search

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from symbalance.design.variations.assignment import Assignment
 from symbalance.design.variations.legend import Entry, as_decimal, letters_entry, unit_formulas
-from symbalance.document.decimals import rounded
+from symbalance.document.decimals import decimal
 from symbalance.document.formula import Upright, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words
 
@@ -24,12 +24,12 @@ def assignment_document(result: Assignment) -> Document:
 def _criterion(result: Assignment) -> Block:
     force, _ = _units(result)
     rows: list[tuple[Cell, ...]] = [
-        ("these places", rounded(result.criterion)),
-        ("as listed", rounded(result.as_listed)),
-        ("at random", rounded(result.at_random)),
+        ("these places", decimal(result.criterion)),
+        ("as listed", decimal(result.as_listed)),
+        ("at random", decimal(result.at_random)),
     ]
     if not result.proved:
-        rows.append(("any arrangement, at least", rounded(result.bound)))
+        rows.append(("any arrangement, at least", decimal(result.bound)))
     return Table(("What they leave, root mean square in ", force), _CRITERION, tuple(rows))
 
 
@@ -40,7 +40,7 @@ def _residual_table(result: Assignment) -> Block:
     force, couple = _units(result)
     pairs = zip(result.residual, result.residual_as_listed, strict=True)
     rows = tuple(
-        (number(best.order), *map(rounded, (best.force, best.couple, first.force, first.couple)))
+        (number(best.order), *map(decimal, (best.force, best.couple, first.force, first.couple)))
         for best, first in pairs
     )
     title = ("What they leave, largest over a turn, force in ", force, ", couple in ", couple)
@@ -57,7 +57,7 @@ def _units(result: Assignment) -> tuple[Upright, Upright]:
 def _legend(result: Assignment) -> Block:
     criterion: Words = (
         "root mean square over a turn of the force, and of the couple as a force at a lever of ",
-        rounded(result.lever),
+        decimal(result.lever),
         " pitches",
     )
     counting = "their whole masses" if result.whole else "what they differ from the mean of their set by"

@@ -16,7 +16,7 @@ from fractions import Fraction
 
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 from symbalance.kinematics.slider_crank import checked_order
@@ -37,15 +37,15 @@ class Contribution:
     """f_n to 40 digits."""
 
 
-def checked_numeric_engine(layout: object) -> Engine:
-    """Return a layout whose angles and rod ratios are numbers, or refuse."""
-    if not isinstance(layout, Engine):
+def checked_numeric_engine(engine: object) -> Engine:
+    """Return an engine whose angles and rod ratios are numbers, or refuse."""
+    if not isinstance(engine, Engine):
         remedy = 'load one: load("v12-60")'
-        raise SymbalanceError(f"layout = {shown(layout)}", "must be an Engine", remedy)
-    if layout.has_symbols:
+        raise SymbalanceError(f"engine = {brief(engine)}", "must be an Engine", remedy)
+    if engine.has_symbols:
         rule, remedy = "has symbols for angles", "give numbers, or use symbolic_order"
-        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
-    return layout
+        raise SymbalanceError(f"engine {engine.name!r}", rule, remedy)
+    return engine
 
 
 def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Complex], n: int) -> tuple[Complex, Complex]:
@@ -62,7 +62,7 @@ def rotating_pair(cylinder: Cylinder, pins: Mapping[int, Complex], n: int) -> tu
     return pair[0], pair[1]
 
 
-def contributions(layout: Engine, order: int, reference: object = None) -> dict[int, list[Contribution]]:
+def contributions(engine: Engine, order: int, reference: object = None) -> dict[int, list[Contribution]]:
     """Return n -> every cylinder's contribution, for all orders to `order` that some cylinder has.
 
     >>> from symbalance.engine.catalogue import load
@@ -70,10 +70,10 @@ def contributions(layout: Engine, order: int, reference: object = None) -> dict[
     {1: ['0', '1/2', '1/2', '0'], 2: ['0', '1', '1', '0']}
     """
     checked_order(order)
-    checked_numeric_engine(layout)
-    forces = [piston_force(mechanism_to(layout, c, order), order) for c in layout.cylinders]
-    arms = layout.arms(layout.plane(reference))
-    rows = list(zip(layout.cylinders, arms, layout.sizes, forces, strict=True))
+    checked_numeric_engine(engine)
+    forces = [piston_force(mechanism_to(engine, c, order), order) for c in engine.cylinders]
+    arms = engine.lever_arms(engine.plane(reference))
+    rows = list(zip(engine.cylinders, arms, engine.sizes, forces, strict=True))
     return {
         n: [
             Contribution(c.number, n, c.bank.turns, n * c.delay.turns, arm, size, f.get(n, Complex(0)))
@@ -83,11 +83,11 @@ def contributions(layout: Engine, order: int, reference: object = None) -> dict[
     }
 
 
-def mechanism_to(layout: Engine, cylinder: Cylinder, order: int) -> Mechanism:
+def mechanism_to(engine: Engine, cylinder: Cylinder, order: int) -> Mechanism:
     """Return a cylinder's mechanism; of an unknown rod ratio, which order 1 needs not, one of ratio 4."""
     if cylinder.mechanism is None and order == 1:
         return SliderCrank(Fraction(4))
-    if cylinder.mechanism is None and layout.has_common_harmonics:
+    if cylinder.mechanism is None and engine.has_common_harmonics:
         remedy = "give stroke and rod in mm, or --ratio"
-        raise SymbalanceError(f"engine {layout.name!r}", "has no rod ratio", remedy)
+        raise SymbalanceError(f"engine {engine.name!r}", "has no rod ratio", remedy)
     return cylinder.known_mechanism

@@ -17,7 +17,7 @@ rotating   m of cylinder 1               c_1 = e^(i throw), c_-1 = 0, order 1 al
 =========  ============================  =============================================
 
 A turn of the crank pin (throw) keeps the axis, a turn of the axis (bank) keeps the pin. The geometry is
-exact, a `Phasor` of the layout's field; the kinematics stands beside it as one number of 40 digits. The
+exact, a `Phasor` of the engine's field; the kinematics stands beside it as one number of 40 digits. The
 reference plane of couples stays where it is.
 """
 
@@ -37,12 +37,12 @@ from symbalance.design.variations.length_derivatives import LengthDerivatives, l
 from symbalance.design.variations.sensitivity import Sensitivities, Sensitivity
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.kinematics.mechanisms import SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
-from symbalance.text.numbers import exact, listed
+from symbalance.text.numbers import as_list, exact
 from symbalance.text.reals import Complex, Real
 
 HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
@@ -51,7 +51,7 @@ LENGTHS = ("stroke", "rod", "offset")
 
 
 def sensitivities(
-    layout: Engine, order: int = 4, *, parameters: object = None, reference: object = None
+    engine: Engine, order: int = 4, *, parameters: object = None, reference: object = None
 ) -> Sensitivities:
     """Return all derivatives to an order, those of the worst steps (`STEPS`) first.
 
@@ -69,43 +69,43 @@ def sensitivities(
     """
     names = _checked_parameters(parameters)
     plane = None if reference is None else exact(reference, "reference")
-    by_order = contributions(layout, order, plane)
-    lengths = _length_derivatives(layout, order) if set(names) & set(LENGTHS) else {}
-    pins = [link_pin_force(c.mechanism, order) for c in layout.cylinders] if "rotating" in names else []
-    changes = [*articulated_sensitivities(layout, by_order, order, names)]
+    by_order = contributions(engine, order, plane)
+    lengths = _length_derivatives(engine, order) if set(names) & set(LENGTHS) else {}
+    pins = [link_pin_force(c.mechanism, order) for c in engine.cylinders] if "rotating" in names else []
+    changes = [*articulated_sensitivities(engine, by_order, order, names)]
     for n in range(1, order + 1):
         for name in names:
             if name == "rotating":
-                changes += _rotating(layout, n, by_order[1], pins)
+                changes += _rotating(engine, n, by_order[1], pins)
             else:
-                changes += _of_order(layout, n, name, by_order, lengths)
+                changes += _of_order(engine, n, name, by_order, lengths)
     changes.sort(key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder))
-    return Sensitivities(layout, order, names, plane, tuple(changes))
+    return Sensitivities(engine, order, names, plane, tuple(changes))
 
 
 def _checked_parameters(parameters: object) -> tuple[str, ...]:
     if parameters is None:
         return PARAMETERS[:-1]
-    names = tuple(listed(parameters, "parameters", '["mass", "throw"]'))
+    names = tuple(as_list(parameters, "parameters", '["mass", "throw"]'))
     unknown = [name for name in names if name not in PARAMETERS]
     if unknown or not names:
-        what = f"parameters = {shown(unknown[0]) if unknown else '[]'}"
+        what = f"parameters = {brief(unknown[0]) if unknown else '[]'}"
         raise SymbalanceError(what, "is no parameter", f"choose from {', '.join(PARAMETERS)}")
     return names
 
 
-def _length_derivatives(layout: Engine, order: int) -> dict[int, dict[int, LengthDerivatives]]:
+def _length_derivatives(engine: Engine, order: int) -> dict[int, dict[int, LengthDerivatives]]:
     """Return, by cylinder, the derivatives by lengths, but of masters and link rods."""
-    masters, by_cylinder = attached_cylinders(layout), {}
-    for cylinder in layout.cylinders:
-        mechanism = mechanism_to(layout, cylinder, order)
+    masters, by_cylinder = attached_cylinders(engine), {}
+    for cylinder in engine.cylinders:
+        mechanism = mechanism_to(engine, cylinder, order)
         if isinstance(mechanism, SliderCrank) and cylinder.number not in masters:
             by_cylinder[cylinder.number] = length_derivatives(mechanism, order)
     return by_cylinder
 
 
 def _of_order(
-    layout: Engine,
+    engine: Engine,
     n: int,
     name: str,
     by_order: Mapping[int, Sequence[Contribution]],
@@ -115,11 +115,11 @@ def _of_order(
     if n not in by_order and name not in LENGTHS:
         return
     # An order that no cylinder has may still have derivatives by lengths: an offset brings the odd ones.
-    rows, masters = by_order.get(n) or [_absent(s, n) for s in by_order[1]], attached_cylinders(layout)
-    for cylinder, contribution in zip(layout.cylinders, rows, strict=True):
+    rows, masters = by_order.get(n) or [_absent(s, n) for s in by_order[1]], attached_cylinders(engine)
+    for cylinder, contribution in zip(engine.cylinders, rows, strict=True):
         if name in MOVING and (cylinder.link or cylinder.number in masters):
             continue
-        one = _one(layout, cylinder, contribution, name, lengths)
+        one = _one(engine, cylinder, contribution, name, lengths)
         if one.factor:
             yield one
 
@@ -138,7 +138,7 @@ def _absent(contribution: Contribution, n: int) -> Contribution:
 
 
 def _rotating(
-    layout: Engine, n: int, first: Sequence[Contribution], pins: Sequence[Mapping[int, Complex]]
+    engine: Engine, n: int, first: Sequence[Contribution], pins: Sequence[Mapping[int, Complex]]
 ) -> Iterator[Sensitivity]:
     """Yield what a rotating mass adds: on the crank pin to order 1 forward, on a link pin to all.
 
@@ -146,7 +146,7 @@ def _rotating(
     (`link_pin_force`).
     """
     for cylinder, contribution, radius, pin_terms in zip(
-        layout.cylinders, first, layout.radii, pins, strict=True
+        engine.cylinders, first, engine.radii, pins, strict=True
     ):
         factor = Real(radius)
         if pin_terms:
@@ -160,7 +160,7 @@ def _rotating(
 
 
 def _one(
-    layout: Engine,
+    engine: Engine,
     cylinder: Cylinder,
     contribution: Contribution,
     name: str,
@@ -168,16 +168,16 @@ def _one(
 ) -> Sensitivity:
     n, value, size = contribution.order, contribution.value, contribution.size
     if name in LENGTHS:
-        value, size = getattr(lengths[contribution.number][n], name), _over_radius(layout, cylinder, size)
+        value, size = getattr(lengths[contribution.number][n], name), _over_radius(engine, cylinder, size)
     if name == "mass":
-        size = _over_mass(layout, cylinder, size)
+        size = _over_mass(engine, cylinder, size)
     forward, backward = _geometry(contribution, name)
     if value.imag and value.real:  # a link rod: nothing exact to hold
         pair = (_decimal(forward, value), _decimal(backward, value.conjugate()))
         return Sensitivity(name, contribution.number, n, pair, Real(size), contribution.arm)
     quarter = QUARTER if value.imag else Fraction(0)
     factor = (value.imag if value.imag else value.real) * size
-    pair = (forward.turned(quarter), backward.turned(-quarter))
+    pair = (forward.rotated(quarter), backward.rotated(-quarter))
     return Sensitivity(name, contribution.number, n, pair, factor, contribution.arm)
 
 
@@ -185,15 +185,15 @@ def _decimal(exact: Phasor, value: Complex) -> DecimalPhasor:
     return DecimalPhasor(value * exact.evaluated())
 
 
-def _over_mass(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
+def _over_mass(engine: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
     """Return r_j/r_1: the contribution's size with its mass taken for that of cylinder 1."""
-    mass, first = cylinder.reciprocating_mass, layout.first.reciprocating_mass
+    mass, first = cylinder.reciprocating_mass, engine.first.reciprocating_mass
     return size * first / mass if mass and first else size
 
 
-def _over_radius(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
+def _over_radius(engine: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
     """Return m_j/m_1: the contribution's size with its radius taken for that of cylinder 1."""
-    own, radius = cylinder.radius, layout.first.radius
+    own, radius = cylinder.radius, engine.first.radius
     return size * radius / own if own and radius else size
 
 
@@ -203,7 +203,7 @@ def _geometry(contribution: Contribution, name: str) -> tuple[Phasor, Phasor]:
     backward = Phasor.root(contribution.axis - contribution.lead).scaled(HALF)
     n = contribution.order
     if name == "throw":
-        return forward.turned(QUARTER).scaled(n), backward.turned(QUARTER).scaled(-n)
+        return forward.rotated(QUARTER).scaled(n), backward.rotated(QUARTER).scaled(-n)
     if name == "bank":
-        return forward.turned(QUARTER).scaled(1 - n), backward.turned(QUARTER).scaled(1 + n)
+        return forward.rotated(QUARTER).scaled(1 - n), backward.rotated(QUARTER).scaled(1 + n)
     return forward, backward

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
-from symbalance.errors import SymbalanceError, shown
-from symbalance.text.csv_rows import Row, rows_of
+from symbalance.errors import SymbalanceError, brief
+from symbalance.text.csv_rows import CsvRow, rows_of
 from symbalance.text.files import file_name, read_text
-from symbalance.text.numbers import exact, listed
+from symbalance.text.numbers import as_list, exact
 
 COLUMNS = ("name", "piston", "rod_reciprocating", "rod_rotating")
 SETS = ("piston", "rod")
@@ -34,7 +34,7 @@ class Part:
         for key, value in (("reciprocating", reciprocating), ("rotating", rotating)):
             number = exact(value, key)
             if not 0 <= number <= HEAVIEST:
-                raise SymbalanceError(f"{key} = {shown(value)}", f"must lie in [0, {HEAVIEST}]", "kg")
+                raise SymbalanceError(f"{key} = {brief(value)}", f"must lie in [0, {HEAVIEST}]", "kg")
             object.__setattr__(self, key, number)
 
 
@@ -59,7 +59,7 @@ def checked_sets(parts: object, count: int) -> tuple[PartSet, ...]:
     >>> [p.name for p in checked_sets([0.45, 0.46], 2)[0].parts]
     ['piston 1', 'piston 2']
     """
-    values = listed(parts, "parts", "[0.452, 0.450, 0.455, 0.449]")
+    values = as_list(parts, "parts", "[0.452, 0.450, 0.455, 0.449]")
     if not all(isinstance(v, PartSet) for v in values):
         pistons = tuple(Part(f"piston {i}", v) for i, v in enumerate(values, 1))
         values = [PartSet("piston", pistons)]
@@ -106,25 +106,25 @@ def parse_parts(text: str, place: str, *, paired: bool = False) -> tuple[PartSet
 def _check_header(where: str, header: Sequence[str]) -> None:
     unknown = [name for name in header if name not in COLUMNS]
     if unknown or len(set(header)) != len(header):
-        what = f"column {shown(unknown[0])!r}" if unknown else f"header {shown(','.join(header))}"
+        what = f"column {brief(unknown[0])!r}" if unknown else f"header {brief(','.join(header))}"
         rule = "is not known" if unknown else "names a column twice"
         raise SymbalanceError(what, rule, f"the header may name {', '.join(COLUMNS)} (kg)", where)
     if not set(header) & set(COLUMNS[1:]):
         raise SymbalanceError("header", "names no mass", "add a column piston, in kg", where)
 
 
-def _row_name(header: Sequence[str], row: Row) -> str:
+def _row_name(header: Sequence[str], row: CsvRow) -> str:
     """Return a row's name, "" where it has none; refuses a row of another width than the header."""
     row.check_width(len(header), "write one cell for each column of the header, decimals with a point")
     return re.sub(r"\s+", " ", row.cells[header.index("name")]) if "name" in header else ""
 
 
-def _masses(header: Sequence[str], row: Row) -> dict[str, Fraction]:
+def _masses(header: Sequence[str], row: CsvRow) -> dict[str, Fraction]:
     """Return the masses of a row's parts in kg, by column."""
     masses = {key: row.exact(column, key) for column, key in enumerate(header) if key != "name"}
     for key, mass in masses.items():
         if not 0 <= mass <= HEAVIEST:
-            what, rule = f"{key} = {shown(mass)}", f"must lie in [0, {HEAVIEST}]"
+            what, rule = f"{key} = {brief(mass)}", f"must lie in [0, {HEAVIEST}]"
             raise SymbalanceError(what, rule, "give kg", row.place)
     return masses
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from symbalance.design.variations.legend import TURNING, Entry, letters_entry, unit_formulas
 from symbalance.design.variations.sensitivity import STEPS, Sensitivities
-from symbalance.document.decimals import rounded
+from symbalance.document.decimals import decimal
 from symbalance.document.formula import Formula, Name, number
 from symbalance.document.nodes import Cell, Column, Document, Facts, Table, Words
 from symbalance.forces.rows import plane
@@ -36,7 +36,7 @@ def sensitivities_document(result: Sensitivities) -> Document:
 def _rows(result: Sensitivities) -> tuple[tuple[Cell, ...], ...]:
     groups: dict[tuple[str, int, Formula | str, Formula | str], list[int]] = {}
     for change in result:
-        force, couple = map(rounded, change.step())
+        force, couple = map(decimal, change.step())
         groups.setdefault((change.parameter, change.order, force, couple), []).append(change.cylinder)
     return tuple(
         (number(order), parameter, _step(parameter), number_runs(cylinders), force, couple)

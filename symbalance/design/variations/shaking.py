@@ -13,7 +13,7 @@ from symbalance.design.variations.as_built import NOTHING, as_built_parts
 from symbalance.design.variations.assignment_bounds import Generators, Vector
 from symbalance.design.variations.contributions import Contribution, rotating_pair
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import exact
 
@@ -33,7 +33,7 @@ def checked_rpm(rpm: object) -> Fraction:
     """Return a speed in turns a minute, or refuse."""
     speed = exact(rpm, "rpm")
     if not 0 < speed <= FASTEST:
-        raise SymbalanceError(f"rpm = {shown(rpm)}", f"must lie in (0, {FASTEST}]", "turns a minute")
+        raise SymbalanceError(f"rpm = {brief(rpm)}", f"must lie in (0, {FASTEST}]", "turns a minute")
     return speed
 
 
@@ -73,10 +73,10 @@ class Units:
 
 
 def units_of(
-    layout: Engine, speed: Fraction | None, lever: object, rows: Sequence[Contribution]
+    engine: Engine, speed: Fraction | None, lever: object, rows: Sequence[Contribution]
 ) -> Units:
     """Return the units that the sizes given allow, and the lever that couples count at."""
-    radius, pitch = layout.first.radius, layout.pitch
+    radius, pitch = engine.first.radius, engine.pitch
     force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
     if speed is not None:
         if radius is None:
@@ -89,15 +89,15 @@ def units_of(
         length = exact(lever, "lever")
         if length <= 0 or pitch is None:
             rule = "must be positive" if length <= 0 else "needs the engine's pitch"
-            raise SymbalanceError(f"lever = {shown(lever)}", rule, "mm; give pitch in [crank_train]")
+            raise SymbalanceError(f"lever = {brief(lever)}", rule, "mm; give pitch in [crank_train]")
         spread = float(length / pitch)
     return Units(force, arm, spread, names)
 
 
-def generators(layout: Engine, orders: Sequence[Sequence[Contribution]], units: Units) -> Generators:
+def generators(engine: Engine, orders: Sequence[Sequence[Contribution]], units: Units) -> Generators:
     """Return, for each cylinder, what 1 kg of reciprocating and of rotating mass adds: real vectors."""
     vectors = []
-    for place, (cylinder, own_radius) in enumerate(zip(layout.cylinders, layout.radii, strict=True)):
+    for place, (cylinder, own_radius) in enumerate(zip(engine.cylinders, engine.radii, strict=True)):
         radius = units.force * float(own_radius)
         pins = link_pin_force(cylinder.mechanism, max((each[place].order for each in orders), default=0))
         sliding: list[float] = []
@@ -118,15 +118,15 @@ def generators(layout: Engine, orders: Sequence[Sequence[Contribution]], units: 
     return vectors
 
 
-def as_built_vector(layout: Engine, orders: Sequence[int], units: Units) -> Vector | None:
+def as_built_vector(engine: Engine, orders: Sequence[int], units: Units) -> Vector | None:
     """Return what counterweights, shafts and rotating masses add, in the form of `generators`.
 
     None where the engine has no counterweights or shafts, and no masses on link pins.
     """
-    by_order = as_built_parts(layout, max(orders))
-    if not layout.balancers and not by_order:
+    by_order = as_built_parts(engine, max(orders))
+    if not engine.balancers and not by_order:
         return None
-    mass = layout.first.reciprocating_mass
+    mass = engine.first.reciprocating_mass
     if not mass:
         rule = "are to be counted beside counterweights or shafts, which are in units of m r"
         remedy = "give reciprocating_mass, kg, in [crank_train]"

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.document.result import Result
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import COMPONENTS
@@ -41,7 +41,7 @@ from symbalance.forces.rows import plane_key
 from symbalance.kinematics.coefficients import force_power
 from symbalance.kinematics.mechanisms import offset_series
 from symbalance.kinematics.slider_crank import Series, acceleration_series, checked_order
-from symbalance.text.numbers import checked_whole, exact, listed
+from symbalance.text.numbers import as_list, checked_whole, exact
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -73,7 +73,7 @@ class SymbolResultant:
     @cached_property
     def lateral(self) -> SymbolComponent:
         """The part towards the right, seen from the front."""
-        return SymbolComponent((self.positive.conjugate() + -self.negative).turned(QUARTER))
+        return SymbolComponent((self.positive.conjugate() + -self.negative).rotated(QUARTER))
 
     @cached_property
     def forward(self) -> SymbolComponent:
@@ -167,12 +167,12 @@ class SymbolicOrder(Result):
         """Return the order with numbers put in for some of its symbols, by symbol or by name."""
         if not isinstance(values, Mapping):
             rule = "must map symbols to numbers"
-            raise SymbalanceError(f"values = {shown(values)}", rule, "write it like {m1: 0.6}")
+            raise SymbalanceError(f"values = {brief(values)}", rule, "write it like {m1: 0.6}")
         by_name = {str(s): s for s in self.all_symbols}
         unknown = [key for key in values if str(key) not in by_name]
         if unknown:
             remedy = f"they are {', '.join(sorted(by_name)) or 'none'}; angles stay symbols"
-            raise SymbalanceError(f"symbol {shown(unknown[0])}", "was not given", remedy)
+            raise SymbalanceError(f"symbol {brief(unknown[0])}", "was not given", remedy)
         numbers = {by_name[str(key)]: exact(value, str(key)) for key, value in values.items()}
         values = dict(self.values) | numbers
         return replace(self._map(lambda part: part.at(numbers)), values=tuple(values.items()))
@@ -200,7 +200,7 @@ def _components(resultant: SymbolResultant) -> dict[str, dict[str, str]]:
 
 
 def symbolic_order(
-    layout: Engine,
+    engine: Engine,
     order: int,
     *,
     masses: object = None,
@@ -215,7 +215,7 @@ def symbolic_order(
 
     Each of `masses`, `stations`, `radii`, `rods` and `offsets` is a letter ("m" gives m_1, m_2, ... by
     the cylinders' numbers), a list with one entry a cylinder (a number, or a SymPy polynomial), or None:
-    masses and radii then count 1, stations are the layout's in pitches. Give radii, rods and offsets in
+    masses and radii then count 1, stations are the engine's in pitches. Give radii, rods and offsets in
     one unit of length; any of them brings the kinematics into the sums, `through` being the highest total
     power of r/l and e/l kept (default: three terms). `reference` is the station couples are taken about
     (default: the mean of the stations, symbols too).
@@ -228,34 +228,34 @@ def symbolic_order(
     True
     """
     n = checked_order(order)
-    if not isinstance(layout, Engine):
+    if not isinstance(engine, Engine):
         raise SymbalanceError(
-            f"layout = {shown(layout)}", "must be an Engine", "build one with inline(...)"
+            f"engine = {brief(engine)}", "must be an Engine", "build one with inline(...)"
         )
     mass, radius = (
-        cylinder_symbols(layout, v, k) or [UNIT] * len(layout.cylinders)
+        cylinder_symbols(engine, v, k) or [UNIT] * len(engine.cylinders)
         for v, k in ((masses, "masses"), (radii, "radii"))
     )
     weights = [multiply(m, r) for m, r in zip(mass, radius, strict=True)]
-    _check_link_pins(layout)
+    _check_link_pins(engine)
     kinematics, power = None, None
     if any(x is not None for x in (radii, rods, offsets)):
         power = checked_whole(n + 3 if through is None else through, "through", 0, 400, "5 is usual")
-        kinematics = _kinematics(layout, n, radius, rods, offsets, power)
+        kinematics = _kinematics(engine, n, radius, rods, offsets, power)
     if kinematics is None:
-        _check_alike(layout)
-    arms = _arms(layout, stations, reference)
-    force = _resultant(layout.cylinders, n, weights, kinematics)
+        _check_alike(engine)
+    arms = _arms(engine, stations, reference)
+    force = _resultant(engine.cylinders, n, weights, kinematics)
     couple = _resultant(
-        layout.cylinders, n, [multiply(w, a) for w, a in zip(weights, arms, strict=True)], kinematics
+        engine.cylinders, n, [multiply(w, a) for w, a in zip(weights, arms, strict=True)], kinematics
     )
     alike = None if kinematics else acceleration_series(n, force_power(n))
     sizes = {"masses": masses, "stations": stations, "radii": radii, "rods": rods, "offsets": offsets}
     all_symbols = dict.fromkeys(
-        x for key, v in sizes.items() for x in symbols_in(cylinder_symbols(layout, v, key))
+        x for key, v in sizes.items() for x in symbols_in(cylinder_symbols(engine, v, key))
     )
     return SymbolicOrder(
-        layout,
+        engine,
         n,
         alike,
         power,
@@ -267,28 +267,28 @@ def symbolic_order(
     )
 
 
-def _check_link_pins(layout: Engine) -> None:
+def _check_link_pins(engine: Engine) -> None:
     """Refuse link rods: the series of a rod on the pin are not theirs. A forked rod's are."""
-    if layout.link_pins:
-        rule = f"hangs cylinder {layout.link_pins[0]} on a link rod, which has no such series"
+    if engine.link_pins:
+        rule = f"hangs cylinder {engine.link_pins[0]} on a link rod, which has no such series"
         remedy = "take balance, or sensitivities, with numbers"
-        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
+        raise SymbalanceError(f"engine {engine.name!r}", rule, remedy)
 
 
-def _check_alike(layout: Engine) -> None:
+def _check_alike(engine: Engine) -> None:
     """Refuse cylinders that one A_n and one radius do not fit, where no lengths are given."""
-    lengths = {(c.sizes.given_ratio, c.sizes.rod, c.stroke) for c in layout.cylinders}
-    if len(lengths) > 1 or any(c.offset for c in layout.cylinders):
+    lengths = {(c.sizes.given_ratio, c.sizes.rod, c.stroke) for c in engine.cylinders}
+    if len(lengths) > 1 or any(c.offset for c in engine.cylinders):
         rule = "has cylinders whose kinematics are not alike"
         remedy = "give radii, rods and offsets, as numbers or as letters"
-        raise SymbalanceError(f"engine {layout.name!r}", rule, remedy)
+        raise SymbalanceError(f"engine {engine.name!r}", rule, remedy)
 
 
-def _arms(layout: Engine, stations: object, reference: object) -> list[Polynomial]:
+def _arms(engine: Engine, stations: object, reference: object) -> list[Polynomial]:
     """Return every cylinder's station from the reference plane."""
-    places = cylinder_symbols(layout, stations, "stations")
+    places = cylinder_symbols(engine, stations, "stations")
     if places is None:
-        places = [{(): c.station} if c.station else {} for c in layout.cylinders]
+        places = [{(): c.station} if c.station else {} for c in engine.cylinders]
     if reference is not None:
         plane = polynomial(reference, "reference")
     else:
@@ -304,10 +304,10 @@ Kinematics = tuple[Polynomial, Polynomial]
 
 
 def _kinematics(
-    layout: Engine, n: int, radius: Sequence[Polynomial], rods: object, offsets: object, through: int
+    engine: Engine, n: int, radius: Sequence[Polynomial], rods: object, offsets: object, through: int
 ) -> list[Kinematics]:
     """Return every cylinder's A_n and B_n as polynomials in r/l and e/l."""
-    rod, offset = cylinder_symbols(layout, rods, "rods"), cylinder_symbols(layout, offsets, "offsets")
+    rod, offset = cylinder_symbols(engine, rods, "rods"), cylinder_symbols(engine, offsets, "offsets")
     if rod is None:
         raise SymbalanceError("rods", "are not given", "give the rods' lengths, or a letter for them")
     offset = offset or [{}] * len(rod)
@@ -351,26 +351,26 @@ def _resultant(
             cos, sin = kinematics[place]
             total = total + SymbolSum.of(multiply(weight, cos), number)
             quarter = -QUARTER if signed > 0 else QUARTER  # f_n = A_n - i B_n, f_-n its conjugate
-            total = total + SymbolSum.of(multiply(weight, sin), number.turned(quarter))
+            total = total + SymbolSum.of(multiply(weight, sin), number.rotated(quarter))
         both.append(total)
     return SymbolResultant(*both)
 
 
-def cylinder_symbols(layout: Engine, values: object, name: str) -> list[Polynomial] | None:
+def cylinder_symbols(engine: Engine, values: object, name: str) -> list[Polynomial] | None:
     """Return one polynomial a cylinder from a letter or a list of them, None where there is neither."""
     if values is None:
         return None
-    count = len(layout.cylinders)
+    count = len(engine.cylinders)
     if isinstance(values, str):
         import sympy
 
         if not values.isidentifier() or len(values) > LONGEST_PREFIX:
-            raise SymbalanceError(f"{name} = {shown(values)}", "must be a letter or a list", 'write "m"')
+            raise SymbalanceError(f"{name} = {brief(values)}", "must be a letter or a list", 'write "m"')
         return [
             {((sympy.Symbol(f"{values}_{c.number}", real=True), 1),): Fraction(1)}
-            for c in layout.cylinders
+            for c in engine.cylinders
         ]
-    numbers = listed(values, name, "[m1, m2, 0.6]")
+    numbers = as_list(values, name, "[m1, m2, 0.6]")
     if len(numbers) != count:
         what = f"{name} holds {len(numbers)} values"
         raise SymbalanceError(what, f"the engine has {count} cylinders", "give one for each")

@@ -131,18 +131,20 @@ def _hull(values: Iterator[float] | Sequence[float]) -> Interval:
 
 
 def tolerance_boxes(
-    layout: Engine, relative: RelativeTolerances, order: int, reference: object = None
+    engine: Engine, relative: RelativeTolerances, order: int, reference: object = None
 ) -> dict[int, list[ToleranceBox]]:
     """Return n -> every cylinder's box, for each order to `order` that some engine in tolerance has."""
-    checked_numeric_engine(layout)
-    cylinders = zip(layout.cylinders, layout.sizes, layout.arms(layout.plane(reference)), strict=True)
+    checked_numeric_engine(engine)
+    cylinders = zip(
+        engine.cylinders, engine.sizes, engine.lever_arms(engine.plane(reference)), strict=True
+    )
     parts = []
     by_kind: dict[tuple[Mechanism, Fraction], list[Harmonics]] = {}
     for cylinder, size, arm in cylinders:
-        key = (simplified(mechanism_to(layout, cylinder, order)), _radius(layout, cylinder))
+        key = (simplified(mechanism_to(engine, cylinder, order)), _radius(engine, cylinder))
         if key not in by_kind:
             by_kind[key] = list(_corners(key[0], key[1], relative, order))
-        parts.append((cylinder, (size, arm), by_kind[key], _mass_interval(layout, cylinder, relative)))
+        parts.append((cylinder, (size, arm), by_kind[key], _mass_interval(engine, cylinder, relative)))
     present = sorted({n for corners in by_kind.values() for f in corners for n, c in f.items() if c})
     return {
         n: [
@@ -154,17 +156,17 @@ def tolerance_boxes(
     }
 
 
-def _radius(layout: Engine, cylinder: Cylinder) -> Fraction:
+def _radius(engine: Engine, cylinder: Cylinder) -> Fraction:
     """Return r_j/r_1, 1 where strokes are not given."""
-    radius, first = cylinder.radius, layout.first.radius
+    radius, first = cylinder.radius, engine.first.radius
     return radius / first if radius and first else Fraction(1)
 
 
 def _mass_interval(
-    layout: Engine, cylinder: Cylinder, relative: RelativeTolerances
+    engine: Engine, cylinder: Cylinder, relative: RelativeTolerances
 ) -> tuple[float, float]:
     """Return the least and the largest mass over its own."""
-    mass, first = cylinder.reciprocating_mass, layout.first.reciprocating_mass
+    mass, first = cylinder.reciprocating_mass, engine.first.reciprocating_mass
     part = relative.mass * first / mass if mass and first else relative.mass
     if part > 1:
         what = f"mass = ±{float(part):.3g} of m"

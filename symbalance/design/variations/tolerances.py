@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import pi
 
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.text.numbers import exact
 
 UNITS = {
@@ -54,9 +54,9 @@ class Tolerances:
         for name in UNITS:
             object.__setattr__(self, name, _checked(name, tolerances.get(name, 0)))
 
-    def relative(self, layout: Engine) -> RelativeTolerances:
-        """Return them in the units of `sensitivities`, for a layout that has the sizes they need."""
-        mass, radius, pitch = layout.first.reciprocating_mass, layout.first.radius, layout.pitch
+    def relative(self, engine: Engine) -> RelativeTolerances:
+        """Return them in the units of `sensitivities`, for an engine that has the sizes they need."""
+        mass, radius, pitch = engine.first.reciprocating_mass, engine.first.radius, engine.pitch
         units = {"m": (mass, "reciprocating_mass"), "a": (pitch, "pitch"), "r": (radius, "stroke")}
         angles = {"throw": self.throw, "bank": self.bank}
         sizes: dict[str, Fraction | float] = {k: float(v) * pi / 180 for k, v in angles.items()}
@@ -70,14 +70,14 @@ def _checked(name: str, value: object) -> Fraction | str:
     percent = isinstance(value, str) and value.strip().endswith("%")
     number = exact(str(value).strip().removesuffix("%") if percent else value, name)
     if number < 0:
-        raise SymbalanceError(f"{name} = {shown(value)}", "must not be negative", "it is plus or minus")
+        raise SymbalanceError(f"{name} = {brief(value)}", "must not be negative", "it is plus or minus")
     if percent:
         if name not in PARTS_OF:
-            raise SymbalanceError(f"{name} = {shown(value)}", "is no percentage", f"give {UNITS[name]}")
+            raise SymbalanceError(f"{name} = {brief(value)}", "is no percentage", f"give {UNITS[name]}")
         return f"{number}%"
     if name in ("throw", "bank") and number > WIDEST_ANGLE:
         rule = f"must be at most {WIDEST_ANGLE}"
-        raise SymbalanceError(f"{name} = {shown(value)}", rule, "degrees, plus or minus")
+        raise SymbalanceError(f"{name} = {brief(value)}", rule, "degrees, plus or minus")
     return number
 
 

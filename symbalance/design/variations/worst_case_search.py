@@ -56,12 +56,12 @@ from symbalance.design.variations.tolerance_intervals import ToleranceBox, toler
 from symbalance.design.variations.tolerances import UNITS, RelativeTolerances, Tolerances
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.phasor import ZERO
 from symbalance.forces.free_forces import Balance, balance
 from symbalance.forces.rows import plane_key
 from symbalance.kinematics.slider_crank import acceleration_value
-from symbalance.text.numbers import exact, listed
+from symbalance.text.numbers import as_list, exact
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -191,7 +191,7 @@ def _numbers(worst: WorstCase) -> dict[str, str | float]:
 
 
 def worst_cases(
-    layout: Engine,
+    engine: Engine,
     tolerances: Tolerances,
     order: int = 4,
     *,
@@ -213,21 +213,21 @@ def worst_cases(
     >>> cases
     Worst cases of engine to order 1: force ≤ 0.04 m r ω² (order 1), couple ≤ 0.04 m r ω² a (order 1)
     """
-    checked_numeric_engine(layout)
-    modes = tuple(listed(of, "of", '["largest"]'))
+    checked_numeric_engine(engine)
+    modes = tuple(as_list(of, "of", '["largest"]'))
     unknown = [mode for mode in modes if mode not in MODES]
     if unknown:
         rule = "is not known"
-        raise SymbalanceError(f"of = {shown(unknown[0])}", rule, f"choose from {', '.join(MODES)}")
+        raise SymbalanceError(f"of = {brief(unknown[0])}", rule, f"choose from {', '.join(MODES)}")
     if not isinstance(tolerances, Tolerances):
         rule, remedy = "must be Tolerances", 'write Tolerances(mass="1%")'
-        raise SymbalanceError(f"tolerances = {shown(tolerances)}", rule, remedy)
+        raise SymbalanceError(f"tolerances = {brief(tolerances)}", rule, remedy)
     plane = None if reference is None else exact(reference, "reference")
     speed = None if rpm is None else checked_rpm(rpm)
-    scale = speed_scale(layout, speed)
-    cases = _worst_cases(layout, tolerances.relative(layout), order, modes, plane)
+    scale = speed_scale(engine, speed)
+    cases = _worst_cases(engine, tolerances.relative(engine), order, modes, plane)
     return WorstCases(
-        layout, tolerances, order, plane, speed, tuple(_scaled(case, scale) for case in cases)
+        engine, tolerances, order, plane, speed, tuple(_scaled(case, scale) for case in cases)
     )
 
 
@@ -243,7 +243,7 @@ def _scaled(case: WorstCase, scale: Scale) -> WorstCase:
 
 
 def _worst_cases(
-    layout: Engine,
+    engine: Engine,
     relative: RelativeTolerances,
     order: int,
     modes: Sequence[str],
@@ -251,10 +251,10 @@ def _worst_cases(
 ) -> list[WorstCase]:
     """Return worst cases in m r omega^2 of cylinder 1 (times a)."""
     names = relative.parameters
-    errors = sensitivities(layout, order, parameters=names, reference=reference) if names else []
-    ideal = balance(layout, order, reference=reference)
-    cases, by_order = [], tolerance_boxes(layout, relative, order, reference)
-    as_built = as_built_parts(layout, order, reference)
+    errors = sensitivities(engine, order, parameters=names, reference=reference) if names else []
+    ideal = balance(engine, order, reference=reference)
+    cases, by_order = [], tolerance_boxes(engine, relative, order, reference)
+    as_built = as_built_parts(engine, order, reference)
     for n in sorted({*by_order, *as_built}):
         rows = by_order.get(n, [])
         for quantity in QUANTITIES:
@@ -267,14 +267,14 @@ def _worst_cases(
                 cases.append(
                     _worst(n, quantity, mode, rows, fixed, component_amplitude(*pair, mode), single)
                 )
-    return cases + (_rotating_cases(layout, relative, order, reference) if relative.rotating else [])
+    return cases + (_rotating_cases(engine, relative, order, reference) if relative.rotating else [])
 
 
 def _rotating_cases(
-    layout: Engine, relative: RelativeTolerances, order: int, reference: object
+    engine: Engine, relative: RelativeTolerances, order: int, reference: object
 ) -> list[WorstCase]:
     """Return what the rotating masses' own errors add up to: those on crank pins in order 1, forward."""
-    errors = sensitivities(layout, order, parameters=["rotating"], reference=reference)
+    errors = sensitivities(engine, order, parameters=["rotating"], reference=reference)
     step, cases = float(relative.rotating), []
     for n in sorted({e.order for e in errors}):
         rows = [e for e in errors if e.order == n]

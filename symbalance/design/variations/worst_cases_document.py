@@ -7,7 +7,7 @@ from fractions import Fraction
 from symbalance.design.variations.legend import AS_BUILT, Entry, as_decimal, letters_entry, unit_formulas
 from symbalance.design.variations.tolerances import PARTS_OF, UNITS
 from symbalance.design.variations.worst_case_search import WorstCase, WorstCases
-from symbalance.document.decimals import rounded
+from symbalance.document.decimals import decimal
 from symbalance.document.formula import Name, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words, blocks
 from symbalance.forces.rows import plane
@@ -57,7 +57,7 @@ def _given(result: WorstCases) -> Words:
 def _rows(result: WorstCases, quantity: str) -> tuple[tuple[Cell, ...], ...]:
     scale = result.scale.couple if quantity.endswith("couple") else result.scale.force
     return tuple(
-        (number(worst.order), worst.of, *map(rounded, values))
+        (number(worst.order), worst.of, *map(decimal, values))
         for worst in result
         if worst.quantity == quantity and any(values := _values(worst, scale))
     )

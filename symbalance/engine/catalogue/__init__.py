@@ -1,4 +1,4 @@
-"""The preset engines: one engine file each, with its source; add a layout by adding a file."""
+"""The preset engines: one engine file each, with its source; add an engine by adding a file."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.document.result import SequenceResult
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine, read_engine_file
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.text.files import STANDARD_INPUT, toml_table
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ def preset_text(name: str) -> str:
 def _unknown(name: str) -> SymbalanceError:
     near = get_close_matches(name, preset_names(), 3, 0.4)
     hint = f"did you mean {', '.join(near)}?" if near else "list them with: symbalance engines"
-    return SymbalanceError(f"engine {shown(name)!r}", "is no preset and no .toml file", hint)
+    return SymbalanceError(f"engine {brief(name)!r}", "is no preset and no .toml file", hint)
 
 
 def load(engine: str | Path) -> Engine:

@@ -15,9 +15,9 @@ from typing import Any
 
 from symbalance.engine.cylinders import MOST_CYLINDERS
 from symbalance.engine.engine import checked_strokes
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import degrees
-from symbalance.text.numbers import checked_whole, exact, listed
+from symbalance.text.numbers import as_list, checked_whole, exact
 
 Crank = int | Sequence[object]
 """A number of cylinders (any crank), or the throws of the pins two cylinders share, in degrees."""
@@ -44,7 +44,7 @@ def fewest_cylinders(push: object = 180, strokes: int = 4) -> int:
     lasts = exact(push, "push")
     if not 0 < lasts <= 180:
         raise SymbalanceError(
-            f"push = {shown(push)}", "must lie in (0, 180]", "degrees of one power stroke"
+            f"push = {brief(push)}", "must lie in (0, 180]", "degrees of one power stroke"
         )
     cycle = 180 * checked_strokes(strokes)
     fewest = cycle // lasts + 1
@@ -76,7 +76,7 @@ def pin_offsets(crank: Crank, bank_angle: object, strokes: int = 4) -> tuple[Fra
     """
     beta = degrees(bank_angle, "bank_angle").in_degrees()
     if not 0 <= beta <= 180:
-        raise SymbalanceError(f"bank_angle = {shown(bank_angle)}", "must lie in [0, 180] degrees")
+        raise SymbalanceError(f"bank_angle = {brief(bank_angle)}", "must lie in [0, 180] degrees")
     offsets = (180 - (180 - beta + lag) % 360 for lag in _lags(crank, strokes))
     return tuple(sorted(offsets, key=lambda s: (abs(s), s)))
 
@@ -116,7 +116,7 @@ def _top_dead_centres(pins: list[Fraction], lag: Fraction) -> Counter[Fraction]:
 
 
 def _pins(crank: Sequence[object]) -> list[Fraction]:
-    pins = [degrees(pin, f"crank[{i}]").in_degrees() for i, pin in enumerate(listed(crank, "crank"), 1)]
+    pins = [degrees(pin, f"crank[{i}]").in_degrees() for i, pin in enumerate(as_list(crank, "crank"), 1)]
     if not 1 <= len(pins) <= MOST_CYLINDERS // 2:
         rule = f"must have 1 to {MOST_CYLINDERS // 2} pins"
         raise SymbalanceError(f"crank of {len(pins)} pins", rule, "give the throw of each")

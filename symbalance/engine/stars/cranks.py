@@ -70,14 +70,14 @@ class StarClass:
         return tuple(Fraction(-360 * ray, self.directions) % 360 for ray in self.rays)
 
     @cached_property
-    def layout(self) -> Engine:
+    def engine(self) -> Engine:
         """The in-line engine on this crank."""
         return inline(throws=self.throws, strokes=self.strokes)
 
     @cached_property
     def firings(self) -> tuple[Firing, ...]:
         """The even firing orders: one for odd N and two-strokes, 2^(N/2 - 1) for pairs."""
-        return tuple(firing_orders(self.layout))
+        return tuple(firing_orders(self.engine))
 
     @cached_property
     def first_couple(self) -> sympy.Expr:

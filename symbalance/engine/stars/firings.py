@@ -28,7 +28,7 @@ from symbalance.engine.dead_centres import (
     has_shifted_dead_centres,
 )
 from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import Angle
 from symbalance.text.numbers import exact
 
@@ -63,7 +63,7 @@ class Firing:
         gaps = self.intervals
         if len(gaps) != len(self.order) or not any(gaps) or min(gaps) < 0:
             raise SymbalanceError(
-                f"intervals = {shown(list(map(str, gaps)))}",
+                f"intervals = {brief(list(map(str, gaps)))}",
                 f"must be {len(self.order)} degrees of 0 or more, not all 0",
                 "one after each firing",
             )
@@ -138,7 +138,7 @@ class FiringOrders(SequenceResult[Firing]):
 
 
 def firing_orders(
-    layout: Engine, *, even_only: bool = True, simultaneous: bool = False, within: object = 0
+    engine: Engine, *, even_only: bool = True, simultaneous: bool = False, within: object = 0
 ) -> FiringOrders:
     """Return all firing orders a crank allows, its lowest-numbered cylinder first; `fires` is ignored.
 
@@ -158,15 +158,15 @@ def firing_orders(
     >>> [f.as_text() for f in firing_orders(load("vw-vr6"), within="1/2")]
     ['1-2-3-6-5-4', '1-2-4-6-5-3', '1-5-3-6-2-4', '1-5-4-6-2-3']
     """
-    _checked(layout)
+    _checked(engine)
     near = _checked_within(within)
-    items = tuple(_all_firings(layout, even_only, simultaneous, near))
-    return FiringOrders(layout, items, even_only, simultaneous, near)
+    items = tuple(_all_firings(engine, even_only, simultaneous, near))
+    return FiringOrders(engine, items, even_only, simultaneous, near)
 
 
-def _all_firings(layout: Engine, even_only: bool, simultaneous: bool, within: Fraction) -> list[Firing]:
-    cycle, count = 180 * layout.strokes, len(layout.cylinders)
-    groups = _groups(layout, within)
+def _all_firings(engine: Engine, even_only: bool, simultaneous: bool, within: Fraction) -> list[Firing]:
+    cycle, count = 180 * engine.strokes, len(engine.cylinders)
+    groups = _groups(engine, within)
     if not even_only:
         choices = [_choices(group, start, cycle, simultaneous) for start, group in groups.items()]
         return _listed(choices, cycle)
@@ -179,7 +179,7 @@ def _all_firings(layout: Engine, even_only: bool, simultaneous: bool, within: Fr
     return sorted(firings)
 
 
-def evenest(layout: Engine) -> list[Firing]:
+def evenest(engine: Engine) -> list[Firing]:
     """Return the firing orders with the least sum of squared intervals: the even ones, if there are any.
 
     Intervals alone are compared, not whether the banks fire by turns.
@@ -191,14 +191,14 @@ def evenest(layout: Engine) -> list[Firing]:
     1-5-3-4-2-6 [120, 120, 90, 120, 120, 150]
     1-5-6-4-2-3 [120, 90, 120, 120, 150, 120]
     """
-    orders = firing_orders(layout) or firing_orders(layout, even_only=False)
+    orders = firing_orders(engine) or firing_orders(engine, even_only=False)
     squares = [sum(gap * gap for gap in firing.intervals) for firing in orders]
     least = min(squares, default=Fraction(0))
     return [firing for firing, size in zip(orders, squares, strict=True) if size == least]
 
 
-def known_firing(layout: Engine) -> Firing:
-    """Return the firing order a layout's `fires` say, its lowest-numbered cylinder first.
+def known_firing(engine: Engine) -> Firing:
+    """Return the firing order an engine's `fires` say, its lowest-numbered cylinder first.
 
     Intervals are those between top dead centres.
 
@@ -206,55 +206,55 @@ def known_firing(layout: Engine) -> Firing:
     >>> known_firing(load("v8-90")).as_text()
     '1-8-4-3-6-5-7-2'
     """
-    cycle = 180 * _checked(layout).strokes
-    fires: Moments = {c.number: c.fires for c in layout.cylinders if c.fires is not None}
-    if len(fires) < len(layout.cylinders):
-        missing = next(c.number for c in layout.cylinders if c.fires is None)
+    cycle = 180 * _checked(engine).strokes
+    fires: Moments = {c.number: c.fires for c in engine.cylinders if c.fires is not None}
+    if len(fires) < len(engine.cylinders):
+        missing = next(c.number for c in engine.cylinders if c.fires is None)
         raise SymbalanceError(
-            f"cylinder {missing} of {layout.name}",
+            f"cylinder {missing} of {engine.name}",
             "has no firing angle",
             "give fires, or ask firing_orders(layout) for those its crank allows",
         )
-    if has_shifted_dead_centres(layout):
-        return _firing(firing_dead_centres(layout), cycle)
+    if has_shifted_dead_centres(engine):
+        return _firing(firing_dead_centres(engine), cycle)
     start = fires[min(fires)]
     return _firing({number: (angle - start) % cycle for number, angle in fires.items()}, cycle)
 
 
-def intervals(layout: Engine) -> tuple[Fraction, ...]:
-    """Return the degrees after each firing of a layout whose `fires` are known: between dead centres.
+def intervals(engine: Engine) -> tuple[Fraction, ...]:
+    """Return the degrees after each firing of an engine whose `fires` are known: between dead centres.
 
     >>> from symbalance.engine.catalogue import load
     >>> [int(gap) for gap in intervals(load("v6-90"))]
     [150, 90, 150, 90, 150, 90]
     """
-    return known_firing(layout).intervals
+    return known_firing(engine).intervals
 
 
-def is_even(layout: Engine) -> bool:
-    """Tell whether a layout whose `fires` are known fires evenly."""
-    return known_firing(layout).is_even
+def is_even(engine: Engine) -> bool:
+    """Tell whether an engine whose `fires` are known fires evenly."""
+    return known_firing(engine).is_even
 
 
-def _checked(layout: object) -> Engine:
-    if not isinstance(layout, Engine):
+def _checked(engine: object) -> Engine:
+    if not isinstance(engine, Engine):
         rule = "must be an Engine"
-        raise SymbalanceError(f"layout = {shown(layout)}", rule, "build one, as inline(throws=[0, 180])")
-    return layout
+        raise SymbalanceError(f"engine = {brief(engine)}", rule, "build one, as inline(throws=[0, 180])")
+    return engine
 
 
 def _checked_within(within: object) -> Fraction:
     degrees = exact(within, "within")
     if not 0 <= degrees <= FARTHEST:
-        raise SymbalanceError(f"within = {shown(within)}", f"must lie in [0, {FARTHEST}]", "degrees")
+        raise SymbalanceError(f"within = {brief(within)}", f"must lie in [0, {FARTHEST}]", "degrees")
     return degrees
 
 
-def _groups(layout: Engine, within: Fraction) -> dict[Fraction, list[int]]:
+def _groups(engine: Engine, within: Fraction) -> dict[Fraction, list[int]]:
     """Return the cylinders by the degrees at which they first reach top dead centre, cylinder 1 at 0."""
-    cylinders = sorted(layout.cylinders, key=lambda c: c.number)
-    shifted_angles = dead_centre_angles(layout) if has_shifted_dead_centres(layout) else {}
-    count, turns = len(cylinders), layout.strokes // 2
+    cylinders = sorted(engine.cylinders, key=lambda c: c.number)
+    shifted_angles = dead_centre_angles(engine) if has_shifted_dead_centres(engine) else {}
+    count, turns = len(cylinders), engine.strokes // 2
     step = Fraction(360 * gcd(count, turns), count)  # even moments, modulo a turn
     groups: dict[Fraction, list[int]] = {}
     for cylinder in cylinders:
@@ -321,7 +321,7 @@ def _firing(moments: Moments, cycle: int) -> Firing:
 def _check_count(count: int) -> None:
     if count > MOST_ORDERS:
         raise SymbalanceError(
-            f"{shown(count)} firing orders",
+            f"{brief(count)} firing orders",
             f"are too many to list (at most {MOST_ORDERS})",
             "ask for even_only=True, or for fewer cylinders",
         )

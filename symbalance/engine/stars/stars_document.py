@@ -9,7 +9,7 @@ from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal, Formula, number
 from symbalance.document.nodes import Column, Document, Exact, Facts, Table, Words
 from symbalance.document.text_writer import formula_text
-from symbalance.engine.engine_document import decimal_text
+from symbalance.engine.engine_document import degrees_text
 from symbalance.engine.stars.cranks import CrankStars
 from symbalance.engine.stars.firings import FiringOrders
 
@@ -32,7 +32,7 @@ def crank_stars_document(cranks: CrankStars) -> Document:
     rows = tuple(
         (
             number(place),
-            ", ".join(decimal_text(throw) for throw in star.throws),
+            ", ".join(degrees_text(throw) for throw in star.throws),
             _couple(star.first_couple),
             _couple(star.second_couple),
             number(star.stars),
@@ -58,7 +58,7 @@ def firing_orders_document(orders: FiringOrders) -> Document:
     if orders.simultaneous:
         entries.append(("together", "cylinders may fire at one moment: interval 0"))
     if orders.within:
-        near = f"dead centres within {decimal_text(orders.within)}° of an even moment"
+        near = f"dead centres within {degrees_text(orders.within)}° of an even moment"
         entries.append(("within", f"{near} count as lying there"))
     blocks = (Table("", columns, rows, empty="none"),)
     return Document(title, (*blocks, Facts(tuple(entries), "How to read it")) if entries else blocks)
@@ -72,8 +72,8 @@ def _couple(expression: object) -> Exact | Formula:
 
 def _intervals(gaps: Sequence[Fraction]) -> str:
     if len(set(gaps)) == 1:
-        return f"{decimal_text(gaps[0])} each"
-    return ", ".join(map(decimal_text, gaps))
+        return f"{degrees_text(gaps[0])} each"
+    return ", ".join(map(degrees_text, gaps))
 
 
 def _listed(names: Sequence[str]) -> str:

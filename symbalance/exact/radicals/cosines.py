@@ -27,7 +27,7 @@ def trigonometric_form(number: Phasor) -> sympy.Expr:
     """
     import sympy
 
-    rotated = number.turned(Fraction(1, 4))
+    rotated = number.rotated(Fraction(1, 4))
     cosines, sines = _shortest(number, 1), _shortest(rotated, -1)
     as_sines = _length(sines, rotated.modulus) < _length(cosines, number.modulus)
     terms, modulus = (sines, rotated.modulus) if as_sines else (cosines, number.modulus)

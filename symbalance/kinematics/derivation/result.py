@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.kinematics.conventions import convention_named
 from symbalance.kinematics.derivation.expansion_steps import (
     even_powers,
@@ -102,7 +102,7 @@ def derive(
     symbalance.errors.SymbalanceError: power = 3: leaves order 6 no term; keep at least 5
     """
     if quantity not in QUANTITIES:
-        raise SymbalanceError(f"quantity = {shown(quantity)}", f"must be one of {', '.join(QUANTITIES)}")
+        raise SymbalanceError(f"quantity = {brief(quantity)}", f"must be one of {', '.join(QUANTITIES)}")
     convention_named(convention)
     highest_power = _checked_power(power, quantity, checked_order(order))
     request = Request(quantity, order, highest_power, convention)

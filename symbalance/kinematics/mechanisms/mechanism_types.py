@@ -18,7 +18,7 @@ from functools import cached_property
 from math import cos, log1p, pi, sin, sqrt
 from typing import TypeGuard
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import Angle
 from symbalance.kinematics.slider_crank import checked_ratio
 from symbalance.text.numbers import LARGEST_QUOTIENT, exact
@@ -57,8 +57,8 @@ class SliderCrank:
         object.__setattr__(self, "offset", offset)
         if abs(offset) >= ratio - 1:
             most = ratio - 1
-            rule = f"must lie within {shown(-most)} and {shown(most)} (lambda - 1)"
-            raise SymbalanceError(f"offset = {shown(offset)}", rule, "e/r, not mm")
+            rule = f"must lie within {brief(-most)} and {brief(most)} (lambda - 1)"
+            raise SymbalanceError(f"offset = {brief(offset)}", rule, "e/r, not mm")
 
     @property
     def length(self) -> Fraction:
@@ -105,19 +105,19 @@ class LinkRod:
 
     def __post_init__(self) -> None:
         if not isinstance(self.master, SliderCrank):
-            what, rule = f"master = {shown(self.master)}", "must be a SliderCrank"
+            what, rule = f"master = {brief(self.master)}", "must be a SliderCrank"
             raise SymbalanceError(what, rule, "a link rod hangs on a master rod, not on another link")
         for name in ("link_angle", "link_radius", "length", "bank_difference", "offset"):
             object.__setattr__(self, name, exact(getattr(self, name), name, LARGEST_QUOTIENT))
         for name in ("link_angle", "bank_difference"):  # like rods compare equal in every row of a radial
             object.__setattr__(self, name, Angle(getattr(self, name)).normalized().turns)
         if self.link_radius < 0:
-            what = f"link_radius = {shown(self.link_radius)}"
+            what = f"link_radius = {brief(self.link_radius)}"
             raise SymbalanceError(what, "must not be negative", "turn link_angle by half a turn instead")
         if not self._reaches():
             bound = _link_reach(self, 1.0)
             rule = f"must exceed {bound:.9g} for the rod to reach at every crank angle"
-            raise SymbalanceError(f"length = {shown(self.length)}", rule, "l/r of the link rod, not mm")
+            raise SymbalanceError(f"length = {brief(self.length)}", rule, "l/r of the link rod, not mm")
 
     def _reaches(self) -> bool:
         if self.link_radius == 0:

@@ -29,7 +29,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.kinematics.mechanisms.fourier import rod_angle_harmonics
 from symbalance.kinematics.mechanisms.mechanism_types import Mechanism
 from symbalance.kinematics.mechanisms.motion import rod_motion
@@ -63,11 +63,11 @@ class RodSplit:
             value = exact(getattr(self, name), name)
             object.__setattr__(self, name, value)
             if value < 0 or (value == 0 and name == "length"):
-                what = f"{name} = {shown(value)}"
+                what = f"{name} = {brief(value)}"
                 raise SymbalanceError(what, "must not be negative, nor the length 0", "check the sign")
         if self.centre > self.length:
-            rule = f"must lie between the rod's ends, within 0 and {shown(self.length)}"
-            raise SymbalanceError(f"centre = {shown(self.centre)}", rule, "count from the big end")
+            rule = f"must lie between the rod's ends, within 0 and {brief(self.length)}"
+            raise SymbalanceError(f"centre = {brief(self.centre)}", rule, "count from the big end")
 
     @property
     def reciprocating(self) -> Fraction:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.text.numbers import LARGEST_QUOTIENT, checked_whole, exact
 
 HIGHEST_ORDER = 1000
@@ -23,7 +23,7 @@ def checked_ratio(ratio: object, name: str = "ratio") -> Fraction:
     number = exact(ratio, name, LARGEST_QUOTIENT)
     if number <= 1:
         raise SymbalanceError(
-            f"{name} = {shown(ratio)}",
+            f"{name} = {brief(ratio)}",
             "the rod must be longer than the crank, lambda = l/r > 1",
             "engines have 3 to 4.5; r/l is the inverse",
         )
@@ -34,7 +34,7 @@ def checked_quantity(quantity: str) -> str:
     """Return the name of a quantity, or refuse an unknown one."""
     if quantity not in QUANTITIES:
         raise SymbalanceError(
-            f"quantity = {shown(quantity)}",
+            f"quantity = {brief(quantity)}",
             f"must be one of {', '.join(QUANTITIES)}",
             "force is the default",
         )

@@ -30,7 +30,7 @@ from functools import cache
 from itertools import count
 from math import acosh, isqrt, ldexp, log, log2
 
-from symbalance.errors import SymbalanceError, shown, written
+from symbalance.errors import SymbalanceError, brief, literal
 from symbalance.kinematics.slider_crank.arguments import HIGHEST_ORDER, checked_order
 
 _BITS = 80
@@ -65,10 +65,10 @@ def _terms(ratio: Fraction | float | int) -> tuple[int, int]:
         over, under = ratio.as_integer_ratio()
     except (AttributeError, OverflowError, ValueError):  # no number, infinite, not a number
         rule, remedy = "must be a finite number", "give a fraction, a float or an int, not text"
-        raise SymbalanceError(f"ratio = {written(ratio)}", rule, remedy) from None
+        raise SymbalanceError(f"ratio = {literal(ratio)}", rule, remedy) from None
     if over <= under:
         raise SymbalanceError(
-            f"ratio = {shown(ratio)}",
+            f"ratio = {brief(ratio)}",
             "the rod must be longer than the crank, lambda = l/r > 1",
             "engines have 3 to 4.5; r/l is the inverse",
         )

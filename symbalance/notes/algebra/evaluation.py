@@ -22,7 +22,7 @@ LONGEST_SUM = 400
 
 
 @dataclass(frozen=True, slots=True)
-class Meaning:
+class SymbolValue:
     """What the letters of a formula stand for.
 
     `values` replaces letters by formulas; `rates` gives, for a variable of differentiation, the letters
@@ -45,13 +45,13 @@ class FormEvaluator:
     """Turns trees into forms of one domain.
 
     >>> half = formula.Quotient(formula.Name("s"), formula.Number(Fraction(2)))
-    >>> evaluator = FormEvaluator(Domain(), Meaning({"s": formula.Name("d")}))
+    >>> evaluator = FormEvaluator(Domain(), SymbolValue({"s": formula.Name("d")}))
     >>> evaluator.form(half).numerator
     {((1, 1),): Fraction(1, 2)}
     """
 
-    def __init__(self, domain: Domain, meaning: Meaning | None = None) -> None:
-        self.domain, self.meaning = domain, meaning or Meaning()
+    def __init__(self, domain: Domain, meaning: SymbolValue | None = None) -> None:
+        self.domain, self.meaning = domain, meaning or SymbolValue()
         self._forms: dict[str, Form] = {}
         self._open: list[str] = []
         self._depth = 0

@@ -20,7 +20,7 @@ SLACK = 6
 
 
 @dataclass(frozen=True, slots=True)
-class Series:
+class FormSeries:
     """The sum of terms[k] e^k, all k up to `through`; what lies beyond is not known."""
 
     domain: Domain
@@ -32,29 +32,29 @@ class Series:
         """The lowest exponent present (`through` + 1 where nothing is)."""
         return min(self.terms, default=self.through + 1)
 
-    def cut(self, through: int) -> Series:
+    def cut(self, through: int) -> FormSeries:
         """Return the series known only through a lower order, zeros dropped."""
         terms = {k: f for k, f in self.terms.items() if k <= through and f.is_zero() is not True}
-        return Series(self.domain, terms, min(through, self.through))
+        return FormSeries(self.domain, terms, min(through, self.through))
 
-    def without_zeros(self) -> Series:
+    def without_zeros(self) -> FormSeries:
         """Return the series without the terms that are zero."""
         return self.cut(self.through)
 
-    def plus(self, other: Series) -> Series:
+    def plus(self, other: FormSeries) -> FormSeries:
         """Return the sum."""
         total = dict(self.terms)
         for k, form in other.terms.items():
             total[k] = total[k].plus(form) if k in total else form
-        return Series(self.domain, total, min(self.through, other.through)).cut(
+        return FormSeries(self.domain, total, min(self.through, other.through)).cut(
             min(self.through, other.through)
         )
 
-    def scaled(self, factor: Form) -> Series:
+    def scaled(self, factor: Form) -> FormSeries:
         """Return the series times a form free of the small letter."""
-        return Series(self.domain, {k: f.times(factor) for k, f in self.terms.items()}, self.through)
+        return FormSeries(self.domain, {k: f.times(factor) for k, f in self.terms.items()}, self.through)
 
-    def times(self, other: Series, limit: int) -> Series:
+    def times(self, other: FormSeries, limit: int) -> FormSeries:
         """Return the product, through at most `limit`."""
         through = min(self.through + other.start, other.through + self.start, limit)
         total: dict[int, Form] = {}
@@ -63,11 +63,11 @@ class Series:
                 if j + k <= through:
                     product = a.times(b)
                     total[j + k] = total[j + k].plus(product) if j + k in total else product
-        return Series(self.domain, total, through).cut(through)
+        return FormSeries(self.domain, total, through).cut(through)
 
-    def shifted(self, by: int) -> Series:
+    def shifted(self, by: int) -> FormSeries:
         """Return the series times e^by."""
-        return Series(self.domain, {k + by: f for k, f in self.terms.items()}, self.through + by)
+        return FormSeries(self.domain, {k + by: f for k, f in self.terms.items()}, self.through + by)
 
 
 class Expansion:
@@ -76,26 +76,26 @@ class Expansion:
     def __init__(self, domain: Domain, letter: str, sign: int, through: int) -> None:
         self.domain, self.sign, self.limit = domain, sign, through + SLACK
         self.number = domain.symbol(letter)
-        self._powers: dict[tuple[int, Fraction | int], Series] = {}
+        self._powers: dict[tuple[int, Fraction | int], FormSeries] = {}
         self._half_powers: set[int] = set()
 
-    def of(self, form: Form) -> Series:
+    def of(self, form: Form) -> FormSeries:
         """Return the series of a form; raises NoFormError where there is none in whole powers."""
         above, below = self.polynomial(form.numerator), self.polynomial(form.denominator)
         return above if form.is_polynomial else above.times(self.reciprocal(below), self.limit)
 
-    def constant(self, form: Form) -> Series:
+    def constant(self, form: Form) -> FormSeries:
         """Return a form free of the letter."""
-        return Series(self.domain, {0: form}, self.limit + 4 * SLACK).cut(self.limit + 4 * SLACK)
+        return FormSeries(self.domain, {0: form}, self.limit + 4 * SLACK).cut(self.limit + 4 * SLACK)
 
-    def polynomial(self, polynomial: Polynomial) -> Series:
+    def polynomial(self, polynomial: Polynomial) -> FormSeries:
         """Return the series of a polynomial."""
-        total = Series(self.domain, {}, self.limit + 4 * SLACK)
+        total = FormSeries(self.domain, {}, self.limit + 4 * SLACK)
         for monomial, coefficient in polynomial.items():
             total = total.plus(self._term(monomial, coefficient))
         return total
 
-    def _term(self, monomial: Monomial, coefficient: Fraction) -> Series:
+    def _term(self, monomial: Monomial, coefficient: Fraction) -> FormSeries:
         free = [(g, e) for g, e in monomial if not self.depends(g)]
         result = self.constant(Form.of(self.domain, {tuple(free): coefficient}))
         shift: Fraction | int = 0
@@ -126,14 +126,14 @@ class Expansion:
             )
         return False
 
-    def power(self, number: int, exponent: Fraction | int) -> Series:
+    def power(self, number: int, exponent: Fraction | int) -> FormSeries:
         """Return the series of generator^exponent; of one in `_half_powers`, times letter^(1/2)."""
         key = (number, exponent)
         if key not in self._powers:
             self._powers[key] = self._expand(number, exponent)
         return self._powers[key]
 
-    def _expand(self, number: int, exponent: Fraction | int) -> Series:
+    def _expand(self, number: int, exponent: Fraction | int) -> FormSeries:
         """Return the series of a power of one generator."""
         generator = self.domain.generators[number]
         if generator.kind == "radical" and exponent == 1:
@@ -155,7 +155,7 @@ class Expansion:
             return total
         raise NoFormError("a part that has no power series here")
 
-    def _compose(self, coefficients: list[Fraction], inner: Series) -> Series:
+    def _compose(self, coefficients: list[Fraction], inner: FormSeries) -> FormSeries:
         """Return the sum of coefficients[k] inner^k; `inner` starts at order 1 or higher."""
         if inner.start < 1:
             raise NoFormError("a function expanded where it is not small")
@@ -167,18 +167,18 @@ class Expansion:
                 total = total.plus(power.scaled(Form.number(self.domain, coefficient)))
         return total.cut(min(inner.through, self.limit))
 
-    def _exponential(self, inner: Series) -> Series:
+    def _exponential(self, inner: FormSeries) -> FormSeries:
         coefficients, value = [Fraction(1)], Fraction(1)
         for k in range(1, self.limit + 2):
             value /= k
             coefficients.append(value)
         if 0 in inner.terms:
             steady = functions.exponential(inner.terms[0])
-            moving = Series(self.domain, {k: f for k, f in inner.terms.items() if k}, inner.through)
+            moving = FormSeries(self.domain, {k: f for k, f in inner.terms.items() if k}, inner.through)
             return self._compose(coefficients, moving).scaled(steady)
         return self._compose(coefficients, inner)
 
-    def _function(self, function: str, inner: Series) -> Series:
+    def _function(self, function: str, inner: FormSeries) -> FormSeries:
         """Return the series of a function of a series: about 0, of ln about 1."""
         size = self.limit + 2
         if function == "over":
@@ -190,13 +190,13 @@ class Expansion:
                 [Fraction((-1) ** (k // 2), k) if k % 2 else Fraction(0) for k in range(size)], inner
             )
         if function == "ln" and 0 in inner.terms and inner.terms[0].rational() == 1:
-            rest = Series(self.domain, {k: f for k, f in inner.terms.items() if k}, inner.through)
+            rest = FormSeries(self.domain, {k: f for k, f in inner.terms.items() if k}, inner.through)
             return self._compose(
                 [Fraction(0)] + [Fraction(-((-1) ** k), k) for k in range(1, size)], rest
             )
         raise NoFormError(f"the series of {function}")
 
-    def _split_leading(self, series: Series) -> tuple[Form, int, Series]:
+    def _split_leading(self, series: FormSeries) -> tuple[Form, int, FormSeries]:
         """Return (c, k, u) with series = c e^k (1 + u) and u of order 1 or higher."""
         first = series.without_zeros()
         if not first.terms:
@@ -204,17 +204,19 @@ class Expansion:
         start = first.start
         leading = first.terms[start]
         inverse = Form.number(self.domain, 1).over(leading)
-        rest = Series(self.domain, {k: f for k, f in first.terms.items() if k != start}, first.through)
+        rest = FormSeries(
+            self.domain, {k: f for k, f in first.terms.items() if k != start}, first.through
+        )
         return leading, start, rest.scaled(inverse).shifted(-start)
 
-    def reciprocal(self, series: Series) -> Series:
+    def reciprocal(self, series: FormSeries) -> FormSeries:
         """Return 1/series."""
         leading, start, rest = self._split_leading(series)
         one = Form.number(self.domain, 1)
         signs = [Fraction((-1) ** k) for k in range(self.limit + 2 + 4 * SLACK)]
         return self._compose(signs, rest).scaled(one.over(leading)).shifted(-start)
 
-    def root(self, series: Series) -> Series:
+    def root(self, series: FormSeries) -> FormSeries:
         """Return the positive square root: the binomial series with exponent 1/2."""
         leading, start, rest = self._split_leading(series)
         if start % 2:

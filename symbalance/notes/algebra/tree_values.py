@@ -9,7 +9,7 @@ from typing import Any
 from symbalance.document import formula
 from symbalance.document.formula import Formula
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
 
 DEEPEST = 40
@@ -34,7 +34,7 @@ def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
 
 
 def sample_trees(
-    nodes: list[Formula], meaning: Meaning, count: int = 3, tries: int = 24
+    nodes: list[Formula], meaning: SymbolValue, count: int = 3, tries: int = 24
 ) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all formulas are real, with their values to `DIGITS` digits."""
     names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
@@ -64,7 +64,7 @@ def sample_trees(
 class TreeValues:
     """The values of formulas at one point."""
 
-    def __init__(self, meaning: Meaning, point: Point) -> None:
+    def __init__(self, meaning: SymbolValue, point: Point) -> None:
         self.meaning, self.point, self.mp = meaning, point, context()
         self._values: dict[str, Any] = {}
         self._depth = 0

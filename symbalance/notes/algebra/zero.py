@@ -89,7 +89,7 @@ def _phasor(domain: Domain, monomial: Monomial) -> Phasor:
         raise _NotCyclotomicError
     for generator, exponent in monomial:
         if generator == TURN:
-            total = total.turned(Fraction(exponent))
+            total = total.rotated(Fraction(exponent))
         else:
             prime = domain.generators[generator].content
             if exponent != Fraction(1, 2) or prime > LARGEST_PRIME:
@@ -109,4 +109,4 @@ def root_of_prime(prime: int) -> Phasor:
         return Phasor.of(8, {1: 1, 7: 1})
     squares = {k * k % prime for k in range(1, prime)}
     gauss = Phasor.of(prime, {k: 1 if k in squares else -1 for k in range(1, prime)})
-    return gauss if prime % 4 == 1 else gauss.turned(Fraction(-1, 4))
+    return gauss if prime % 4 == 1 else gauss.rotated(Fraction(-1, 4))

@@ -16,14 +16,14 @@ from symbalance.notes.checking.deciding.equality import PROVED, REFUTED, UNDECID
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.deciding.rounding import decimals
-from symbalance.notes.checking.descriptions import differences, exact_value, lines_of, word_for
+from symbalance.notes.checking.descriptions import differences, exact_value, source_lines, word_for
 from symbalance.notes.checking.engines import Sources
 from symbalance.notes.checking.quantities import quantity
 from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
 from symbalance.notes.checking.sidecar import Binding
 from symbalance.notes.checking.verdicts import UNREADABLE, Verdict
 from symbalance.notes.reading import ReadingError, read_expression
-from symbalance.notes.reading.equations import Chain, Document, Side
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 
 def by_line(bindings: Iterable[Binding]) -> dict[int, list[Binding]]:
@@ -35,7 +35,7 @@ def by_line(bindings: Iterable[Binding]) -> dict[int, list[Binding]]:
     return result
 
 
-def side_of(document: Document, chain: Chain, binding: Binding) -> int:
+def side_of(document: ReadNotes, chain: Chain, binding: Binding) -> int:
     """Return which side of a chain a binding means: the last that stands on its line."""
     touching = [
         k
@@ -46,7 +46,7 @@ def side_of(document: Document, chain: Chain, binding: Binding) -> int:
 
 
 def side_verdict(
-    document: Document,
+    document: ReadNotes,
     chain: Chain,
     index: int,
     binding: Binding,
@@ -64,7 +64,7 @@ def side_verdict(
         link=1,
         source=document.source(side.span).strip(),
         verdict=word_for(decision),
-        lines=lines_of(document, side, line),
+        lines=source_lines(document, side, line),
         column=document.column_of(side.span[0]),
         notes=chain.notes,
         tag=chain.tag,
@@ -105,7 +105,7 @@ def with_fault_of(step: Verdict | None, assertion: Verdict) -> Verdict:
 
 def _add_fix(
     base: Verdict,
-    document: Document,
+    document: ReadNotes,
     side: Side,
     decision: Decision,
     binding: Binding,
@@ -186,7 +186,7 @@ def _decide_harmonic(side: Side, binding: Binding, knowledge: Knowledge) -> Deci
 
 
 def piece_verdict(
-    document: Document, binding: Binding, knowledge: Knowledge, letters: frozenset[str], sources: Sources
+    document: ReadNotes, binding: Binding, knowledge: Knowledge, letters: frozenset[str], sources: Sources
 ) -> Verdict:
     """Return the verdict on a piece of a line: a table's cell, or a number in prose."""
     span = span_of(document, binding)
@@ -218,7 +218,7 @@ def piece_verdict(
     return with_decision(base, decision, binding)
 
 
-def span_of(document: Document, binding: Binding) -> Span:
+def span_of(document: ReadNotes, binding: Binding) -> Span:
     """Return where the piece of a line stands that a binding means."""
     start = _line_start(document, binding)
     line_text = document.text[start:].split("\n", 1)[0]
@@ -233,7 +233,7 @@ def span_of(document: Document, binding: Binding) -> Span:
     return start + at, start + at + len(binding.text)
 
 
-def _line_start(document: Document, binding: Binding) -> int:
+def _line_start(document: ReadNotes, binding: Binding) -> int:
     starts = [0] + [k + 1 for k, c in enumerate(document.text) if c == "\n"]
     if binding.line > len(starts):
         raise SymbalanceError(
@@ -245,7 +245,7 @@ def _line_start(document: Document, binding: Binding) -> int:
     return starts[binding.line - 1]
 
 
-def name_unreadable(verdicts: list[Verdict], document: Document, binding: Binding) -> bool:
+def name_unreadable(verdicts: list[Verdict], document: ReadNotes, binding: Binding) -> bool:
     """Say of what could not be read on a binding's line what it claims to be; tell whether there is any.
 
     It is the last that stands on the line, as with what could be read, and is counted once.
@@ -263,7 +263,7 @@ def name_unreadable(verdicts: list[Verdict], document: Document, binding: Bindin
     return True
 
 
-def missing_equation(document: Document, binding: Binding) -> Verdict:
+def missing_equation(document: ReadNotes, binding: Binding) -> Verdict:
     """Return the verdict on a binding whose line holds no equation."""
     start = _line_start(document, binding)
     source = document.text[start:].split("\n", 1)[0].strip()

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.algebra.tree_values import letters_behind, sample_trees
 from symbalance.notes.algebra.values import letters
@@ -168,7 +168,7 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
         return isinstance(value, Name)
     if names(earlier.node) or names(value):
         return not _comes_to_a_number(earlier.node, knowledge)
-    points = sample_trees([earlier.node, value], Meaning(), 1)
+    points = sample_trees([earlier.node, value], SymbolValue(), 1)
     if not points:
         return True
     old_value, new_value = points[0][1]

@@ -30,14 +30,14 @@ from symbalance.notes.checking.verdicts import (
     Difference,
     Verdict,
 )
-from symbalance.notes.reading.equations import Chain, Document, Side, Unreadable
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side, Unreadable
 
 MOST_DIFFERENCES = 12
 LONGEST_VALUE = 600
 """Characters of an exact value; a longer one is left out of the report."""
 
 
-def describe(document: Document, chain: Chain, k: int, decision: Decision) -> Verdict:
+def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> Verdict:
     """Return the verdict on a relation with its place, texts and differences; `link` is left at 1."""
     side = chain.sides[k + 1]
     line = chain.relations[k].line
@@ -57,7 +57,7 @@ def describe(document: Document, chain: Chain, k: int, decision: Decision) -> Ve
         exact_node=exact_node,
         witness=decision.witness if bad else {},
         differences=differences(decision) if word == REFUTED else (),
-        lines=lines_of(document, side, line),
+        lines=source_lines(document, side, line),
         column=document.column_of(side.span[0]),
         inline=chain.inline,
         notes=chain.notes,
@@ -78,14 +78,14 @@ def word_for(decision: Decision) -> str:
     return HOLDS_TO_ORDER if decision.order else HOLDS
 
 
-def lines_of(document: Document, side: Side, line: int) -> tuple[int, ...]:
+def source_lines(document: ReadNotes, side: Side, line: int) -> tuple[int, ...]:
     """Return the lines a relation's right side stands on."""
     last = document.line_of(max(side.span[1] - 1, side.span[0]))
     return tuple(range(line, max(last, line) + 1))
 
 
 def undecided_by_fault(
-    document: Document, span: Span, line: int, problem: Exception, lines: tuple[int, ...] = ()
+    document: ReadNotes, span: Span, line: int, problem: Exception, lines: tuple[int, ...] = ()
 ) -> Verdict:
     """Return the verdict on a relation whose judging failed, by a fault that is not the document's."""
     return Verdict(
@@ -103,7 +103,7 @@ def undecided_by_fault(
 
 
 def with_fault(
-    document: Document, chain: Chain, verdicts: list[Verdict], problem: Exception
+    document: ReadNotes, chain: Chain, verdicts: list[Verdict], problem: Exception
 ) -> list[Verdict]:
     """Return a chain's verdicts where judging broke off: what is judged stays, the rest is undecided."""
     judged_spans = {verdict.span for verdict in verdicts}
@@ -118,7 +118,7 @@ def with_fault(
     return [*verdicts[:-1], replace(last, notes=(*last.notes, note), fault=fault, traceback=traceback)]
 
 
-def unreadable_verdict(document: Document, part: Unreadable) -> Verdict:
+def unreadable_verdict(document: ReadNotes, part: Unreadable) -> Verdict:
     """Return the verdict on what could not be read."""
     source = document.source(part.span).strip()
     reason = f"column {part.column}: {part.what}; {part.remedy}"

@@ -12,7 +12,7 @@ from typing import Any
 
 from symbalance.document.formula import Name
 from symbalance.document.text_writer import formula_text
-from symbalance.errors import SymbalanceError, shown
+from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
 from symbalance.notes.checking.judging import Judge
 from symbalance.notes.checking.sidecar import (
@@ -90,7 +90,7 @@ def text_of(document: str | Path) -> tuple[str, str, Path]:
     """Return a document's text, its name and its folder; a text without a file is called `text`."""
     if not isinstance(document, str | Path):
         raise SymbalanceError(
-            f"document = {shown(document)}", "must be a path or a text", 'write check("notes.md")'
+            f"document = {brief(document)}", "must be a path or a text", 'write check("notes.md")'
         )
     if isinstance(document, str) and ("\n" in document or not is_file_name(document)):
         return document, "text", Path()

@@ -27,7 +27,7 @@ from symbalance.notes.checking.symbol_roles import MOVING, letters_by_role
 from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked, Verdict
 from symbalance.notes.reading import ReadingError, read_equation
-from symbalance.notes.reading.equations import Chain, Document, Side
+from symbalance.notes.reading.equations import Chain, ReadNotes, Side
 
 FOLLOWS = "follows from the side before, which is refuted"
 ANGLES = ("crank angle", "rod angle", "time", "integer")
@@ -46,7 +46,7 @@ UNIVERSAL = (
 class Judge:
     """Judges one document; the letters defined so far are its state."""
 
-    document: Document
+    document: ReadNotes
     declarations: Declarations
     sources: Sources = field(default_factory=Sources)
 

@@ -29,7 +29,7 @@ from symbalance.notes.reading import ReadingError, canonical_name
 from symbalance.text.files import file_name, read_text
 from symbalance.text.key_tables import Key, TableKeys
 from symbalance.text.kinds import Choice, ListOf, Text, Whole
-from symbalance.text.sections import Section, Source, read_sections
+from symbalance.text.sections import Section, SourceText, read_sections
 
 CONVENTIONS = ("l/r", "r/l", "l/s")
 _MOST = 10**9
@@ -180,7 +180,7 @@ def declarations_in(symbols: Mapping[str, Any]) -> Declarations:
     table = dict(symbols)
     if any(isinstance(value, str) for value in table.values()) or not set(table) <= set(SIDECAR.by_name):
         table = {"symbols": table}
-    return _declarations(Section(table, SIDECAR, Source("", "symbols")).check())
+    return _declarations(Section(table, SIDECAR, SourceText("", "symbols")).check())
 
 
 def _declarations(file: Section) -> Declarations:

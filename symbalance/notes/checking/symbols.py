@@ -18,7 +18,7 @@ from symbalance.document.formula import (
     Quotient,
     Sum,
 )
-from symbalance.notes.algebra.evaluation import Meaning
+from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.engines import Engines, NoEngines
 from symbalance.notes.checking.geometry import Geometry, geometry, two
@@ -41,7 +41,7 @@ SAME_POWER = 31
 
 def meaning_of(
     symbols: Mapping[str, str], convention: str = "", engines: Engines | None = None
-) -> tuple[Meaning, Geometry]:
+) -> tuple[SymbolValue, Geometry]:
     """Return what the declared letters stand for, and the slider-crank in them.
 
     `engines` knows the harmonics A_n; a letter that stands for one is refused without it.
@@ -92,7 +92,7 @@ def meaning_of(
     positive |= {n for n, text in symbols.items() if role_of(text) in UNITS}
     integer = frozenset(letters.get("integer", ()))
     ranges = {name: size for m, size in RANGES.items() for name in letters.get(m, ())}
-    return Meaning(values, rates, frozenset(positive), integer, ranges), crank
+    return SymbolValue(values, rates, frozenset(positive), integer, ranges), crank
 
 
 def _harmonic(meaning: str, crank: Geometry, engines: Engines) -> Formula:

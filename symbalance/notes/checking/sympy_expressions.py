@@ -9,15 +9,15 @@ from typing import Any
 
 from symbalance.document.formula import Call, Constant, Formula, Name, Number, Power, Product, Sum
 from symbalance.document.text_writer import formula_text
-from symbalance.errors import SymbalanceError, shown
-from symbalance.notes.algebra.evaluation import Meaning
+from symbalance.errors import SymbalanceError, brief
+from symbalance.notes.algebra.evaluation import SymbolValue
 from symbalance.notes.checking.deciding.knowledge import Knowledge
 from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.descriptions import describe
 from symbalance.notes.checking.judging import read_assumption
 from symbalance.notes.checking.repair.fixes import add_fix
 from symbalance.notes.checking.verdicts import Verdict
-from symbalance.notes.reading.equations import Chain, Document, Relation, Side
+from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side
 
 _FUNCTIONS = {
     "sin": "sin", "cos": "cos", "tan": "tan", "cot": "cot", "sec": "sec", "csc": "csc",
@@ -59,7 +59,7 @@ def check_equal(
         left, right = sympy.sympify(lhs, strict=True), sympy.sympify(rhs, strict=True)
     except (sympy.SympifyError, TypeError):
         raise SymbalanceError(
-            f"check_equal({shown(lhs)}, {shown(rhs)})", "takes SymPy expressions", "use sympy.Symbol"
+            f"check_equal({brief(lhs)}, {brief(rhs)})", "takes SymPy expressions", "use sympy.Symbol"
         ) from None
     symbols = {str(s): s for s in (left.free_symbols | right.free_symbols)}
     knowledge = _knowledge(symbols, assuming)
@@ -67,7 +67,7 @@ def check_equal(
     sign = "≈" if approximately else "="
     decision = decide(first, second, sign, knowledge, through)
     text = f"{formula_text(first.node, plain=True)} {sign} {formula_text(second.node, plain=True)}"
-    document = Document("expression", text, (), ())
+    document = ReadNotes("expression", text, (), ())
     second = Side(second.readings, (len(text) - len(formula_text(second.node, plain=True)), len(text)))
     chain = Chain((first, second), (Relation(sign, 1),), (1,))
     verdict = describe(document, chain, 0, decision)
@@ -89,7 +89,7 @@ def _knowledge(symbols: Mapping[str, Any], assuming: Iterable[str]) -> Knowledge
     integer = frozenset(name for name, s in symbols.items() if s.is_integer)
     letters = frozenset(symbols)
     assumptions = tuple(read_assumption(text, letters, "assuming") for text in assuming)
-    return Knowledge(Meaning(positive=positive, integer=integer), None, {}, assumptions, letters)
+    return Knowledge(SymbolValue(positive=positive, integer=integer), None, {}, assumptions, letters)
 
 
 def node_of(expression: Any) -> Formula:
@@ -101,7 +101,7 @@ def node_of(expression: Any) -> Formula:
     if name and len(expression.args) == 1:
         return Call(name, node_of(expression.args[0]))
     raise SymbalanceError(
-        shown(expression),
+        brief(expression),
         f"holds {type(expression).__name__}, which is not known here",
         "use sums, products, powers and circular functions",
     )

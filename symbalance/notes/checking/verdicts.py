@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.formula import Formula, Span
 from symbalance.document.result import Result
-from symbalance.notes.reading.equations import Document
+from symbalance.notes.reading.equations import ReadNotes
 
 if TYPE_CHECKING:
     from symbalance.document import nodes
@@ -135,7 +135,7 @@ class Verdict(Result):
 class Checked(Result):
     """A derivation with all its verdicts, in the order of their lines."""
 
-    derivation: Document
+    derivation: ReadNotes
     verdicts: tuple[Verdict, ...]
 
     kind: ClassVar[str] = "check"

@@ -13,7 +13,7 @@ from pathlib import PurePath
 
 from symbalance.document.formula import Formula
 from symbalance.document.letters import TIME_DOTS, is_greek, plain_letter
-from symbalance.notes.reading.equations import Chain, Document, Relation, Side, Unreadable
+from symbalance.notes.reading.equations import Chain, ReadNotes, Relation, Side, Unreadable
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.notes.reading.lexer import CLOSER, LONGEST_EQUATION, Token, lex
 from symbalance.notes.reading.parser import read_tokens
@@ -25,7 +25,7 @@ MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an 
 EQUALITIES = ("=", "≈", "≡")
 
 
-def read_document(text: str, name: str, names_at: Callable[[int], Collection[str]]) -> Document:
+def read_document(text: str, name: str, names_at: Callable[[int], Collection[str]]) -> ReadNotes:
     """Return the equations of a text; `names_at` tells the letters declared at each line.
 
     >>> document = read_document("where F = m a holds", "", lambda line: {"m", "a"})
@@ -34,7 +34,7 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
     """
     if len(text) > LONGEST_DOCUMENT:
         what = f"a document of more than {LONGEST_DOCUMENT} characters"
-        return Document(name, text, (), (Unreadable(1, 1, what, "split it", (0, 0)),))
+        return ReadNotes(name, text, (), (Unreadable(1, 1, what, "split it", (0, 0)),))
     cache: dict[int, frozenset[str]] = {}
 
     def names(line: int) -> frozenset[str]:
@@ -46,7 +46,7 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
     assembler.run()
     chains = sorted(assembler.chains, key=lambda chain: chain.sides[0].span)
     unreadable = sorted(assembler.unreadable, key=lambda part: (part.line, part.column))
-    return Document(name, text, tuple(chains), tuple(unreadable))
+    return ReadNotes(name, text, tuple(chains), tuple(unreadable))
 
 
 def read_expression(text: str, names: Collection[str], offset: int = 0) -> tuple[Formula, ...]:

@@ -62,7 +62,7 @@ class Unreadable:
 
 
 @dataclass(frozen=True, slots=True)
-class Document:
+class ReadNotes:
     """A text with the equations found in it, in the order of their lines."""
 
     name: str

@@ -433,7 +433,7 @@ _BRACKETS = {"{": 1, "(": 1, "[": 1, "}": -1, ")": -1, "]": -1}
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class Passage:
     """One equation, or a part of one, from `start` to `end`; `row` counts the rows of its display."""
 
     start: int
@@ -442,9 +442,9 @@ class Piece:
     row: int = 0
 
 
-def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Piece]:
+def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Passage]:
     """Cut a stretch of mathematics into rows and these at separators."""
-    pieces: list[Piece] = []
+    pieces: list[Passage] = []
     for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
         last, tag = without_tag(text, first, end_of_row)
         spans = [_without_box(text, *trim(text, *span)) for span in _separate(text, first, last)]
@@ -452,7 +452,7 @@ def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Pi
         if len(spans) > 1:
             spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
         for place, (begin, stop) in enumerate(spans):
-            pieces.append(Piece(begin, stop, tag if place == len(spans) - 1 else "", row))
+            pieces.append(Passage(begin, stop, tag if place == len(spans) - 1 else "", row))
     return pieces
 
 

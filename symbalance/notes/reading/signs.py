@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from symbalance.document.wordlists import listed, word_set
+from symbalance.document.wordlists import word_set, words
 
 RELATION_SIGNS = {
     "=": "=", "＝": "=", "≈": "≈", "≒": "≈", "≃": "≈", "≅": "≈", "≐": "≈", "∼": "≈", "≑": "≈", "<": "<",
@@ -13,10 +13,10 @@ RELATION_SIGNS = {
 }  # fmt: skip
 
 RELATION_COMMANDS = {
-    **dict.fromkeys(listed("approx simeq fallingdotseq cong doteq doteqdot sim approxeq"), "≈"),
-    **dict.fromkeys(listed("leq le leqq leqslant"), "≤"),
-    **dict.fromkeys(listed("geq ge geqq geqslant"), "≥"),
-    **dict.fromkeys(listed("triangleq coloneqq eq defeq"), "="),
+    **dict.fromkeys(words("approx simeq fallingdotseq cong doteq doteqdot sim approxeq"), "≈"),
+    **dict.fromkeys(words("leq le leqq leqslant"), "≤"),
+    **dict.fromkeys(words("geq ge geqq geqslant"), "≥"),
+    **dict.fromkeys(words("triangleq coloneqq eq defeq"), "="),
     "lt": "<", "gt": ">", "equiv": "≡", "neq": "≠", "ne": "≠",
 }  # fmt: skip
 
@@ -44,21 +44,21 @@ STRUCTURE = word_set("frac dfrac tfrac cfrac sqrt over sum partial dot ddot dddo
 
 REFUSED: dict[str, tuple[str, str]] = {
     **dict.fromkeys(
-        listed("int iint iiint oint intop smallint"),
+        words("int iint iiint oint intop smallint"),
         ("integrals are not read", "write the integral's value"),
     ),
-    **dict.fromkeys(listed("binom dbinom tbinom choose"), ("binomials are not read", "write it out")),
-    **dict.fromkeys(listed("pm mp"), ("± is two formulas in one", "write each on its own")),
-    **dict.fromkeys(listed("prod coprod"), ("product signs are not read", "write the factors")),
-    **dict.fromkeys(listed("lim limsup liminf"), ("limits are not read", "write the limit's value")),
-    **dict.fromkeys(listed("max min sup inf"), ("max and min are not read", "write the case that holds")),
+    **dict.fromkeys(words("binom dbinom tbinom choose"), ("binomials are not read", "write it out")),
+    **dict.fromkeys(words("pm mp"), ("± is two formulas in one", "write each on its own")),
+    **dict.fromkeys(words("prod coprod"), ("product signs are not read", "write the factors")),
+    **dict.fromkeys(words("lim limsup liminf"), ("limits are not read", "write the limit's value")),
+    **dict.fromkeys(words("max min sup inf"), ("max and min are not read", "write the case that holds")),
     **dict.fromkeys(
-        listed("to rightarrow Rightarrow longrightarrow Longrightarrow implies iff leftarrow Leftarrow"
+        words("to rightarrow Rightarrow longrightarrow Longrightarrow implies iff leftarrow Leftarrow"
         " leftrightarrow Leftrightarrow mapsto therefore because"),
         ("arrows are not read", "write each equation on a line of its own"),
     ),
-    **dict.fromkeys(listed("propto"), ("proportionality is not read", "write = with its constant")),
-    **dict.fromkeys(listed("in subset cup cap land lor forall exists"), ("sets are not read", "")),
+    **dict.fromkeys(words("propto"), ("proportionality is not read", "write = with its constant")),
+    **dict.fromkeys(words("in subset cup cap land lor forall exists"), ("sets are not read", "")),
 }  # fmt: skip
 
 REFUSED_SIGNS = {

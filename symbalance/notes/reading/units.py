@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection
 from fractions import Fraction
 
-from symbalance.document.wordlists import listed, word_set
+from symbalance.document.wordlists import word_set, words
 
 Scale = tuple[Fraction, bool]
 """The factor to the unit without prefix, and whether π multiplies it."""
@@ -23,7 +23,7 @@ _OTHER: dict[str, Fraction] = {
 }  # fmt: skip
 _UNITS = {p + unit: scale for unit in _PREFIXED for p, scale in _PREFIXES.items()} | _OTHER
 _UNITS |= {p + "g": scale / 1000 for p, scale in _PREFIXES.items()}
-_TURNS = {**dict.fromkeys(listed("rpm 1/min min^-1 r/min rev/min"), Fraction(1, 30))}
+_TURNS = {**dict.fromkeys(words("rpm 1/min min^-1 r/min rev/min"), Fraction(1, 30))}
 _TURNS |= {"rps": Fraction(2), "rev/s": Fraction(2)}
 _PLAIN_SURE = word_set("mm cm km kg rpm kW kHz Hz")
 

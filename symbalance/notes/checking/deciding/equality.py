@@ -12,7 +12,7 @@ from symbalance.document.formula import Formula
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra import values
 from symbalance.notes.algebra.domain import NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.tree_values import sample_trees
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
@@ -87,7 +87,7 @@ def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level)
         return _by_trees(left, right, evaluator.meaning, level, f"too large for a normal form: {problem}")
 
 
-def _by_trees(left: Formula, right: Formula, meaning: Meaning, level: Level, reason: str) -> Decision:
+def _by_trees(left: Formula, right: Formula, meaning: SymbolValue, level: Level, reason: str) -> Decision:
     """Return what points in numbers say of two formulas that have no forms: refuted or undecided."""
     points = sample_trees([left, right], meaning)
     for point, pair in points:
@@ -143,11 +143,11 @@ def _close(left: Any, right: Any) -> bool:
 
 
 def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:
-    coordinates = {name: decimal_text(value) for name, value in point.items()}
+    coordinates = {name: printed_decimal(value) for name, value in point.items()}
     return coordinates | {"left": digits(pair[0]), "right": digits(pair[1])}
 
 
-def decimal_text(value: Fraction) -> str:
+def printed_decimal(value: Fraction) -> str:
     """Return a sample's coordinate as a short decimal."""
     return str(value.numerator) if value.denominator == 1 else f"{float(value):.6g}"
 

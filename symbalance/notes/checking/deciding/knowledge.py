@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from symbalance.document.formula import Formula, names
-from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, SymbolValue
 from symbalance.notes.checking.geometry import Geometry
 
 
@@ -40,7 +40,7 @@ class Level:
 class Knowledge:
     """Everything a step may use at its line."""
 
-    meaning: Meaning = field(default_factory=Meaning)
+    meaning: SymbolValue = field(default_factory=SymbolValue)
     crank: Geometry | None = None
     definitions: Mapping[str, Definition] = field(default_factory=dict)
     assumptions: tuple[Assumption, ...] = ()

@@ -18,15 +18,15 @@ from symbalance.notes.algebra.domain import NoFormError, Polynomial, TooLargeErr
 from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import components
-from symbalance.notes.algebra.series import Expansion, Series
+from symbalance.notes.algebra.series import Expansion, FormSeries
 from symbalance.notes.checking.deciding.equality import (
     PROVED,
     REFUTED,
     UNDECIDED,
     Decision,
     decide_equality,
-    decimal_text,
     digits,
+    printed_decimal,
     without_dots,
 )
 from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
@@ -218,7 +218,7 @@ def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose:
     witness: dict[str, str] = {}
     if points:
         point, pair = points[0]
-        witness = {n: decimal_text(v) for n, v in point.items()}
+        witness = {n: printed_decimal(v) for n, v in point.items()}
         witness |= {"left": digits(pair[0]), "right": digits(pair[1])}
     further = tuple(truncated_sum(expansion.of(first).cut(small.order + n), small) for n in (1, 2))
     return Decision(
@@ -233,7 +233,7 @@ def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose:
     )
 
 
-def truncated_sum(series: Series, small: SmallLetter) -> Form:
+def truncated_sum(series: FormSeries, small: SmallLetter) -> Form:
     """Return a series as a form again, cut off at its order."""
     number = series.domain.symbol(small.letter)
     total = Form.number(series.domain, 0)

@@ -38,7 +38,7 @@ from symbalance.notes.checking.repair.numeric_filter import (
 )
 from symbalance.notes.checking.repair.term_repair import correct_terms, slip_kind, slip_kinds
 from symbalance.notes.checking.verdicts import REFUTED, Fault, Fix, Verdict
-from symbalance.notes.reading.equations import Document, Side
+from symbalance.notes.reading.equations import ReadNotes, Side
 
 OTHER_SIDE = 0.2
 """How much cheaper a change of the left side must be: the slip is usually on the right."""
@@ -52,7 +52,7 @@ LARGEST = 10**7
 
 def add_fix(
     verdict: Verdict,
-    document: Document,
+    document: ReadNotes,
     side: Side,
     decision: Decision,
     knowledge: Knowledge,
@@ -78,7 +78,7 @@ def add_fix(
 
 def _with_fix(
     verdict: Verdict,
-    document: Document,
+    document: ReadNotes,
     side: Side,
     decision: Decision,
     knowledge: Knowledge,
@@ -111,7 +111,7 @@ def is_proved_as_far(decision: Decision, refutation: Decision) -> bool:
     return decision.through is None or decision.through >= refutation.through
 
 
-def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> Fix:
+def fix_of(repair: Repair, document: ReadNotes, side: Side, title: str = "") -> Fix:
     """Return what the report says of a repair."""
     several = len(repair.changes) > 1
     faults = tuple(
@@ -122,7 +122,7 @@ def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> F
     return Fix(repair.kind, text, repair.node, faults, of_left=bool(title))
 
 
-def _fault(old: Formula, new: Formula, document: Document, side: Side, kind_of: str) -> Fault:
+def _fault(old: Formula, new: Formula, document: ReadNotes, side: Side, kind_of: str) -> Fault:
     span = old.span if old.span != (0, 0) else (side.span[1], side.span[1])
     source = document.source(span).strip()
     return Fault(
