@@ -8,10 +8,18 @@ import sympy
 
 from symbalance.bench.check import POSITIVE, fault_table, report, truth, wrongly_judged
 from symbalance.bench.check_page import page, place_of
-from symbalance.bench.faults import KINDS
-from symbalance.bench.in_sympy import InSympy
-from symbalance.bench.planting import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
-from symbalance.bench.simplifying import DIFFERENT, PROVED, UNDECIDED, Link, decided, links, simplified
+from symbalance.bench.fault_kinds import KINDS
+from symbalance.bench.planted_faults import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
+from symbalance.bench.sympy_simplify import (
+    DIFFERENT,
+    PROVED,
+    UNDECIDED,
+    Link,
+    SympyConverter,
+    decide,
+    links,
+    simplify_links,
+)
 from symbalance.notes.reading import read_expression
 
 HERE = page()
@@ -65,9 +73,9 @@ def test_the_truth_by_numbers_alone(planter):
 
 
 def test_planted_faults_are_caught(planter):
-    faults = [f for f in planter.planted(5, seed=7) if f.where == STEP]
+    faults = [f for f in planter.plant(5, seed=7) if f.where == STEP]
     assert len(faults) == 5 * len(KINDS)
-    missed = [f for f in faults if not f.caught]
+    missed = [f for f in faults if not f.is_caught]
     assert len(missed) <= 0.05 * len(faults), missed
     rows = tally(faults)
     assert sum(row["rightly"] for row in rows.values()) >= 0.6 * len(faults)
@@ -81,12 +89,12 @@ def _place(planter: Planter, line: int, side: int):
 
 def test_what_is_no_fault_is_told_apart(planter):
     place = _place(planter, 42, 1)  # sin² θ = (1 − cos 2θ)/2
-    assert planter.one("", place, r"\frac{2 - 2 \cos 2\theta}{4}").where == NO_FAULT
-    wrong = planter.one("", place, r"\frac{1 + \cos 2\theta}{2}")
-    assert (wrong.where, wrong.caught, wrong.rightly) == (STEP, True, True)
+    assert planter.judge("", place, r"\frac{2 - 2 \cos 2\theta}{4}").where == NO_FAULT
+    wrong = planter.judge("", place, r"\frac{1 + \cos 2\theta}{2}")
+    assert (wrong.where, wrong.is_caught, wrong.is_right) == (STEP, True, True)
     place = _place(planter, 106, 1)  # v ≈ r ω (sin θ + sin 2θ/(2λ))
-    assert planter.one("", place, r"r \omega \sin\theta").where == LOWERED
-    assert planter.one("", place, r"r \omega \cos\theta").where == STEP
+    assert planter.judge("", place, r"r \omega \sin\theta").where == LOWERED
+    assert planter.judge("", place, r"r \omega \cos\theta").where == STEP
 
 
 def test_every_kind_of_fault_finds_places(planter):
@@ -108,13 +116,13 @@ def test_every_kind_of_fault_finds_places(planter):
 def test_converter(text, expected):
     node = read_expression(text, {"x", "k"})[0]
     x = sympy.Symbol("x", real=True)
-    assert sympy.simplify(InSympy().of(node) - sympy.sympify(expected, {"x": x})) == 0
+    assert sympy.simplify(SympyConverter().of(node) - sympy.sympify(expected, {"x": x})) == 0
 
 
 def test_converter_differentiates_by_the_crank_angle_and_by_time():
     names = {"theta", "omega", "t", "x"}
     position = read_expression(r"\cos 2\theta", names)[0]
-    convert = InSympy({"x": position})
+    convert = SympyConverter({"x": position})
     theta, omega = convert.symbol("theta"), convert.symbol("omega")
     assert convert.of(read_expression(r"\frac{dx}{d\theta}", names)[0]) == -2 * sympy.sin(2 * theta)
     twice = convert.of(read_expression(r"\frac{d^2 x}{dt^2}", names)[0])
@@ -133,10 +141,10 @@ def test_values_are_those_of_the_motion(planter):
 
 def test_simplify_is_asked_fairly():
     asked = {(link.line, link.link): link for link in links(HERE)}
-    assert decided(asked[42, 1]) == PROVED
-    assert decided(asked[56, 1]) == DIFFERENT
-    assert decided(asked[106, 1]) == PROVED
-    assert asked[106, 1].kept == 1
+    assert decide(asked[42, 1]) == PROVED
+    assert decide(asked[56, 1]) == DIFFERENT
+    assert decide(asked[106, 1]) == PROVED
+    assert asked[106, 1].highest == 1
     assert (170, 1) not in asked  # a definition
 
 
@@ -144,9 +152,9 @@ def test_simplify_is_ended_at_its_limit():
     x = sympy.Symbol("x")
     hard = sympy.Add(*(sympy.cos(x + 2 * sympy.pi * k / 61) ** 7 for k in range(61)))
     quick = Link(1, 1, sympy.sin(x) ** 2 + sympy.cos(x) ** 2 - 1, True)
-    slow, after = simplified([Link(2, 1, hard, True), quick], limit=2.0)
-    assert (slow.said, slow.is_right) == (UNDECIDED, False)
-    assert (after.said, after.is_right) == (PROVED, True)
+    slow, after = simplify_links([Link(2, 1, hard, True), quick], limit=2.0)
+    assert (slow.answer, slow.is_right) == (UNDECIDED, False)
+    assert (after.answer, after.is_right) == (PROVED, True)
 
 
 def test_the_bench_has_its_report():

@@ -8,7 +8,7 @@ from mpmath import mp
 
 pytest.importorskip("scipy")
 
-from symbalance.bench.integrating.four import CYCLE
+from symbalance.bench.inline_four import CYCLE
 from symbalance.crankshaft.bearings.csv_table import read_film
 from symbalance.crankshaft.bearings.orbits import films, journal_orbit
 from symbalance.crankshaft.bearings.periodic import film_from_tables, trigonometric_film

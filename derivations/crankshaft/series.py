@@ -13,7 +13,7 @@ from pathlib import Path
 import matplotlib as mpl
 import numpy as np
 
-from symbalance.bench.integrating.four import CYCLE, Case, full_system
+from symbalance.bench.inline_four import CYCLE, Case, full_system
 from symbalance.crankshaft.bearings.series import equivalent
 
 mpl.use("Agg")

@@ -1,7 +1,7 @@
-"""When a closed form pays: its time and its error beside a polynomial of so many harmonics.
+"""The number of harmonics from which a closed form is faster than a polynomial, with the errors of both.
 
-Both forms are made here, of one wave each, whatever the rule of `numeric.plans` says; which one that
-takes for every order that shows in a double is told beside them.
+Both forms are written here, of one harmonic sum each, whatever the rule of `codegen.plans` chooses; its
+choice for every order that shows in a double stands beside them.
 """
 
 from __future__ import annotations
@@ -13,16 +13,14 @@ from itertools import pairwise
 
 import numpy as np
 
-from symbalance.bench.evaluating.candidates import Candidate, Floats, calls, from_plan
-from symbalance.bench.evaluating.cases import Case
-from symbalance.bench.evaluating.rounds import in_turn
-from symbalance.bench.evaluating.speed import angles, short
-from symbalance.bench.evaluating.truth import truth
-from symbalance.bench.timing import progress
+from symbalance.bench.error_sweep import Judge
+from symbalance.bench.evaluated_outputs import Candidate, Case, Floats, calls, from_plan
+from symbalance.bench.speed import angles, short
+from symbalance.bench.timing import in_turn, progress
 from symbalance.codegen.plans import plan
 
 COUNT, PASSES = 100_000, 4
-NOT_REACHED = float("inf")
+NEVER = float("inf")
 CASES = tuple(
     Case(engine, output, None, Fraction(ratio))
     for engine, output in (
@@ -45,7 +43,7 @@ class Crossover:
     places: int
     candidates: dict[int, Candidate]
     every: int
-    closed_is_taken: bool
+    closed_is_chosen: bool
     closed_u: float
     polynomial_u: float
     least: dict[int, float] = field(default_factory=dict)
@@ -54,8 +52,8 @@ class Crossover:
         """Time all in turn, and keep the least, nanoseconds an angle."""
         functions = calls(self.candidates, theta, out)
         for count, times in in_turn(functions, 3, 0.03, least=1).items():
-            spent = 1e9 * times.best / theta.size
-            self.least[count] = min(spent, self.least.get(count, spent))
+            nanoseconds = 1e9 * times.best / theta.size
+            self.least[count] = min(nanoseconds, self.least.get(count, nanoseconds))
 
     @property
     def closed(self) -> float:
@@ -65,16 +63,16 @@ class Crossover:
     @property
     def polynomials(self) -> dict[int, float]:
         """The polynomials' times, by the number of harmonics."""
-        return {count: spent for count, spent in sorted(self.least.items()) if count}
+        return {count: time for count, time in sorted(self.least.items()) if count}
 
     @property
     def pays_from(self) -> float:
         """The number of harmonics from which the closed form is faster, by straight lines between."""
-        known = list(self.polynomials.items())
-        for (few, fast), (many, slow) in pairwise(known):
+        times = list(self.polynomials.items())
+        for (few, fast), (many, slow) in pairwise(times):
             if fast < self.closed <= slow:
                 return few + (many - few) * (self.closed - fast) / (slow - fast)
-        return known[0][0] if known[0][1] >= self.closed else NOT_REACHED
+        return times[0][0] if times[0][1] >= self.closed else NEVER
 
 
 def crossovers(cases: Sequence[Case], targets: Sequence[str], counts: Sequence[int]) -> list[Crossover]:
@@ -88,40 +86,39 @@ def crossovers(cases: Sequence[Case], targets: Sequence[str], counts: Sequence[i
 
 
 def _crossover(case: Case, target: str, counts: Sequence[int]) -> Crossover:
-    progress(f"closed form: {case.engine} at lambda = {case.known_ratio}, {target}")
-    wave, ratio = case.wave, case.known_ratio
+    progress(f"closed form: {case.engine} at lambda = {case.rod_ratio}, {target}")
+    wave, ratio = case.wave, case.rod_ratio
     step = int(wave.terms[-1].order - wave.terms[-2].order)
     most = step * (max(*counts, len(wave.terms)) + 1)
     longer = Case(case.engine, case.output, most, ratio).wave.terms
     waves = {0: replace(wave, terms=())}
     waves |= {n: replace(wave, terms=longer[:n], closed=None) for n in (*counts, len(wave.terms))}
-    found = {n: from_plan(plan([one], ratio, target), target) for n, one in waves.items()}
-    known, places = truth(case, 150), len(wave.closed.places) if wave.closed else 0
+    candidates = {n: from_plan(plan([one], ratio, target), target) for n, one in waves.items()}
+    judge, places = Judge.of(case, 150), len(wave.closed.places) if wave.closed else 0
     every = len(wave.terms)
-    taken = plan([wave], ratio, target).outputs[0].closed
-    errors = known.error(found[0]).in_u, known.error(found[every]).in_u
-    return Crossover(case, target, places, found, every, taken, *errors)
+    is_closed = plan([wave], ratio, target).outputs[0].closed
+    errors = judge.error(candidates[0]).in_u, judge.error(candidates[every]).in_u
+    return Crossover(case, target, places, candidates, every, is_closed, *errors)
 
 
 def crossover_table(rows: Sequence[Crossover]) -> str:
     """Return a line for each wave and target."""
     counts = sorted(set.intersection(*(set(row.polynomials) for row in rows)))
     heads = "".join(f"{n:>6}" for n in counts)
-    lines = [f"{'harmonics':<28}{heads}{'all':>12}{'closed':>8}{'places':>7}{'from':>6}  taken"]
+    lines = [f"{'harmonics':<28}{heads}{'all':>12}{'closed':>8}{'places':>7}{'from':>6}  rule"]
     for row in rows:
-        name = f"{row.case.engine} λ = {row.case.known_ratio}, {row.target}"
+        name = f"{row.case.engine} λ = {row.case.rod_ratio}, {row.target}"
         cells = "".join(f"{short(row.polynomials[n]):>6}" for n in counts)
         every = f"{short(row.polynomials[row.every])} ({row.every})"
-        pays = "never" if row.pays_from == NOT_REACHED else f"{row.pays_from:.0f}"
-        taken = f"{row.closed_u:.1f} u" if row.closed_is_taken else f"{row.polynomial_u:.1f} u"
-        other = f"{row.polynomial_u:.1f}" if row.closed_is_taken else f"{row.closed_u:.1f}"
-        form = "closed" if row.closed_is_taken else "harmonics"
+        pays = "never" if row.pays_from == NEVER else f"{row.pays_from:.0f}"
+        forms = [("closed", row.closed_u), ("harmonics", row.polynomial_u)]
+        (form, error), (_, other) = forms if row.closed_is_chosen else reversed(forms)
         lines.append(
             f"{name:<28}{cells}{every:>12}{short(row.closed):>8}{row.places:>7}{pays:>6}  "
-            f"{form}, {taken} (the other {other})"
+            f"{form}, {error:.1f} u (the other {other:.1f})"
         )
     lines += [
         "nanoseconds an angle; all (how many): every order that shows; from: the number of harmonics",
-        "from which the closed form is faster; taken: what the rule takes for all of them, and its error",
+        "from which the closed form is faster; rule: what `plans` chooses for all of them, and its error",
     ]
     return "\n".join(lines)

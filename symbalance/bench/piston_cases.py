@@ -1,4 +1,4 @@
-"""One piston: displacement in its own ulp wherever it is, velocity in u of its amplitude."""
+"""Errors of a piston's displacement, in ulp of itself, and velocity, in u of its amplitude."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from functools import partial
 
 import numpy as np
 
-from symbalance.bench.stability.angles import closest, hard, near_turns, random_angles, small
-from symbalance.bench.stability.asked import Array, Asked, on_target, targets
-from symbalance.bench.stability.case import OF_AMPLITUDE, ULP, Case, Part, largest, measured, tried
-from symbalance.bench.stability.truth import Points, U
+from symbalance.bench.bounded_cases import OF_AMPLITUDE, ULP, Case, Part, attempt, worst, worst_point
+from symbalance.bench.hard_angles import closest, hard, near_turns, random_angles, small
+from symbalance.bench.output_requests import Array, OutputRequest, on_target, targets
 from symbalance.bench.timing import progress
+from symbalance.bench.true_values import Points, U
 from symbalance.engine.builders import inline
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
@@ -22,7 +22,7 @@ DISPLACEMENT, VELOCITY = 4.0, 4.0
 """Stated bounds: ulp of the value itself, and u of the amplitude."""
 REAL = Fraction(7, 2)
 Measure = Callable[[Engine, Points, Fraction], dict[str, Callable[[], Case]]]
-SAYS = """\
+INTRODUCTION = """\
 The displacement is held to ulp of its own value, however small that is; naive: 1 - cos + λ(1 - √(1 -
 sin²/λ²)). The velocity to u = 2^-53 of its amplitude; naive: sin (1 + cos/√(λ² - sin²))."""
 
@@ -30,18 +30,18 @@ sin²/λ²)). The velocity to u = 2^-53 of its amplitude; naive: sin (1 + cos/�
 def part(quick: bool) -> Part:
     """Return the cases of one piston, on every target."""
     count = 50 if quick else 1200
-    single, turned = inline(throws=[0]), Engine([Cylinder(1, throw="360/7")])
+    single, shifted = inline(throws=[0]), Engine([Cylinder(1, throw="360/7")])
     regions = (
         ("displacement near TDC, 5e-324 to 0.1 rad", single, small(count)),
         ("displacement at 2πn, n to 166000, and around", single, near_turns(count)),
         ("displacement anywhere to 1e6 rad", single, anywhere(count)),
-        ("displacement, TDC at -360°/7, and around", turned, near_turns(count, 7, 1 / 7)),
+        ("displacement, TDC at -360°/7, and around", shifted, near_turns(count, 7, 1 / 7)),
     )
     cases = [
-        c for what, layout, theta in regions for c in everywhere(displaced, what, layout, theta, quick)
+        c for name, layout, theta in regions for c in everywhere(displacement, name, layout, theta, quick)
     ]
-    moving = everywhere(velocity, "velocity anywhere to 1e6 rad", single, hard(4 * count), quick)
-    return Part("One piston, λ = 1.0000001, 1.01, 3.5 and 1e6", SAYS, [*cases, *moving])
+    velocities = everywhere(velocity, "velocity anywhere to 1e6 rad", single, hard(4 * count), quick)
+    return Part("One piston, λ = 1.0000001, 1.01, 3.5 and 1e6", INTRODUCTION, [*cases, *velocities])
 
 
 def anywhere(count: int) -> Array:
@@ -51,44 +51,44 @@ def anywhere(count: int) -> Array:
     return np.concatenate([random_angles(4 * count), wide, bottom[np.abs(bottom) <= 1e6], closest()])
 
 
-def everywhere(one: Measure, what: str, layout: Engine, theta: Array, quick: bool) -> list[Case]:
+def everywhere(measure: Measure, name: str, layout: Engine, theta: Array, quick: bool) -> list[Case]:
     """Return a case on every target, the worst over the rod ratios; quickly, others than NumPy at 3.5."""
-    progress(what)
-    points, found = Points(theta), {target: [] for target in targets()}
+    progress(name)
+    points, cases = Points(theta), {target: [] for target in targets()}
     for ratio in RATIOS:
-        for target, make in one(layout, points, ratio).items():
+        for target, make in measure(layout, points, ratio).items():
             if target == "numpy" or not quick or ratio == REAL:
-                found[target].append(tried(f"{what}, {target}", DISPLACEMENT, ULP, make))
-    return [largest(cases, f"{what}, {target}") for target, cases in found.items()]
+                cases[target].append(attempt(f"{name}, {target}", DISPLACEMENT, ULP, make))
+    return [worst(rows, f"{name}, {target}") for target, rows in cases.items()]
 
 
-def displaced(layout: Engine, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
+def displacement(layout: Engine, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
     """Return, by target, the measuring of the displacement at one rod ratio, in ulp of itself."""
-    asked = Asked(layout, "piston.displacement", ratio, 1)
-    truth, lam = asked.truth(points), float(ratio)
+    request = OutputRequest(layout, "piston.displacement", ratio, 1)
+    truth, lam = request.true_values(points), float(ratio)
     ulp = np.spacing(truth.high)
-    own = points.theta + 2 * np.pi * float(layout.first.delay.turns)
-    naive = 1 - np.cos(own) + lam * (1 - np.sqrt(1 - (np.sin(own) / lam) ** 2))
+    angle = points.theta + 2 * np.pi * float(layout.first.delay.turns)
+    naive = 1 - np.cos(angle) + lam * (1 - np.sqrt(1 - (np.sin(angle) / lam) ** 2))
     others = {"1 - cos ...": truth.off(naive) / ulp}
 
     def make(target: str) -> Case:
-        ours = truth.off(on_target(asked, target)(points.theta)) / ulp
-        return measured("", points.theta, ours, DISPLACEMENT, ULP, others, f"λ={lam:.8g}: ")
+        errors = truth.off(on_target(request, target)(points.theta)) / ulp
+        return worst_point("", points.theta, errors, DISPLACEMENT, ULP, others, f"λ={lam:.8g}: ")
 
     return {target: partial(make, target) for target in targets()}
 
 
 def velocity(layout: Engine, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
     """Return, by target, the measuring of the velocity at one rod ratio, in u of its amplitude."""
-    asked = Asked(layout, "piston.velocity", ratio, 1)
-    truth, lam = asked.truth(points), float(ratio)
+    request = OutputRequest(layout, "piston.velocity", ratio, 1)
+    truth, lam = request.true_values(points), float(ratio)
     sin, cos = np.sin(points.theta), np.cos(points.theta)
     naive = truth.off(sin * (1 + cos / np.sqrt(lam * lam - sin * sin)))
 
     def make(target: str) -> Case:
-        size = U * asked.amplitude
-        ours = truth.off(on_target(asked, target)(points.theta)) / size
+        size = U * request.amplitude
+        errors = truth.off(on_target(request, target)(points.theta)) / size
         others = {"sin (1 + ...)": naive / size}
-        return measured("", points.theta, ours, VELOCITY, OF_AMPLITUDE, others, f"λ={lam:.8g}: ")
+        return worst_point("", points.theta, errors, VELOCITY, OF_AMPLITUDE, others, f"λ={lam:.8g}: ")
 
     return {target: partial(make, target) for target in targets()}

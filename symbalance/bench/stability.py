@@ -1,6 +1,6 @@
-"""`symbalance bench stability`: the worst cases we know, against mpmath, the naive form beside ours.
+"""`symbalance bench stability`: largest errors in ulp at the worst inputs known, naive formulas beside.
 
-True values come from the kinematics alone (`truth`), angles and rod ratios from what is known
+True values come from the kinematics alone (`true_values`), angles and rod ratios from what is known
 to hurt. A case past its stated bound is a failure, and so is one that raises: the command exits with 1.
 """
 
@@ -14,30 +14,29 @@ import mpmath
 import numpy as np
 import sympy
 
-from symbalance.bench.stability import engines, pistons, ratios, rules, sums
-from symbalance.bench.stability.asked import targets
-from symbalance.bench.stability.case import Case, Part, largest
+from symbalance.bench import closed_sum_cases, engine_cases, piston_cases, ratio_cases
+from symbalance.bench.bounded_cases import Case, Part, worst
+from symbalance.bench.output_requests import targets
 
 UNITS = """\
-u = 2^-53, half an ulp of 1, times the amplitude of the output; ulp: of the true value itself; wrong:
-values that break a rule. "ours" is the largest found, at the place named; "naive" the largest of the
-naive form anywhere."""
+u = 2^-53, half an ulp of 1, times the amplitude of the output; ulp: of the true value itself; wrong: 1
+where a refusal fails to come. "error" is symbalance's largest, at the place named; "naive" the largest
+of the naive form anywhere."""
 PARTS: Sequence[Callable[[bool], Part]] = (
-    pistons.part,
-    engines.near,
-    engines.far,
-    ratios.coefficient_part,
-    ratios.function_part,
-    engines.many,
-    sums.part,
-    engines.float32,
-    rules.part,
+    piston_cases.part,
+    engine_cases.near,
+    engine_cases.far,
+    ratio_cases.coefficient_part,
+    ratio_cases.function_part,
+    engine_cases.many,
+    closed_sum_cases.part,
+    engine_cases.float32,
 )
 
 
 @dataclass(frozen=True)
 class StabilityReport:
-    """Cases under titles, below a line on what they were made with, above the verdict."""
+    """Cases under titles, below a line on the programs, above the verdict."""
 
     head: str
     parts: Sequence[Part]
@@ -48,7 +47,7 @@ class StabilityReport:
 
     def missed(self) -> list[Case]:
         """Return the cases past their stated bound."""
-        return [case for case in self.cases() if not case.met]
+        return [case for case in self.cases() if not case.is_met]
 
     def text(self) -> str:
         """Return the report as it is printed."""
@@ -57,19 +56,19 @@ class StabilityReport:
 
     def summary(self) -> Part:
         """Return, of every part, the case nearest to its bound or past it."""
-        rows = [largest(part.cases, part.title) for part in self.parts]
+        rows = [worst(part.cases, part.title) for part in self.parts]
         return Part("In short", "The case of each table that is nearest to its bound, or past it.", rows)
 
     def verdict(self) -> str:
-        """Return what is to be said in the end."""
+        """Return the last lines: how many cases, and which are past their bounds."""
         count, missed = len(self.cases()), self.missed()
         if not missed:
             return f"{count} cases, all within their bounds"
-        return "\n".join([f"FAILED: {len(missed)} of {count} cases", *(f"  {c.what}" for c in missed)])
+        return "\n".join([f"FAILED: {len(missed)} of {count} cases", *(f"  {c.name}" for c in missed)])
 
 
 def report(quick: bool = False) -> StabilityReport:
-    """Return all cases; `quick` tries fewer angles, engines and orders."""
+    """Return all cases; `quick` takes fewer angles, engines and orders."""
     head = (
         f"Python {platform.python_version()}, NumPy {np.__version__}, mpmath {mpmath.__version__}, "
         f"SymPy {sympy.__version__}, {platform.machine()}; targets: {', '.join(targets())}"

@@ -1,4 +1,4 @@
-"""One output of one engine as it is asked for: ours on every target, the truth, and the naive forms."""
+"""One output of one engine: symbalance's function on every target, the true values, the naive forms."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from importlib.util import find_spec
 from math import gcd
 from pathlib import Path
@@ -17,11 +17,12 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.bench.stability.case import OF_AMPLITUDE, Case, measured
-from symbalance.bench.stability.truth import (
+from symbalance.bench.bounded_cases import OF_AMPLITUDE, Case, attempt, worst_point
+from symbalance.bench.timing import progress
+from symbalance.bench.true_values import (
     Points,
     Term,
-    Truth,
+    TrueValues,
     U,
     accelerations_at,
     coefficients,
@@ -38,13 +39,16 @@ from symbalance.forces.free_forces import balance
 Array = Any
 Function = Callable[[Array], Array]
 PARTS = {"numba": "numba"}
+"""The library a target needs."""
 FLAGS = ("-std=gnu99", "-O3", "-march=native", "-fno-math-errno", "-shared", "-fPIC")
+AIM = 4.0
+"""The error aimed at for |theta| <= 1e6, in u of the amplitude; functions state a little more."""
 ALL_ORDERS = 64
 """The orders that stand for all in the forward and backward parts, at a real engine's rod ratio."""
 
 
 @dataclass(frozen=True)
-class Asked:
+class OutputRequest:
     """An output, its engine and rod ratio, and the orders: to `order`, or with a tolerance all."""
 
     layout: Engine
@@ -55,22 +59,22 @@ class Asked:
 
     @cached_property
     def evaluator(self) -> Evaluator:
-        """Ours, with NumPy."""
+        """symbalance's function, with NumPy."""
         return self.on("numpy")
 
     def on(self, target: str) -> Evaluator:
-        """Return ours on a target in memory."""
+        """Return symbalance's function on a target in memory."""
         result = balance(self.layout, order=self.order)
         return to_function(result, self.ratio, self.name, target, tolerance=self.tolerance)
 
     @property
     def amplitude(self) -> float:
-        """The output's largest size, as ours states it."""
+        """The output's largest size, as its function states it."""
         return self.evaluator.amplitude[self.name]
 
     @property
-    def stated(self) -> float:
-        """What ours says it may be off, in u of the amplitude, with what it leaves out."""
+    def stated_bound(self) -> float:
+        """The error the function states, in u of the amplitude, with what it leaves out."""
         left_out = self.evaluator.left_out[self.name] or 0.0
         return self.evaluator.rounding[self.name] + left_out / (U * self.amplitude)
 
@@ -89,7 +93,7 @@ class Asked:
     def _part(self) -> str:
         return self.name.partition(".")[2]
 
-    def truth(self, points: Points) -> Truth:
+    def true_values(self, points: Points) -> TrueValues:
         """Return the true values."""
         if self._part in ("displacement", "velocity"):
             return piston_at(points, self._part, self.layout, self.ratio)
@@ -98,7 +102,7 @@ class Asked:
         return accelerations_at(points, weights(self.layout, self.name), self.ratio)
 
     def naive(self, theta: Array) -> dict[str, Array]:
-        """Return what the obvious formulas give: the harmonics' cosines, and cylinder by cylinder."""
+        """Return the values of the obvious formulas: the harmonics' cosines, and cylinder by cylinder."""
         if self._part in ("forward", "backward"):
             return {"cos n theta": self._by_cosines(theta)}
         if self.tolerance is None:
@@ -116,22 +120,37 @@ class Asked:
         lam = float(self.ratio)
         total = np.zeros_like(theta)
         for weight, turns in weights(self.layout, self.name):
-            own = theta + 2 * np.pi * float(turns)
-            total += float(weight) * (self._summed(own) if self.tolerance is None else textbook(own, lam))
+            angle = theta + 2 * np.pi * float(turns)
+            force = self._series(angle) if self.tolerance is None else textbook(angle, lam)
+            total += float(weight) * force
         return total
 
-    def _summed(self, angle: Array) -> Array:
+    def _series(self, angle: Array) -> Array:
         return sum(float(a) * np.cos(n * angle) for n, a in coefficients(self.order, self.ratio).items())
 
     def case(
-        self, what: str, points: Points, bound: float, note: str = "", function: Function | None = None
+        self, name: str, points: Points, bound: float, note: str = "", function: Function | None = None
     ) -> Case:
-        """Return how far off ours is at the points, in u of its amplitude."""
-        truth, size = self.truth(points), U * self.amplitude
-        ours = truth.off((function or self.evaluator)(points.theta)) / size
-        with np.errstate(all="ignore"):
-            naive = {name: truth.off(v) / size for name, v in self.naive(points.theta).items()}
-        return measured(what, points.theta, ours, bound, OF_AMPLITUDE, naive, note)
+        """Return how far off the function is at the points, in u of its amplitude."""
+        truth, size = self.true_values(points), U * self.amplitude
+        errors = truth.off((function or self.evaluator)(points.theta)) / size
+        with np.errstate(all="ignore"):  # naive forms overflow, and that is their error
+            naive = {way: truth.off(v) / size for way, v in self.naive(points.theta).items()}
+        return worst_point(name, points.theta, errors, bound, OF_AMPLITUDE, naive, note)
+
+    def stated_cases(self, points: Points, note: str = "") -> list[Case]:
+        """Return the case held to the function's own stated bound; none where the output vanishes."""
+        orders = f"orders to {self.order}" if self.tolerance is None else "all orders"
+        name = f"{self.layout.name}, {self.name}, {orders}"
+        progress(name)
+        try:
+            if not self.amplitude:
+                return []
+        except Exception as error:  # whatever the engine's plan stumbles over is a failure of the case
+            return [Case(name, f"raised {type(error).__name__}: {error}"[:36], float("inf"), AIM)]
+        note = note or f"amplitude {self.amplitude:.3g}: "
+        make = partial(self.case, name, points, self.stated_bound, note)
+        return [attempt(name, AIM, OF_AMPLITUDE, make)]
 
 
 def textbook(angle: Array, lam: float) -> Array:
@@ -143,38 +162,38 @@ def textbook(angle: Array, lam: float) -> Array:
 
 def targets() -> list[str]:
     """Return the targets that can be run here: those in memory, and C where there is a compiler."""
-    known = [t for t in IN_MEMORY if t not in PARTS or find_spec(PARTS[t]) is not None]
-    return [*known, "c"] if shutil.which("cc") else known
+    in_memory = [t for t in IN_MEMORY if t not in PARTS or find_spec(PARTS[t]) is not None]
+    return [*in_memory, "c"] if shutil.which("cc") else in_memory
 
 
 @lru_cache
-def on_target(asked: Asked, target: str) -> Function:
-    """Return ours on any target, as a function of an array of doubles."""
+def on_target(request: OutputRequest, target: str) -> Function:
+    """Return symbalance's function on any target, as one of an array of doubles."""
     if target != "c":
-        function = asked.on(target)
+        function = request.on(target)
         return lambda theta: np.asarray(function(theta))
-    return _compiled(asked)
+    return _compile_c(request)
 
 
-def _compiled(asked: Asked) -> Function:
+def _compile_c(request: OutputRequest) -> Function:
     """Return the C source compiled into a library of its own."""
-    result = balance(asked.layout, order=asked.order)
-    planned = planned_for(result, asked.ratio, asked.name, "c", asked.tolerance)
+    result = balance(request.layout, order=request.order)
+    plan = planned_for(result, request.ratio, request.name, "c", request.tolerance)
     with TemporaryDirectory() as folder:
-        for ending, text in files(planned, "c", "engine", "tried").items():
-            Path(folder, "tried" + ending).write_text(text, encoding="utf-8")
-        library = str(Path(folder, "tried.so"))
-        command = ["cc", *FLAGS, "-o", library, str(Path(folder, "tried.c")), "-lm"]
+        for ending, text in files(plan, "c", "engine", "output").items():
+            Path(folder, "output" + ending).write_text(text, encoding="utf-8")
+        library = str(Path(folder, "output.so"))
+        command = ["cc", *FLAGS, "-o", library, str(Path(folder, "output.c")), "-lm"]
         subprocess.run(command, check=True, capture_output=True)
-        tried = ctypes.CDLL(library).tried
+        evaluate = ctypes.CDLL(library).output
     pointer = np.ctypeslib.ndpointer(np.float64, flags="C")
-    tried.argtypes = [ctypes.c_size_t, pointer, *[ctypes.c_double] * 4, pointer]
-    tried.restype = None
+    evaluate.argtypes = [ctypes.c_size_t, pointer, *[ctypes.c_double] * 4, pointer]
+    evaluate.restype = None
 
     def function(theta: Array) -> Array:
         angles = np.ascontiguousarray(theta, np.float64)
         values = np.empty_like(angles)
-        tried(angles.size, angles, 1.0, 1.0, 1.0, 1.0, values)
+        evaluate(angles.size, angles, 1.0, 1.0, 1.0, 1.0, values)
         return values
 
     return function

@@ -1,9 +1,10 @@
-"""The alternatives, by name: what a user writes without symbalance, or with its cancelled sum alone.
+"""Alternatives to symbalance's functions, by name: what a user writes without it, or from its sum alone.
 
-per-cylinder NumPy: exact kinematics, a vectorised line a step, one cylinder after the other. It is
-written with care: squares by multiplication, no power function. The others get the surviving harmonics,
-cancelled and exact, as doubles: `sympy.lambdify` (NumPy), a Numba loop that calls math.cos, and heyoka's
-compiled function, one thread each.
+NumPy per cylinder: exact kinematics, a vectorised line a step, one cylinder after the other. It is
+written with care: squares by multiplication, no power function. The others start from the surviving
+harmonics, cancelled and exact, as doubles: `sympy.lambdify` (NumPy), a Numba loop that calls math.cos for
+each, a Numba loop that takes one cosine and one sine and raises them by complex multiplication, and
+heyoka's compiled function, whose cosines are vectorised, one thread each.
 """
 
 from __future__ import annotations
@@ -18,12 +19,13 @@ from typing import Any
 import numpy as np
 import sympy
 
-from symbalance.bench.evaluating.candidates import Candidate, Floats
-from symbalance.bench.evaluating.cases import Case, Harmonic
+from symbalance.bench.evaluated_outputs import Candidate, Case, Floats, Harmonic
+from symbalance.bench.true_values import weights
 
-PER_CYLINDER, LAMBDIFY, NUMBA_COS, HEYOKA = "NumPy per cylinder", "lambdify", "Numba math.cos", "heyoka"
-ALTERNATIVES = (PER_CYLINDER, LAMBDIFY, NUMBA_COS, HEYOKA)
-NEEDS = {NUMBA_COS: "numba", HEYOKA: "heyoka"}
+PER_CYLINDER, LAMBDIFY, HEYOKA = "NumPy per cylinder", "lambdify", "heyoka"
+NUMBA_COS, NUMBA_POWERS = "Numba math.cos", "Numba powers"
+ALTERNATIVES = (PER_CYLINDER, LAMBDIFY, NUMBA_COS, NUMBA_POWERS, HEYOKA)
+NEEDS = {NUMBA_COS: "numba", NUMBA_POWERS: "numba", HEYOKA: "heyoka"}
 
 
 def present() -> tuple[str, ...]:
@@ -41,8 +43,13 @@ def alternative(case: Case, name: str) -> Candidate:
     """Return an alternative for a case, compiled."""
     if name == PER_CYLINDER:
         return Candidate(name, per_cylinder(case))
-    make = {LAMBDIFY: lambdified, NUMBA_COS: in_numba, HEYOKA: in_heyoka}[name]
-    return Candidate(name, make(case.harmonics)).warmed()
+    build = {
+        LAMBDIFY: from_lambdify,
+        NUMBA_COS: from_numba,
+        NUMBA_POWERS: powers_from_numba,
+        HEYOKA: from_heyoka,
+    }[name]
+    return Candidate(name, build(case.harmonics)).warmed()
 
 
 def per_cylinder(case: Case) -> Any:
@@ -50,8 +57,8 @@ def per_cylinder(case: Case) -> Any:
 
     An inertia force is cos p + (lambda^2 cos 2p + sin^4 p)/(lambda^2 - sin^2 p)^(3/2), in m r omega^2.
     """
-    square = float(case.known_ratio) ** 2
-    rows = [(float(weight), float(lead)) for weight, lead in cylinders(case, np.cos, np.sin, np.pi)]
+    square = float(case.rod_ratio) ** 2
+    rows = [(float(w), 2 * np.pi * float(turns)) for w, turns in weights(case.layout, case.output)]
 
     def function(theta: Floats, _: Floats | None = None) -> Floats:
         total = np.zeros_like(theta)
@@ -66,22 +73,7 @@ def per_cylinder(case: Case) -> Any:
     return function
 
 
-def cylinders(case: Case, cos: Any, sin: Any, pi: Any) -> list[tuple[Any, Any]]:
-    """Return each cylinder's weight in the output, and by how much its crank leads, in radians."""
-    kind, part = case.output.split(".")
-    onto = {"vertical": cos, "lateral": sin}[part]
-    plane = case.balance.reference
-    plane = case.layout.mean_station if plane is None else plane
-    found = []
-    for cylinder in case.layout.cylinders:
-        arm = cylinder.station - plane if kind == "couple" else cylinder.station**0
-        bank, lead = cylinder.bank.turns, cylinder.throw.turns - cylinder.bank.turns
-        weight = onto(2 * pi * bank.numerator / bank.denominator) * arm.numerator / arm.denominator
-        found.append((weight, 2 * pi * lead.numerator / lead.denominator))
-    return found
-
-
-def lambdified(harmonics: Sequence[Harmonic]) -> Any:
+def from_lambdify(harmonics: Sequence[Harmonic]) -> Any:
     """Return SymPy's function of the cancelled sum, its coefficients floats."""
     theta = sympy.Symbol("theta", real=True)
     terms = [sympy.Float(h.amplitude) * sympy.cos(int(h.order) * theta - h.phase) for h in harmonics]
@@ -89,7 +81,7 @@ def lambdified(harmonics: Sequence[Harmonic]) -> Any:
     return lambda theta, out: function(theta)
 
 
-def in_numba(harmonics: Sequence[Harmonic]) -> Any:
+def from_numba(harmonics: Sequence[Harmonic]) -> Any:
     """Return a compiled loop over the angles, and in it one over the harmonics."""
     table = np.array([(h.order, h.amplitude, h.phase) for h in harmonics]).reshape(-1, 3).T.copy()
     loop = _loop()
@@ -113,7 +105,36 @@ def _loop() -> Any:
     return import_module("numba").njit(loop)
 
 
-def in_heyoka(harmonics: Sequence[Harmonic]) -> Any:
+def powers_from_numba(harmonics: Sequence[Harmonic]) -> Any:
+    """Return a compiled loop over the angles that raises e^(i theta) by complex multiplication."""
+    highest = int(max((h.order for h in harmonics), default=0))
+    table = np.zeros((2, highest))
+    for h in harmonics:
+        table[:, int(h.order) - 1] += (h.amplitude * np.cos(h.phase), h.amplitude * np.sin(h.phase))
+    loop = _loop_of_powers()
+
+    def function(theta: Floats, out: Floats) -> Floats:
+        loop(theta, table[0], table[1], out)
+        return out
+
+    return function
+
+
+@cache
+def _loop_of_powers() -> Any:
+    def loop(theta, cosines, sines, out):
+        for i in range(theta.size):
+            c, s = math.cos(theta[i]), math.sin(theta[i])
+            x, y, total = 1.0, 0.0, 0.0
+            for k in range(cosines.size):
+                x, y = x * c - y * s, y * c + x * s
+                total += cosines[k] * x + sines[k] * y
+            out[i] = total
+
+    return import_module("numba").njit(loop)
+
+
+def from_heyoka(harmonics: Sequence[Harmonic]) -> Any:
     """Return heyoka's compiled function, which has vector cosines."""
     heyoka = import_module("heyoka")
     heyoka.set_nthreads(1)
