@@ -18,11 +18,19 @@ from symbalance.bench import accuracy_alternatives as alternatives
 from symbalance.bench.accuracy import AccuracyReport
 from symbalance.bench.accuracy_alternatives import ALTERNATIVES, alternative, lacking, present
 from symbalance.bench.crossover import crossover_table, crossovers
-from symbalance.bench.error_sweep import Judge, Point, Sweep, as_csv, draw, judged_angles, sweep_table
+from symbalance.bench.error_sweep import (
+    ErrorSweep,
+    Judge,
+    Point,
+    draw_points,
+    judged_angles,
+    points_csv,
+    points_table,
+)
 from symbalance.bench.evaluated_outputs import (
     TARGETS,
     Candidate,
-    Case,
+    EvaluatedOutput,
     available_targets,
     candidate,
     from_module,
@@ -32,13 +40,13 @@ from symbalance.bench.true_values import U
 from symbalance.cli import run
 from symbalance.kinematics.slider_crank import acceleration_floats
 
-SIX = Case("inline-6", "force.vertical")
-FIVE = Case("inline-5", "couple.vertical", None, Fraction(4))
+SIX = EvaluatedOutput("inline-6", "force.vertical")
+FIVE = EvaluatedOutput("inline-5", "couple.vertical", None, Fraction(4))
 
 
 @pytest.fixture(scope="module")
 def points() -> list[Point]:
-    small = Sweep(
+    small = ErrorSweep(
         engines=(("inline-4", "force.vertical"), ("v8-90", "force.vertical")),
         ratios=(Fraction(4),),
         orders=(2, None),
@@ -56,13 +64,15 @@ def tiny(points: list[Point], monkeypatch: pytest.MonkeyPatch) -> AccuracyReport
     """A report that is there at once: `symbalance bench accuracy` answers with it."""
     met = Measurement("one", 1.0, "other", 2.0, "twice", True)
     made = AccuracyReport(
-        "head", [("Sweep", sweep_table(points))], Report("wanted", [("A", [met])]), points
+        "head", [("Sweep", points_table(points))], Report("wanted", [("A", [met])]), points
     )
     monkeypatch.setattr(accuracy, "report", lambda quick: made)
     return made
 
 
-@pytest.mark.parametrize("case", [FIVE, Case("v8-90", "couple.lateral", None, Fraction(10, 9))])
+@pytest.mark.parametrize(
+    "case", [FIVE, EvaluatedOutput("v8-90", "couple.lateral", None, Fraction(10, 9))]
+)
 def test_the_truth_is_that_of_the_tests_own_kinematics(case):
     known = Judge.of(case, 12)
     places = [Place(c.throw.in_degrees(), c.bank.in_degrees(), c.station) for c in case.layout.cylinders]
@@ -94,7 +104,7 @@ def test_everyone_is_held_to_the_same_truth(name):
 
 
 def test_a_wrong_coefficient_shows():
-    case = Case("inline-4", "force.vertical", None)
+    case = EvaluatedOutput("inline-4", "force.vertical", None)
     source = case.evaluator("numpy").source
     line = next(x for x in source.splitlines() if x.startswith("FORCE_VERTICAL_") and "e-" not in x)
     name, value = line.split("#")[0].split(" = ")
@@ -161,11 +171,11 @@ def test_what_is_lacking_is_said(monkeypatch):
 
 
 def test_csv_and_table_agree(points):
-    rows = list(csv.DictReader(io.StringIO(as_csv(points))))
+    rows = list(csv.DictReader(io.StringIO(points_csv(points))))
     assert [Point(**_read(row)) for row in rows] == points
     assert {row["order"] for row in rows} == {"2", "all"}
     assert not any(row["engine"] == "v8-90" and row["order"] == "2" for row in rows)  # it vanishes
-    table = sweep_table(points)
+    table = points_table(points)
     assert all(f"{p.ns_per_point:.3g}  {p.error_relative:.0e}" in table for p in points)
     assert {p.target for p in points} >= {
         *TARGETS,
@@ -180,7 +190,7 @@ def _read(row: dict[str, str]) -> dict[str, object]:
 
 
 def test_pictures_are_whole(points):
-    found = draw(points)
+    found = draw_points(points)
     assert found[".png"].startswith(b"\x89PNG")
     assert found[".png"].endswith(b"IEND\xaeB`\x82")
     assert found[".pdf"].startswith(b"%PDF")
@@ -189,7 +199,7 @@ def test_pictures_are_whole(points):
 
 def test_both_forms_of_one_wave(monkeypatch):
     monkeypatch.setattr(import_module("symbalance.bench.crossover"), "COUNT", 64)
-    (row,) = crossovers([Case("inline-4", "force.vertical", None)], ["numpy"], (2, 4))
+    (row,) = crossovers([EvaluatedOutput("inline-4", "force.vertical", None)], ["numpy"], (2, 4))
     assert {2, 4} < set(row.polynomials)
     assert row.places == 1
     assert max(row.closed_u, row.polynomial_u) < 16
@@ -208,7 +218,7 @@ def test_command_writes_points_and_pictures(tiny, tmp_path, capsys):
     assert run(["bench", "accuracy", "--quick", "-o", str(name)]) == 0
     assert capsys.readouterr().out == tiny.text()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["here.csv", "here.pdf", "here.png"]
-    assert name.with_suffix(".csv").read_text(encoding="utf-8") == as_csv(tiny.points)
+    assert name.with_suffix(".csv").read_text(encoding="utf-8") == points_csv(tiny.points)
 
 
 def test_a_missed_target_is_exit_code_1(tiny, monkeypatch, capsys):

@@ -17,16 +17,16 @@ from symbalance.bench import output_requests as requests
 from symbalance.bench import piston_cases as pistons
 from symbalance.bench import ratio_cases as ratios
 from symbalance.bench import stability
-from symbalance.bench.bounded_cases import Case, Part, attempt, worst, worst_point
+from symbalance.bench.bounded_cases import BoundedCase, Part, attempt, worst, worst_point
 from symbalance.bench.hard_angles import closest, hard, near_multiples, near_turns, quarters, small
 from symbalance.bench.output_requests import OutputRequest
 from symbalance.bench.true_values import (
     Points,
     accelerations_at,
-    coefficients,
     gauss,
     harmonics_at,
     piston_at,
+    true_coefficients,
     weights,
 )
 
@@ -74,7 +74,10 @@ def test_the_report_has_every_case(numpy_alone):
 
 
 def test_a_case_past_its_bound_is_missed():
-    good, bad = Case("good", "0.1", 3.9, 4.0), Case("bad", "0.2", 4.1, 4.0, naive={"sum": 1e6})
+    good, bad = (
+        BoundedCase("good", "0.1", 3.9, 4.0),
+        BoundedCase("bad", "0.2", 4.1, 4.0, naive={"sum": 1e6}),
+    )
     report = stability.StabilityReport("head", [Part("title", "says", [good, bad])])
     assert report.missed() == [bad]
     assert "FAILED: 1 of 2 cases\n  bad" in report.text()
@@ -86,15 +89,15 @@ def test_a_case_past_its_bound_is_missed():
 def test_what_is_not_a_number_or_raises_is_missed():
     theta = np.array([1.0, 2.0])
     assert not worst_point("lost", theta, np.array([0.1, np.nan]), 4.0).is_met
-    assert not Case("lost", "", float("nan"), 4.0).is_met
+    assert not BoundedCase("lost", "", float("nan"), 4.0).is_met
 
-    def broken() -> Case:
+    def broken() -> BoundedCase:
         raise SyntaxError("too many nested parentheses")
 
     case = attempt("raises", 4.0, "u", broken)
     assert not case.is_met
     assert case.where.startswith("raised SyntaxError")
-    assert worst([Case("a", "", 1.0, 4.0), case]).where == case.where
+    assert worst([BoundedCase("a", "", 1.0, 4.0), case]).where == case.where
 
 
 def test_a_wrong_constant_is_seen():
@@ -173,7 +176,7 @@ def test_all_orders_sum_to_the_kinematics(name):
 
 def test_coefficients_by_two_ways():
     for ratio in (Fraction(6, 5), Fraction(1001, 1000), 1 + Fraction(1, 10**9)):
-        found = coefficients(60, ratio)
+        found = true_coefficients(60, ratio)
         for n in (2, 4, 30, 60):
             with mp.workdps(60):
                 assert abs(found[n] / gauss(n, ratio) - 1) < mp.mpf(10) ** -50

@@ -20,7 +20,7 @@ from pathlib import Path
 from symbalance.bench.accuracy_alternatives import lacking
 from symbalance.bench.crossover import CASES as CLOSED_FORMS
 from symbalance.bench.crossover import COUNTS, crossover_table, crossovers
-from symbalance.bench.error_sweep import Point, Sweep, as_csv, draw, sweep_table
+from symbalance.bench.error_sweep import ErrorSweep, Point, draw_points, points_csv, points_table
 from symbalance.bench.evaluated_outputs import C, available_targets
 from symbalance.bench.speed import (
     CASES,
@@ -73,7 +73,7 @@ class AccuracyReport:
 
     def files(self) -> dict[str, str | bytes]:
         """Return the files that go with the report, by the endings of their names."""
-        return {".csv": as_csv(self.points), **draw(self.points)}
+        return {".csv": points_csv(self.points), **draw_points(self.points)}
 
 
 def check_files() -> None:
@@ -89,7 +89,7 @@ def report(quick: bool = False) -> AccuracyReport:
     count, rounds, budget = (QUICK, 5, 0.3) if quick else (FULL, 15, 2.5)
     rows = [time_case(case, here.targets, count, rounds, budget) for case in CASES]
     calls = time_small_calls(CASES[0], here.targets, rounds)
-    sweep = Sweep(ratios=QUICK_RATIOS, orders=QUICK_ORDERS, passes=2) if quick else Sweep()
+    sweep = ErrorSweep(ratios=QUICK_RATIOS, orders=QUICK_ORDERS, passes=2) if quick else ErrorSweep()
     points = sweep.points(here.targets)
     forms = [t for t in here.targets if t == C] or list(here.targets[1:])
     cases, counts = (CLOSED_FORMS[1:3], (8, 16, 32)) if quick else (CLOSED_FORMS, COUNTS)
@@ -99,19 +99,19 @@ def report(quick: bool = False) -> AccuracyReport:
     tables = [
         (f"Time at {count:.0e} random angles, order 12", _noted(speed_table(rows), notes)),
         (f"Calls with few angles: {CASES[0].engine}", small_table(calls)),
-        ("Error against run time, by engine, rod ratio and order", sweep_table(points)),
+        ("Error against run time, by engine, rod ratio and order", points_table(points)),
         ("Closed form or polynomial", crossover_table(crossed)),
     ]
     parts = [
         ("Beside copying the array", [m for row in rows for m in beside_copy(row)]),
         ("Beside the alternatives", [m for row in rows for m in beside_alternatives(row)]),
         ("Memory", [memory(CASES[1], count)]),
-        ("Coefficients", coefficients(0.2 if quick else 1.0)),
+        ("Coefficients", time_coefficients(0.2 if quick else 1.0)),
     ]
     return AccuracyReport(_head(), tables, Report("Targets", parts), points)
 
 
-def coefficients(budget: float = 0.5) -> list[Measurement]:
+def time_coefficients(budget: float = 0.5) -> list[Measurement]:
     """Measure all A_n to order 40 at some rod ratios, and their worst error in ulp."""
     return [_at(rho, ratio, budget) for rho, ratio in RHOS.items()]
 

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import sympy
 
-from symbalance.bench.evaluated_outputs import Candidate, Case, Floats, Harmonic
+from symbalance.bench.evaluated_outputs import Candidate, EvaluatedOutput, Floats, Harmonic
 from symbalance.bench.true_values import weights
 
 PER_CYLINDER, LAMBDIFY, HEYOKA = "NumPy per cylinder", "lambdify", "heyoka"
@@ -39,7 +39,7 @@ def lacking() -> tuple[str, ...]:
     return tuple(f"{name}: {part} is not installed (pip install {part})" for name, part in missing)
 
 
-def alternative(case: Case, name: str) -> Candidate:
+def alternative(case: EvaluatedOutput, name: str) -> Candidate:
     """Return an alternative for a case, compiled."""
     if name == PER_CYLINDER:
         return Candidate(name, per_cylinder(case))
@@ -52,7 +52,7 @@ def alternative(case: Case, name: str) -> Candidate:
     return Candidate(name, build(case.harmonics)).warmed()
 
 
-def per_cylinder(case: Case) -> Any:
+def per_cylinder(case: EvaluatedOutput) -> Any:
     """Return the plain sum over the cylinders, every order at once.
 
     An inertia force is cos p + (lambda^2 cos 2p + sin^4 p)/(lambda^2 - sin^2 p)^(3/2), in m r omega^2.

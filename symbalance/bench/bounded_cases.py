@@ -15,7 +15,7 @@ NAME, WHERE, NUMBER = 56, 40, 9
 
 
 @dataclass(frozen=True)
-class Case:
+class BoundedCase:
     """What was computed, where the error is largest, and that error in `unit`; "wrong" counts values.
 
     `naive` holds the largest errors of other ways of computing the same, each under its name.
@@ -35,10 +35,10 @@ class Case:
 
     def line(self) -> str:
         """Return the case as a row of the table."""
-        naive = "; ".join(f"{short(size)} {name}" for name, size in self.naive.items())
-        row = f"{self.name:<{NAME}} {self.where:<{WHERE}} {short(self.error):>{NUMBER}}"
+        naive = "; ".join(f"{size_text(size)} {name}" for name, size in self.naive.items())
+        row = f"{self.name:<{NAME}} {self.where:<{WHERE}} {size_text(self.error):>{NUMBER}}"
         verdict = "ok" if self.is_met else "FAILED"
-        return f"{row} {short(self.bound):>{NUMBER}} {self.unit:<5}  {verdict:<6}  {naive}".rstrip()
+        return f"{row} {size_text(self.bound):>{NUMBER}} {self.unit:<5}  {verdict:<6}  {naive}".rstrip()
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Part:
 
     title: str
     introduction: str
-    cases: Sequence[Case]
+    cases: Sequence[BoundedCase]
 
     def text(self) -> str:
         """Return the part as it is printed."""
@@ -56,24 +56,24 @@ class Part:
         return "\n".join([self.title, "─" * len(self.title), self.introduction, "", *rows])
 
 
-def short(value: float) -> str:
+def size_text(value: float) -> str:
     """Return a size in three digits.
 
-    >>> short(3.14159), short(412345.6), short(0.0), short(float("inf"))
+    >>> size_text(3.14159), size_text(412345.6), size_text(0.0), size_text(float("inf"))
     ('3.14', '4.12e+05', '0', 'inf')
     """
     return f"{value:.0f}" if abs(value) < 1e4 and value == int(value) else f"{value:.3g}"
 
 
-def worst(cases: Sequence[Case], name: str = "") -> Case:
+def worst(cases: Sequence[BoundedCase], name: str = "") -> BoundedCase:
     """Return the case that is nearest to its bound or past it, with the worst naive sizes of all."""
     case = max(cases, key=lambda c: inf if isnan(c.error) else _share(c))
     ways = dict.fromkeys(way for c in cases for way in c.naive)
     naive = {way: max(c.naive.get(way, 0.0) for c in cases) for way in ways}
-    return Case(name or case.name, case.where, case.error, case.bound, case.unit, naive)
+    return BoundedCase(name or case.name, case.where, case.error, case.bound, case.unit, naive)
 
 
-def _share(case: Case) -> float:
+def _share(case: BoundedCase) -> float:
     return case.error / case.bound if case.bound else inf if case.error else 0.0
 
 
@@ -85,18 +85,18 @@ def worst_point(
     unit: str = OF_AMPLITUDE,
     naive: Mapping[str, Any] | None = None,
     note: str = "",
-) -> Case:
+) -> BoundedCase:
     """Return the case of errors `off` (in `unit`) at the angles; NaN counts as past every bound."""
     sizes = np.where(np.isnan(off), inf, off)
     k = int(np.argmax(sizes))
     others = {way: float(np.nanmax(values)) for way, values in (naive or {}).items()}
-    return Case(name, f"{note}{float(theta[k])!r}", float(sizes[k]), bound, unit, others)
+    return BoundedCase(name, f"{note}{float(theta[k])!r}", float(sizes[k]), bound, unit, others)
 
 
-def attempt(name: str, bound: float, unit: str, make: Callable[[], Case]) -> Case:
+def attempt(name: str, bound: float, unit: str, make: Callable[[], BoundedCase]) -> BoundedCase:
     """Return the case that `make` measures; one that raises is a case that fails, and says how."""
     try:
         return make()
     except Exception as error:
         text = " ".join(f"raised {type(error).__name__}: {error}".split())
-        return Case(name, text[:WHERE], inf, bound, unit)
+        return BoundedCase(name, text[:WHERE], inf, bound, unit)

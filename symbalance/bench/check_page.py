@@ -24,7 +24,7 @@ PAGE = files("symbalance.bench") / "page.md"
 
 
 @dataclass(frozen=True)
-class Error:
+class KnownError:
     """A known error: its line, the number of its relation there, the wrong text and the right one."""
 
     line: int
@@ -39,7 +39,7 @@ class Page:
 
     text: str
     sidecar: Mapping[str, Any]
-    errors: tuple[Error, ...]
+    errors: tuple[KnownError, ...]
     values: Mapping[str, str]
     definitions: Mapping[str, int]
 
@@ -81,7 +81,7 @@ def page() -> Page:
     return Page(
         PAGE.read_text(encoding="utf-8"),
         tomllib.loads((folder / "page.symbols.toml").read_text(encoding="utf-8")),
-        tuple(Error(**error) for error in truth["error"]),
+        tuple(KnownError(**error) for error in truth["error"]),
         truth["values"],
         {canonical_name(letter): line for letter, line in truth["definitions"].items()},
     )

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.bench.bounded_cases import ULP, Case, Part, attempt, worst_point
+from symbalance.bench.bounded_cases import ULP, BoundedCase, Part, attempt, worst_point
 from symbalance.bench.timing import progress
 from symbalance.bench.true_values import Number, mp
 from symbalance.document.symbols import symbol
@@ -32,7 +32,7 @@ def part(quick: bool) -> Part:
     return Part("Closed sums at their removable poles", INTRODUCTION, [*quotients(counts), *rows(counts)])
 
 
-def quotients(counts: tuple[int, ...]) -> Iterator[Case]:
+def quotients(counts: tuple[int, ...]) -> Iterator[BoundedCase]:
     """Yield the quotient at its poles, near them, and near them with a spacing that is a float."""
     poles = [(N, n, j, Fraction(0)) for N in counts for n in ORDERS for j in (1, 2, 7)]
     near = [(N, n, j, d) for N, n, j, _ in poles for d in AWAY]
@@ -41,11 +41,11 @@ def quotients(counts: tuple[int, ...]) -> Iterator[Case]:
     yield quotient_case("... within 1e-3 to 1e-16 of them, h a float", near, True)
 
 
-def quotient_case(name: str, places: list[tuple[int, int, int, Fraction]], as_float: bool) -> Case:
+def quotient_case(name: str, places: list[tuple[int, int, int, Fraction]], as_float: bool) -> BoundedCase:
     """Return how far off the quotient is at the spacings 2 pi j/n (1 + d), at the worst."""
     import sympy
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         off, naive, at = [], [], []
         for N, n, j, d in places:
             turns = Fraction(j, n) * (1 + d)
@@ -87,17 +87,17 @@ def ulps(value: float, true: Number) -> float:
         return float(abs(value - true) / float(np.spacing(abs(float(true)))))
 
 
-def rows(counts: tuple[int, ...]) -> Iterator[Case]:
+def rows(counts: tuple[int, ...]) -> Iterator[BoundedCase]:
     """Yield the sums and the couples of evenly firing rows at some crank angles."""
     yield row_case("inline_sum, N to 100, n to 12", counts, inline_sum, False)
     yield row_case("inline_couple, N to 100, n to 12", counts, inline_couple, True)
 
 
-def row_case(name: str, counts: tuple[int, ...], formula: Any, arms: bool) -> Case:
+def row_case(name: str, counts: tuple[int, ...], formula: Any, arms: bool) -> BoundedCase:
     """Return how far off a row's formula is, in ulp of its amplitude (of 1, where it vanishes)."""
     theta = Fraction(7, 10)
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         off, at = [], []
         for N in counts:
             for n in (1, 2, 3, 4, 6, 12):

@@ -21,7 +21,7 @@ from importlib.metadata import version
 from importlib.util import find_spec
 from typing import Any
 
-from symbalance.bench.integrator_runs import Measurements, Run, Sweep, measure
+from symbalance.bench.integrator_runs import IntegratorSweep, Measurements, Run, measure
 from symbalance.bench.timing import Measurement, Report, at_least
 from symbalance.errors import MissingPartError
 
@@ -42,7 +42,7 @@ class CrankshaftReport:
     def text(self) -> str:
         """Return the report as it is printed."""
         sweeps = self.measurements.sweeps
-        tables = [_titled(f"One cycle at {s.case}, {s.model} model", sweep_table(s)) for s in sweeps]
+        tables = [_titled(f"One cycle at {s.case}, {s.model} model", runs_table(s)) for s in sweeps]
         title = "Stiff and extreme cases: fewest steps or loosest tolerance within 1e-4, else the best"
         tables.append(_titled(title, extreme_table(self.measurements.extremes)))
         return "\n\n".join([_head(self.measurements), *tables, self.targets().text()])
@@ -58,8 +58,8 @@ class CrankshaftReport:
     def files(self) -> dict[str, str | bytes]:
         """Return the files that go with the report, by the endings of their names."""
         sweeps = [*self.measurements.sweeps, *self.measurements.extremes]
-        pictures = draw([run for s in self.measurements.sweeps for run in s.runs])
-        return {".csv": as_csv(sweeps), **pictures}
+        pictures = draw_runs([run for s in self.measurements.sweeps for run in s.runs])
+        return {".csv": runs_csv(sweeps), **pictures}
 
 
 def check_files() -> None:
@@ -93,7 +93,7 @@ def loosest_within(runs: Sequence[Run]) -> list[Run]:
     return list(first.values())
 
 
-def goal(sweep: Sweep) -> Measurement:
+def goal(sweep: IntegratorSweep) -> Measurement:
     """Return symbalance's fastest run beside SciPy's, each at its loosest setting within `ERROR`."""
     runs = loosest_within(sweep.runs)
     own = min((r for r in runs if r.method in OWN), key=lambda r: r.seconds, default=None)
@@ -110,7 +110,7 @@ def goal(sweep: Sweep) -> Measurement:
     return replace(row, target=target)
 
 
-def sweep_table(sweep: Sweep) -> str:
+def runs_table(sweep: IntegratorSweep) -> str:
     """Return a sweep as text: a method a line, seconds and error per setting."""
     lines = []
     for method in dict.fromkeys(r.method for r in sweep.runs):
@@ -127,7 +127,7 @@ def _cell(run: Run) -> str:
     return f"{run.setting}: {run.error:.1e}, {run.seconds:.3g} s"
 
 
-def extreme_table(sweeps: Sequence[Sweep]) -> str:
+def extreme_table(sweeps: Sequence[IntegratorSweep]) -> str:
     """Return the extremes as text: per case each method's first run within `ERROR`, or its best."""
     lines = []
     for sweep in sweeps:
@@ -143,7 +143,7 @@ def extreme_table(sweeps: Sequence[Sweep]) -> str:
     return "\n".join(lines)
 
 
-def as_csv(sweeps: Sequence[Sweep]) -> str:
+def runs_csv(sweeps: Sequence[IntegratorSweep]) -> str:
     """Return all runs as CSV."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
@@ -170,7 +170,7 @@ def _head(measurements: Measurements) -> str:
     )
 
 
-def draw(runs: Sequence[Run]) -> dict[str, bytes]:
+def draw_runs(runs: Sequence[Run]) -> dict[str, bytes]:
     """Return error against run time as .png and .pdf, one panel a model."""
     import_module("matplotlib").use("Agg")
     pyplot = import_module("matplotlib.pyplot")

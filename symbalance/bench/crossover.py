@@ -14,15 +14,15 @@ from itertools import pairwise
 import numpy as np
 
 from symbalance.bench.error_sweep import Judge
-from symbalance.bench.evaluated_outputs import Candidate, Case, Floats, calls, from_plan
-from symbalance.bench.speed import angles, short
+from symbalance.bench.evaluated_outputs import Candidate, EvaluatedOutput, Floats, calls, from_plan
+from symbalance.bench.speed import angles, three_digits
 from symbalance.bench.timing import in_turn, progress
 from symbalance.codegen.plans import plan
 
 COUNT, PASSES = 100_000, 4
 NEVER = float("inf")
 CASES = tuple(
-    Case(engine, output, None, Fraction(ratio))
+    EvaluatedOutput(engine, output, None, Fraction(ratio))
     for engine, output in (
         ("inline-1", "force.vertical"),
         ("inline-4", "force.vertical"),
@@ -38,7 +38,7 @@ COUNTS = (2, 4, 6, 8, 12, 16, 24)
 class Crossover:
     """One wave on one target: its candidates by the number of harmonics, 0 being the closed form."""
 
-    case: Case
+    case: EvaluatedOutput
     target: str
     places: int
     candidates: dict[int, Candidate]
@@ -75,7 +75,9 @@ class Crossover:
         return times[0][0] if times[0][1] >= self.closed else NEVER
 
 
-def crossovers(cases: Sequence[Case], targets: Sequence[str], counts: Sequence[int]) -> list[Crossover]:
+def crossovers(
+    cases: Sequence[EvaluatedOutput], targets: Sequence[str], counts: Sequence[int]
+) -> list[Crossover]:
     """Measure both forms of some waves on every target, in passes over all of them."""
     rows = [_crossover(case, target, counts) for case in cases for target in targets]
     theta, out = angles(COUNT), np.ones(COUNT)
@@ -85,12 +87,12 @@ def crossovers(cases: Sequence[Case], targets: Sequence[str], counts: Sequence[i
     return rows
 
 
-def _crossover(case: Case, target: str, counts: Sequence[int]) -> Crossover:
+def _crossover(case: EvaluatedOutput, target: str, counts: Sequence[int]) -> Crossover:
     progress(f"closed form: {case.engine} at lambda = {case.rod_ratio}, {target}")
     wave, ratio = case.wave, case.rod_ratio
     step = int(wave.terms[-1].order - wave.terms[-2].order)
     most = step * (max(*counts, len(wave.terms)) + 1)
-    longer = Case(case.engine, case.output, most, ratio).wave.terms
+    longer = EvaluatedOutput(case.engine, case.output, most, ratio).wave.terms
     waves = {0: replace(wave, terms=())}
     waves |= {n: replace(wave, terms=longer[:n], closed=None) for n in (*counts, len(wave.terms))}
     candidates = {n: from_plan(plan([one], ratio, target), target) for n, one in waves.items()}
@@ -108,13 +110,13 @@ def crossover_table(rows: Sequence[Crossover]) -> str:
     lines = [f"{'harmonics':<28}{heads}{'all':>12}{'closed':>8}{'places':>7}{'from':>6}  rule"]
     for row in rows:
         name = f"{row.case.engine} λ = {row.case.rod_ratio}, {row.target}"
-        cells = "".join(f"{short(row.polynomials[n]):>6}" for n in counts)
-        every = f"{short(row.polynomials[row.every])} ({row.every})"
+        cells = "".join(f"{three_digits(row.polynomials[n]):>6}" for n in counts)
+        every = f"{three_digits(row.polynomials[row.every])} ({row.every})"
         pays = "never" if row.pays_from == NEVER else f"{row.pays_from:.0f}"
         forms = [("closed", row.closed_u), ("harmonics", row.polynomial_u)]
         (form, error), (_, other) = forms if row.closed_is_chosen else reversed(forms)
         lines.append(
-            f"{name:<28}{cells}{every:>12}{short(row.closed):>8}{row.places:>7}{pays:>6}  "
+            f"{name:<28}{cells}{every:>12}{three_digits(row.closed):>8}{row.places:>7}{pays:>6}  "
             f"{form}, {error:.1f} u (the other {other:.1f})"
         )
     lines += [

@@ -8,7 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.bench.bounded_cases import OF_AMPLITUDE, ULP, Case, Part, attempt, worst, worst_point
+from symbalance.bench.bounded_cases import (
+    OF_AMPLITUDE,
+    ULP,
+    BoundedCase,
+    Part,
+    attempt,
+    worst,
+    worst_point,
+)
 from symbalance.bench.hard_angles import hard, random_angles
 from symbalance.bench.output_requests import AIM, OutputRequest, on_target, targets
 from symbalance.bench.timing import progress
@@ -27,7 +35,7 @@ QUICK = ("inline-4", "inline-5", "radial-7", "v6-90", "v12-60", "boxer-4")
 KINDS = ("force", "couple")
 NEAR_INTRODUCTION = """\
 Every force and couple that does not vanish, and the piston's acceleration, in u of the amplitude of the
-output itself; the one nearest to what its function states (`rounding`) is shown. 4 u are aimed at.
+output itself; the row is the one nearest to what its function states (`rounding`). 4 u are aimed at.
 naive: the harmonics as cos(nθ), nθ rounded; the sum over the cylinders."""
 FAR_INTRODUCTION = """\
 Beyond 2^20 rad every value rests on the library's cos θ and sin θ, raised to the step s of the output's
@@ -70,31 +78,30 @@ def with_like_cylinders() -> list[str]:
     return [preset.name for preset in presets() if load(preset.name).has_common_harmonics]
 
 
-def engine_case(name: str, layout: Engine, points: Points, **orders: Any) -> Case:
+def engine_case(name: str, layout: Engine, points: Points, **orders: Any) -> BoundedCase:
     """Return the worst output of an engine."""
     return attempt(
         name, AIM, OF_AMPLITUDE, lambda: worst(list(output_cases(layout, points, **orders)), name)
     )
 
 
-def output_cases(layout: Engine, points: Points, **orders: Any) -> Iterator[Case]:
+def output_cases(layout: Engine, points: Points, **orders: Any) -> Iterator[BoundedCase]:
     """Yield a case for every output."""
     for request in requests_of(layout, **orders):
         yield request.case(request.name, points, request.stated_bound, f"{request.name}: ")
 
 
-def on_others(points: Points, target: str, quick: bool) -> Case:
+def on_others(points: Points, target: str, quick: bool) -> BoundedCase:
     """Return the worst of some outputs on another target."""
     progress(f"engines on {target}")
     name = f"some outputs, orders to 12, {target}"
 
-    def make() -> Case:
-        cases = [
-            request_of(engine, output).case(
-                name, points, AIM, f"{engine}: ", on_target(request_of(engine, output), target)
-            )
-            for engine, output in (SOME[:1] if quick else SOME)
-        ]
+    def make() -> BoundedCase:
+        cases = []
+        for engine, output in SOME[:1] if quick else SOME:
+            request = request_of(engine, output)
+            function = on_target(request, target)
+            cases.append(request.case(name, points, AIM, f"{engine}: ", function))
         return worst(cases, name)
 
     return attempt(name, AIM, OF_AMPLITUDE, make)
@@ -106,7 +113,7 @@ def request_of(engine: str, output: str) -> OutputRequest:
     return OutputRequest(layout, output, layout.ratio or REAL)
 
 
-def on_grid(points: int = 1441) -> Case:
+def on_grid(points: int = 1441) -> BoundedCase:
     """Return how far off values on a grid are, whose angles 2 pi j/points are exact."""
     request, name = (
         request_of("v6-90", "couple.vertical"),
@@ -120,7 +127,7 @@ def on_grid(points: int = 1441) -> Case:
         ]
         theta = np.array([float(a) for a in turns])
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         pairs = zip(values, request.evaluator.on_grid(points), strict=True)
         off = np.array([abs(float(true - float(value))) for true, value in pairs])
         return worst_point(name, theta, off / (U * request.amplitude), AIM)
@@ -142,12 +149,12 @@ SOME = (("v6-90", "couple.vertical"), ("inline-4", "force.vertical"), ("radial-7
 FAR_OUTPUTS = (("inline-4", "force.vertical"), ("v6-90", "couple.vertical"), ("v12-60", "force.vertical"))
 
 
-def far_case(engine: str, name: str, points: Points, size: float) -> Case:
+def far_case(engine: str, name: str, points: Points, size: float) -> BoundedCase:
     """Return how far off an output is at far angles, beside its bound there."""
     request = request_of(engine, name)
     title = f"{engine}, {name}, to {size:g} rad"
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         return request.case(title, points, (4 + request.step) * request.stated_bound)
 
     return attempt(title, AIM, OF_AMPLITUDE, make)
@@ -205,11 +212,11 @@ def float32(quick: bool) -> Part:
     )
 
 
-def float32_case(engine: str, name: str, narrow: Any, points: Points, target: str) -> Case:
+def float32_case(engine: str, name: str, narrow: Any, points: Points, target: str) -> BoundedCase:
     """Return how far float32 values are off, in 2^-24 of the amplitude."""
     request, title = request_of(engine, name), f"{engine}, {name}, {target}"
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         truth, size = request.true_values(points), U32 * request.amplitude
         values = request.on(target)(narrow)
         if values.dtype != np.float32:
@@ -220,11 +227,11 @@ def float32_case(engine: str, name: str, narrow: Any, points: Points, target: st
     return attempt(title, FLOAT32, "u32", make)
 
 
-def float32_displacement(narrow: Any, points: Points) -> Case:
+def float32_displacement(narrow: Any, points: Points) -> BoundedCase:
     """Return how far float32 displacements are off, in float32 ulp of themselves."""
     request = OutputRequest(inline(throws=[0]), "piston.displacement", REAL, 1)
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         truth, one = request.true_values(points), np.float32(1)
         ulp = np.spacing(np.abs(truth.high).astype(np.float32)).astype(np.float64)
         lam = np.float32(3.5)

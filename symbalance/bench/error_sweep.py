@@ -33,7 +33,7 @@ from symbalance.bench.evaluated_outputs import (
     NUMPY,
     C,
     Candidate,
-    Case,
+    EvaluatedOutput,
     Floats,
     calls,
     from_plan,
@@ -79,7 +79,7 @@ RESOLUTION, SHADES = 130, 128
 
 
 @dataclass(frozen=True)
-class Error:
+class RelativeError:
     """The largest |value - true| as a part of the amplitude: to a million radians, and to two turns."""
 
     largest: float
@@ -100,7 +100,7 @@ class Judge:
     amplitude: float
 
     @classmethod
-    def of(cls, case: Case, count: int = 300) -> Judge:
+    def of(cls, case: EvaluatedOutput, count: int = 300) -> Judge:
         """Return the true values of a case, whatever its order, at about `count` angles."""
         angles = judged_angles(count)
         turns = np.linspace(0.0, TWO_TURNS, 14401)
@@ -108,11 +108,11 @@ class Judge:
         every = accelerations_at(Points(angles), weights(case.layout, case.output), case.rod_ratio)
         return cls(angles, every, amplitude)
 
-    def error(self, function: Callable[[Floats], Floats]) -> Error:
+    def error(self, function: Callable[[Floats], Floats]) -> RelativeError:
         """Return how far a function is off; NaN where it gives one."""
         relative = self.true_values.off(function(self.angles)) / self.amplitude
         within = np.abs(self.angles) <= TWO_TURNS
-        return Error(float(relative.max()), float(relative[within].max()))
+        return RelativeError(float(relative.max()), float(relative[within].max()))
 
 
 def judged_angles(count: int) -> Floats:
@@ -144,7 +144,7 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Sweep:
+class ErrorSweep:
     """What is swept over; `count` angles are timed, and `judged` angles compared with true values.
 
     Orders past the last that shows in a double are left out: they are "all".
@@ -176,10 +176,10 @@ class Sweep:
 
     def _of(self, engine: str, output: str, ratio: Fraction, targets: Sequence[str]) -> Iterator[_Entry]:
         progress(f"{engine} {output} at rho = {1 / float(ratio):.3g}")
-        judge = Judge.of(Case(engine, output, None, ratio), self.judged)
-        showing = Case(engine, output, None, ratio).wave.through
+        judge = Judge.of(EvaluatedOutput(engine, output, None, ratio), self.judged)
+        showing = EvaluatedOutput(engine, output, None, ratio).wave.through
         for order in self.orders:
-            case = Case(engine, output, order, ratio)
+            case = EvaluatedOutput(engine, output, order, ratio)
             if case.wave.terms and (order is None or order <= showing):
                 yield _entry(case, targets, judge)
 
@@ -191,10 +191,10 @@ class _Entry:
     Times are taken in several passes over all cases, so that a noisy minute spoils none.
     """
 
-    case: Case
+    case: EvaluatedOutput
     candidates: dict[str, Candidate]
     forms: dict[str, str]
-    errors: dict[str, Error]
+    errors: dict[str, RelativeError]
     least: dict[str, float] = field(default_factory=dict)
 
     def time(self, theta: Floats, out: Floats, rounds: int, budget: float) -> None:
@@ -221,7 +221,7 @@ class _Entry:
             )
 
 
-def _entry(case: Case, targets: Sequence[str], judge: Judge) -> _Entry:
+def _entry(case: EvaluatedOutput, targets: Sequence[str], judge: Judge) -> _Entry:
     """Return a case with its candidates; the sum over the cylinders has no order: it is among "all"."""
     candidates, forms = {}, {}
     for target in targets:
@@ -234,7 +234,7 @@ def _entry(case: Case, targets: Sequence[str], judge: Judge) -> _Entry:
     return _Entry(case, candidates, forms, {name: judge.error(one) for name, one in candidates.items()})
 
 
-def as_csv(points: Sequence[Point]) -> str:
+def points_csv(points: Sequence[Point]) -> str:
     """Return all points as comma-separated values, their names in the first line."""
     text = io.StringIO()
     writer = csv.DictWriter(text, [f.name for f in fields(Point)], lineterminator="\n")
@@ -243,7 +243,7 @@ def as_csv(points: Sequence[Point]) -> str:
     return text.getvalue()
 
 
-def sweep_table(points: Sequence[Point]) -> str:
+def points_table(points: Sequence[Point]) -> str:
     """Return all points, a line for each case: nanoseconds an angle and the error of every candidate."""
     names = list(dict.fromkeys(p.target for p in points))
     lines = [f"{'order':<8}" + "".join(f"{name:>22}" for name in names)]
@@ -263,7 +263,7 @@ def _cell(point: Point) -> str:
     return f"{point.ns_per_point:.3g}  {point.error_relative:.0e} ({point.error_two_turns:.0e})"
 
 
-def draw(points: Sequence[Point]) -> dict[str, bytes]:
+def draw_points(points: Sequence[Point]) -> dict[str, bytes]:
     """Return the picture as PNG and PDF, by the ending of the file's name."""
     figure = _figure(points)
     png, pdf = io.BytesIO(), io.BytesIO()

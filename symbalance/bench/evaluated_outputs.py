@@ -50,7 +50,7 @@ class Harmonic:
 
 
 @dataclass(frozen=True)
-class Case:
+class EvaluatedOutput:
     """An output of an engine; `order` None: all that shows in a double; `ratio` None: its own."""
 
     engine: str
@@ -158,7 +158,7 @@ def compiler() -> str | None:
     return shutil.which("cc")
 
 
-def candidate(case: Case, target: str) -> Candidate:
+def candidate(case: EvaluatedOutput, target: str) -> Candidate:
     """Return symbalance's function for a case on a target, compiled."""
     if target == C:
         return from_plan(case.plan(C), C)

@@ -153,7 +153,7 @@ def kinds(system: PeriodicSystem, spin: Array, basis: Array | None = None) -> li
 
 
 @dataclass(frozen=True)
-class Sweep:
+class IntegratorSweep:
     """A case's runs, the reference's own error, the largest multiplier by two methods."""
 
     case: str
@@ -170,8 +170,8 @@ class Measurements:
     `film` holds the least and the largest direct stiffness and the largest of all terms.
     """
 
-    sweeps: Sequence[Sweep]
-    extremes: Sequence[Sweep]
+    sweeps: Sequence[IntegratorSweep]
+    extremes: Sequence[IntegratorSweep]
     film: tuple[float, float, float]
     sizes: tuple[int, int]
 
@@ -198,14 +198,14 @@ def _system(case: Case, model: str) -> tuple[PeriodicSystem, Array | None]:
     return (system, None) if model == "full" else reduced(system, MODES)
 
 
-def _sweep(case: Case, model: str, methods: Sequence[str], effort: Effort) -> Sweep:
+def _sweep(case: Case, model: str, methods: Sequence[str], effort: Effort) -> IntegratorSweep:
     progress(f"{case.name}, {model}: reference")
     system, basis = _system(case, model)
     reference = Reference.of(system, kinds(system, spin(), basis), effort.harmonics)
     runs = sweep_runs(case.name, model, reference, methods, effort)
     both = [steady_state(system, method=m, steps=360).multipliers for m in ("radau-iia", "radau-iia-9")]
     largest = tuple(float(np.abs(m).max()) if m is not None else float("nan") for m in both)
-    return Sweep(case.name, model, runs, reference.uncertainty, (largest[0], largest[1]))
+    return IntegratorSweep(case.name, model, runs, reference.uncertainty, (largest[0], largest[1]))
 
 
 def sweep_runs(

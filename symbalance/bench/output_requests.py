@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.bench.bounded_cases import OF_AMPLITUDE, Case, attempt, worst_point
+from symbalance.bench.bounded_cases import OF_AMPLITUDE, BoundedCase, attempt, worst_point
 from symbalance.bench.timing import progress
 from symbalance.bench.true_values import (
     Points,
@@ -25,10 +25,10 @@ from symbalance.bench.true_values import (
     TrueValues,
     U,
     accelerations_at,
-    coefficients,
     harmonics_at,
     piston_at,
     terms,
+    true_coefficients,
     weights,
 )
 from symbalance.codegen import Evaluator, planned_for, to_function
@@ -126,11 +126,13 @@ class OutputRequest:
         return total
 
     def _series(self, angle: Array) -> Array:
-        return sum(float(a) * np.cos(n * angle) for n, a in coefficients(self.order, self.ratio).items())
+        return sum(
+            float(a) * np.cos(n * angle) for n, a in true_coefficients(self.order, self.ratio).items()
+        )
 
     def case(
         self, name: str, points: Points, bound: float, note: str = "", function: Function | None = None
-    ) -> Case:
+    ) -> BoundedCase:
         """Return how far off the function is at the points, in u of its amplitude."""
         truth, size = self.true_values(points), U * self.amplitude
         errors = truth.off((function or self.evaluator)(points.theta)) / size
@@ -138,7 +140,7 @@ class OutputRequest:
             naive = {way: truth.off(v) / size for way, v in self.naive(points.theta).items()}
         return worst_point(name, points.theta, errors, bound, OF_AMPLITUDE, naive, note)
 
-    def stated_cases(self, points: Points, note: str = "") -> list[Case]:
+    def stated_cases(self, points: Points, note: str = "") -> list[BoundedCase]:
         """Return the case held to the function's own stated bound; none where the output vanishes."""
         orders = f"orders to {self.order}" if self.tolerance is None else "all orders"
         name = f"{self.layout.name}, {self.name}, {orders}"
@@ -147,7 +149,7 @@ class OutputRequest:
             if not self.amplitude:
                 return []
         except Exception as error:  # whatever the engine's plan stumbles over is a failure of the case
-            return [Case(name, f"raised {type(error).__name__}: {error}"[:36], float("inf"), AIM)]
+            return [BoundedCase(name, f"raised {type(error).__name__}: {error}"[:36], float("inf"), AIM)]
         note = note or f"amplitude {self.amplitude:.3g}: "
         make = partial(self.case, name, points, self.stated_bound, note)
         return [attempt(name, AIM, OF_AMPLITUDE, make)]

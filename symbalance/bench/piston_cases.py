@@ -8,7 +8,15 @@ from functools import partial
 
 import numpy as np
 
-from symbalance.bench.bounded_cases import OF_AMPLITUDE, ULP, Case, Part, attempt, worst, worst_point
+from symbalance.bench.bounded_cases import (
+    OF_AMPLITUDE,
+    ULP,
+    BoundedCase,
+    Part,
+    attempt,
+    worst,
+    worst_point,
+)
 from symbalance.bench.hard_angles import closest, hard, near_turns, random_angles, small
 from symbalance.bench.output_requests import Array, OutputRequest, on_target, targets
 from symbalance.bench.timing import progress
@@ -21,7 +29,7 @@ RATIOS = (Fraction(10_000_001, 10_000_000), Fraction(101, 100), Fraction(7, 2), 
 DISPLACEMENT, VELOCITY = 4.0, 4.0
 """Stated bounds: ulp of the value itself, and u of the amplitude."""
 REAL = Fraction(7, 2)
-Measure = Callable[[Engine, Points, Fraction], dict[str, Callable[[], Case]]]
+Measure = Callable[[Engine, Points, Fraction], dict[str, Callable[[], BoundedCase]]]
 INTRODUCTION = """\
 The displacement is held to ulp of its own value, however small that is; naive: 1 - cos + λ(1 - √(1 -
 sin²/λ²)). The velocity to u = 2^-53 of its amplitude; naive: sin (1 + cos/√(λ² - sin²))."""
@@ -38,9 +46,13 @@ def part(quick: bool) -> Part:
         ("displacement, TDC at -360°/7, and around", shifted, near_turns(count, 7, 1 / 7)),
     )
     cases = [
-        c for name, layout, theta in regions for c in everywhere(displacement, name, layout, theta, quick)
+        c
+        for name, layout, theta in regions
+        for c in everywhere(displacement_cases, name, layout, theta, quick)
     ]
-    velocities = everywhere(velocity, "velocity anywhere to 1e6 rad", single, hard(4 * count), quick)
+    velocities = everywhere(
+        velocity_cases, "velocity anywhere to 1e6 rad", single, hard(4 * count), quick
+    )
     return Part("One piston, λ = 1.0000001, 1.01, 3.5 and 1e6", INTRODUCTION, [*cases, *velocities])
 
 
@@ -51,7 +63,9 @@ def anywhere(count: int) -> Array:
     return np.concatenate([random_angles(4 * count), wide, bottom[np.abs(bottom) <= 1e6], closest()])
 
 
-def everywhere(measure: Measure, name: str, layout: Engine, theta: Array, quick: bool) -> list[Case]:
+def everywhere(
+    measure: Measure, name: str, layout: Engine, theta: Array, quick: bool
+) -> list[BoundedCase]:
     """Return a case on every target, the worst over the rod ratios; quickly, others than NumPy at 3.5."""
     progress(name)
     points, cases = Points(theta), {target: [] for target in targets()}
@@ -62,7 +76,9 @@ def everywhere(measure: Measure, name: str, layout: Engine, theta: Array, quick:
     return [worst(rows, f"{name}, {target}") for target, rows in cases.items()]
 
 
-def displacement(layout: Engine, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
+def displacement_cases(
+    layout: Engine, points: Points, ratio: Fraction
+) -> dict[str, Callable[[], BoundedCase]]:
     """Return, by target, the measuring of the displacement at one rod ratio, in ulp of itself."""
     request = OutputRequest(layout, "piston.displacement", ratio, 1)
     truth, lam = request.true_values(points), float(ratio)
@@ -71,21 +87,23 @@ def displacement(layout: Engine, points: Points, ratio: Fraction) -> dict[str, C
     naive = 1 - np.cos(angle) + lam * (1 - np.sqrt(1 - (np.sin(angle) / lam) ** 2))
     others = {"1 - cos ...": truth.off(naive) / ulp}
 
-    def make(target: str) -> Case:
+    def make(target: str) -> BoundedCase:
         errors = truth.off(on_target(request, target)(points.theta)) / ulp
         return worst_point("", points.theta, errors, DISPLACEMENT, ULP, others, f"λ={lam:.8g}: ")
 
     return {target: partial(make, target) for target in targets()}
 
 
-def velocity(layout: Engine, points: Points, ratio: Fraction) -> dict[str, Callable[[], Case]]:
+def velocity_cases(
+    layout: Engine, points: Points, ratio: Fraction
+) -> dict[str, Callable[[], BoundedCase]]:
     """Return, by target, the measuring of the velocity at one rod ratio, in u of its amplitude."""
     request = OutputRequest(layout, "piston.velocity", ratio, 1)
     truth, lam = request.true_values(points), float(ratio)
     sin, cos = np.sin(points.theta), np.cos(points.theta)
     naive = truth.off(sin * (1 + cos / np.sqrt(lam * lam - sin * sin)))
 
-    def make(target: str) -> Case:
+    def make(target: str) -> BoundedCase:
         size = U * request.amplitude
         errors = truth.off(on_target(request, target)(points.theta)) / size
         others = {"sin (1 + ...)": naive / size}

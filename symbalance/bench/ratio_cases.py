@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.bench.bounded_cases import ULP, WRONG, Case, Part, attempt, worst, worst_point
+from symbalance.bench.bounded_cases import ULP, WRONG, BoundedCase, Part, attempt, worst, worst_point
 from symbalance.bench.hard_angles import hard, quarters
 from symbalance.bench.output_requests import OutputRequest
 from symbalance.bench.timing import progress
-from symbalance.bench.true_values import Points, coefficients, mp
+from symbalance.bench.true_values import Points, mp, true_coefficients
 from symbalance.engine.catalogue import load
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.slider_crank import acceleration_floats
@@ -50,13 +50,13 @@ def coefficient_part(quick: bool) -> Part:
     )
 
 
-def coefficient_case(ratio: Fraction, order: int) -> Case:
+def coefficient_case(ratio: Fraction, order: int) -> BoundedCase:
     """Return how far off the coefficients are at a rod ratio, at the worst order."""
     name = f"A_2 ... A_{order} at {near_one(ratio)}"
     progress(name)
-    true = {n: a for n, a in coefficients(order, ratio).items() if n > 1 and abs(a) >= SUBNORMAL}
+    true = {n: a for n, a in true_coefficients(order, ratio).items() if n > 1 and abs(a) >= SUBNORMAL}
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         off = off_by(acceleration_floats(order, ratio), true)
         naive = {way: off_by(function(ratio, order), true) for way, function in NAIVE.items()}
         return worst_point(name, np.array(list(true)), off, COEFFICIENT, ULP, naive, "order ")
@@ -112,7 +112,7 @@ def by_recurrence(ratio: Fraction, order: int) -> dict[int, float]:
     """Return A_n from the three-term recurrence run upward, in doubles."""
     rho = 1 / float(ratio)
     q = (rho / (1 + np.sqrt((1 - rho) * (1 + rho)))) ** 2
-    first = coefficients(4, ratio)
+    first = true_coefficients(4, ratio)
     values = {2: float(first[2]), 4: float(first[4])}
     below, here = values[2], values[4] / 4
     with np.errstate(all="ignore"):
@@ -141,7 +141,7 @@ NAIVE: Mapping[str, Callable[[Fraction, int], dict[int, float]]] = {
 
 def function_part(quick: bool) -> Part:
     """Return the cases of the functions: by rod ratio and orders, the worst of the engines."""
-    groups: dict[str, list[Case]] = {}
+    groups: dict[str, list[BoundedCase]] = {}
     for request in requests(quick):
         orders = f"orders to {request.order}" if request.tolerance is None else "all orders"
         cases = request.stated_cases(points_for(request, quick), f"{request.layout.name}: ")
@@ -178,16 +178,16 @@ def points_for(request: OutputRequest, quick: bool) -> Points:
     return Points(np.concatenate([hard(count), *peaks]))
 
 
-def refusal() -> Case:
+def refusal() -> BoundedCase:
     """Return whether a function refuses a rod ratio beyond the largest, as its documentation says."""
     name = f"λ = 1e12 is refused, above {float(LARGEST):g}"
     request = OutputRequest(load("inline-4"), "force.vertical", TOWARDS_0[2])
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         try:
             request.evaluator  # noqa: B018
         except SymbalanceError as error:
-            return Case(name, str(error)[:36], 0.0, 0.0, WRONG)
-        return Case(name, "accepted", 1.0, 0.0, WRONG)
+            return BoundedCase(name, str(error)[:36], 0.0, 0.0, WRONG)
+        return BoundedCase(name, "accepted", 1.0, 0.0, WRONG)
 
     return attempt(name, 0.0, WRONG, make)

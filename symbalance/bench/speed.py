@@ -22,18 +22,18 @@ from symbalance.bench.evaluated_outputs import (
     NUMBA,
     NUMPY,
     Candidate,
-    Case,
+    EvaluatedOutput,
     calls,
     candidate,
 )
 from symbalance.bench.timing import Measurement, Times, at_least, in_turn, progress, time_text
 
 CASES = (
-    Case("inline-6", "force.vertical"),
-    Case("v12-60", "force.vertical"),
-    Case("v8-90", "force.vertical"),
-    Case("v8-90", "couple.vertical"),
-    Case("inline-4", "force.vertical"),
+    EvaluatedOutput("inline-6", "force.vertical"),
+    EvaluatedOutput("v12-60", "force.vertical"),
+    EvaluatedOutput("v8-90", "force.vertical"),
+    EvaluatedOutput("v8-90", "couple.vertical"),
+    EvaluatedOutput("inline-4", "force.vertical"),
 )
 COPY, NEW = "np.copyto", ", new array"
 COPY_TIMES, MEMORY, LONG = 1.5, 1.1, 10**7
@@ -51,7 +51,7 @@ REPEAT = {1: 300, 10: 300, 1000: 60}
 class CaseTimes:
     """The times of all candidates for one case, at so many angles."""
 
-    case: Case
+    case: EvaluatedOutput
     count: int
     times: dict[str, Times]
 
@@ -64,13 +64,15 @@ class CaseTimes:
         return self.best(slow) / self.best(fast)
 
 
-def candidates(case: Case, targets: Sequence[str]) -> dict[str, Candidate]:
+def candidates(case: EvaluatedOutput, targets: Sequence[str]) -> dict[str, Candidate]:
     """Return symbalance's functions and the alternatives by name, compiled."""
     own = {target: candidate(case, target) for target in targets}
     return own | {name: alternative(case, name) for name in present()}
 
 
-def time_case(case: Case, targets: Sequence[str], count: int, rounds: int, budget: float) -> CaseTimes:
+def time_case(
+    case: EvaluatedOutput, targets: Sequence[str], count: int, rounds: int, budget: float
+) -> CaseTimes:
     """Time all candidates in turn on `count` random angles over two turns, arrays touched before."""
     progress(f"{case.engine} {case.output} at {count:.0e} angles")
     theta, out = angles(count), np.ones(count)
@@ -82,7 +84,7 @@ def time_case(case: Case, targets: Sequence[str], count: int, rounds: int, budge
     return CaseTimes(case, count, in_turn(functions, rounds, budget))
 
 
-def time_small_calls(case: Case, targets: Sequence[str], rounds: int) -> list[CaseTimes]:
+def time_small_calls(case: EvaluatedOutput, targets: Sequence[str], rounds: int) -> list[CaseTimes]:
     """Time single calls with few angles."""
     progress(f"{case.engine}: calls with few angles")
     rivals = candidates(case, targets)
@@ -112,13 +114,13 @@ def speed_table(rows: Sequence[CaseTimes]) -> str:
 def _cell(row: CaseTimes, name: str) -> str:
     times = row.times[name].over(row.count)
     cells = (times.best * 1e9, times.median * 1e9, row.ratio(name, COPY))
-    return "{} ({}) {:>6}x".format(*map(short, cells))
+    return "{} ({}) {:>6}x".format(*map(three_digits, cells))
 
 
-def short(value: float) -> str:
+def three_digits(value: float) -> str:
     """Return three digits, or a whole number.
 
-    >>> short(1083.2), short(0.74031)
+    >>> three_digits(1083.2), three_digits(0.74031)
     ('1083', '0.74')
     """
     return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
@@ -164,7 +166,7 @@ def _name(row: CaseTimes, target: str) -> str:
     return f"{row.case.engine} {row.case.output}, {target}, {row.count:.0e} angles"
 
 
-def memory(case: Case, count: int) -> Measurement:
+def memory(case: EvaluatedOutput, count: int) -> Measurement:
     """Measure what the NumPy target allocates for a new array of values, which NumPy reports."""
     function, theta = candidate(case, NUMPY), angles(count)
     tracemalloc.start()

@@ -15,7 +15,7 @@ import numpy as np
 import sympy
 
 from symbalance.bench import closed_sum_cases, engine_cases, piston_cases, ratio_cases
-from symbalance.bench.bounded_cases import Case, Part, worst
+from symbalance.bench.bounded_cases import BoundedCase, Part, worst
 from symbalance.bench.output_requests import targets
 
 UNITS = """\
@@ -41,11 +41,11 @@ class StabilityReport:
     head: str
     parts: Sequence[Part]
 
-    def cases(self) -> list[Case]:
+    def cases(self) -> list[BoundedCase]:
         """Return all cases."""
         return [case for part in self.parts for case in part.cases]
 
-    def missed(self) -> list[Case]:
+    def missed(self) -> list[BoundedCase]:
         """Return the cases past their stated bound."""
         return [case for case in self.cases() if not case.is_met]
 

@@ -128,7 +128,7 @@ def weights(layout: Engine, name: str) -> list[tuple[Number, Fraction]]:
 def terms(layout: Engine, name: str, order: int, ratio: Fraction) -> list[Term]:
     """Return an output's harmonics to an order; what is smaller than CANCELLED is zero."""
     with mp.workdps(DIGITS):
-        vectors = ((n, a, _vector(layout, name, n)) for n, a in coefficients(order, ratio).items())
+        vectors = ((n, a, _vector(layout, name, n)) for n, a in true_coefficients(order, ratio).items())
         return [Term(n, a * z.real, -a * z.imag) for n, a, z in vectors if abs(z) > CANCELLED]
 
 
@@ -158,7 +158,7 @@ def _number(value: Fraction) -> Number:
 
 
 @lru_cache(maxsize=64)
-def coefficients(order: int, ratio: Fraction) -> dict[int, Number]:
+def true_coefficients(order: int, ratio: Fraction) -> dict[int, Number]:
     """Return A_1 and every even A_n to an order, exact in lambda: A_2k = 4 k^2 c_k/rho.
 
     The c_k are the cosine coefficients of sqrt(1 - rho^2 sin^2 theta): Gauss's function where it
