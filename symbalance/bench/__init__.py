@@ -3,7 +3,7 @@
 In: a topic, `symbalance bench TOPIC`. Out: a report with `text()` and `missed()`, the targets it misses.
 
     derive       exact derivations: derive_alternatives (SymPy, FLINT), ideal_engine
-    check        hand derivations: check_page, sympy_simplify; planted_faults of several fault_kinds
+    check        hand derivations: check_page, sympy_decisions; planted_faults of several fault_kinds
     accuracy     functions, error against time: evaluated_outputs, accuracy_alternatives; speed,
                  error_sweep, crossover (closed form or polynomial)
     stability    functions at the worst inputs: hard_angles, output_requests, bounded_cases; piston_cases,

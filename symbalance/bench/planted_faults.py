@@ -18,7 +18,7 @@ import sympy
 
 from symbalance.bench.check_page import Block, Page, blocks, context, place_of, with_blocks_alone
 from symbalance.bench.fault_kinds import KINDS
-from symbalance.bench.sympy_simplify import converter
+from symbalance.bench.sympy_decisions import converter
 from symbalance.document.formula import Dots, Formula, Name, walk
 from symbalance.notes.checking.verdicts import REFUTED, Checked
 from symbalance.notes.reading.equations import Chain

@@ -1,12 +1,12 @@
-"""`sympy.simplify(lhs - rhs)` on the relations of the bench's page, each with a limit on its time.
+"""SymPy's `simplify` and `equals` on the relations of the bench's page, each with a limit on its time.
 
 A formula as read becomes the expression a user would type. What makes it a fair comparison: every letter
 the page defines, and every letter of known meaning, is replaced beforehand by what it stands for
 (untimed), positive letters are declared positive, derivatives and sums are written out, and where the
-page says ≈ (or ends in dots) SymPy gets `simplify(series(lhs - rhs))` through the order the right side
-keeps. A side is compared with the last right one before it, as the checker does. SymPy's cache is kept
-from one relation to the next. Relations that give a rounded decimal are left out: `simplify` has no say
-there. Nothing of the checker is used.
+page says ≈ (or ends in dots) SymPy gets the series of lhs - rhs through the order the right side keeps. A
+side is compared with the last right one before it, as the checker does. SymPy's cache is kept from one
+relation to the next. Relations that give a rounded decimal are left out: SymPy has no say there. Nothing
+of the checker is used.
 """
 
 from __future__ import annotations
@@ -26,6 +26,9 @@ from symbalance.notes.reading.equations import Chain
 
 LIMIT = 10.0
 """Seconds after which a relation counts as undecided."""
+SIMPLIFY, EQUALS = "simplify(lhs - rhs)", "exponentials, expand, equals(0)"
+"""The ways to a proof: what a user asks for, and the strongest we know in SymPy: expanding exponentials
+proves most identities of sines and cosines, and `equals` refutes by numbers before it simplifies."""
 PROVED, DIFFERENT, UNDECIDED = "proved", "shown different", "undecided"
 POSITIVE_LETTERS = frozenset({"r", "l", "lambda", "omega", "m", "b", "U", "q"})
 _FUNCTIONS = {
@@ -198,9 +201,9 @@ def _has_decimals(node: formula.Formula) -> bool:
     return any(isinstance(p, formula.Number) and p.last_place is not None for p in formula.walk(node))
 
 
-def simplify_links(chosen: Sequence[Link], limit: float = LIMIT) -> Iterator[Outcome]:
+def decide_links(chosen: Sequence[Link], way: str = SIMPLIFY, limit: float = LIMIT) -> Iterator[Outcome]:
     """Yield SymPy's answer to each relation, from a process of its own that is ended at the limit."""
-    worker = _Worker()
+    worker = _Worker(way)
     try:
         for link in chosen:
             yield worker.answer(link, limit)
@@ -209,15 +212,16 @@ def simplify_links(chosen: Sequence[Link], limit: float = LIMIT) -> Iterator[Out
 
 
 class _Worker:
-    """A process that simplifies; ended and begun anew when a question takes too long."""
+    """A process that decides one way; ended and begun anew when a relation takes too long."""
 
-    def __init__(self) -> None:
+    def __init__(self, way: str) -> None:
+        self.way = way
         self.begin()
 
     def begin(self) -> None:
         context = multiprocessing.get_context("spawn")
         self.pipe, far_end = context.Pipe()
-        self.process = context.Process(target=_serve, args=(far_end,), daemon=True)
+        self.process = context.Process(target=_serve, args=(far_end, self.way), daemon=True)
         self.process.start()
         self.pipe.recv()
 
@@ -234,23 +238,25 @@ class _Worker:
         return Outcome(link, UNDECIDED, limit)
 
 
-def _serve(pipe: Any) -> None:
+def _serve(pipe: Any, way: str) -> None:
     pipe.send("ready")
     while True:
         link = pipe.recv()
         start = perf_counter()
         try:
-            answer = decide(link)
+            answer = decide(link, way)
         except Exception:  # whatever SymPy stumbles over, it has not decided the relation
             answer = UNDECIDED
         pipe.send((answer, perf_counter() - start))
 
 
-def decide(link: Link) -> str:
-    """Return what `simplify` makes of a relation: 0 is a proof, a number that is not 0 a refutation."""
+def decide(link: Link, way: str = SIMPLIFY) -> str:
+    """Return what SymPy makes of a relation: 0 is a proof, a number that is not 0 a refutation."""
     difference = link.difference
     if link.small is not None:
         difference = sympy.series(difference, link.small, 0, link.highest + 1).removeO()
+    if way == EQUALS:
+        return _decide_by_equals(difference)
     rest = sympy.simplify(difference)
     if rest == 0:
         return PROVED
@@ -258,3 +264,10 @@ def decide(link: Link) -> str:
     point = {letter: sympy.Rational(3 + 2 * k, 7 + k) for k, letter in enumerate(letters)}
     value = sympy.N(rest.subs(point), 30)
     return DIFFERENT if value.is_number and abs(value) > sympy.Float("1e-20") else UNDECIDED
+
+
+def _decide_by_equals(difference: Any) -> str:
+    if sympy.expand(difference.rewrite(sympy.exp)) == 0:
+        return PROVED
+    is_zero = difference.equals(0)
+    return UNDECIDED if is_zero is None else PROVED if is_zero else DIFFERENT
