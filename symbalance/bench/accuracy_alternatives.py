@@ -3,8 +3,8 @@
 NumPy per cylinder: exact kinematics, a vectorised line a step, one cylinder after the other. It is
 written with care: squares by multiplication, no power function. The others start from the surviving
 harmonics, cancelled and exact, as doubles: `sympy.lambdify` (NumPy), a Numba loop that calls math.cos for
-each, a Numba loop that takes one cosine and one sine and raises them by complex multiplication, and
-heyoka's compiled function, whose cosines are vectorised, one thread each.
+each, and heyoka's compiled function, with a vectorised cosine for each harmonic or with one cosine and
+one sine, raised by complex multiplication: the strongest we know. One thread each.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ from symbalance.bench.evaluated_outputs import Candidate, EvaluatedOutput, Float
 from symbalance.bench.true_values import weights
 
 PER_CYLINDER, LAMBDIFY, HEYOKA = "NumPy per cylinder", "lambdify", "heyoka"
-NUMBA_COS, NUMBA_POWERS = "Numba math.cos", "Numba powers"
-ALTERNATIVES = (PER_CYLINDER, LAMBDIFY, NUMBA_COS, NUMBA_POWERS, HEYOKA)
-NEEDS = {NUMBA_COS: "numba", NUMBA_POWERS: "numba", HEYOKA: "heyoka"}
+NUMBA_COS, HEYOKA_POWERS = "Numba math.cos", "heyoka powers"
+ALTERNATIVES = (PER_CYLINDER, LAMBDIFY, NUMBA_COS, HEYOKA, HEYOKA_POWERS)
+NEEDS = {NUMBA_COS: "numba", HEYOKA: "heyoka", HEYOKA_POWERS: "heyoka"}
 
 
 def present() -> tuple[str, ...]:
@@ -46,8 +46,8 @@ def alternative(case: EvaluatedOutput, name: str) -> Candidate:
     build = {
         LAMBDIFY: from_lambdify,
         NUMBA_COS: from_numba,
-        NUMBA_POWERS: powers_from_numba,
         HEYOKA: from_heyoka,
+        HEYOKA_POWERS: powers_from_heyoka,
     }[name]
     return Candidate(name, build(case.harmonics)).warmed()
 
@@ -105,44 +105,41 @@ def _loop() -> Any:
     return import_module("numba").njit(loop)
 
 
-def powers_from_numba(harmonics: Sequence[Harmonic]) -> Any:
-    """Return a compiled loop over the angles that raises e^(i theta) by complex multiplication."""
-    highest = int(max((h.order for h in harmonics), default=0))
-    table = np.zeros((2, highest))
-    for h in harmonics:
-        table[:, int(h.order) - 1] += (h.amplitude * np.cos(h.phase), h.amplitude * np.sin(h.phase))
-    loop = _loop_of_powers()
-
-    def function(theta: Floats, out: Floats) -> Floats:
-        loop(theta, table[0], table[1], out)
-        return out
-
-    return function
-
-
-@cache
-def _loop_of_powers() -> Any:
-    def loop(theta, cosines, sines, out):
-        for i in range(theta.size):
-            c, s = math.cos(theta[i]), math.sin(theta[i])
-            x, y, total = 1.0, 0.0, 0.0
-            for k in range(cosines.size):
-                x, y = x * c - y * s, y * c + x * s
-                total += cosines[k] * x + sines[k] * y
-            out[i] = total
-
-    return import_module("numba").njit(loop)
-
-
 def from_heyoka(harmonics: Sequence[Harmonic]) -> Any:
-    """Return heyoka's compiled function, which has vector cosines."""
+    """Return heyoka's compiled function, one vectorised cosine for each harmonic."""
     heyoka = import_module("heyoka")
-    heyoka.set_nthreads(1)
     theta = heyoka.make_vars("theta")
     terms = [
         h.amplitude * heyoka.cos(h.order * theta - h.phase if h.phase else h.order * theta)
         for h in harmonics
     ]
+    return _heyoka_function(theta, terms)
+
+
+def powers_from_heyoka(harmonics: Sequence[Harmonic]) -> Any:
+    """Return heyoka's compiled function of one cosine and one sine, raised by complex multiplication."""
+    heyoka = import_module("heyoka")
+    theta = heyoka.make_vars("theta")
+    circles = {1: (heyoka.cos(theta), heyoka.sin(theta))}
+
+    def circle(n: int) -> tuple[Any, Any]:
+        if n not in circles:  # by halves: as few roundings, and as shallow a formula, as there can be
+            (a, b), (c, d) = circle(n // 2), circle(n - n // 2)
+            circles[n] = a * c - b * d, b * c + a * d
+        return circles[n]
+
+    terms = []
+    for h in harmonics:
+        cosine, sine = circle(int(h.order))
+        terms.append(h.amplitude * math.cos(h.phase) * cosine)
+        if h.phase:
+            terms.append(h.amplitude * math.sin(h.phase) * sine)
+    return _heyoka_function(theta, terms)
+
+
+def _heyoka_function(theta: Any, terms: list[Any]) -> Any:
+    heyoka = import_module("heyoka")
+    heyoka.set_nthreads(1)
     compiled = heyoka.cfunc([heyoka.sum(terms)], vars=[theta])
 
     def function(theta: Floats, out: Floats) -> Floats:

@@ -10,9 +10,9 @@ import numpy as np
 
 from symbalance.bench.accuracy_alternatives import (
     HEYOKA,
+    HEYOKA_POWERS,
     LAMBDIFY,
     NUMBA_COS,
-    NUMBA_POWERS,
     PER_CYLINDER,
     alternative,
     present,
@@ -26,7 +26,7 @@ from symbalance.bench.evaluated_outputs import (
     calls,
     candidate,
 )
-from symbalance.bench.timing import Measurement, Times, at_least, in_turn, progress, time_text
+from symbalance.bench.timing import Measurement, Times, at_least, at_most, in_turn, progress, time_text
 
 CASES = (
     EvaluatedOutput("inline-6", "force.vertical"),
@@ -40,9 +40,11 @@ COPY_TIMES, MEMORY, LONG = 1.5, 1.1, 10**7
 """Targets: a compiled function takes at most so many times as long as a copy, of arrays too long for any
 cache; the peak memory is at most so many times inputs plus outputs."""
 PER_CYLINDER_TIMES = {"inline-6": 200, "v12-60": 500}
-NUMBA_TIMES = {LAMBDIFY: 20, NUMBA_COS: 20, NUMBA_POWERS: 5, HEYOKA: 1}
+NUMBA_TIMES = {LAMBDIFY: 20, NUMBA_COS: 20, HEYOKA: 1.5, HEYOKA_POWERS: 1.5}
 NUMPY_TIMES = {LAMBDIFY: 1.5, PER_CYLINDER: 20}
 """How many times as long the alternatives take, at least, by the target they are compared with."""
+NUMPY_AT_MOST = {HEYOKA_POWERS: 6}
+"""heyoka compiles, NumPy alone does not: how many times as long it takes than that, at most."""
 SMALL = (1, 10, 1000)
 REPEAT = {1: 300, 10: 300, 1000: 60}
 
@@ -155,11 +157,17 @@ def beside_alternatives(row: CaseTimes) -> list[Measurement]:
         pairs += [(NUMBA, name, times) for name, times in NUMBA_TIMES.items()]
         if row.case.engine in PER_CYLINDER_TIMES:
             pairs.append((NUMBA, PER_CYLINDER, PER_CYLINDER_TIMES[row.case.engine]))
-    return [
+    rows = [
         at_least(times, _name(row, target), row.best(target), name, row.best(name))
         for target, name, times in pairs
         if name in row.times
     ]
+    rows += [
+        at_most(times, _name(row, NUMPY), row.best(NUMPY), name, row.best(name))
+        for name, times in NUMPY_AT_MOST.items()
+        if name in row.times
+    ]
+    return rows
 
 
 def _name(row: CaseTimes, target: str) -> str:
