@@ -48,7 +48,7 @@ ALL_ORDERS = range(1, 25)
 EXPONENTIALS = {7: (1, 2, 4), 11: (1, 2, 4, 7)}
 """In-line engines and orders that `equals(0)` is asked about: it takes seconds for each."""
 RING_TIMES, FLINT_TIMES, EXPRESSION_TIMES = 20, 2.5, 2
-FIELD_TIMES, REMAINDER_TIMES, EQUALS_TIMES = 5, 8, 5000
+FIELD_TIMES, REMAINDER_TIMES, EQUALS_TIMES = 5, 5, 5000
 """Targets: ring_series, the field and `equals` take at least so many times as long; symbalance takes at
 most so many times as long as FLINT, and as the expressions built from `ring_series`."""
 LATEX_TIMES = 50
