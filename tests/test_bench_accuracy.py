@@ -22,8 +22,8 @@ from symbalance.bench.error_sweep import (
     ErrorSweep,
     Judge,
     Point,
+    comparison_angles,
     draw_points,
-    judged_angles,
     points_csv,
     points_table,
 )
@@ -51,7 +51,7 @@ def points() -> list[Point]:
         ratios=(Fraction(4),),
         orders=(2, None),
         count=64,
-        judged=30,
+        comparisons=30,
         rounds=1,
         passes=2,
         budget=0.0,
@@ -88,7 +88,7 @@ def test_the_truth_is_that_of_the_tests_own_kinematics(case):
 
 
 def test_angles_reach_a_million_radians_and_dead_centres():
-    angles = judged_angles(300)
+    angles = comparison_angles(300)
     assert np.abs(angles).max() == 1e6
     to_centre = np.abs(angles / np.pi - np.rint(angles / np.pi))
     assert ((to_centre > 0) & (to_centre < 1e-6)).any()

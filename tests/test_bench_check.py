@@ -6,8 +6,8 @@ import mpmath
 import pytest
 import sympy
 
-from symbalance.bench.check import POSITIVE, fault_table, report, truth, wrongly_judged
-from symbalance.bench.check_page import page, place_of
+from symbalance.bench.check import POSITIVE, fault_table, misjudgements, report, truth
+from symbalance.bench.check_page import bench_page, place_of
 from symbalance.bench.fault_kinds import KINDS
 from symbalance.bench.planted_faults import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
 from symbalance.bench.sympy_decisions import (
@@ -23,7 +23,7 @@ from symbalance.bench.sympy_decisions import (
 )
 from symbalance.notes.reading import read_expression
 
-HERE = page()
+HERE = bench_page()
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +37,7 @@ def checked():
 
 
 def test_the_page_is_judged_as_its_truth_says(checked):
-    assert wrongly_judged(HERE, checked) == []
+    assert misjudgements(HERE, checked) == []
     assert len(truth(HERE)) == len(checked.verdicts) >= 90
     assert sum(not right for right in truth(HERE).values()) == len(HERE.errors) == 12
 
@@ -53,7 +53,7 @@ def test_every_known_error_is_found_and_put_right(planter):
 
 def test_the_page_put_right_raises_no_alarm(planter):
     assert planter.false_alarms == []
-    assert all(v.verdict in POSITIVE for v in planter.checked.verdicts)
+    assert all(v.verdict in POSITIVE for v in planter.judgement.verdicts)
 
 
 def test_the_truth_by_numbers_alone(planter):

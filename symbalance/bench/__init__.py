@@ -1,6 +1,6 @@
 """Time and error of everything the package computes, measured on the user's machine beside alternatives.
 
-In: a topic, `symbalance bench TOPIC`. Out: a report with `text()` and `missed()`, the targets it misses.
+In: a topic, `symbalance bench TOPIC`. Out: a report with `text()` and `missed_targets()`.
 
     derive       exact derivations: derive_alternatives (SymPy, FLINT), ideal_engine
     check        hand derivations: check_page, sympy_decisions; planted_faults of several fault_kinds

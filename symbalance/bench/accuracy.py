@@ -67,9 +67,9 @@ class AccuracyReport:
         tables = "\n\n".join(f"{title}\n{'─' * len(title)}\n{table}" for title, table in self.tables)
         return f"{self.head}\n\n{tables}\n\n{self.targets.text()}"
 
-    def missed(self) -> list[Measurement]:
+    def missed_targets(self) -> list[Measurement]:
         """Return the measurements that miss their target."""
-        return self.targets.missed()
+        return self.targets.missed_targets()
 
     def files(self) -> dict[str, str | bytes]:
         """Return the files that go with the report, by the endings of their names."""
@@ -85,22 +85,22 @@ def check_files() -> None:
 
 def report(quick: bool = False) -> AccuracyReport:
     """Return all measurements; `quick` takes fewer angles, rod ratios and orders."""
-    here = available_targets()
+    available = available_targets()
     count, rounds, budget = (QUICK, 5, 0.3) if quick else (FULL, 15, 2.5)
-    rows = [time_case(case, here.targets, count, rounds, budget) for case in CASES]
-    calls = time_small_calls(CASES[0], here.targets, rounds)
+    rows = [time_case(case, available.targets, count, rounds, budget) for case in CASES]
+    calls = time_small_calls(CASES[0], available.targets, rounds)
     sweep = ErrorSweep(ratios=QUICK_RATIOS, orders=QUICK_ORDERS, passes=2) if quick else ErrorSweep()
-    points = sweep.points(here.targets)
-    forms = [t for t in here.targets if t == C] or list(here.targets[1:])
+    points = sweep.points(available.targets)
+    forms = [t for t in available.targets if t == C] or list(available.targets[1:])
     cases, counts = (CLOSED_FORMS[1:3], (8, 16, 32)) if quick else (CLOSED_FORMS, COUNTS)
-    crossed = crossovers(cases, [here.targets[0], *forms], counts)
+    crossings = crossovers(cases, [available.targets[0], *forms], counts)
     progress("coefficients")
-    notes = "\n".join((*here.notes, *lacking()))
+    notes = "\n".join((*available.notes, *lacking()))
     tables = [
-        (f"Time at {count:.0e} random angles, order 12", _noted(speed_table(rows), notes)),
+        (f"Time at {count:.0e} random angles, order 12", _with_notes(speed_table(rows), notes)),
         (f"Calls with few angles: {CASES[0].engine}", small_table(calls)),
         ("Error against run time, by engine, rod ratio and order", points_table(points)),
-        ("Closed form or polynomial", crossover_table(crossed)),
+        ("Closed form or polynomial", crossover_table(crossings)),
     ]
     parts = [
         ("Beside copying the array", [m for row in rows for m in beside_copy(row)]),
@@ -152,7 +152,7 @@ def by_mpmath(ratio: Fraction, digits: int) -> dict[int, Number]:
         return values
 
 
-def _noted(table: str, notes: str) -> str:
+def _with_notes(table: str, notes: str) -> str:
     return f"{table}\n{notes}" if notes else table
 
 

@@ -22,9 +22,9 @@ import sympy
 from symbalance.bench.check_page import (
     PAGE,
     Page,
+    bench_page,
     blocks,
     context,
-    page,
     place_of,
     with_blocks_alone,
 )
@@ -71,20 +71,20 @@ class CheckReport:
         """Return the report as it is printed."""
         return f"{self.times.text()}\n{fault_table(self.faults, self.notes)}\n"
 
-    def missed(self) -> list[Measurement]:
+    def missed_targets(self) -> list[Measurement]:
         """Return the measurements that miss their target."""
-        return self.times.missed()
+        return self.times.missed_targets()
 
 
 def report(quick: bool = False) -> CheckReport:
     """Return all measurements; `quick` gives SymPy every fourth relation, and plants fewer faults."""
-    here = page()
+    page = bench_page()
     parts = [
-        ("A page of hand mathematics", [whole_process(3 if quick else 5), *in_process(here)]),
-        ("The same relations by SymPy", beside_sympy(here, EVERY_QUICKLY if quick else 1)),
+        ("A page of hand mathematics", [whole_process(3 if quick else 5), *in_process(page)]),
+        ("The same relations by SymPy", beside_sympy(page, EVERY_QUICKLY if quick else 1)),
     ]
     progress("planted faults")
-    planter = Planter(here)
+    planter = Planter(page)
     faults = list(planter.plant(EACH_QUICKLY if quick else EACH))
     head = f"Python {platform.python_version()}, SymPy {sympy.__version__}, {platform.machine()}"
     return CheckReport(Report(head, parts), faults, notes_on(planter))
@@ -92,9 +92,10 @@ def report(quick: bool = False) -> CheckReport:
 
 def notes_on(planter: Planter) -> list[str]:
     """Return notes below the table: on the page's known errors, and on alarms where there are none."""
-    refuted, fixed = planter.known_errors()
+    refutations, fixes = planter.known_errors()
     return [
-        f"known errors of the page: {len(planter.page.errors)}, refuted {refuted}, fixed rightly {fixed}",
+        f"known errors of the page: {len(planter.page.errors)}, refuted {refutations}, "
+        f"fixed rightly {fixes}",
         f"false alarms on the corrected page: {len(planter.false_alarms)}",
     ]
 
@@ -119,13 +120,13 @@ def _process(command: Sequence[str]) -> float:
     return perf_counter() - start
 
 
-def in_process(here: Page) -> list[Measurement]:
+def in_process(page: Page) -> list[Measurement]:
     """Measure reading, judging and diagnosing the page, and count what is judged rightly."""
     progress("judging the page")
-    seconds = best(lambda: here.check(here.text), budget=1)
-    checked = here.check(here.text)
-    count = len(checked.verdicts)
-    false, total = wrongly_judged(here, checked), len(truth(here))
+    seconds = best(lambda: page.check(page.text), budget=1)
+    judgement = page.check(page.text)
+    count = len(judgement.verdicts)
+    false, total = misjudgements(page, judgement), len(truth(page))
     name = f"a verdict, of {count} (reading and diagnosis included)"
     rightly = f"the page, {total - len(false)} of {total} relations judged rightly"
     return [
@@ -134,21 +135,21 @@ def in_process(here: Page) -> list[Measurement]:
     ]
 
 
-def truth(here: Page) -> dict[tuple[int, int], bool]:
+def truth(page: Page) -> dict[tuple[int, int], bool]:
     """Return for every relation of the page, by line and number on it, whether it is right."""
-    wrong = {(error.line, error.link) for error in here.errors}
+    wrong = {(error.line, error.link) for error in page.errors}
     places = [
-        place_of(chain, k) for chain in here.read(here.text).chains for k in range(len(chain.relations))
+        place_of(chain, k) for chain in page.read(page.text).chains for k in range(len(chain.relations))
     ]
     return {place: place not in wrong for place in places}
 
 
-def wrongly_judged(here: Page, checked: Checked) -> list[tuple[int, int]]:
+def misjudgements(page: Page, judgement: Checked) -> list[tuple[int, int]]:
     """Return the relations whose verdict is not the truth."""
-    verdicts = {(v.line, v.link): v.verdict for v in checked.verdicts}
+    verdicts = {(v.line, v.link): v.verdict for v in judgement.verdicts}
     return [
         place
-        for place, right in truth(here).items()
+        for place, right in truth(page).items()
         if not (verdicts.get(place) in POSITIVE if right else verdicts.get(place) == REFUTED)
     ]
 
@@ -157,24 +158,24 @@ def _list(places: Sequence[tuple[int, int]]) -> str:
     return "".join(f"\n    not line {line}, relation {link}" for line, link in places)
 
 
-def beside_sympy(here: Page, every: int) -> list[Measurement]:
+def beside_sympy(page: Page, every: int) -> list[Measurement]:
     """Measure the relations beside SymPy's ways, the checker on a page that holds nothing else."""
-    chosen = links(here)[::every]
-    lines = {link.line for link in chosen}
-    every_block = blocks(here, here.read(here.text))
-    needed = context([b for b in every_block if lines & set(b.lines)], every_block)
-    text, needed_lines = with_blocks_alone(here.text, needed), {n for b in needed for n in b.lines}
-    seconds = best(lambda: here.check(text, needed_lines), budget=1)
-    false = set(wrongly_judged(here, here.check(here.text)))
-    right = sum((link.line, link.link) not in false for link in chosen)
+    relations = links(page)[::every]
+    lines = {link.line for link in relations}
+    every_block = blocks(page, page.read(page.text))
+    paragraphs = context([b for b in every_block if lines & set(b.lines)], every_block)
+    text, their_lines = with_blocks_alone(page.text, paragraphs), {n for b in paragraphs for n in b.lines}
+    seconds = best(lambda: page.check(text, their_lines), budget=1)
+    false = set(misjudgements(page, page.check(page.text)))
+    right = sum((link.line, link.link) not in false for link in relations)
     rows = []
     for way, times in FASTER.items():
-        progress(f"{way} on {len(chosen)} relations")
-        outcomes = list(decide_links(chosen, way))
+        progress(f"{way} on {len(relations)} relations")
+        outcomes = list(decide_links(relations, way))
         other = sum(outcome.seconds for outcome in outcomes)
         rows.append(
             Measurement(
-                f"{len(chosen)} relations, {right} decided rightly",
+                f"{len(relations)} relations, {right} decided rightly",
                 seconds,
                 f"sympy {way}: {_summary(outcomes)}",
                 other,
@@ -211,8 +212,8 @@ def fault_table(faults: Sequence[Fault], notes: Sequence[str]) -> str:
         f" order, {kinds[UNREAD]} no formula any more",
         *notes,
     ]
-    missed = [fault for fault in faults if fault.where == STEP and not fault.is_caught]
-    lines += [f"missed: {len(missed)}", *map(_line, missed[:MOST_LISTED])]
+    misses = [fault for fault in faults if fault.where == STEP and not fault.is_caught]
+    lines += [f"missed: {len(misses)}", *map(_line, misses[:MOST_LISTED])]
     return "\n".join(lines)
 
 

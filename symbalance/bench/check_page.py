@@ -74,7 +74,7 @@ class Page:
 
 
 @cache
-def page() -> Page:
+def bench_page() -> Page:
     """Return the page that comes with the package."""
     folder = files("symbalance.bench")
     truth = tomllib.loads((folder / "page.truth.toml").read_text(encoding="utf-8"))
@@ -110,15 +110,15 @@ def blocks(page: Page, document: Document) -> list[Block]:
     return paragraphs
 
 
-def context(chosen: Iterable[Block], every: Iterable[Block], follow: bool = False) -> list[Block]:
+def context(selection: Iterable[Block], every: Iterable[Block], follow: bool = False) -> list[Block]:
     """Return paragraphs with those before them that define their letters.
 
-    With `follow` also the later ones that use the letters which the chosen paragraphs define.
+    With `follow` also the later ones that use the letters which the selected paragraphs define.
     """
-    every, needed = list(every), list(chosen)
+    every, needed = list(every), list(selection)
     if follow:
-        defined = frozenset().union(*(block.defines for block in needed))
-        needed += [block for block in every if block.letters & defined and block not in needed]
+        letters = frozenset().union(*(block.defines for block in needed))
+        needed += [block for block in every if block.letters & letters and block not in needed]
     for block in needed:  # grows while it is read: a definition may need another
         needed += [
             b
@@ -134,13 +134,13 @@ def place_of(chain: Chain, k: int) -> tuple[int, int]:
     return line, 1 + sum(relation.line == line for relation in chain.relations[:k])
 
 
-def with_blocks_alone(text: str, chosen: Iterable[Block], earlier: Iterable[str] = ()) -> str:
+def with_blocks_alone(text: str, selection: Iterable[Block], earlier: Iterable[str] = ()) -> str:
     """Return a text with everything but some paragraphs blank; what remains keeps its lines.
 
     The first line is given to the `earlier` letters of what is blank, for the checker takes a relation
     that holds a letter for the first time as one that may fix it.
     """
-    lines = {line for block in chosen for line in block.lines}
+    lines = {line for block in selection for line in block.lines}
     rows = [row if n in lines else "" for n, row in enumerate(text.split("\n"), 1)]
     letters = " ".join(rf"\{name}" if len(name) > 1 else name for name in sorted(earlier))
     return "\n".join([f"$$ {letters} = {letters} $$" if letters else rows[0], *rows[1:]])

@@ -25,7 +25,7 @@ from symbalance.bench.integrator_runs import IntegratorSweep, Measurements, Run,
 from symbalance.bench.timing import Measurement, Report, at_least
 from symbalance.errors import MissingPartError
 
-OWN = ("radau-iia", "radau-iia-9")
+SYMBALANCE = ("radau-iia", "radau-iia-9")
 """symbalance's integrators; Newmark's rule, which it has too, is an alternative here."""
 ERROR, TIMES = 1e-4, 15.0
 """The target: an error no larger, at least so many times as fast as SciPy's fastest that reaches it."""
@@ -42,18 +42,18 @@ class CrankshaftReport:
     def text(self) -> str:
         """Return the report as it is printed."""
         sweeps = self.measurements.sweeps
-        tables = [_titled(f"One cycle at {s.case}, {s.model} model", runs_table(s)) for s in sweeps]
+        tables = [_with_title(f"One cycle at {s.case}, {s.model} model", runs_table(s)) for s in sweeps]
         title = "Stiff and extreme cases: fewest steps or loosest tolerance within 1e-4, else the best"
-        tables.append(_titled(title, extreme_table(self.measurements.extremes)))
+        tables.append(_with_title(title, extreme_table(self.measurements.extremes)))
         return "\n\n".join([_head(self.measurements), *tables, self.targets().text()])
 
     def targets(self) -> Report:
         """Return the goal, and whether it is met."""
         return Report("Targets", [("On the full model", [goal(self.measurements.sweeps[1])])])
 
-    def missed(self) -> list[Measurement]:
+    def missed_targets(self) -> list[Measurement]:
         """Return the measurements that miss their target."""
-        return self.targets().missed()
+        return self.targets().missed_targets()
 
     def files(self) -> dict[str, str | bytes]:
         """Return the files that go with the report, by the endings of their names."""
@@ -96,17 +96,17 @@ def loosest_within(runs: Sequence[Run]) -> list[Run]:
 def goal(sweep: IntegratorSweep) -> Measurement:
     """Return symbalance's fastest run beside SciPy's, each at its loosest setting within `ERROR`."""
     runs = loosest_within(sweep.runs)
-    own = min((r for r in runs if r.method in OWN), key=lambda r: r.seconds, default=None)
-    others = [r for r in runs if r.method not in (*OWN, "newmark")]
+    fastest = min((r for r in runs if r.method in SYMBALANCE), key=lambda r: r.seconds, default=None)
+    others = [r for r in runs if r.method not in (*SYMBALANCE, "newmark")]
     other = min(others, key=lambda r: r.seconds, default=None)
     target = f"an error of {ERROR:g}, SciPy's fastest that has it taking {TIMES:g} times as long"
-    if own is None:
+    if fastest is None:
         return Measurement("no integrator of symbalance is within it", math.inf, "", None, target, False)
-    name = f"{own.label}, error {own.error:.1e}"
+    name = f"{fastest.label}, error {fastest.error:.1e}"
     if other is None:
-        return Measurement(name, own.seconds, "", None, f"{target}; none did within its time", None)
+        return Measurement(name, fastest.seconds, "", None, f"{target}; none did within its time", None)
     alternative = f"scipy {other.label}, error {other.error:.1e}"
-    row = at_least(TIMES, name, own.seconds, alternative, other.seconds)
+    row = at_least(TIMES, name, fastest.seconds, alternative, other.seconds)
     return replace(row, target=target)
 
 
@@ -155,7 +155,7 @@ def runs_csv(sweeps: Sequence[IntegratorSweep]) -> str:
     return stream.getvalue()
 
 
-def _titled(title: str, table: str) -> str:
+def _with_title(title: str, table: str) -> str:
     return f"{title}\n{'─' * len(title)}\n{table}"
 
 
@@ -196,7 +196,9 @@ def _panel(axis: Any, runs: Sequence[Run]) -> None:
         points = [(r.seconds, r.error) for r in runs if r.method == method and not math.isnan(r.error)]
         if points:
             style = (
-                {"linewidth": 2.2, "marker": "o"} if method in OWN else {"linewidth": 1, "marker": "x"}
+                {"linewidth": 2.2, "marker": "o"}
+                if method in SYMBALANCE
+                else {"linewidth": 1, "marker": "x"}
             )
             axis.loglog(*zip(*points, strict=True), label=method, **style)
     axis.axhline(1e-4, color="grey", linewidth=0.7, linestyle=":")

@@ -43,7 +43,7 @@ class Crossover:
     places: int
     candidates: dict[int, Candidate]
     every: int
-    closed_is_chosen: bool
+    rule_is_closed: bool
     closed_u: float
     polynomial_u: float
     least: dict[int, float] = field(default_factory=dict)
@@ -56,7 +56,7 @@ class Crossover:
             self.least[count] = min(nanoseconds, self.least.get(count, nanoseconds))
 
     @property
-    def closed(self) -> float:
+    def closed_form(self) -> float:
         """The closed form's time."""
         return self.least[0]
 
@@ -70,9 +70,9 @@ class Crossover:
         """The number of harmonics from which the closed form is faster, by straight lines between."""
         times = list(self.polynomials.items())
         for (few, fast), (many, slow) in pairwise(times):
-            if fast < self.closed <= slow:
-                return few + (many - few) * (self.closed - fast) / (slow - fast)
-        return times[0][0] if times[0][1] >= self.closed else NEVER
+            if fast < self.closed_form <= slow:
+                return few + (many - few) * (self.closed_form - fast) / (slow - fast)
+        return times[0][0] if times[0][1] >= self.closed_form else NEVER
 
 
 def crossovers(
@@ -114,9 +114,9 @@ def crossover_table(rows: Sequence[Crossover]) -> str:
         every = f"{three_digits(row.polynomials[row.every])} ({row.every})"
         pays = "never" if row.pays_from == NEVER else f"{row.pays_from:.0f}"
         forms = [("closed", row.closed_u), ("harmonics", row.polynomial_u)]
-        (form, error), (_, other) = forms if row.closed_is_chosen else reversed(forms)
+        (form, error), (_, other) = forms if row.rule_is_closed else reversed(forms)
         lines.append(
-            f"{name:<28}{cells}{every:>12}{three_digits(row.closed):>8}{row.places:>7}{pays:>6}  "
+            f"{name:<28}{cells}{every:>12}{three_digits(row.closed_form):>8}{row.places:>7}{pays:>6}  "
             f"{form}, {error:.1f} u (the other {other:.1f})"
         )
     lines += [

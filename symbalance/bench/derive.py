@@ -125,24 +125,24 @@ def zeros(quick: bool) -> list[Measurement]:
     rows = []
     for count in COUNTS:
         progress(f"zeros at N = {count}")
-        cancelled = len(ALL_ORDERS) - len(surviving_orders(count, ALL_ORDERS))
-        name = f"N = {count}: {cancelled} of {len(ALL_ORDERS)} orders proved zero"
+        zero_count = len(ALL_ORDERS) - len(surviving_orders(count, ALL_ORDERS))
+        name = f"N = {count}: {zero_count} of {len(ALL_ORDERS)} orders proved zero"
         seconds = best(partial(surviving_orders, count, ALL_ORDERS))
         rows.append(Measurement(name, seconds, target="under 0.0003 s", is_met=seconds < 3e-4))
         cyclotomic_field(count)  # built untimed
-        other = best(partial(_proved, is_zero_in_field, count, ALL_ORDERS), before=empty_caches)
-        what = "sympy, cyclotomic field"
-        rows.append(at_least(FIELD_TIMES, name, seconds, what, other))
+        other = best(partial(_count_proofs, is_zero_in_field, count, ALL_ORDERS), before=empty_caches)
+        alternative = "sympy, cyclotomic field"
+        rows.append(at_least(FIELD_TIMES, name, seconds, alternative, other))
         if has_flint():
-            other = best(partial(_proved, is_zero_by_flint, count, ALL_ORDERS))
-            what = f"{FLINT}, remainders modulo Φ_{count}"
-            rows.append(at_most(REMAINDER_TIMES, name, seconds, what, other))
+            other = best(partial(_count_proofs, is_zero_by_flint, count, ALL_ORDERS))
+            alternative = f"{FLINT}, remainders modulo Φ_{count}"
+            rows.append(at_most(REMAINDER_TIMES, name, seconds, alternative, other))
     return rows + [
         _beside_equals(n, orders[:2] if quick else orders) for n, orders in EXPONENTIALS.items()
     ]
 
 
-def _proved(is_zero: Callable[[int, int], bool], count: int, orders: Iterable[int]) -> int:
+def _count_proofs(is_zero: Callable[[int, int], bool], count: int, orders: Iterable[int]) -> int:
     """Return for how many orders a way proves that the sum vanishes."""
     return sum(is_zero(count, n) for n in orders)
 
@@ -151,7 +151,9 @@ def _beside_equals(count: int, orders: tuple[int, ...]) -> Measurement:
     progress(f"equals(0) at N = {count}")
     proofs: list[int] = []
     other = best(
-        lambda: proofs.append(_proved(is_zero_by_equals, count, orders)), budget=0, before=empty_caches
+        lambda: proofs.append(_count_proofs(is_zero_by_equals, count, orders)),
+        budget=0,
+        before=empty_caches,
     )
     seconds = best(partial(surviving_orders, count, orders))
     name = f"N = {count}, orders {list(orders)}: {len(orders)} of {len(orders)} zeros"

@@ -69,7 +69,7 @@ LABELS = {
     HEYOKA_POWERS: "heyoka with powers of one cosine",
     PER_CYLINDER: "NumPy per cylinder",
 }
-OWN = (NUMPY, NUMBA, C)
+SYMBALANCE = (NUMPY, NUMBA, C)
 DRAWN_RATIOS = ("4", "5/3", "10/9")
 COLOURS = ("#0072b2", "#009e73", "#d55e00", "#cc79a7", "#555555")
 ALL_ORDERS_STYLE = {"markeredgecolor": "black", "markeredgewidth": 1.2}
@@ -102,7 +102,7 @@ class Judge:
     @classmethod
     def of(cls, case: EvaluatedOutput, count: int = 300) -> Judge:
         """Return the true values of a case, whatever its order, at about `count` angles."""
-        angles = judged_angles(count)
+        angles = comparison_angles(count)
         turns = np.linspace(0.0, TWO_TURNS, 14401)
         amplitude = float(np.abs(per_cylinder(case)(turns)).max())
         every = accelerations_at(Points(angles), weights(case.layout, case.output), case.rod_ratio)
@@ -115,7 +115,7 @@ class Judge:
         return RelativeError(float(relative.max()), float(relative[within].max()))
 
 
-def judged_angles(count: int) -> Floats:
+def comparison_angles(count: int) -> Floats:
     """Return angles: over two turns, on to a million radians, and close to dead centres."""
     random = np.random.default_rng(20)
     third = max(count // 3, 2)
@@ -145,7 +145,7 @@ class Point:
 
 @dataclass(frozen=True)
 class ErrorSweep:
-    """What is swept over; `count` angles are timed, and `judged` angles compared with true values.
+    """What is swept over; `count` angles are timed, values at `comparisons` others judged.
 
     Orders past the last that shows in a double are left out: they are "all".
     """
@@ -154,7 +154,7 @@ class ErrorSweep:
     ratios: Sequence[Fraction] = RATIOS
     orders: Sequence[int | None] = ORDERS
     count: int = COUNT
-    judged: int = 300
+    comparisons: int = 300
     rounds: int = 3
     passes: int = 3
     budget: float = 0.02
@@ -176,7 +176,7 @@ class ErrorSweep:
 
     def _of(self, engine: str, output: str, ratio: Fraction, targets: Sequence[str]) -> Iterator[_Entry]:
         progress(f"{engine} {output} at rho = {1 / float(ratio):.3g}")
-        judge = Judge.of(EvaluatedOutput(engine, output, None, ratio), self.judged)
+        judge = Judge.of(EvaluatedOutput(engine, output, None, ratio), self.comparisons)
         showing = EvaluatedOutput(engine, output, None, ratio).wave.through
         for order in self.orders:
             case = EvaluatedOutput(engine, output, order, ratio)
@@ -314,12 +314,12 @@ def _panel(axis: Any, title: str, points: Sequence[Point], colours: dict[str, st
     axis.text(0.985, U * 1.3, "u = $2^{-53}$", transform=across, ha="right", va="bottom", fontsize=8)
     for (ratio, name), group in _by_line(points):
         if ratio in colours:
-            ordered = [p for p in group if p.order != ALL]
+            truncated = [p for p in group if p.order != ALL]
             whole = [p for p in group if p.order == ALL]
             style = _style(name, colours[ratio])
-            axis.plot(*_places(ordered), **style)
-            edged = style | ALL_ORDERS_STYLE | {"markerfacecolor": colours[ratio]}
-            axis.plot(*_places(whole), **edged)
+            axis.plot(*_places(truncated), **style)
+            whole_style = style | ALL_ORDERS_STYLE | {"markerfacecolor": colours[ratio]}
+            axis.plot(*_places(whole), **whole_style)
     _name_orders(
         axis, [p for p in points if p.target == NUMPY and p.rod_ratio == next(iter(colours), "")]
     )
@@ -348,14 +348,14 @@ def _name_orders(axis: Any, points: Sequence[Point]) -> None:
 
 def _style(name: str, colour: str) -> dict[str, Any]:
     """Return how a candidate is drawn: symbalance filled, on a line; alternatives hollow, on dashes."""
-    is_own = name in OWN
+    is_symbalance = name in SYMBALANCE
     return {
         "marker": MARKERS[name],
         "color": colour,
-        "markerfacecolor": colour if is_own else "white",
-        "markersize": 6 if is_own else 6.5,
-        "linewidth": 0.9 if is_own else 0.6,
-        "linestyle": "-" if is_own else "--",
+        "markerfacecolor": colour if is_symbalance else "white",
+        "markersize": 6 if is_symbalance else 6.5,
+        "linewidth": 0.9 if is_symbalance else 0.6,
+        "linestyle": "-" if is_symbalance else "--",
     }
 
 
@@ -374,8 +374,8 @@ def _legend(names: Sequence[str], colours: dict[str, str]) -> list[Any]:
     whole = {"marker": "o", "color": "0.8", "linestyle": "none"} | ALL_ORDERS_STYLE
     every = Line2D([], [], label="every order that shows in a double", **whole)
     columns = [
-        [mark(name) for name in names if name in OWN],
-        [mark(name) for name in names if name not in OWN] + [every],
+        [mark(name) for name in names if name in SYMBALANCE],
+        [mark(name) for name in names if name not in SYMBALANCE] + [every],
         [
             Line2D([], [], color=colour, linewidth=3, label=f"ρ = {1 / float(Fraction(ratio)):.2g}")
             for ratio, colour in colours.items()

@@ -58,7 +58,7 @@ def coefficients(text: str) -> Iterator[str]:
         if any(match.start() in span for span in bounds):
             continue
         if "." in match[0]:
-            yield _put(text, match, _misprinted(match[0]))
+            yield _put(text, match, _misprint(match[0]))
         else:
             for value in _other_integers(int(match[0])):
                 yield _put(text, match, str(value))
@@ -70,7 +70,7 @@ def _other_integers(value: int) -> list[int]:
     return [n for n in (2 * value, 3 * value, 10 * value, value + 1, value - 1) if n and n != value]
 
 
-def _misprinted(number: str) -> str:
+def _misprint(number: str) -> str:
     place = number.index(".") + 2
     return number[:place] + str((int(number[place]) + 3) % 10) + number[place + 1 :]
 

@@ -22,7 +22,7 @@ ANGLES = 720
 BEARING = Bearing(diameter=0.065, length=0.03, clearance=35e-6, viscosity=0.012)
 FIRING = (0.0, 3 * np.pi, np.pi, 2 * np.pi)
 THROWS = (0.0, np.pi, np.pi, 0.0)
-SMOOTHED = 3.0
+SMOOTHING = 3.0
 """Degrees over which the films' tables are averaged, by a bell curve, so that they stay positive: sharper
 peaks only make every reference dearer."""
 THRUST, COUPLING = (1e8, 1e3), (1e4, 50.0)
@@ -57,7 +57,7 @@ def crank() -> Crank:
 def full_system(case: Case) -> PeriodicSystem:
     """Return the whole crank on its bearings in a case."""
     rotor, omega = assemble(crank(), damping_time=case.damping), case.rpm * np.pi / 30
-    stiffness, damping, points = _held(rotor, omega)
+    stiffness, damping, points = _turning_matrices(rotor, omega)
     film = _film(case.rpm, case.film)
     behind = None
     if case.housing:
@@ -72,7 +72,7 @@ def spin() -> Array:
     return spin_motion(assemble(crank()).points)
 
 
-def _held(rotor: Rotor, omega: float) -> tuple[Array, Array, Array]:
+def _turning_matrices(rotor: Rotor, omega: float) -> tuple[Array, Array, Array]:
     """Return stiffness and damping of the turning crank, thrust and coupling in, its bearings' rows."""
     turning = deflated(rotor.centrifugal, rotor.mass, spin_motion(rotor.points))
     stiffness = rotor.stiffness + omega**2 * turning
@@ -113,7 +113,7 @@ def film_tables(rpm: float, angles: int = ANGLES) -> tuple[Array, Array]:
     """Return stiffness and damping (s, b, 2, 2) of the films along the orbits, as they are."""
     rotor, omega = assemble(crank()), rpm * np.pi / 30
     theta = CYCLE / angles * np.arange(angles)
-    stiffness, _, points = _held(rotor, omega)
+    stiffness, _, points = _turning_matrices(rotor, omega)
     loads = bearing_loads(stiffness, points, Loads(rotor, omega)(theta), theta, 5e8)
     orbit = journal_orbit([BEARING] * len(points), loads, omega, CYCLE)
     return orbit.stiffness, orbit.damping
@@ -122,10 +122,10 @@ def film_tables(rpm: float, angles: int = ANGLES) -> tuple[Array, Array]:
 @cache
 def _film(rpm: float, factor: float) -> Film:
     stiffness, damping = film_tables(rpm)
-    return trigonometric_film(factor * smoothed(stiffness), factor * smoothed(damping), CYCLE)
+    return trigonometric_film(factor * smooth(stiffness), factor * smooth(damping), CYCLE)
 
 
-def smoothed(table: Array, degrees: float = SMOOTHED, keep: int = 160) -> Array:
+def smooth(table: Array, degrees: float = SMOOTHING, keep: int = 160) -> Array:
     """Return a periodic table (s, ...) averaged by a bell curve of that standard deviation."""
     parts = np.fft.rfft(table, axis=0)
     orders = np.arange(len(parts))

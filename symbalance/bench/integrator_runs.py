@@ -131,7 +131,7 @@ class Reference:
             largest = max(largest, off / np.abs(true).max())
         return float(largest)
 
-    def fixed(self, method: str, steps: int, repeats: int = 3) -> tuple[float, float]:
+    def run_fixed_steps(self, method: str, steps: int, repeats: int = 3) -> tuple[float, float]:
         """Return seconds, all preparation in, and error of a fixed-step method."""
         seconds, states = np.inf, self.states
         for _ in range(repeats):
@@ -140,7 +140,7 @@ class Reference:
             seconds = min(seconds, process_time() - start)
         return seconds, self.error(states[:: steps // INTERVALS])
 
-    def by_scipy(self, method: str, rtol: float, limit: float, repeats: int = 3) -> tuple[float, float]:
+    def run_scipy(self, method: str, rtol: float, limit: float, repeats: int = 3) -> tuple[float, float]:
         """Return seconds and error of one of SciPy's; NaN both where it gives up or passes `limit`.
 
         The best of the repeats counts, as for a fixed step, unless one alone is longer than `LONG_RUN`.
@@ -234,10 +234,10 @@ def sweep_runs(
         is_fixed = method in FIXED
         for setting in STEPS[method] if is_fixed else TOLERANCES:
             if is_fixed:
-                times = reference.fixed(method, int(setting), effort.repeats)
+                times = reference.run_fixed_steps(method, int(setting), effort.repeats)
                 runs.append(Run(case, model, method, str(setting), *times))
             else:
-                times = reference.by_scipy(method, setting, effort.limit, effort.repeats)
+                times = reference.run_scipy(method, setting, effort.limit, effort.repeats)
                 runs.append(Run(case, model, method, f"{setting:.0e}", *times))
             enough = max(min(4 * reference.uncertainty, LOW_ERROR), effort.enough)
             if times[1] <= enough or (np.isnan(times[1]) and not is_fixed):

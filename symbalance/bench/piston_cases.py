@@ -38,12 +38,12 @@ sin²/λ²)). The velocity to u = 2^-53 of its amplitude; naive: sin (1 + cos/�
 def part(quick: bool) -> Part:
     """Return the cases of one piston, on every target."""
     count = 50 if quick else 1200
-    single, shifted = inline(throws=[0]), Engine([Cylinder(1, throw="360/7")])
+    single, rotated_throw = inline(throws=[0]), Engine([Cylinder(1, throw="360/7")])
     regions = (
         ("displacement near TDC, 5e-324 to 0.1 rad", single, small(count)),
         ("displacement at 2πn, n to 166000, and around", single, near_turns(count)),
         ("displacement anywhere to 1e6 rad", single, anywhere(count)),
-        ("displacement, TDC at -360°/7, and around", shifted, near_turns(count, 7, 1 / 7)),
+        ("displacement, TDC at -360°/7, and around", rotated_throw, near_turns(count, 7, 1 / 7)),
     )
     cases = [
         c

@@ -62,11 +62,11 @@ class PageValues:
     def degree(self, node: Formula) -> int | None:
         """Return the highest power of the small letter in a formula; None if it is no polynomial."""
         small = sympy.Symbol("small", positive=True)
-        expanded = sympy.expand(
+        polynomial = sympy.expand(
             self.convert.of(node).subs(self._large, 1 / small).subs(self._small, small)
         )
-        is_polynomial = expanded != 0 and expanded.is_polynomial(small)
-        return int(sympy.Poly(expanded, small).degree()) if is_polynomial else None
+        is_polynomial = polynomial != 0 and polynomial.is_polynomial(small)
+        return int(sympy.Poly(polynomial, small).degree()) if is_polynomial else None
 
     def agreement(self, one: Formula, other: Formula) -> float:
         """Return the power of the small letter with which two formulas begin to differ."""
@@ -152,14 +152,14 @@ class Planter:
         self.document = page.read(self.text)
         self.blocks = blocks(page, self.document)
         self.values = PageValues(page)
-        self.checked = page.check(self.text)
-        self.false_alarms = [v for v in self.checked.verdicts if v.is_bad]
+        self.judgement = page.check(self.text)
+        self.false_alarms = [v for v in self.judgement.verdicts if v.is_bad]
 
     def places(self) -> Iterator[Place]:
         """Yield the sides to plant in: all but lone letters, of chains that stand the check unchanged."""
-        alarmed = {v.line for v in self.false_alarms}
+        alarm_lines = {v.line for v in self.false_alarms}
         for chain in self.document.chains:
-            if not chain.relations or alarmed & set(chain.lines):
+            if not chain.relations or alarm_lines & set(chain.lines):
                 continue
             block = next(b for b in self.blocks if chain.lines[0] in b.lines)
             for k, side in enumerate(chain.sides):
@@ -177,9 +177,9 @@ class Planter:
         }
         wrong = {(error.line, error.link) for error in self.page.errors}
         verdicts = self.page.check(self.page.text).verdicts
-        refuted = [v for v in verdicts if (v.line, v.link) in wrong and v.verdict == REFUTED]
-        right = [v for v in refuted if v.fix and self.restores(v.fix.node, sides[v.line, v.link])]
-        return len(refuted), len(right)
+        refutations = [v for v in verdicts if (v.line, v.link) in wrong and v.verdict == REFUTED]
+        right = [v for v in refutations if v.fix and self.restores(v.fix.node, sides[v.line, v.link])]
+        return len(refutations), len(right)
 
     def candidates(self, kind: str) -> list[tuple[Place, str]]:
         """Return all places with the texts a kind of fault makes of them, in the order of the page."""
@@ -203,23 +203,23 @@ class Planter:
         """Return what becomes of one changed side."""
         before = self.text[place.start : place.end]
         fault = Fault(kind, place.chain.lines[0], before, text)
-        changed = self.text[: place.start] + text + self.text[place.end :]
-        node = self.reading(changed, place)
+        faulty = self.text[: place.start] + text + self.text[place.end :]
+        node = self.reading(faulty, place)
         if node is None:
             return replace(fault, where=UNREAD)
         where = self.where(place, node)
         if where in (STEP, DEFINITION):
-            chosen = context([place.block], self.blocks, follow=where == DEFINITION)
-            lines = {line for block in chosen for line in block.lines}
+            paragraphs = context([place.block], self.blocks, follow=where == DEFINITION)
+            lines = {line for block in paragraphs for line in block.lines}
             previous = [b for b in self.blocks if b.lines[0] < place.block.lines[0]]
             earlier = frozenset().union(*(b.letters for b in previous)) - set(self.page.definitions)
-            checked = self.page.check(with_blocks_alone(changed, chosen, earlier), lines)
-            fault = self.with_verdicts(fault, place, node, checked)
+            judgement = self.page.check(with_blocks_alone(faulty, paragraphs, earlier), lines)
+            fault = self.with_verdicts(fault, place, node, judgement)
         return replace(fault, where=where)
 
-    def reading(self, changed: str, place: Place) -> Formula | None:
+    def reading(self, faulty: str, place: Place) -> Formula | None:
         """Return the changed side as read; None if it is no formula any more."""
-        text = with_blocks_alone(changed, [place.block])
+        text = with_blocks_alone(faulty, [place.block])
         chains = [c for c in self.page.read(text).chains if _is_same_place(c, place.chain)]
         return chains[0].sides[place.side].node if len(chains) == 1 else None
 
@@ -238,37 +238,37 @@ class Planter:
             return LOWERED
         return STEP
 
-    def with_verdicts(self, fault: Fault, place: Place, node: Formula, checked: Checked) -> Fault:
+    def with_verdicts(self, fault: Fault, place: Place, node: Formula, judgement: Checked) -> Fault:
         """Return the fault with the checker's verdicts on the changed page."""
-        refuted = [v for v in checked.verdicts if v.verdict == REFUTED]
-        fixes = [v.fix for v in refuted if v.fix]
+        refutations = [v for v in judgement.verdicts if v.verdict == REFUTED]
+        fixes = [v.fix for v in refutations if v.fix]
         rights = [s.node for s in place.chain.sides[max(place.side - 1, 0) : place.side + 1]]
         back = [f for f in fixes if any(self.restores(f.node, right) for right in rights)]
-        here = [v.verdict for v in checked.verdicts if v.line in place.chain.lines]
-        chosen = (back or fixes or [None])[0]
+        on_chain = [v.verdict for v in judgement.verdicts if v.line in place.chain.lines]
+        fix = (back or fixes or [None])[0]
         return replace(
             fault,
-            is_caught=bool(refuted),
-            verdicts=tuple(dict.fromkeys(here)),
-            fix=chosen.text if chosen else "",
+            is_caught=bool(refutations),
+            verdicts=tuple(dict.fromkeys(on_chain)),
+            fix=fix.text if fix else "",
             is_right=bool(back),
-            fits_fault=bool(chosen) and not back and self.fits(chosen.node, node),
+            fits_fault=bool(fix) and not back and self.fits(fix.node, node),
         )
 
-    def restores(self, fixed: Formula, right: Formula) -> bool:
+    def restores(self, fix: Formula, right: Formula) -> bool:
         """Tell whether a corrected side has the value it should have, through the order it kept."""
         try:
-            if self.values.same(fixed, right):
+            if self.values.same(fix, right):
                 return True
             degree = self.values.degree(right)
-            return bool(degree) and self.values.agreement(fixed, right) > degree
+            return bool(degree) and self.values.agreement(fix, right) > degree
         except NO_VALUE:
             return False
 
-    def fits(self, fixed: Formula, wrong: Formula) -> bool:
+    def fits(self, fix: Formula, wrong: Formula) -> bool:
         """Tell whether a changed side agrees with the faulty one, through the order it keeps."""
         try:
-            return self.values.same(fixed, wrong) or self.values.is_true_to_order(fixed, wrong)
+            return self.values.same(fix, wrong) or self.values.is_true_to_order(fix, wrong)
         except NO_VALUE:
             return False
 

@@ -68,8 +68,8 @@ class CaseTimes:
 
 def candidates(case: EvaluatedOutput, targets: Sequence[str]) -> dict[str, Candidate]:
     """Return symbalance's functions and the alternatives by name, compiled."""
-    own = {target: candidate(case, target) for target in targets}
-    return own | {name: alternative(case, name) for name in present()}
+    functions = {target: candidate(case, target) for target in targets}
+    return functions | {name: alternative(case, name) for name in present()}
 
 
 def time_case(

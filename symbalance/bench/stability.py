@@ -45,7 +45,7 @@ class StabilityReport:
         """Return all cases."""
         return [case for part in self.parts for case in part.cases]
 
-    def missed(self) -> list[BoundedCase]:
+    def missed_targets(self) -> list[BoundedCase]:
         """Return the cases past their stated bound."""
         return [case for case in self.cases() if not case.is_met]
 
@@ -61,10 +61,12 @@ class StabilityReport:
 
     def verdict(self) -> str:
         """Return the last lines: how many cases, and which are past their bounds."""
-        count, missed = len(self.cases()), self.missed()
-        if not missed:
+        count, failures = len(self.cases()), self.missed_targets()
+        if not failures:
             return f"{count} cases, all within their bounds"
-        return "\n".join([f"FAILED: {len(missed)} of {count} cases", *(f"  {c.name}" for c in missed)])
+        return "\n".join(
+            [f"FAILED: {len(failures)} of {count} cases", *(f"  {c.name}" for c in failures)]
+        )
 
 
 def report(quick: bool = False) -> StabilityReport:

@@ -201,11 +201,13 @@ def _has_decimals(node: formula.Formula) -> bool:
     return any(isinstance(p, formula.Number) and p.last_place is not None for p in formula.walk(node))
 
 
-def decide_links(chosen: Sequence[Link], way: str = SIMPLIFY, limit: float = LIMIT) -> Iterator[Outcome]:
+def decide_links(
+    relations: Sequence[Link], way: str = SIMPLIFY, limit: float = LIMIT
+) -> Iterator[Outcome]:
     """Yield SymPy's answer to each relation, from a process of its own that is ended at the limit."""
     worker = _Worker(way)
     try:
-        for link in chosen:
+        for link in relations:
             yield worker.answer(link, limit)
     finally:
         worker.end()

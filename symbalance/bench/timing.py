@@ -60,7 +60,7 @@ class Report:
         body = "\n\n".join(f"{title}\n{'─' * len(title)}\n{table(rows)}" for title, rows in self.parts)
         return f"{self.head}\n\n{body}\n"
 
-    def missed(self) -> list[Measurement]:
+    def missed_targets(self) -> list[Measurement]:
         """Return the measurements that miss their target."""
         return [m for _, rows in self.parts for m in rows if m.is_met is False]
 

@@ -26,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
     write(report.text(), None if has_pictures else output)
     if has_pictures:
         write_files({f"{output}{ending}": content for ending, content in report.files().items()})
-    return 1 if report.missed() else 0
+    return 1 if report.missed_targets() else 0
 
 
 def _check_folder(output: str) -> None:
