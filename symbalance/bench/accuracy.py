@@ -40,7 +40,8 @@ from symbalance.kinematics.slider_crank import acceleration_floats
 
 FULL, QUICK = LONG, 10**6
 """Angles that are timed."""
-QUICK_RATIOS, QUICK_ORDERS = (Fraction(4), Fraction(10, 9)), (2, 8, None)
+QUICK_RATIOS, QUICK_ORDERS = (Fraction(4), Fraction(10, 9)), (8, None)
+"""Few, because every case is compiled by Numba and by `cc`, which takes most of the time."""
 HIGHEST = 40
 """The highest order of the coefficients."""
 COEFFICIENT_TIMES, COEFFICIENT_ULP = 50, 4.0

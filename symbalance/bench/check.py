@@ -179,7 +179,7 @@ def beside_sympy(page: Page, every: int) -> list[Measurement]:
                 seconds,
                 f"sympy {way}: {_summary(outcomes)}",
                 other,
-                f"at least {times} times as long, and no more decided rightly",
+                f"at least {times} times as long, with no more decided rightly",
                 other >= times * seconds and right >= sum(o.is_right for o in outcomes),
             )
         )

@@ -1,4 +1,4 @@
-"""An in-line four to integrate: crank, loads, films along its journals' orbits, housings. SI units."""
+"""An in-line four on five journal bearings as a periodic system: crank, loads, films, housings. SI units."""
 
 from __future__ import annotations
 
@@ -59,12 +59,12 @@ def full_system(case: Case) -> PeriodicSystem:
     rotor, omega = assemble(crank(), damping_time=case.damping), case.rpm * np.pi / 30
     stiffness, damping, points = _turning_matrices(rotor, omega)
     film = _film(case.rpm, case.film)
-    behind = None
+    housings = None
     if case.housing:
         spring = np.array([np.diag([case.housing, 0.7 * case.housing])] * len(points))
-        behind = Housing(spring, np.array([np.diag([2e4, 2e4])] * len(points)))
+        housings = Housing(spring, np.array([np.diag([2e4, 2e4])] * len(points)))
     loads = Loads(rotor, omega)
-    return PeriodicSystem(rotor.mass, damping, stiffness, points, film, behind, loads, omega, CYCLE)
+    return PeriodicSystem(rotor.mass, damping, stiffness, points, film, housings, loads, omega, CYCLE)
 
 
 def spin() -> Array:
@@ -103,9 +103,9 @@ class Loads:
             inertia = PISTON * 0.06 * self.omega**2 * (np.cos(x) + RATIO * np.cos(2 * x))
             axial, lean = inertia - gas, RATIO * np.sin(x)
             radial = axial * (np.cos(x) - lean * np.sin(x))
-            ahead = -axial * (np.sin(x) + lean * np.cos(x))
-            force[:, DOF * node] += radial * np.cos(throw) - ahead * np.sin(throw)
-            force[:, DOF * node + 1] += radial * np.sin(throw) + ahead * np.cos(throw)
+            tangential = -axial * (np.sin(x) + lean * np.cos(x))
+            force[:, DOF * node] += radial * np.cos(throw) - tangential * np.sin(throw)
+            force[:, DOF * node + 1] += radial * np.sin(throw) + tangential * np.cos(throw)
         return force
 
 
