@@ -25,7 +25,7 @@ cosines. naive: the quotient in doubles, inf where it gives no number. Only the 
 pole: sums and couples take whole N and n."""
 
 
-def part(quick: bool) -> Part:
+def closed_sum_part(quick: bool) -> Part:
     """Return the cases of the sums."""
     counts = COUNTS[:3] if quick else COUNTS
     progress("closed sums")

@@ -61,7 +61,7 @@ def requests_of(
                 yield request
 
 
-def near(quick: bool) -> Part:
+def near_part(quick: bool) -> Part:
     """Return the cases of the catalogue's engines for |theta| <= 1e6."""
     points = Points(hard(300 if quick else 10_000))
     cases = []
@@ -135,7 +135,7 @@ def on_grid(points: int = 1441) -> BoundedCase:
     return attempt(name, AIM, OF_AMPLITUDE, make)
 
 
-def far(quick: bool) -> Part:
+def far_part(quick: bool) -> Part:
     """Return the cases of angles beyond what is reduced exactly."""
     cases = []
     for size in FAR:
@@ -160,7 +160,7 @@ def far_case(engine: str, name: str, points: Points, size: float) -> BoundedCase
     return attempt(title, AIM, OF_AMPLITUDE, make)
 
 
-def many(quick: bool) -> Part:
+def high_order_part(quick: bool) -> Part:
     """Return the cases of order 1000 and of 24 cylinders, held to the bound each function states."""
     points = Points(hard(60 if quick else 1500))
     requests = [
@@ -196,7 +196,7 @@ def twenty_four() -> list[tuple[Engine, str]]:
     ]
 
 
-def float32(quick: bool) -> Part:
+def float32_part(quick: bool) -> Part:
     """Return the cases of float32 angles."""
     narrow = hard(200 if quick else 4000).astype(np.float32)
     points = Points(narrow.astype(np.float64))

@@ -1,4 +1,4 @@
-"""An in-line four on five journal bearings as a periodic system: crank, loads, films, housings. SI units."""
+"""An in-line four on journal bearings as a periodic system: crank, loads, films, housings. SI units."""
 
 from __future__ import annotations
 

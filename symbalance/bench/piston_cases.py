@@ -35,7 +35,7 @@ The displacement is held to ulp of its own value, however small that is; naive: 
 sin²/λ²)). The velocity to u = 2^-53 of its amplitude; naive: sin (1 + cos/√(λ² - sin²))."""
 
 
-def part(quick: bool) -> Part:
+def piston_part(quick: bool) -> Part:
     """Return the cases of one piston, on every target."""
     count = 50 if quick else 1200
     single, rotated_throw = inline(throws=[0]), Engine([Cylinder(1, throw="360/7")])

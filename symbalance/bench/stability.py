@@ -23,14 +23,14 @@ u = 2^-53, half an ulp of 1, times the amplitude of the output; ulp: of the true
 where a refusal fails to come. "error" is symbalance's largest, at the place named; "naive" the largest
 of the naive form anywhere."""
 PARTS: Sequence[Callable[[bool], Part]] = (
-    piston_cases.part,
-    engine_cases.near,
-    engine_cases.far,
+    piston_cases.piston_part,
+    engine_cases.near_part,
+    engine_cases.far_part,
     ratio_cases.coefficient_part,
     ratio_cases.function_part,
-    engine_cases.many,
-    closed_sum_cases.part,
-    engine_cases.float32,
+    engine_cases.high_order_part,
+    closed_sum_cases.closed_sum_part,
+    engine_cases.float32_part,
 )
 
 
