@@ -43,7 +43,7 @@ PER_CYLINDER_TIMES = {"inline-6": 200, "v12-60": 500}
 NUMBA_TIMES = {LAMBDIFY: 20, NUMBA_COS: 20, HEYOKA: 1.5, HEYOKA_POWERS: 1.5}
 NUMPY_TIMES = {LAMBDIFY: 1.5, PER_CYLINDER: 20}
 """How many times as long the alternatives take, at least, by the target they are compared with."""
-NUMPY_AT_MOST = {HEYOKA_POWERS: 6}
+NUMPY_AT_MOST = {HEYOKA_POWERS: 8}
 """heyoka compiles, NumPy alone does not: how many times as long it takes than that, at most."""
 SMALL = (1, 10, 1000)
 REPEAT = {1: 300, 10: 300, 1000: 60}
