@@ -1,4 +1,4 @@
-"""Hand derivations held against the engines of this library."""
+"""Checking of hand derivations against this library's presets and engine files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ VALUE_DIGITS = 30
 
 
 class LibraryEngines:
-    """What the checker is told about engines: presets, engine files, a slider-crank's harmonics."""
+    """What the checker learns of engines: presets, engine files, a slider-crank's harmonics."""
 
     def engine(self, name: str, folder: Path) -> KnownEngine:
         """Return a preset, or the engine of a file: one in `folder` before one of the working folder."""
@@ -49,8 +49,8 @@ def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None =
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. Lines are bound to this library's presets and engine files.
 
-        >>> found = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
-        >>> found.verdicts[0].verdict, found.verdicts[0].fix.text
+        >>> checked = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
+        >>> checked.verdicts[0].verdict, checked.verdicts[0].fix.text
         ('refuted', '(1 - cos 2x)/2')
 
     Raises SymbalanceError for a file or a declaration that cannot be used; an equation that cannot be

@@ -1,4 +1,13 @@
-"""What tests share: golden files (`pytest --update` rewrites them) and a LaTeX compiler."""
+"""What tests share: tiers by cost, golden files (`pytest --update` rewrites them), a LaTeX compiler.
+
+The fast core, `-m "not slow"`, holds some of every kind of evidence. `slow` is all the rest, `rare` what
+of it needs programs that few machines have. A test's marks say where it belongs:
+
+    @pytest.mark.slow                        the test, or as `pytestmark` the module
+    @pytest.mark.rare                        the same, and slow
+    @pytest.mark.spread(3)                   three of its cases are fast, from the first to the last
+    @pytest.mark.spread("v6-60", "boxer-4")  the cases are fast whose parameters these are
+"""
 
 from __future__ import annotations
 
@@ -7,7 +16,8 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable
+from collections import Counter, defaultdict
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -22,8 +32,72 @@ GOLDEN = Path(__file__).parent / "golden"
 _FAULT = re.compile(r"^!.*|^Overfull \\hbox \(([\d.]+)pt.*|^LaTeX Warning: Reference.*", re.MULTILINE)
 
 
+SLOW_DOCUMENTS = frozenset(
+    f"{name}.md"
+    for name in (
+        "balance-tables",
+        "balancing",
+        "crankshaft-equations",
+        "crankshaft-running",
+        "crankshaft-solution",
+        "offset",
+        "radials",
+        "tolerances",
+    )
+)
+"""Derivations whose formulas take more than a second to compute: a document cannot carry a mark."""
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--update", action="store_true", help="rewrite the golden files")
+    parser.addoption("--none-skipped", action="store_true", help="fail if a test is skipped")
+
+
+@pytest.hookimpl(tryfirst=True)  # before pytest's own, which takes out what `-m` does not ask for
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark as slow what stands in a slow document, is rare, or is none of the fast cases of its test."""
+    cases: dict[str, list[pytest.Item]] = defaultdict(list)
+    for item in items:
+        slow_doctest = isinstance(item, pytest.DoctestItem) and item.path.name in SLOW_DOCUMENTS
+        if slow_doctest or item.get_closest_marker("rare"):
+            item.add_marker(pytest.mark.slow)
+        elif item.get_closest_marker("spread"):
+            cases[item.nodeid.partition("[")[0]].append(item)
+    for same_test in cases.values():
+        mark = same_test[0].get_closest_marker("spread")
+        assert mark is not None
+        for item in not_spread(same_test, mark.args):
+            item.add_marker(pytest.mark.slow)
+
+
+def not_spread(cases: Sequence[pytest.Item], fast: tuple[int | str, ...]) -> list[pytest.Item]:
+    """Return the cases of a test that are none of the fast ones: so many, or those of that name."""
+    if isinstance(fast[0], int):
+        last, steps = len(cases) - 1, max(fast[0] - 1, 1)
+        places = {round(last * step / steps) for step in range(fast[0])}
+        return [case for place, case in enumerate(cases) if place not in places]
+    parameters = [{str(value) for value in case.callspec.params.values()} for case in cases]  # type: ignore[attr-defined]
+    lacking = set(fast) - set().union(*parameters)
+    assert len(cases) == 1 or not lacking, f"{cases[0].nodeid}: no case is named {lacking}"
+    return [case for case, values in zip(cases, parameters, strict=True) if not values & set(fast)]
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """List what was skipped, and why: a green run says what it did not look at."""
+    skipped = terminalreporter.stats.get("skipped", [])
+    reasons = Counter(report.longrepr[2] for report in skipped)
+    for reason, count in sorted(reasons.items()):
+        terminalreporter.write_line(f"{count} not run: {reason.removeprefix('Skipped: ')}", yellow=True)
+    if skipped and terminalreporter.config.getoption("--none-skipped"):
+        terminalreporter.write_line("--none-skipped: for this the run fails", red=True)
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Let `--none-skipped` fail a run in which a test was skipped."""
+    reporter = session.config.pluginmanager.get_plugin("terminalreporter")
+    skipped = reporter.stats.get("skipped") if reporter is not None else None
+    if skipped and session.config.getoption("--none-skipped") and session.exitstatus == 0:
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
 
 @pytest.fixture

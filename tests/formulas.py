@@ -30,7 +30,7 @@ from symbalance.document.formula import (
     Summation,
 )
 from symbalance.notes.algebra.domain import Domain
-from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
 from symbalance.notes.algebra.forms import Form
 
 POSITIVE = frozenset("a b c lambda rho".split())  # noqa: SIM905
@@ -111,7 +111,7 @@ def _joined(op: ast.operator, left: Formula, right: Formula) -> Formula:
 
 def forms(*trees: Formula | str) -> list[Form]:
     """Return the forms of trees, or of their texts, in one fresh domain."""
-    evaluator = Evaluator(Domain(POSITIVE, INTEGER), MEANING)
+    evaluator = FormEvaluator(Domain(POSITIVE, INTEGER), MEANING)
     return [evaluator.form(tree(t) if isinstance(t, str) else t) for t in trees]
 
 

@@ -12,14 +12,14 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import sympy
-from cranks import sheet, written
 from sympy import Symbol
 
 import symbalance as sb
 from symbalance.crankshaft.files import read_running_engine
-from symbalance.crankshaft.reports import summary
-from symbalance.crankshaft.running import setting, swept
+from symbalance.crankshaft.reports import summarise_run
+from symbalance.crankshaft.running import configure_run, run_speeds
 from symbalance.document.result import Result
+from tests.cranks import sheet, written
 
 
 def _balance() -> Result:
@@ -176,10 +176,10 @@ def _crankshaft() -> Result:
     """A run of one cylinder at three speeds, of which the last is not to be relied on."""
     with TemporaryDirectory() as folder:
         engine = read_running_engine(written(Path(folder), sheet())).at_speeds((1000.0, 1500.0, 2000.0))
-        made = setting(engine, webs="nominal", steps=120, about="centre")
-        outcomes = [replace(one, seconds=0.25) for one in swept(made, None, lambda line: None)]
+        made = configure_run(engine, webs="nominal", steps=120, about="centre")
+        outcomes = [replace(one, seconds=0.25) for one in run_speeds(made, None, lambda line: None)]
     lost = replace(outcomes[-1], reason="films do not settle at 120 steps a cycle")
-    return summary(made, [*outcomes[:-1], lost])
+    return summarise_run(made, [*outcomes[:-1], lost])
 
 
 EXAMPLES: dict[str, Callable[[], Result]] = {

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from functools import cache
 
-import kinematics
 from mpmath import mp
 
 import symbalance as sb
+from tests import kinematics
 
 DIGITS = 50
 

@@ -21,15 +21,15 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-import kinematics
 import numpy as np
 from mpmath import mp
 
 from symbalance.cli import run as command
-from symbalance.codegen import planned_for, to_function
+from symbalance.codegen import plan_for, to_function
 from symbalance.codegen.plans import Plan
 from symbalance.engine.catalogue import load
 from symbalance.forces.free_forces import balance
+from tests import kinematics
 
 U, U32 = 2.0**-53, 2.0**-24
 KEYWORDS = {"mass": 2.0, "radius": 4.0, "omega": 8.0, "pitch": 16.0}
@@ -56,7 +56,7 @@ class Case:
     ratio: str = "4"
 
     def asked(self, target: str) -> Any:
-        """Return what `planned_for` and `to_function` are asked for."""
+        """Return what `plan_for` and `to_function` are asked for."""
         result = balance(load(self.engine), self.order or 1, ratio=self.ratio)
         return result, None, self.outputs, target
 
@@ -71,7 +71,7 @@ class Case:
 
     def planned(self, target: str) -> Plan:
         """Return the plan of the outputs on a target."""
-        return planned_for(*self.asked(target), None if self.order else self.tolerance)
+        return plan_for(*self.asked(target), None if self.order else self.tolerance)
 
     def function(self, target: str) -> Any:
         """Return the outputs as a function, which has been pickled and unpickled."""
@@ -136,7 +136,9 @@ def motion(case: Case, output: str) -> Callable[[mp.mpf], mp.mpf]:
     onto = (lambda z: z.real) if part == "vertical" else (lambda z: z.imag)
     if not (case.order or case.tolerance):
         return lambda theta: onto(vector(theta))
-    highest = case.order or max(int(t.order) for o in case.planned("numpy").outputs for t in o.wave.terms)
+    highest = case.order or max(
+        int(t.order) for o in case.planned("numpy").outputs for t in o.harmonic_sum.terms
+    )
     points = kinematics.points_for(lam, highest)
     orders = range(1, highest + 1)
     found = kinematics.harmonics(lambda theta: onto(vector(theta)), orders, points)

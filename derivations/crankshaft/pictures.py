@@ -18,9 +18,9 @@ import numpy as np
 
 from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.loads import firing_crank_angles
-from symbalance.crankshaft.reports import summary
-from symbalance.crankshaft.reports.pictures import pictures
-from symbalance.crankshaft.running import Outcome, Setting, setting, swept
+from symbalance.crankshaft.reports import summarise_run
+from symbalance.crankshaft.reports.pictures import draw_pictures
+from symbalance.crankshaft.running import RunConfiguration, SpeedOutcome, configure_run, run_speeds
 
 HERE = Path(__file__).parent
 SHOWN = ("pin-bending", "pin-torsion", "films", "orbits", "frequencies", "campbell", "waterfall")
@@ -42,22 +42,22 @@ def main(arguments: list[str]) -> None:
 
 def _run(name: str, kept: Path | None) -> dict[str, Any]:
     engine = read_running_engine(HERE / f"{name}.toml").at_speeds(SPEEDS[name])
-    made = setting(engine)
+    made = configure_run(engine)
     folder = None if kept is None else kept / name
-    outcomes = swept(made, folder, lambda line: print(name, line, file=sys.stderr, flush=True))
+    outcomes = run_speeds(made, folder, lambda line: print(name, line, file=sys.stderr, flush=True))
     if refused := [f"{name}, {o.rpm:g} rpm: {o.reason}" for o in outcomes if o.reason]:
         sys.exit("\n".join(refused))
-    found = summary(made, outcomes)
-    for picture, data in pictures(found).items():
+    found = summarise_run(made, outcomes)
+    for picture, data in draw_pictures(found).items():
         if picture.removesuffix(".png") in SHOWN:
             (HERE.parent / "pictures" / f"{engine.layout.name}-{picture}").write_bytes(data)
     last = outcomes[-1]
-    centre = replace(made, about="centre", passes=1, steps=last.steps)
-    paper = swept(centre.at_speeds((SPEEDS[name][-1],)), folder and folder / "centre")[0]
+    centre = replace(made, about="centre", iterations=1, steps=last.steps)
+    paper = run_speeds(centre.at_speeds((SPEEDS[name][-1],)), folder and folder / "centre")[0]
     return {
         "bending": {str(o.rpm): _peaks(made, o) for o in outcomes},
         "high": {str(o.rpm): _high(o) for o in outcomes},
-        "worst": {"place": found.worst.name, "safety": found.worst.found.safety},
+        "worst": {"place": found.worst.name, "safety": found.worst.durability.safety},
         "clearance": {"orbit": max(map(_widest, outcomes)), "centre": _widest(paper)},
         "centre": float(np.abs(paper.values - last.values).max() / np.abs(last.values).max()),
         "departure": max(o.departure for o in outcomes),
@@ -65,12 +65,12 @@ def _run(name: str, kept: Path | None) -> dict[str, Any]:
     }
 
 
-def _widest(outcome: Outcome) -> float:
+def _widest(outcome: SpeedOutcome) -> float:
     """Return the largest share of its clearance that an orbit takes."""
     return float(outcome.eccentricity.max())
 
 
-def _peaks(made: Setting, outcome: Outcome) -> dict[str, list[float]]:
+def _peaks(made: RunConfiguration, outcome: SpeedOutcome) -> dict[str, list[float]]:
     """Return each pin's bending in MPa: its largest, its least, its range away from its own firing."""
     return {
         str(k): [float(x) / 1e6 for x in (v.max(), v.min(), np.ptp(v[_away(made, outcome, k)]))]
@@ -79,7 +79,7 @@ def _peaks(made: Setting, outcome: Outcome) -> dict[str, list[float]]:
     }
 
 
-def _away(made: Setting, outcome: Outcome, pin: int) -> np.ndarray:
+def _away(made: RunConfiguration, outcome: SpeedOutcome, pin: int) -> np.ndarray:
     """Return the angles further than 90 degrees from the firing of a pin's own cylinders."""
     tops = firing_crank_angles(made.engine.layout)
     own = [np.degrees(tops[n]) for n in made.engine.crank.pins[pin - 1].cylinders]
@@ -88,7 +88,7 @@ def _away(made: Setting, outcome: Outcome, pin: int) -> np.ndarray:
     return np.min(off, axis=0) > 90
 
 
-def _high(outcome: Outcome) -> dict[str, float]:
+def _high(outcome: SpeedOutcome) -> dict[str, float]:
     """Return the root mean square of each pin's bending and torsion above order `HIGH`, MPa."""
     names = [n for n in outcome.names if n.startswith("pin ") and not n.endswith("sideways")]
     found = {}

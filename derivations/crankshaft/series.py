@@ -10,25 +10,26 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import matplotlib as mpl
 import numpy as np
 
 from symbalance.bench.inline_four import CYCLE, Case, full_system
-from symbalance.crankshaft.bearings.series import equivalent
-
-mpl.use("Agg")
-from matplotlib import pyplot
+from symbalance.crankshaft.bearings.series import equivalent_coefficients
 
 BEARING = 2
 
 
 def drawn(path: Path) -> None:
     """Write the picture."""
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    from matplotlib import pyplot
+
     system = full_system(Case("2200 rpm"))
     theta = CYCLE / 720 * np.arange(720)
     film = system.film.stiffness(theta), system.film.damping(theta)
     assert system.housing is not None
-    series, _ = equivalent(film, system.housing, 0.0)
+    series, _ = equivalent_coefficients(film, system.housing, 0.0)
     figure, axes = pyplot.subplots(2, 1, figsize=(8, 6.5), sharex=True)
     for i, (axis, name) in enumerate(zip(axes, ("vertical", "lateral"), strict=True)):
         own, both = film[0][:, BEARING, i, i] / 1e9, series[:, BEARING, i, i] / 1e9

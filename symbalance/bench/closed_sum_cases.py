@@ -12,7 +12,7 @@ from symbalance.bench.bounded_cases import ULP, BoundedCase, Part, attempt, wors
 from symbalance.bench.timing import progress
 from symbalance.bench.true_values import Number, mp
 from symbalance.document.symbols import symbol
-from symbalance.forces.summation import dirichlet_quotient, inline_couple, inline_sum
+from symbalance.forces.inline_sums import dirichlet_quotient, inline_couple, inline_sum
 
 BOUND = 1.0
 """ulp: SymPy evaluates to as many digits as a double holds."""
@@ -20,7 +20,7 @@ COUNTS, ORDERS = (2, 5, 6, 12, 100), (1, 2, 3)
 AWAY = tuple(Fraction(sign, 10**e) for e in (16, 14, 12, 9, 6, 3) for sign in (-1, 1))
 INTRODUCTION = """\
 Cylinders N, order n, spacing h: sin(N n h/2)/sin(n h/2) at n h/2π whole (the pole) and off it by 1e-16
-to 1e-3 of h, as float(...) of what `symbalance.forces.summation` returns; true is the sum of the N
+to 1e-3 of h, as float(...) of what `symbalance.forces.inline_sums` returns; true is the sum of the N
 cosines. naive: the quotient in doubles, inf where it gives no number. Only the quotient can come near a
 pole: sums and couples take whole N and n."""
 

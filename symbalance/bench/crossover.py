@@ -17,7 +17,7 @@ from symbalance.bench.error_sweep import Judge
 from symbalance.bench.evaluated_outputs import Candidate, EvaluatedOutput, Floats, calls, from_plan
 from symbalance.bench.speed import angles, three_digits
 from symbalance.bench.timing import in_turn, progress
-from symbalance.codegen.plans import plan
+from symbalance.codegen.plans import choose_plan
 
 COUNT, PASSES = 100_000, 4
 NEVER = float("inf")
@@ -94,11 +94,11 @@ def _crossover(case: EvaluatedOutput, target: str, counts: Sequence[int]) -> Cro
     most = step * (max(*counts, len(wave.terms)) + 1)
     longer = EvaluatedOutput(case.engine, case.output, most, ratio).wave.terms
     waves = {0: replace(wave, terms=())}
-    waves |= {n: replace(wave, terms=longer[:n], closed=None) for n in (*counts, len(wave.terms))}
-    candidates = {n: from_plan(plan([one], ratio, target), target) for n, one in waves.items()}
-    judge, places = Judge.of(case, 150), len(wave.closed.places) if wave.closed else 0
+    waves |= {n: replace(wave, terms=longer[:n], closed_form=None) for n in (*counts, len(wave.terms))}
+    candidates = {n: from_plan(choose_plan([one], ratio, target), target) for n, one in waves.items()}
+    judge, places = Judge.of(case, 150), len(wave.closed_form.places) if wave.closed_form else 0
     every = len(wave.terms)
-    is_closed = plan([wave], ratio, target).outputs[0].closed
+    is_closed = choose_plan([wave], ratio, target).outputs[0].uses_closed_form
     errors = judge.error(candidates[0]).in_u, judge.error(candidates[every]).in_u
     return Crossover(case, target, places, candidates, every, is_closed, *errors)
 

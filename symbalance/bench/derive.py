@@ -30,7 +30,7 @@ from symbalance.bench.derive_alternatives import (
 from symbalance.bench.ideal_engine import ideal_engine
 from symbalance.bench.timing import Measurement, Report, at_least, at_most, best, processes, progress
 from symbalance.engine.builders import inline
-from symbalance.forces.planar_vectors import geometry
+from symbalance.forces.force_sums import geometry
 from symbalance.kinematics.series_printing import series_latex
 from symbalance.kinematics.slider_crank import (
     Series,

@@ -19,10 +19,10 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from symbalance.codegen import Evaluator, planned_for, to_function
+from symbalance.codegen import Evaluator, plan_for, to_function
+from symbalance.codegen.harmonic_sum import HarmonicSum
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets import files
-from symbalance.codegen.waves import Wave
 from symbalance.engine.catalogue import load
 from symbalance.engine.engine import Engine
 from symbalance.forces.free_forces import Balance, balance
@@ -92,12 +92,12 @@ class EvaluatedOutput:
 
     def plan(self, target: str) -> Plan:
         """Return what a target is written from."""
-        return planned_for(self.balance, None, self.output, target, self.tolerance)
+        return plan_for(self.balance, None, self.output, target, self.tolerance)
 
     @cached_property
-    def wave(self) -> Wave:
+    def wave(self) -> HarmonicSum:
         """The output's surviving harmonics, exact in lambda."""
-        return self.plan("numpy").outputs[0].wave
+        return self.plan("numpy").outputs[0].harmonic_sum
 
     @cached_property
     def harmonics(self) -> tuple[Harmonic, ...]:

@@ -17,8 +17,8 @@ from symbalance.codegen import to_function
 from symbalance.engine.builders import from_cylinders, inline
 from symbalance.engine.catalogue import load
 from symbalance.engine.cylinders import Cylinder
+from symbalance.forces.force_sums import geometry
 from symbalance.forces.free_forces import Balance, balance
-from symbalance.forces.planar_vectors import geometry
 from symbalance.kinematics.slider_crank import surviving
 
 ORDER = 12

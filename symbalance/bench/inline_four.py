@@ -7,14 +7,16 @@ from functools import cache
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.assembly import assemble
+from symbalance.crankshaft.bearings.film_tables import trigonometric_film
 from symbalance.crankshaft.bearings.orbits import journal_orbit
-from symbalance.crankshaft.bearings.periodic import trigonometric_film
-from symbalance.crankshaft.bearings.quasi_static import bearing_loads
 from symbalance.crankshaft.bearings.short_film import Bearing
-from symbalance.crankshaft.crank import Crank, Disc, Journal, Part, Pin, Web, WebCounterweight
-from symbalance.crankshaft.rotor import DOF, Array, Rotor
-from symbalance.crankshaft.spin import deflated, spin_motion
+from symbalance.crankshaft.crank import Crank, Journal, Part, Pin, Web, WebCounterweight
+from symbalance.crankshaft.frames import rotation
+from symbalance.crankshaft.rotor.matrices import Rotor
+from symbalance.crankshaft.rotor.parts import Disc
+from symbalance.crankshaft.rotor.rigid_body_mode import deflated, spin_motion
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
 
 CYCLE = 4 * np.pi
@@ -117,6 +119,20 @@ def film_tables(rpm: float, angles: int = ANGLES) -> tuple[Array, Array]:
     loads = bearing_loads(stiffness, points, Loads(rotor, omega)(theta), theta, 5e8)
     orbit = journal_orbit([BEARING] * len(points), loads, omega, CYCLE)
     return orbit.stiffness, orbit.damping
+
+
+def bearing_loads(stiffness: Array, points: Array, force: Array, theta: Array, support: float) -> Array:
+    """Return the shaft's forces on its bearings (s, b, 2) in N, stationary axes, without inertia.
+
+    The crank's `stiffness` (n, n), centrifugal part included, rests on equal springs `support` (N/m) at
+    `points` (b, 2, n) under `force` (s, n) at angles (s,), all in turning axes: statically indeterminate,
+    so that stiffer supports give the bearings next to a throw more of its load.
+    """
+    rows = points.reshape(-1, points.shape[-1])
+    supported = stiffness + support * rows.T @ rows
+    place = np.linalg.solve(supported, np.ascontiguousarray(force.T))
+    turning = (support * rows @ place).T.reshape(len(theta), -1, 2)
+    return (rotation(theta)[:, None] @ turning[..., None])[..., 0]
 
 
 @cache

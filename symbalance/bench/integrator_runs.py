@@ -16,12 +16,12 @@ import numpy as np
 
 from symbalance.bench.inline_four import Case, film_tables, full_system, spin
 from symbalance.bench.timing import progress
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.harmonic_balance import harmonic_state
-from symbalance.crankshaft.integrators.coefficients import gathered
-from symbalance.crankshaft.integrators.from_scipy import SCIPY, scipy_states
+from symbalance.crankshaft.integrators.coefficients import bearing_rows
+from symbalance.crankshaft.integrators.first_order import SCIPY, scipy_states
 from symbalance.crankshaft.integrators.methods import FIXED, linear_steps
 from symbalance.crankshaft.reduction import reduced
-from symbalance.crankshaft.rotor import DOF, Array
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import SymbalanceError
@@ -136,7 +136,7 @@ class Reference:
         seconds, states = np.inf, self.states
         for _ in range(repeats):
             start = process_time()
-            states = linear_steps(self.system, method, steps).marched(self.states[0])
+            states = linear_steps(self.system, method, steps).march(self.states[0])
             seconds = min(seconds, process_time() - start)
         return seconds, self.error(states[:: steps // INTERVALS])
 
@@ -167,7 +167,7 @@ def kinds(system: PeriodicSystem, spin: Array, basis: Array | None = None) -> li
     weight = system.mass if len(system.mass) == n else np.eye(n)
     rest = np.eye(n) - np.outer(spin, weight @ spin) / (spin @ weight @ spin)
     shifts = (np.arange(n) % DOF) < 3
-    return [gathered(system), (rest @ basis)[shifts], (rest @ basis)[~shifts]]
+    return [bearing_rows(system), (rest @ basis)[shifts], (rest @ basis)[~shifts]]
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ from symbalance.bench.true_values import (
     true_coefficients,
     weights,
 )
-from symbalance.codegen import Evaluator, planned_for, to_function
+from symbalance.codegen import Evaluator, plan_for, to_function
 from symbalance.codegen.targets import IN_MEMORY, files
 from symbalance.engine.engine import Engine
 from symbalance.forces.free_forces import balance
@@ -180,7 +180,7 @@ def on_target(request: OutputRequest, target: str) -> Function:
 def _compile_c(request: OutputRequest) -> Function:
     """Return the C source compiled into a library of its own."""
     result = balance(request.layout, order=request.order)
-    plan = planned_for(result, request.ratio, request.name, "c", request.tolerance)
+    plan = plan_for(result, request.ratio, request.name, "c", request.tolerance)
     with TemporaryDirectory() as folder:
         for ending, text in files(plan, "c", "engine", "output").items():
             Path(folder, "output" + ending).write_text(text, encoding="utf-8")

@@ -136,7 +136,7 @@ def converter(page: Page) -> SympyConverter:
 
 
 @dataclass(frozen=True)
-class Link:
+class Relation:
     """A relation as SymPy gets it: lhs - rhs, and for ≈ a small letter and its highest power."""
 
     line: int
@@ -151,7 +151,7 @@ class Link:
 class Outcome:
     """SymPy's answer to a relation, and after how many seconds."""
 
-    link: Link
+    link: Relation
     answer: str
     seconds: float
 
@@ -161,11 +161,11 @@ class Outcome:
         return self.answer == (PROVED if self.link.is_true else DIFFERENT)
 
 
-def links(page: Page) -> list[Link]:
+def links(page: Page) -> list[Relation]:
     """Return the relations of the page that SymPy can decide; definitions are none."""
     convert = converter(page)
     wrong = {(error.line, error.link) for error in page.errors}
-    relations: list[Link] = []
+    relations: list[Relation] = []
     for chain in page.read(page.text).chains:
         sound = 0
         for k in range(len(chain.relations)):
@@ -178,19 +178,19 @@ def links(page: Page) -> list[Link]:
 
 def _link(
     chain: Chain, sound: int, k: int, place: tuple[int, int], convert: SympyConverter, is_true: bool
-) -> Link:
+) -> Relation:
     one, other = chain.sides[sound].node, chain.sides[k + 1].node
     difference = convert.of(one) - convert.of(other)
     dots = any(isinstance(part, formula.Dots) for part in formula.walk(other))
     if chain.relations[k].sign != "≈" and not dots:
-        return Link(*place, difference, is_true)
+        return Relation(*place, difference, is_true)
     large = convert.symbol("lambda")
     if large not in difference.free_symbols:
         small = convert.symbol("u")
-        return Link(*place, difference, is_true, small, _degree(convert.of(other), small))
+        return Relation(*place, difference, is_true, small, _degree(convert.of(other), small))
     small = sympy.Symbol("rho", positive=True)
     highest = _degree(convert.of(other).subs(large, 1 / small), small)
-    return Link(*place, difference.subs(large, 1 / small), is_true, small, highest)
+    return Relation(*place, difference.subs(large, 1 / small), is_true, small, highest)
 
 
 def _degree(expression: Any, letter: sympy.Symbol) -> int:
@@ -202,7 +202,7 @@ def _has_decimals(node: formula.Formula) -> bool:
 
 
 def decide_links(
-    relations: Sequence[Link], way: str = SIMPLIFY, limit: float = LIMIT
+    relations: Sequence[Relation], way: str = SIMPLIFY, limit: float = LIMIT
 ) -> Iterator[Outcome]:
     """Yield SymPy's answer to each relation, from a process of its own that is ended at the limit."""
     worker = _Worker(way)
@@ -231,7 +231,7 @@ class _Worker:
         self.process.kill()
         self.process.join()
 
-    def answer(self, link: Link, limit: float) -> Outcome:
+    def answer(self, link: Relation, limit: float) -> Outcome:
         self.pipe.send(link)
         if self.pipe.poll(limit):
             return Outcome(link, *self.pipe.recv())
@@ -252,7 +252,7 @@ def _serve(pipe: Any, way: str) -> None:
         pipe.send((answer, perf_counter() - start))
 
 
-def decide(link: Link, way: str = SIMPLIFY) -> str:
+def decide(link: Relation, way: str = SIMPLIFY) -> str:
     """Return what SymPy makes of a relation: 0 is a proof, a number that is not 0 a refutation."""
     difference = link.difference
     if link.small is not None:

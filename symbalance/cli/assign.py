@@ -4,7 +4,34 @@ from __future__ import annotations
 
 import argparse
 
+from symbalance.cli.options import add_engine, add_output, command
 from symbalance.cli.output import show, whole_number
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands, "assign", run, "Which weighed part goes to which cylinder, with the least residual."
+    )
+    add_engine(parser)
+    parser.add_argument(
+        "--parts",
+        metavar="FILE",
+        required=True,
+        help="CSV with a header: name, piston, rod_reciprocating, rod_rotating; kg",
+    )
+    parser.add_argument("--paired", action="store_true", help="keep a row's piston and rod together")
+    parser.add_argument("--orders", metavar="LIST", default="1", help="orders that count; default: 1")
+    parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
+    parser.add_argument(
+        "--lever",
+        metavar="MM",
+        help="a couple counts as the force at this lever; default: root mean square of the stations",
+    )
+    parser.add_argument(
+        "--whole", action="store_true", help="count whole masses, not what they differ from their mean by"
+    )
+    add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:

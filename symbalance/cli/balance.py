@@ -4,7 +4,28 @@ from __future__ import annotations
 
 import argparse
 
+from symbalance.cli.options import ENGINE, add_output, command
 from symbalance.cli.output import show, whole_number
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands, "balance", run, "Free forces and couples of an engine, order by order, exactly."
+    )
+    parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
+    parser.add_argument(
+        "--order", metavar="N", default="12", help="highest order, 1 to 1000; default: 12"
+    )
+    parser.add_argument(
+        "--power",
+        metavar="P",
+        help="highest power of 1/λ in the printed series; default: two terms an order",
+    )
+    parser.add_argument(
+        "--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's: 4, 3.7 or 147.15/36.65"
+    )
+    add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -6,8 +6,29 @@ import argparse
 import os
 from importlib import import_module
 
+from symbalance.cli.options import command
 from symbalance.cli.output import write, write_files
 from symbalance.errors import SymbalanceError
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(commands, "bench", run, "Measurements on this machine, against named alternatives.")
+    parser.add_argument(
+        "topic",
+        choices=("derive", "check", "accuracy", "stability", "crankshaft"),
+        help="what to measure",
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="fewer repeats, and no alternative over 10 s"
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="NAME",
+        help="accuracy, crankshaft: also write points to NAME.csv, pictures to NAME.png and NAME.pdf; "
+        "other topics: write the table to the file NAME",
+    )
 
 
 def run(options: argparse.Namespace) -> int:

@@ -5,9 +5,32 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from symbalance.cli.options import add_output, command
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
 from symbalance.cli.output import show, write
 from symbalance.errors import SymbalanceError
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(commands, "check", run, "A hand derivation, judged equation by equation.")
+    parser.add_argument(
+        "notes", metavar="NOTES", help="a .tex, .md or .txt file, left as it is; - is standard input"
+    )
+    parser.add_argument(
+        "--symbols",
+        metavar="FILE",
+        help="what the letters mean, and what lines claim; default: NOTES.symbols.toml beside it",
+    )
+    parser.add_argument(
+        "--lenient",
+        action="store_true",
+        help="exit 0 although something could not be read; still 1 where nothing could",
+    )
+    parser.add_argument(
+        "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
+    )
+    add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:

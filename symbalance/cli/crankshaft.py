@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from symbalance.cli.options import add_output, command
 from symbalance.cli.output import medium, printed, show, whole_number, write_files
 from symbalance.errors import SymbalanceError
 
@@ -17,23 +18,64 @@ if TYPE_CHECKING:
 MOST_SPEEDS = 1000
 
 
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands, "crankshaft", run, "The running crankshaft: stress against the crank angle."
+    )
+    parser.add_argument(
+        "engine",
+        metavar="ENGINE",
+        help="a .toml file with [crankshaft], [bearings] and [running]",
+    )
+    parser.add_argument("--rpm", metavar="N", help="speeds: 2200, 1000,2200 or from:to:step")
+    parser.add_argument(
+        "--modes", metavar="N", default="0", help="modes kept beside the static shapes; default: 0, all"
+    )
+    parser.add_argument("--steps", metavar="N", default="720", help="steps of a cycle; default: 720")
+    parser.add_argument(
+        "--webs",
+        choices=("solid", "fitted", "formula", "nominal"),
+        default="formula",
+        help="where the webs' stiffness comes from; solid and fitted need the mesher; default: formula",
+    )
+    parser.add_argument(
+        "--connection",
+        choices=("exact", "equivalent"),
+        default="exact",
+        help="film and housing in series: exactly, or as one equivalent stiffness; default: exact",
+    )
+    parser.add_argument(
+        "--about",
+        choices=("orbit", "centre"),
+        default="orbit",
+        help="what the films are linear about: the journals' orbits, or the centre as the paper has it",
+    )
+    parser.add_argument(
+        "--passes", metavar="N", default="9", help="orbit: most iterations of the films; default: 9"
+    )
+    parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
+    add_output(parser, "FOLDER")
+    parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
+
+
 def run(options: argparse.Namespace) -> int:
-    """Run the engine at every speed; each finished one is kept; 1 if a result is not valid.
+    """Run the engine at every speed, each saved when it is finished; 1 if a result is not valid.
 
     Not valid: films that do not settle, an orbit beyond its clearance, an unstable speed, steps too
     coarse, a safety factor below 1.
     """
     modes = whole_number(options.modes, "modes")
     steps = whole_number(options.steps, "steps")
-    passes = whole_number(options.passes, "passes")
+    iterations = whole_number(options.passes, "passes")
     folder = _checked_folder(options.output)
     terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
     form = medium(terminal)
 
     from symbalance.crankshaft.files import read_running_engine
-    from symbalance.crankshaft.reports import summary
+    from symbalance.crankshaft.reports import summarise_run
     from symbalance.crankshaft.reports.pictures import check_drawing
-    from symbalance.crankshaft.running import setting, swept
+    from symbalance.crankshaft.running import configure_run, run_speeds
     from symbalance.crankshaft.running.measured import check_overlay
 
     _check_libraries()
@@ -42,29 +84,29 @@ def run(options: argparse.Namespace) -> int:
     engine = read_running_engine(options.engine)
     if options.rpm is not None:
         engine = engine.at_speeds(_speeds(options.rpm))
-    made = setting(
+    configuration = configure_run(
         engine,
         webs=options.webs,
         modes=modes,
         connection=options.connection,
         steps=steps,
         about=options.about,
-        passes=passes,
+        iterations=iterations,
         store=None if folder is None else folder / "webs.json",
         say=_progress,
     )
     if engine.operation.overlay is not None:  # before the long run, not after it
-        names = [channel.name for channel in made.channels]
+        names = [channel.name for channel in configuration.channels]
         check_overlay(engine.operation.overlay, names, engine.layout.strokes * 180)
-    kept = None if folder is None else folder / "speeds"
-    outcomes = swept(made, kept, _progress)
-    found = summary(made, outcomes)
+    speeds = None if folder is None else folder / "speeds"
+    outcomes = run_speeds(configuration, speeds, _progress)
+    summary = summarise_run(configuration, outcomes)
     if not options.no_plots and (folder is not None or form == "html"):
-        found = found.with_pictures()
+        summary = summary.with_pictures()
     if folder is not None:
-        _write_all(folder, found)
-    show(found, terminal)
-    return 0 if found.valid else 1
+        _write_all(folder, summary)
+    show(summary, terminal)
+    return 0 if summary.valid else 1
 
 
 def _progress(line: str) -> None:
@@ -75,20 +117,23 @@ REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
 """The media of the reports that a folder gets, by their ending."""
 
 
-def _write_all(folder: Path, found: Summary) -> None:
+def _write_all(folder: Path, summary: Summary) -> None:
     """Write every report, curve and picture: all whole before the first is put in place."""
     from symbalance.crankshaft.files.operation import speed_text
     from symbalance.crankshaft.reports import curves_csv, loads_csv
 
     reports = {
-        f"report.{ending}": printed(found, form, str(folder), standalone=form == "latex")
+        f"report.{ending}": printed(summary, form, str(folder), standalone=form == "latex")
         for ending, form in REPORTS.items()
     }
     contents: dict[str, str | bytes] = {
         **reports,
-        **{f"curves-{speed_text(o.rpm)}rpm.csv": curves_csv(o) for o in found.outcomes},
-        **{f"loads-{speed_text(o.rpm)}rpm.csv": loads_csv(o, found.setting) for o in found.outcomes},
-        **found.pictures,
+        **{f"curves-{speed_text(o.rpm)}rpm.csv": curves_csv(o) for o in summary.outcomes},
+        **{
+            f"loads-{speed_text(o.rpm)}rpm.csv": loads_csv(o, summary.configuration)
+            for o in summary.outcomes
+        },
+        **summary.pictures,
     }
     write_files({str(folder / name): content for name, content in contents.items()})
     patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")
@@ -98,7 +143,7 @@ def _write_all(folder: Path, found: Summary) -> None:
 
 
 def _checked_folder(output: str | None) -> Path | None:
-    """Return the folder, made if it is not there; refused before the long run, not after it."""
+    """Return the folder, created if need be; refused before the long run, not after it."""
     if output is None:
         return None
     folder = Path(output)
@@ -126,7 +171,7 @@ def _check_libraries() -> None:
 
 def _speeds(text: str) -> list[float]:
     """Return the speeds of --rpm: 2200, or 1000:4000:500, or 1000,2200."""
-    from symbalance.crankshaft.running.sweep import speeds_between
+    from symbalance.crankshaft.running.speed_sweep import speeds_between
 
     what, remedy = f"--rpm {text}", "write 2200, 1000,2200 or from:to:step, as in 1000:4000:500"
     try:

@@ -1,15 +1,64 @@
-"""`symbalance design`: the counterweights and balance shafts that end given orders."""
+"""`symbalance design`: the counterweights and balance shafts that balance given orders."""
 
 from __future__ import annotations
 
 import argparse
 from typing import TYPE_CHECKING
 
+from symbalance.cli.options import ENGINE, add_output, command
 from symbalance.cli.output import medium, printed, whole_number, write, write_files
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
     from symbalance.design.balancing import Design
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands,
+        "design",
+        run,
+        "Counterweights and balance shafts that balance given orders, with a certificate.",
+    )
+    parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
+    parser.add_argument("--remove", metavar="N,…", default="1,2", help="orders to balance; default: 1,2")
+    parser.add_argument(
+        "--shafts", metavar="N", help="at most so many shafts; default: as many as it takes"
+    )
+    parser.add_argument(
+        "--no-counter-rotation", action="store_true", help="no shaft may turn against the crank"
+    )
+    parser.add_argument(
+        "--no-counterweights", action="store_true", help="nothing may be put on the crank"
+    )
+    parser.add_argument(
+        "--stations",
+        metavar="A,…",
+        help="places for weights, in pitches, as --stations=1,-1; default: one if that does, or the ends",
+    )
+    parser.add_argument(
+        "--spread", choices=("ends", "even"), default="ends", help="even: a weight at every station"
+    )
+    parser.add_argument(
+        "--per-throw",
+        action="store_true",
+        help="counterweights on every throw, half the reciprocating mass",
+    )
+    parser.add_argument(
+        "--vertical", metavar="W", default="1", help="weight of the vertical in the residual; default: 1"
+    )
+    parser.add_argument(
+        "--lateral", metavar="W", default="1", help="weight of the lateral in the residual; default: 1"
+    )
+    parser.add_argument(
+        "--length", metavar="L", default="1", help="pitches over which couples count; default: 1"
+    )
+    parser.add_argument("--most", metavar="KGMM", help="no weight may have a larger unbalance, kg mm")
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    add_output(parser)
+    parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
+    parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -50,16 +99,16 @@ def run(options: argparse.Namespace) -> int:
 
 def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes]:
     """Return the files asked for beside the design: the balanced engine, the picture."""
-    found: dict[str, str | bytes] = {}
+    texts: dict[str, str | bytes] = {}
     if options.write is not None:
         from symbalance.engine.engine_writing import engine_text
 
         if not options.write.endswith(".toml"):
             what = f"--write {options.write}"
             raise SymbalanceError(what, "must end in .toml", "other commands know engine files by it")
-        found[options.write] = engine_text(design.balanced)
+        texts[options.write] = engine_text(design.balanced)
     if options.picture is not None:
         from symbalance.design.balancing.design_picture import design_picture
 
-        found[options.picture] = design_picture(design, options.picture)
-    return found
+        texts[options.picture] = design_picture(design, options.picture)
+    return texts

@@ -6,9 +6,47 @@ import argparse
 from math import isfinite
 from pathlib import Path
 
+from symbalance.cli.options import ENGINE, add_running, command
 from symbalance.cli.output import whole_number, write, write_files
 from symbalance.cli.torque import running_engine
 from symbalance.errors import SymbalanceError
+
+TARGETS = ("numpy", "numba", "array-api", "c", "javascript", "octave")
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands, "emit", run, "An engine's forces and couples as source code that runs alone."
+    )
+    parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
+    parser.add_argument("--target", choices=TARGETS, required=True, help="the language or library")
+    parser.add_argument(
+        "--outputs",
+        metavar="NAMES",
+        default="force.vertical",
+        help="with commas: force. or couple. with vertical, lateral, forward, backward; piston. with "
+        "displacement, velocity or acceleration; torque. with inertia, rod or frame, and with a pressure "
+        "gas or total; default: force.vertical",
+    )
+    orders = parser.add_mutually_exclusive_group()
+    orders.add_argument("--order", metavar="N", help="highest order, 1 to 1000")
+    orders.add_argument(
+        "--tolerance",
+        metavar="ε",
+        help="the fewest orders whose proven bound is within ε, in m r ω² (couples m r ω² a); "
+        "default: every order that shows in a double",
+    )
+    parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    add_running(parser)
+    parser.add_argument(
+        "--uniform-grid",
+        action="store_true",
+        help="add a function for evenly spaced angles, which computes one period only",
+    )
+    parser.add_argument(
+        "-o", "--output", metavar="FILE", help="the file to write; C writes FILE.c and FILE.h"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -18,7 +56,7 @@ def run(options: argparse.Namespace) -> int:
     order = None if options.order is None else whole_number(options.order, "order")
     tolerance = _tolerance(options.tolerance) if order is None else None
 
-    from symbalance.codegen import planned_for
+    from symbalance.codegen import plan_for
     from symbalance.codegen.targets import FILES, files, identifier
     from symbalance.engine.catalogue import load
     from symbalance.forces.free_forces import balance
@@ -31,13 +69,13 @@ def run(options: argparse.Namespace) -> int:
     running = running_engine(options, layout, "torque.total" in outputs)
     highest = 1 if order is None else order
     result = balance(layout, highest) if running is None else running
-    planned = planned_for(result, None, outputs, options.target, tolerance, highest)
+    plan = plan_for(result, None, outputs, options.target, tolerance, highest)
     name = identifier(layout.name) if path is None else path.stem
-    made = files(planned, options.target, layout.name, name, grid=options.uniform_grid)
-    if path is None or len(made) == 1:
-        write(next(iter(made.values())), None if path is None else str(path), "source")
+    texts = files(plan, options.target, layout.name, name, grid=options.uniform_grid)
+    if path is None or len(texts) == 1:
+        write(next(iter(texts.values())), None if path is None else str(path), "source")
     else:
-        write_files({str(path.with_suffix(suffix)): text for suffix, text in made.items()})
+        write_files({str(path.with_suffix(suffix)): text for suffix, text in texts.items()})
     return 0
 
 

@@ -4,8 +4,22 @@ from __future__ import annotations
 
 import argparse
 
+from symbalance.cli.options import add_output, command
 from symbalance.cli.output import show, write
 from symbalance.errors import SymbalanceError
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(commands, "engines", run, "The preset engines, with their sources.")
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument(
+        "--show", metavar="NAME", help="print a preset's engine file, to start your own from"
+    )
+    what.add_argument(
+        "--schema", action="store_true", help="print the JSON Schema of engine files, for editors"
+    )
+    add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -1,9 +1,9 @@
-"""What several commands have among their options."""
+"""Options that several commands share: the engine, a running engine's sizes, the medium of a result."""
 
 from __future__ import annotations
 
 import argparse
-from importlib import import_module
+from collections.abc import Callable
 
 from symbalance.cli.named_files import check_named_files
 from symbalance.cli.output import MEDIA
@@ -11,16 +11,21 @@ from symbalance.cli.output import MEDIA
 ENGINE = "a preset (symbalance engines), a .toml file, or - for standard input"
 
 
-def command(commands: argparse._SubParsersAction, name: str, summary: str) -> argparse.ArgumentParser:
-    """Return the parser of a command, which runs the module of its name."""
+def command(
+    commands: argparse._SubParsersAction,
+    name: str,
+    run: Callable[[argparse.Namespace], int],
+    summary: str,
+) -> argparse.ArgumentParser:
+    """Return the parser of a command, which `run` does once its files are known to be in order."""
+
+    def checked_run(options: argparse.Namespace) -> int:
+        check_named_files(options)
+        return run(options)
+
     parser = commands.add_parser(name, help=summary, description=summary, allow_abbrev=False)
-    parser.set_defaults(command=name, run=_run)
+    parser.set_defaults(command=name, run=checked_run)
     return parser
-
-
-def _run(options: argparse.Namespace) -> int:
-    check_named_files(options)
-    return import_module(f"symbalance.cli.{options.command}").run(options)
 
 
 def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:

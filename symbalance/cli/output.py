@@ -35,9 +35,9 @@ def whole_number(text: str, name: str) -> int:
     stripped = text.strip()
     digits = stripped.removeprefix("-").removeprefix("+")
     if not (digits.isascii() and digits.isdigit() and len(digits) <= 18):
-        shown = text if len(text) <= 40 else text[:20] + "..."
+        quoted = text if len(text) <= 40 else text[:20] + "..."
         raise SymbalanceError(
-            f"--{name} = {shown}", "must be a whole number", f"write it like --{name} 12"
+            f"--{name} = {quoted}", "must be a whole number", f"write it like --{name} 12"
         )
     return int(stripped)
 

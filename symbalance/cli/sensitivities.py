@@ -4,7 +4,25 @@ from __future__ import annotations
 
 import argparse
 
+from symbalance.cli.options import add_engine, add_output, command
 from symbalance.cli.output import show, whole_number
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands,
+        "sensitivities",
+        run,
+        "How each order changes with each size of each cylinder, worst first.",
+    )
+    add_engine(parser, "4")
+    parser.add_argument(
+        "--parameters",
+        metavar="NAMES",
+        help="with commas, some of mass, throw, bank, station, stroke, rod, offset, rotating",
+    )
+    add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -17,7 +35,7 @@ def run(options: argparse.Namespace) -> int:
     engine = load(options.engine)
     if options.ratio is not None:
         engine = engine.with_ratio(options.ratio)
-    given = options.parameters
-    parameters = None if given is None else [name.strip() for name in given.split(",")]
+    listing = options.parameters
+    parameters = None if listing is None else [name.strip() for name in listing.split(",")]
     show(sensitivities(engine, order, parameters=parameters), options)
     return 0

@@ -1,21 +1,50 @@
-"""`symbalance tolerances`: the worst an engine within its tolerances can shake."""
+"""`symbalance tolerances`: the worst that an engine within its tolerances can shake."""
 
 from __future__ import annotations
 
 import argparse
 
+from symbalance.cli.options import add_engine, add_output, command
 from symbalance.cli.output import show, whole_number
 from symbalance.errors import SymbalanceError
 
-TOLERANCES = ("mass", "throw", "bank", "station", "stroke", "rod", "offset", "rotating")
+SIZES = (
+    ("mass", "KG", "reciprocating mass, kg or percent (0.5%%)"),
+    ("throw", "DEGREES", "crank pin angle"),
+    ("bank", "DEGREES", "angle of a cylinder's axis"),
+    ("station", "MM", "place along the crank, mm or percent of the pitch"),
+    ("stroke", "MM", "stroke"),
+    ("rod", "MM", "rod length"),
+    ("offset", "MM", "offset of the axis from the crank"),
+    ("rotating", "KG", "rotating mass, kg or percent of the reciprocating mass"),
+)
+"""The sizes that may have a tolerance: option, unit, meaning."""
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(commands, "tolerances", run, "The worst an engine within its tolerances can shake.")
+    add_engine(parser, "4")
+    for name, unit, about in SIZES:
+        parser.add_argument(f"--{name}", metavar=unit, help=f"plus or minus, of every cylinder: {about}")
+    parser.add_argument(
+        "--of",
+        metavar="NAMES",
+        default="largest",
+        help="with commas: largest (over a turn), vertical, lateral, forward, backward; default: largest",
+    )
+    parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
+    add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Load the engine, bound every order, show the result."""
     order = whole_number(options.order, "order")
-    given = {name: getattr(options, name) for name in TOLERANCES if getattr(options, name) is not None}
-    if not given:
-        names = ", ".join(f"--{name}" for name in TOLERANCES)
+    tolerances = {
+        name: getattr(options, name) for name, *_ in SIZES if getattr(options, name) is not None
+    }
+    if not tolerances:
+        names = ", ".join(f"--{name}" for name, *_ in SIZES)
         raise SymbalanceError("symbalance tolerances", "is given no tolerance", f"give some of {names}")
 
     from symbalance.design.variations import Tolerances, worst_cases
@@ -25,5 +54,5 @@ def run(options: argparse.Namespace) -> int:
     if options.ratio is not None:
         engine = engine.with_ratio(options.ratio)
     of = [name.strip() for name in options.of.split(",")]
-    show(worst_cases(engine, Tolerances(**given), order, of=of, rpm=options.rpm), options)
+    show(worst_cases(engine, Tolerances(**tolerances), order, of=of, rpm=options.rpm), options)
     return 0

@@ -5,11 +5,23 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
+from symbalance.cli.options import add_engine, add_output, add_running, command
 from symbalance.cli.output import show, whole_number
 from symbalance.errors import SymbalanceError
 
 FOR_RUNNING = ("is for a running engine", "add --pressure FILE or --compression ε")
 HEAT = "18"
+
+
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command and its options."""
+    parser = command(
+        commands, "torque", run, "The torque on an engine's crank and frame: inertia exactly, gas on top."
+    )
+    add_engine(parser, "6")
+    add_running(parser)
+    parser.add_argument("--delta", metavar="δ", help="speed fluctuation; default: 0.02")
+    add_output(parser)
 
 
 def run(options: argparse.Namespace) -> int:

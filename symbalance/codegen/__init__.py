@@ -1,14 +1,15 @@
-"""Results as the fastest functions we can write, in memory or as source in another language.
+"""Results as the fastest functions of the crank angle, in memory or as source in another language.
 
 In: a balance or a torque. Out: a function in memory, or source that runs alone.
 
-    asked, asked_torque   from a result to waves: outputs, surviving orders, proven bounds
-    plans                 from waves to a plan: which cosines, which polynomial, or the closed form
-    targets               from a plan to text;  evaluators: from text to a function
+    requests, torque_requests   from a result to harmonic sums: outputs, surviving orders, proved bounds
+    plans                       from sums to a plan: which cosines, which polynomial, or the closed form
+    evaluation_scheme           Horner, Clenshaw or Reinsch, by what each rounds (polynomials, rounding)
+    cosines, float32_cosines    reduction of the crank angle and its cosine;  argument_reduction: to 2^50
+    expression_ir               the lines and constants of which a plan is made
+    targets                     from a plan to text;  evaluators: from text to a function
 """
 
-from symbalance.codegen.asked import OUTPUTS
-from symbalance.codegen.asked_torque import TORQUES
-from symbalance.codegen.evaluators import Evaluator, planned_for, to_function
+from symbalance.loading import attach
 
-__all__ = ["OUTPUTS", "TORQUES", "Evaluator", "planned_for", "to_function"]
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from math import prod
 
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.kernels import Kernel
+from symbalance.codegen.expression_ir import Kernel
 from symbalance.codegen.plans import Plan
 from symbalance.text.reals import Real, pi
 
@@ -38,14 +38,14 @@ class Check:
     allowed: tuple[float, ...]
 
 
-def checks(planned: Plan, angles: Sequence[float] | None = None) -> list[Check]:
+def checks(plan: Plan, angles: Sequence[float] | None = None) -> list[Check]:
     """Return the checks of a plan: near ones held to its bounds, far ones to the order times as much.
 
     The near ones are at `ANGLES` and at the plan's own `counted_angles`, unless others are given.
     """
-    angles = (*ANGLES, *counted_angles(planned.near)) if angles is None else angles
-    near = [_check(planned, theta, 1.0) for theta in angles]
-    return near + [_check(planned, theta, 4.0 + planned.highest_step) for theta in FAR_ANGLES]
+    angles = (*ANGLES, *counted_angles(plan.reduced_range)) if angles is None else angles
+    near = [_check(plan, theta, 1.0) for theta in angles]
+    return near + [_check(plan, theta, 4.0 + plan.highest_step) for theta in FAR_ANGLES]
 
 
 def counted_angles(kernel: Kernel, limit: float = LIMIT) -> list[float]:
@@ -55,8 +55,8 @@ def counted_angles(kernel: Kernel, limit: float = LIMIT) -> list[float]:
     rounded to a wrong number; elsewhere it may go unseen, though it spoils many other angles.
     """
     values = {constant.name: constant.value for constant in kernel.constants}
-    found = (COUNTED.search(line.formula) for line in kernel.lines)
-    counts = {(values[f[1]], values[f[2]] if f[2] else 0.0) for f in found if f}
+    matches = (COUNTED.search(line.formula) for line in kernel.lines)
+    counts = {(values[f[1]], values[f[2]] if f[2] else 0.0) for f in matches if f}
     return sorted({angle for per, shift in counts for angle in _beside(per, shift, limit)})
 
 
@@ -67,25 +67,25 @@ def _beside(per_radian: float, shift: float, limit: float) -> Iterator[float]:
             yield (place + shift) / per_radian
 
 
-def unit_values(planned: Plan) -> list[float]:
+def unit_values(plan: Plan) -> list[float]:
     """Return what each output is to be multiplied by where the keywords are `KEYWORDS`."""
-    return [prod(KEYWORDS[factor] for factor in o.wave.unit.factors) for o in planned.outputs]
+    return [prod(KEYWORDS[factor] for factor in o.harmonic_sum.unit.factors) for o in plan.outputs]
 
 
-def grid_points(planned: Plan) -> int:
+def grid_points(plan: Plan) -> int:
     """Return how many points to a turn test a grid: the fewest that do not repeat within the turn."""
-    return next(points for points in GRIDS if planned.step.numerator % points)
+    return next(points for points in GRIDS if plan.step.numerator % points)
 
 
-def grid_checks(planned: Plan) -> list[Check]:
+def grid_checks(plan: Plan) -> list[Check]:
     """Return the checks on a grid of two turns; its angles are rounded twice more than plain ones."""
-    points = grid_points(planned)
-    allowed = tuple(2.0**-52 * o.rounding * max(o.amplitude, 2.0**-900) for o in planned.outputs)
+    points = grid_points(plan)
+    allowed = tuple(2.0**-52 * o.rounding * max(o.amplitude, 2.0**-900) for o in plan.outputs)
     angles = [2 * pi(DIGITS) * j / points for j in range(2 * points)]
-    return [Check(float(t), tuple(float(o.value(t)) for o in planned.outputs), allowed) for t in angles]
+    return [Check(float(t), tuple(float(o.value(t)) for o in plan.outputs), allowed) for t in angles]
 
 
-def _check(planned: Plan, theta: float, slack: float) -> Check:
-    outputs = planned.outputs
+def _check(plan: Plan, theta: float, slack: float) -> Check:
+    outputs = plan.outputs
     allowed = tuple(2.0**-53 * o.rounding * max(o.amplitude, 2.0**-900) * slack for o in outputs)
     return Check(theta, tuple(float(o.value(Real(theta, DIGITS))) for o in outputs), allowed)

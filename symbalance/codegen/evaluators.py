@@ -10,18 +10,18 @@ from importlib.util import find_spec
 from math import isfinite
 from typing import Any
 
-from symbalance.codegen.asked import OUTPUTS, checked_outputs, known_ratio, truncated, within
-from symbalance.codegen.asked_torque import TORQUES, torque_wave
-from symbalance.codegen.plans import Plan, plan
+from symbalance.codegen.harmonic_sum import HarmonicSum
+from symbalance.codegen.plans import Plan, choose_plan
+from symbalance.codegen.requests import OUTPUTS, checked_outputs, rod_ratio, sums_to_order, sums_within
 from symbalance.codegen.source_cache import source_file
 from symbalance.codegen.targets import FILES, IN_MEMORY, files
-from symbalance.codegen.waves import Wave
+from symbalance.codegen.torque_requests import TORQUES, torque_sum
 from symbalance.errors import MissingPartError, SymbalanceError, shown
 from symbalance.forces.free_forces import Balance, balance, checked_balance
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.torque import CrankTorque, TorqueBalance
 
-ASKED = (*OUTPUTS, *TORQUES)
+ALL_OUTPUTS = (*OUTPUTS, *TORQUES)
 RUNNING_ORDER = 12
 """The highest order of a running engine's torque, unless another is given."""
 Source = Balance | TorqueBalance | CrankTorque
@@ -57,9 +57,9 @@ class Evaluator:
     @cached_property
     def _module(self) -> dict[str, Any]:
         name = f"symbalance_{self.target}"
-        kept = source_file(self.source) if self.target == "numba" else None
+        file = source_file(self.source) if self.target == "numba" else None
         namespace: dict[str, Any] = {"__name__": name}
-        place = f"<{name}>" if kept is None else str(kept)
+        place = f"<{name}>" if file is None else str(file)
         exec(compile(self.source, place, "exec"), namespace)  # text of our own
         return namespace
 
@@ -94,7 +94,7 @@ def to_function(
     tolerance: float | None = None,
     order: int | None = None,
 ) -> Evaluator:
-    """Return a picklable function of the crank angle that holds `outputs` of a result and no more.
+    """Return a picklable function of the crank angle that computes `outputs` of a result and no more.
 
     Outputs: force or couple, a dot, and vertical, lateral, forward or backward; and piston.displacement,
     piston.velocity and piston.acceleration of cylinder 1, exact. `ratio` is the rod ratio lambda = l/r;
@@ -121,25 +121,25 @@ def to_function(
         raise SymbalanceError(
             f"target = {shown(target)!r}", f"must be one of {known}", f"emit writes {', '.join(FILES)}"
         )
-    planned = planned_for(result, ratio, outputs, target, tolerance, order)
+    plan = plan_for(result, ratio, outputs, target, tolerance, order)
     if target == "numba" and find_spec("numba") is None:
         raise MissingPartError("target = 'numba'", "Numba is not installed", "pip install numba")
-    (source,) = files(planned, target, result.layout.name, result.layout.name).values()
-    by_name = {o.wave.name: o for o in planned.outputs}
+    (source,) = files(plan, target, result.layout.name, result.layout.name).values()
+    by_name = {o.harmonic_sum.name: o for o in plan.outputs}
     return Evaluator(
         target,
         source,
-        planned.ratio,
+        plan.ratio,
         tuple(by_name),
-        {n: tuple(str(t.order) for t in o.wave.terms) for n, o in by_name.items()},
+        {n: tuple(str(t.order) for t in o.harmonic_sum.terms) for n, o in by_name.items()},
         {n: o.form for n, o in by_name.items()},
         {n: o.rounding for n, o in by_name.items()},
         {n: o.amplitude for n, o in by_name.items()},
-        {n: o.wave.left_out for n, o in by_name.items()},
+        {n: o.harmonic_sum.left_out for n, o in by_name.items()},
     )
 
 
-def planned_for(
+def plan_for(
     result: Source,
     ratio: object,
     outputs: Sequence[str] | str | None,
@@ -150,29 +150,28 @@ def planned_for(
     """Return the plan of a result's outputs for a target, or refuse."""
     if not isinstance(result, TorqueBalance | CrankTorque):
         checked_balance(result)
-    names = checked_outputs(_default(result) if outputs is None else outputs, ASKED)
+    names = checked_outputs(_default(result) if outputs is None else outputs, ALL_OUTPUTS)
     if isinstance(result, CrankTorque) and ratio is not None:
         rule = "is the running engine's own already"
         raise SymbalanceError(f"ratio = {shown(ratio)}", rule, "give it to crank_torque")
-    number = known_ratio(result, ratio)
+    number = rod_ratio(result, ratio)
     tolerance = None if tolerance is None else checked_tolerance(tolerance)
     highest = checked_order(_highest(result) if order is None else order)
-    waves = {n: torque_wave(result, n, number, highest, tolerance) for n in names if n in TORQUES}
-    forces = [name for name in names if name not in waves]
+    sums = {n: torque_sum(result, n, number, highest, tolerance) for n in names if n in TORQUES}
+    forces = [name for name in names if name not in sums]
     if forces:
         known = result if isinstance(result, Balance) and order is None else None
         known = balance(result.layout, highest) if known is None else known
-        found = _force_waves(known, forces, number, tolerance)
-        waves |= {wave.name: wave for wave in found}
-    return plan([waves[name] for name in names], number, target)
+        sums |= {each.name: each for each in _force_sums(known, forces, number, tolerance)}
+    return choose_plan([sums[name] for name in names], number, target)
 
 
-def _force_waves(
+def _force_sums(
     result: Balance, names: Sequence[str], ratio: Fraction, tolerance: float | None
-) -> tuple[Wave, ...]:
+) -> tuple[HarmonicSum, ...]:
     if tolerance is None:
-        return truncated(result, names, ratio)
-    return within(result, names, ratio, tolerance)
+        return sums_to_order(result, names, ratio)
+    return sums_within(result, names, ratio, tolerance)
 
 
 def _default(result: Source) -> str:

@@ -1,8 +1,8 @@
-"""From waves to a plan: which cosines, which polynomial, or the closed form, by a stated rule.
+"""A plan of the fastest function of some harmonic sums: shared cosines, polynomials or the closed form.
 
-A wave that gives both its harmonics and a closed form takes the form with the fewer operations an angle,
+A sum that gives both its harmonics and a closed form takes the form with the fewer operations an angle,
 a division or a square root counting `ROOT` of them; the closed form only where its rounding stays below
-`MOST_ROUNDING` u of the amplitude (its parts may cancel) or below that of the harmonics. Waves that share
+`MOST_ROUNDING` u of the amplitude (its parts may cancel) or below that of the harmonics. Sums that share
 a cosine share its lines.
 """
 
@@ -14,23 +14,24 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
 
-from symbalance.codegen.bases import Bases
-from symbalance.codegen.closed import (
-    displacement_lines,
+from symbalance.codegen.closed_forms import (
+    displacement_formula,
     secondary_cosine,
     secondary_lines,
-    velocity_lines,
+    velocity_formula,
 )
-from symbalance.codegen.kernels import NAME, Kernel
+from symbalance.codegen.evaluation_scheme import constant_prefix, sum_formula
+from symbalance.codegen.expression_ir import NAME, Kernel
+from symbalance.codegen.harmonic_sum import ClosedForm, HarmonicSum
 from symbalance.codegen.polynomials import family
-from symbalance.codegen.waves import Closed, Wave
-from symbalance.codegen.ways import polynomials, prefix
+from symbalance.codegen.shared_cosines import SharedCosines
 from symbalance.text.reals import Exact, Real
 
 ROOT = {"numpy": 3, "octave": 3}
 """Additions or multiplications one division or square root is worth; compiled: `COMPILED_ROOT`."""
 COMPILED_ROOT = 6
-CLOSED_ERROR = 8.0
+"""The same where the source is compiled: there an addition costs less beside a division."""
+CLOSED_FORM_ERROR = 8.0
 """What a closed form rounds, in u of the sum of its parts' sizes."""
 MOST_ROUNDING = 12.0
 """Rounding, in u of the amplitude, a closed form may always have; else no more than the harmonics."""
@@ -41,137 +42,165 @@ OPERATOR = re.compile(r"[-+*]")
 class Output:
     """One planned output: its formula in the cosines, and what it may err, in u of the amplitude.
 
-    `scaled`: the formula is linear in the output's own constants, so that a unit may go into those.
+    `is_linear`: the formula is linear in the output's own constants, so that a unit may go into those.
     """
 
-    wave: Wave
+    harmonic_sum: HarmonicSum
     formula: str
     amplitude: float
     rounding: float
     form: str
-    closed: bool = False
-    scaled: bool = False
+    uses_closed_form: bool = False
+    is_linear: bool = False
 
     def value(self, theta: Exact | Real) -> Real:
         """Return what the formula stands for at a crank angle, to its digits, 40 if it has none."""
-        closed = self.wave.closed
-        return closed.value(theta) if closed is not None and self.closed else self.wave.value(theta)
+        closed_form = self.harmonic_sum.closed_form
+        if closed_form is not None and self.uses_closed_form:
+            return closed_form.value(theta)
+        return self.harmonic_sum.value(theta)
 
     @property
     def prefix(self) -> str:
         """What the names of its own constants begin with."""
-        return prefix(self.wave.name)
+        return constant_prefix(self.harmonic_sum.name)
 
 
 @dataclass
 class Plan:
-    """Constants, the lines of the cosines near and far, then those of the outputs."""
+    """Constants and lines of the shared cosines, then those of the outputs.
 
-    near: Kernel
-    far: Kernel
+    `reduced_range`, `full_range` and `on_grid` compute the same quantities, named in `basis`: for angles
+    to `cosines.LIMIT`, for any angle, at theta = 2 pi index/points. `tail` is what the outputs compute of
+    them. All outputs repeat `step` times in a turn; `highest_step` is that of the fastest cosine.
+    """
+
+    reduced_range: Kernel
+    full_range: Kernel
     on_grid: Kernel
     tail: Kernel
-    bases: tuple[str, ...]
+    basis: tuple[str, ...]
     outputs: tuple[Output, ...]
     ratio: Fraction
     step: Fraction
     highest_step: float
-    found: Bases
+    shared: SharedCosines
 
 
-def plan(waves: Sequence[Wave], ratio: Fraction, target: str) -> Plan:
-    """Return the cheapest plan for `waves` on a target, by the rule above."""
-    bases, tail = Bases(), Kernel()
-    outputs = tuple(_planned(wave, target, bases, tail) for wave in waves)
-    wanted = tail.names().union(*(NAME.findall(o.formula) for o in outputs))
-    near, names = bases.kernel("near", wanted)
-    far, on_grid = bases.kernel("far", wanted)[0], bases.kernel("on_grid", wanted)[0]
-    steps = bases.steps()
+def choose_plan(sums: Sequence[HarmonicSum], ratio: Fraction, target: str) -> Plan:
+    """Return the cheapest plan for `sums` on a target, by the rule above."""
+    shared, tail = SharedCosines(), Kernel()
+    outputs = tuple(_cheapest(harmonic_sum, target, shared, tail) for harmonic_sum in sums)
+    used = tail.names().union(*(NAME.findall(o.formula) for o in outputs))
+    reduced_range, names = shared.kernel("reduced_range", used)
+    full_range, on_grid = shared.kernel("full_range", used)[0], shared.kernel("on_grid", used)[0]
+    steps = shared.steps()
     under = lcm(*(s.denominator for s in steps))
     common = Fraction(gcd(*(int(s * under) for s in steps)), under)
-    return Plan(near, far, on_grid, tail, names, outputs, ratio, common, float(max(steps)), bases)
+    return Plan(
+        reduced_range,
+        full_range,
+        on_grid,
+        tail,
+        names,
+        outputs,
+        ratio,
+        common,
+        float(max(steps)),
+        shared,
+    )
 
 
-def _planned(wave: Wave, target: str, bases: Bases, tail: Kernel) -> Output:
-    """Return an output by its harmonics or by its closed form, adding its lines and bases."""
-    if wave.closed is None and not wave.terms:
-        if wave.mean:
-            return _by_mean(wave, bases, tail)
-        return Output(wave, "0.0", 0.0, 0.0, "zero: no order is left")
-    size = wave.amplitude()
-    if wave.closed is None:
-        return _by_harmonics(wave, size, bases, tail)
-    if not wave.terms:
-        return _by_closed_form(wave, size, bases, tail)
+def _cheapest(harmonic_sum: HarmonicSum, target: str, shared: SharedCosines, tail: Kernel) -> Output:
+    """Return an output by its harmonics or by its closed form, adding its lines and cosines."""
+    if harmonic_sum.closed_form is None and not harmonic_sum.terms:
+        if harmonic_sum.mean:
+            return _by_mean(harmonic_sum, shared, tail)
+        return Output(harmonic_sum, "0.0", 0.0, 0.0, "zero: no order is left")
+    size = harmonic_sum.amplitude()
+    if harmonic_sum.closed_form is None:
+        return _by_harmonics(harmonic_sum, size, shared, tail)
+    if not harmonic_sum.terms:
+        return _by_closed_form(harmonic_sum, size, shared, tail)
     both = (_by_harmonics, _by_closed_form)
-    drafts = [_draft(way, wave, size, ROOT.get(target, COMPILED_ROOT)) for way in both]
-    (harmonics, cost), (closed, other) = drafts
-    cheaper = other < cost and closed.rounding <= max(MOST_ROUNDING, harmonics.rounding)
-    return both[cheaper](wave, size, bases, tail)
+    drafts = [_draft(method, harmonic_sum, size, ROOT.get(target, COMPILED_ROOT)) for method in both]
+    (by_harmonics, cost), (by_closed_form, other) = drafts
+    cheaper = other < cost and by_closed_form.rounding <= max(MOST_ROUNDING, by_harmonics.rounding)
+    return both[cheaper](harmonic_sum, size, shared, tail)
 
 
 def _draft(
-    way: Callable[[Wave, float, Bases, Kernel], Output], wave: Wave, size: float, root: int
+    method: Callable[[HarmonicSum, float, SharedCosines, Kernel], Output],
+    harmonic_sum: HarmonicSum,
+    size: float,
+    root: int,
 ) -> tuple[Output, int]:
-    """Return an output made one way by itself, and the operations it takes an angle."""
-    bases, tail = Bases(), Kernel()
-    output = way(wave, size, bases, tail)
-    near, _ = bases.kernel("near", tail.names().union(NAME.findall(output.formula)))
-    formulas = [*(line.formula for line in (*near.lines, *tail.lines)), output.formula]
-    counted = ((len(OPERATOR.findall(f)), f.count("/") + f.count("sqrt(")) for f in formulas)
-    return output, sum(plain + root * dear for plain, dear in counted)
+    """Return an output by one method and by itself, and the operations it takes an angle."""
+    shared, tail = SharedCosines(), Kernel()
+    output = method(harmonic_sum, size, shared, tail)
+    lines, _ = shared.kernel("reduced_range", tail.names().union(NAME.findall(output.formula)))
+    formulas = [*(line.formula for line in (*lines.lines, *tail.lines)), output.formula]
+    counts = ((len(OPERATOR.findall(f)), f.count("/") + f.count("sqrt(")) for f in formulas)
+    return output, sum(cheap + root * dear for cheap, dear in counts)
 
 
-def _by_mean(wave: Wave, bases: Bases, tail: Kernel) -> Output:
+def _by_mean(harmonic_sum: HarmonicSum, shared: SharedCosines, tail: Kernel) -> Output:
     """Return a constant; a cosine times 0 gives it the angles' shape, and NaN where they are lost."""
-    formula = f"{_mean(wave, tail)} + 0.0*{bases.name(Fraction(1), Real(0))}"
-    return Output(wave, formula, abs(float(wave.mean)), 2.0, "the mean alone", scaled=True)
+    formula = f"{_mean(harmonic_sum, tail)} + 0.0*{shared.name(Fraction(1), Real(0))}"
+    mean = abs(float(harmonic_sum.mean))
+    return Output(harmonic_sum, formula, mean, 2.0, "the mean alone", is_linear=True)
 
 
-def _mean(wave: Wave, tail: Kernel) -> str:
-    return tail.constant(f"{prefix(wave.name)}MEAN", wave.mean, "the mean")
+def _mean(harmonic_sum: HarmonicSum, tail: Kernel) -> str:
+    return tail.constant(f"{constant_prefix(harmonic_sum.name)}MEAN", harmonic_sum.mean, "the mean")
 
 
-def _by_harmonics(wave: Wave, size: float, bases: Bases, tail: Kernel) -> Output:
-    formula, error, form = polynomials(wave, bases, tail, size)
-    if wave.mean:
-        formula, error = f"{_mean(wave, tail)} + {formula}", error + 1.5 * size
-    return Output(wave, formula, size, error / size + 1.0, form, scaled=True)
+def _by_harmonics(harmonic_sum: HarmonicSum, size: float, shared: SharedCosines, tail: Kernel) -> Output:
+    formula, error, form = sum_formula(harmonic_sum, shared, tail, size)
+    if harmonic_sum.mean:  # rounded itself, and once more in the sum
+        formula, error = f"{_mean(harmonic_sum, tail)} + {formula}", error + 1.5 * size
+    return Output(harmonic_sum, formula, size, error / size + 1.0, form, is_linear=True)
 
 
-def _by_closed_form(wave: Wave, size: float, bases: Bases, tail: Kernel) -> Output:
-    assert wave.closed is not None
-    formula = _closed(wave.closed, prefix(wave.name), bases, tail)
-    error = CLOSED_ERROR * _cancelling(wave.closed, size)
-    linear = wave.closed.kind == "secondary"
-    return Output(wave, formula, size, error, "closed form", closed=True, scaled=linear)
+def _by_closed_form(
+    harmonic_sum: HarmonicSum, size: float, shared: SharedCosines, tail: Kernel
+) -> Output:
+    closed_form = harmonic_sum.closed_form
+    assert closed_form is not None
+    formula = _closed_formula(closed_form, constant_prefix(harmonic_sum.name), shared, tail)
+    error = CLOSED_FORM_ERROR * _cancellation(closed_form, size)
+    linear = closed_form.kind == "secondary"
+    return Output(
+        harmonic_sum, formula, size, error, "closed form", uses_closed_form=True, is_linear=linear
+    )
 
 
-def _cancelling(closed: Closed, size: float) -> float:
+def _cancellation(closed_form: ClosedForm, size: float) -> float:
     """Return how many times the parts of a closed form, summed in size, exceed the whole."""
-    if closed.kind != "secondary":
+    if closed_form.kind != "secondary":
         return 1.0
-    ratio = float(closed.ratio)
+    ratio = float(closed_form.ratio)
     largest = max(1 / ratio, 1 / (ratio * ratio * (1 - 1 / ratio**2)) ** 0.5)
-    parts = sum(abs(w) for w, _ in closed.places) * largest + sum(t.size for t in closed.first)
+    parts = sum(abs(w) for w, _ in closed_form.places) * largest
+    parts += sum(t.size for t in closed_form.first)
     return max(float(parts) / size, 1.0)
 
 
-def _closed(closed: Closed, own: str, bases: Bases, tail: Kernel) -> str:
-    if closed.kind == "displacement":
-        return displacement_lines(tail, closed, bases.square(closed))
-    if closed.kind == "velocity":
-        phase = Real(-closed.places[0][1])
-        cosine, sine = bases.name(Fraction(1), phase), bases.name(Fraction(1), phase + 0.25)
-        return velocity_lines(tail, closed, cosine, sine)
+def _closed_formula(closed_form: ClosedForm, prefix: str, shared: SharedCosines, tail: Kernel) -> str:
+    if closed_form.kind == "displacement":
+        return displacement_formula(tail, closed_form, shared.square(closed_form))
+    if closed_form.kind == "velocity":
+        phase = Real(-closed_form.places[0][1])
+        cosine, sine = shared.name(Fraction(1), phase), shared.name(Fraction(1), phase + 0.25)
+        return velocity_formula(tail, closed_form, cosine, sine)
     parts = []
-    if closed.first:
-        one = family(closed.first)
-        weight = tail.constant(f"{own}FIRST", one.even[1], "the first order")
-        parts.append(f"{weight}*{bases.name(one.step, one.phase)}")
-    for i, (weight, turns) in enumerate(closed.places):
-        cosine = secondary_cosine(closed.ratio, turns)
-        name = bases.name(cosine.step, cosine.phase)
-        value = secondary_lines(tail, closed.ratio, name, name.removeprefix("c"))
-        parts.append(f"{tail.constant(f'{own}ABOVE_{i}', weight)}*{value}")
+    if closed_form.first:
+        first = family(closed_form.first)
+        weight = tail.constant(f"{prefix}FIRST", first.even[1], "the first order")
+        parts.append(f"{weight}*{shared.name(first.step, first.phase)}")
+    for i, (weight, turns) in enumerate(closed_form.places):
+        cosine = secondary_cosine(closed_form.ratio, turns)
+        name = shared.name(cosine.step, cosine.phase)
+        value = secondary_lines(tail, closed_form.ratio, name, name.removeprefix("c"))
+        parts.append(f"{tail.constant(f'{prefix}ABOVE_{i}', weight)}*{value}")
     return " + ".join(parts)

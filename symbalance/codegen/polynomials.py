@@ -1,4 +1,4 @@
-"""A sum of harmonics as a polynomial in one cosine, or in a cosine and a sine, and what it rounds.
+"""A sum of harmonics as a polynomial in one cosine, or in a cosine and a sine.
 
 With psi = s theta - phase, cos k psi = T_k(c) and sin k psi = sin psi U_{k-1}(c), Chebyshev's polynomials
 in c = cos psi. Harmonics whose phases are all multiples of one another need the cosine alone.
@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
 
-from symbalance.codegen.kernels import Kernel, horner
-from symbalance.codegen.waves import Term
+from symbalance.codegen.expression_ir import Kernel, horner
+from symbalance.codegen.harmonic_sum import HarmonicTerm
 from symbalance.text.reals import DIGITS, Complex, Real, atan2, expjpi, nint, pi
 
 ALIGNED = Fraction(1, 10 ** (DIGITS - 8))
@@ -33,34 +33,34 @@ class Family:
     odd: tuple[Real, ...]
 
 
-def family(terms: Sequence[Term]) -> Family:
+def family(terms: Sequence[HarmonicTerm]) -> Family:
     """Return harmonics on their common step, and on a phase where all are cosines, or all sines.
 
     Where there is none of either the largest needs no sine.
 
-    >>> one = Term(Fraction(2), Real(0), Real(3))
-    >>> found = family([one])
-    >>> found.step, float(found.phase), float(found.even[1])
+    >>> one = HarmonicTerm(Fraction(2), Real(0), Real(3))
+    >>> harmonics = family([one])
+    >>> harmonics.step, float(harmonics.phase), float(harmonics.even[1])
     (Fraction(2, 1), 0.25, 3.0)
     """
     step = _step([t.order for t in terms])
     numbers = {int(t.order / step): Complex(t.cos, t.sin, DIGITS) for t in terms}
     count, largest = max(numbers), max(abs(z) for z in numbers.values())
     for phase in _phases(numbers):
-        turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
-        if all(abs(z.imag) <= ALIGNED * largest for z in turned.values()):
-            return Family(step, phase, _row(turned, count, "real"), ())
+        aligned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+        if all(abs(z.imag) <= ALIGNED * largest for z in aligned.values()):
+            return Family(step, phase, _row(aligned, count, "real"), ())
     for phase in _phases({k: z * -1j for k, z in numbers.items()}):
-        turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
-        if all(abs(z.real) <= ALIGNED * largest for z in turned.values()):
-            return Family(step, phase, (), _row(turned, count, "imag"))
+        aligned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+        if all(abs(z.real) <= ALIGNED * largest for z in aligned.values()):
+            return Family(step, phase, (), _row(aligned, count, "imag"))
     chief = max(numbers, key=lambda k: abs(numbers[k]))  # the largest needs no sine: least is rounded
     phase = _phases({chief: numbers[chief]})[0]
-    turned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
-    return Family(step, phase, _row(turned, count, "real"), _row(turned, count, "imag", chief))
+    aligned = {k: z * expjpi(-2 * k * phase) for k, z in numbers.items()}
+    return Family(step, phase, _row(aligned, count, "real"), _row(aligned, count, "imag", chief))
 
 
-def decompositions(terms: Sequence[Term]) -> list[list[Family]]:
+def decompositions(terms: Sequence[HarmonicTerm]) -> list[list[Family]]:
     """Return the ways to cut harmonics into families, the shortest to compute first.
 
     Centred cylinders have the first order and even ones: on a cosine of their own the even orders need
@@ -95,8 +95,8 @@ def _row(numbers: dict[int, Complex], count: int, part: str, without: int = 0) -
     """Return one part of the numbers by order; what is but rounding of the coefficients is 0."""
     least = ALIGNED * max(abs(z) for z in numbers.values())
     parts = {k: getattr(z, part) for k, z in numbers.items() if k != without}
-    kept = {k: x for k, x in parts.items() if abs(x) > least}
-    return tuple(kept.get(k, Real(0)) for k in range(count + 1))
+    significant = {k: x for k, x in parts.items() if abs(x) > least}
+    return tuple(significant.get(k, Real(0)) for k in range(count + 1))
 
 
 def powers(chebyshev: Sequence[Real], kind: str = "T") -> list[Real]:
@@ -130,25 +130,25 @@ def power_lines(kernel: Kernel, prefix: str, coefficients: Sequence[Real], c: st
     even, odd = (
         _nested(kernel, f"{own}{word}", names[i::2], z) for i, word in enumerate(("even", "odd"))
     )
-    return " + ".join(p for p in (even, f"{c}*{_bracketed(odd)}" if odd else "") if p)
+    return " + ".join(p for p in (even, f"{c}*{_in_brackets(odd)}" if odd else "") if p)
 
 
 def _nested(kernel: Kernel, name: str, names: list[str], variable: str) -> str:
     """Return Horner's rule as a formula; beyond `LONG` brackets it begins on lines of its own."""
-    names = _trimmed(names)
+    names = _trim(names)
     while len(names) > LONG + 1:
         upper = kernel.line(f"{name}{len(names) - LONG}", horner(names[-LONG:], variable))
         names = [*names[:-LONG], upper]
     return horner(names, variable) if names else ""
 
 
-def _trimmed(names: list[str]) -> list[str]:
+def _trim(names: list[str]) -> list[str]:
     while names and not names[-1]:
         names = names[:-1]
     return names
 
 
-def _bracketed(formula: str) -> str:
+def _in_brackets(formula: str) -> str:
     return f"({formula})" if " " in formula else formula
 
 

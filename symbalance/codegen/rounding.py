@@ -1,4 +1,4 @@
-"""What a formula rounds, at most: a first-order error analysis, in units of u = 2^-53 (half an ulp of 1).
+"""First-order bounds on what Horner's and Clenshaw's schemes round, in u = 2^-53 (half an ulp of 1).
 
 A rounding made on the way is as if one coefficient were changed: by Horner's rule in c, an error d in
 step j counts d |c|^j; by Clenshaw's recurrence d |T_k(c)|, or d |U_{k-1}(c)|. What the cosine itself
@@ -17,7 +17,7 @@ SUMS = 1.0
 """Each product and each sum rounds by at most u of itself."""
 
 
-def angles(highest: int) -> Grid:
+def resolving_angles(highest: int) -> Grid:
     """Return angles from 0 to pi that resolve harmonics to `highest`."""
     return np.linspace(0.0, np.pi, 16 * max(16, highest) + 1)
 
@@ -54,7 +54,7 @@ def chebyshev_u(k: int, psi: Grid) -> Grid:
     return np.where(near, ends, np.sin(k * psi) / sine)
 
 
-def of_powers(coefficients: Sequence[float], psi: Grid) -> Grid:
+def horner_rounding(coefficients: Sequence[float], psi: Grid) -> Grid:
     """Return what Horner's rule rounds, for a series in powers of c; zeros cost nothing."""
     c, total = np.cos(psi), np.zeros_like(psi)
     value = np.zeros_like(psi)
@@ -66,7 +66,7 @@ def of_powers(coefficients: Sequence[float], psi: Grid) -> Grid:
     return total
 
 
-def of_clenshaw(row: Sequence[float], psi: Grid, kind: str = "T") -> Grid:
+def clenshaw_rounding(row: Sequence[float], psi: Grid, kind: str = "T") -> Grid:
     """Return what Clenshaw's recurrence rounds, for sum a_k T_k(c) or sum a_k U_{k-1}(c)."""
     c, total = np.cos(psi), np.zeros_like(psi)
     above, here = np.zeros_like(psi), np.zeros_like(psi)

@@ -1,4 +1,4 @@
-"""A file in the user's cache for source that was made in memory, because Numba keeps code of files alone.
+"""Files of generated source in the user's cache, so that Numba can keep the code it compiled from them.
 
 Numba keeps what it compiled beside the file that holds the source, or in NUMBA_CACHE_DIR, and asks that
 the file be there. The file's name is a digest of its text, and it is compared with the text before it is
@@ -17,8 +17,8 @@ from pathlib import Path
 from symbalance.errors import SymbalanceError
 from symbalance.text.writing import write_file
 
-KEPT = 200
-"""Sources kept, some 150 kB each with their code; the oldest go first."""
+MOST_SOURCES = 200
+"""Sources that stay, some 150 kB each with their code; the oldest go first."""
 
 
 def source_file(source: str) -> Path | None:
@@ -30,7 +30,7 @@ def source_file(source: str) -> Path | None:
         if not (path.is_file() and path.read_bytes() == data):
             # The user's alone, whatever the mask; one that is lost is written anew.
             write_file(path, data, permissions=0o600, lasting=False)
-            _forget_the_oldest(folder)
+            _remove_oldest(folder)
     except (OSError, SymbalanceError, RuntimeError):  # RuntimeError: the user has no home
         return None
     return path
@@ -48,9 +48,9 @@ def _own_folder() -> Path:
 
 
 def _cache() -> Path:
-    chosen = os.environ.get("NUMBA_CACHE_DIR")
-    if chosen:
-        return Path(chosen).absolute()
+    folder = os.environ.get("NUMBA_CACHE_DIR")
+    if folder:
+        return Path(folder).absolute()
     if sys.platform == "win32":
         return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
     if sys.platform == "darwin":
@@ -58,9 +58,9 @@ def _cache() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
 
 
-def _forget_the_oldest(folder: Path) -> None:
-    """Remove sources beyond `KEPT` and their code: here, or in a folder of Numba's beside this one."""
+def _remove_oldest(folder: Path) -> None:
+    """Remove sources beyond `MOST_SOURCES` and their code, here or in Numba's folder beside this one."""
     by_age = sorted(folder.glob("evaluator_*.py"), key=lambda path: path.stat().st_mtime)
-    for path in by_age[:-KEPT]:
+    for path in by_age[:-MOST_SOURCES]:
         for file in (path, *folder.parent.glob(f"symbalance*/**/{path.stem}.*")):
             file.unlink(missing_ok=True)

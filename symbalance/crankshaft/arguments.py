@@ -1,4 +1,4 @@
-"""Refusals, where a value is made, of arguments of the wrong kind: not an AttributeError far away."""
+"""Checks of constructors' arguments: a wrong kind is refused at once, not by an AttributeError later."""
 
 from __future__ import annotations
 

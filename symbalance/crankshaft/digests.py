@@ -1,6 +1,6 @@
-"""Digests that tell whether a kept result is still that of this input and of this program.
+"""Digests of inputs and of the program, by which a saved result is recognised as still valid.
 
-A kept result is believed only where the digest of everything it depends on is the same: the input, the
+A saved result is believed only where the digest of everything it depends on is the same: the input, the
 content (never the name) of the files it names, the program that computed it and the libraries below. A
 value whose content cannot be told is refused, not abbreviated: `repr` leaves things out.
 """
@@ -22,7 +22,7 @@ import symbalance
 from symbalance.errors import SymbalanceError
 
 LIBRARIES = ("numpy", "scipy")
-"""Their versions count: where films hardly settle, rounding decides which orbit is found."""
+"""Their versions count: where films hardly settle, rounding decides which orbit results."""
 
 
 def digest(*parts: object) -> str:
@@ -84,8 +84,8 @@ def program_digest() -> str:
     """
     sources = {name: source.read_bytes() for name, source in _sources(files(symbalance), "")}
     libraries = {name: _version(name) for name in LIBRARIES}
-    hashed = {name: sha256(source).hexdigest() for name, source in sources.items()}
-    return digest(symbalance.__version__, hashed, libraries)
+    hashes = {name: sha256(source).hexdigest() for name, source in sources.items()}
+    return digest(symbalance.__version__, hashes, libraries)
 
 
 def _sources(folder: Traversable, inside: str) -> Iterator[tuple[str, Traversable]]:

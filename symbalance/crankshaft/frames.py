@@ -1,4 +1,4 @@
-"""Between the stationary axes of the engine and those that turn with the crank.
+"""Bearing matrices and vectors transformed between stationary axes and axes that turn with the crank.
 
 With Q = R(theta) = [cos, -sin; sin, cos] a journal's displacement is (vertical, lateral) = Q (u, v), and
 Q' = omega Q S with S = [0, -1; 1, 0] gives its stationary velocity Q (u', v') + omega Q S (u, v). So a
@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
 
 QUARTER_TURN: Array = np.array([[0.0, -1.0], [1.0, 0.0]])
 """S, a quarter of a turn from U towards V: S = R(pi/2), and R' = omega R S."""

@@ -1,4 +1,4 @@
-"""The periodic steady state by harmonic balance: no steps, and so a reference for those that step.
+"""Periodic steady state of a rotor on its bearings by harmonic balance: a reference for time stepping.
 
 The rotor between its bearings has constant coefficients in turning axes, the housings in stationary ones.
 Each answers a harmonic by itself, so that the bearing forces at N equal angles are the only unknowns,
@@ -18,18 +18,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symbalance.crankshaft.integrators.checked import checked_system
-from symbalance.crankshaft.integrators.coefficients import bearing_count, gathered
-from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.integrators.coefficients import bearing_count, bearing_rows
+from symbalance.crankshaft.system import PeriodicSystem, check_consistency
 from symbalance.errors import SymbalanceError, shown
 
 Complex = NDArray[np.complexfloating[Any, Any]]
 MOST = 2000
+"""Harmonics at most: the dense system grows with their square, its solution with their cube."""
 SUPPORT, DAMPER = 1e8, 1e5
 """Springs (N/m) and dampers (N s/m) added at the bearings where the rotor's answers are taken, and taken
 off in the balance: a rotor without any has no answer to a force that stands still."""
 FORWARD: Complex = np.array([[0.5, 0.5j], [-0.5j, 0.5]])
+"""P, the part of a vector that turns forward."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,7 @@ def harmonic_state(system: PeriodicSystem, harmonics: int = 120) -> HarmonicStat
     if not isinstance(harmonics, int | np.integer) or not 1 <= harmonics <= MOST:
         rule = f"must be a whole number, 1 to {MOST}"
         raise SymbalanceError(f"harmonics = {shown(harmonics)}", rule, "120 is usual")
-    checked_system(system)
+    check_consistency(system)
     count, top = 2 * harmonics + 1, harmonics
     theta, orders = system.cycle / count * np.arange(count), np.fft.fftfreq(count, 1 / count)
     frequency = 2 * np.pi / system.cycle * system.omega * orders
@@ -75,7 +76,7 @@ def harmonic_state(system: PeriodicSystem, harmonics: int = 120) -> HarmonicStat
     flexible = _both_sides(np.stack([a[:, 1:] for a in answer]))
     loose = _both_sides(np.stack([a[:, 0] for a in answer]))
     balance = _Balance.of(system, frequency, flexible, loose)
-    excess = balance.solved(system, theta)
+    excess = balance.solve(system, theta)
     spectrum = np.fft.fft(excess, axis=0) / count
     position = free[:, :, 0] - np.einsum("knb,kb->kn", free[:, :, 1:], spectrum[: top + 1])
     total = np.einsum("kab,kb->ka", balance.whole, spectrum) + balance.loose_force
@@ -87,7 +88,7 @@ def harmonic_state(system: PeriodicSystem, harmonics: int = 120) -> HarmonicStat
 
 def _answers(system: PeriodicSystem, frequency: Array, force: Complex) -> tuple[list[Complex], Complex]:
     """Return, per harmonic, what loads and unit bearing forces do: at the journals, and everywhere."""
-    points = gathered(system)
+    points = bearing_rows(system)
     spring, damper = SUPPORT * points.T @ points, DAMPER * points.T @ points
     everywhere = []
     for w, load in zip(frequency, force, strict=True):
@@ -119,9 +120,9 @@ class _Balance:
     def of(cls, system: PeriodicSystem, frequency: Array, answer: Complex, loose: Complex) -> _Balance:
         """Return the balance of flexibilities (N, 2b, 2b) and load displacements (N, 2b)."""
         count = bearing_count(system)
-        added = SUPPORT + 1j * frequency * DAMPER
-        whole = np.eye(2 * count) - added[:, None, None] * answer
-        loose_force = added[:, None] * loose
+        support = SUPPORT + 1j * frequency * DAMPER
+        whole = np.eye(2 * count) - support[:, None, None] * answer
+        loose_force = support[:, None] * loose
         forward = np.kron(np.eye(count), FORWARD)
         behind = _housing_answers(system, frequency + system.omega) @ forward
         squeeze = forward @ answer + behind @ whole
@@ -129,7 +130,7 @@ class _Balance:
         rate = 1j * (frequency + system.omega)
         return cls(whole, squeeze, behind, rate, loose_force, loose_squeeze)
 
-    def solved(self, system: PeriodicSystem, theta: Array) -> Array:
+    def solve(self, system: PeriodicSystem, theta: Array) -> Array:
         """Return the excess forces (N, 2b) at the angles, turning axes."""
         count, b = len(theta), 2 * bearing_count(system)
         forward, turn = np.kron(np.eye(b // 2), FORWARD), 2 * np.exp(1j * theta)
@@ -139,11 +140,11 @@ class _Balance:
         matrix, side = np.empty((count, b, count, b)), np.empty((count, b))
         for i in range(count):
             back = (i - np.arange(count)) % count
-            carried, squeezed, speed = (kernel[back] for kernel in kernels)
-            row = turn[i] * (carried + stiffness[i] @ squeezed + damping[i] @ speed)
+            load, squeeze, speed = (kernel[back] for kernel in kernels)
+            row = turn[i] * (load + stiffness[i] @ squeeze + damping[i] @ speed)
             matrix[i] = row.real.transpose(1, 0, 2)
-            known = stiffness[i] @ sides[1][i] + damping[i] @ sides[2][i] - sides[0][i]
-            side[i] = (turn[i] * known).real
+            constant = stiffness[i] @ sides[1][i] + damping[i] @ sides[2][i] - sides[0][i]
+            side[i] = (turn[i] * constant).real
         return np.linalg.solve(matrix.reshape(count * b, -1), side.ravel()).reshape(count, b)
 
     def _parts(self, forward: Complex) -> tuple[Complex, Complex, Complex]:

@@ -1,4 +1,4 @@
-"""Fewer unknowns: the lowest modes of the free crank, and what each load and bearing does to it at rest.
+"""Modal reduction of a rotor on bearings: its lowest free modes, and its static answers to unit loads.
 
 Plain modes converge slowly where forces enter at points: the stress at a pin is a sum over all of them.
 The static answer to each force (an attachment vector) puts the sum's tail in at once, so that the modes
@@ -12,13 +12,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from symbalance.crankshaft.integrators.coefficients import gathered
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.integrators.coefficients import bearing_rows
 from symbalance.crankshaft.system import PeriodicSystem, check_system
 from symbalance.errors import SymbalanceError, shown
 
 SUPPORT = 1e8
-"""Springs (N/m) at the bearings on which the static answers are taken: the free crank has none."""
+"""Springs (N/m) at the bearings on which the static answers are taken: a free rotor has none."""
 DEPENDENT = 1e-12
 """Shapes of the load below this share of the largest are rounding, and left out."""
 NEW = 1e-8
@@ -40,11 +40,11 @@ def reduced(
     stiffness = (system.stiffness + system.stiffness.T) / 2
     columns: list[Array] = [lowest_modes(stiffness, system.mass, modes)]
     if attachments:
-        points = gathered(system)
+        points = bearing_rows(system)
         theta = system.cycle / angles * np.arange(angles)
         shapes = _load_shapes(system.force(theta))
-        supported = stiffness + SUPPORT * points.T @ points
-        columns.append(np.linalg.solve(supported, np.hstack([points.T, shapes.T])))
+        stiffness_on_springs = stiffness + SUPPORT * points.T @ points
+        columns.append(np.linalg.solve(stiffness_on_springs, np.hstack([points.T, shapes.T])))
     return projected(system, columns)
 
 
@@ -53,7 +53,7 @@ def projected(system: PeriodicSystem, columns: Sequence[Array]) -> tuple[Periodi
     basis = _orthonormal(columns, system.mass)
     points = system.points @ basis
     force = system.force
-    made = replace(
+    projection = replace(
         system,
         mass=basis.T @ system.mass @ basis,
         damping=basis.T @ system.damping @ basis,
@@ -61,7 +61,7 @@ def projected(system: PeriodicSystem, columns: Sequence[Array]) -> tuple[Periodi
         points=points,
         force=lambda theta: force(theta) @ basis,
     )
-    return made, basis
+    return projection, basis
 
 
 def lowest_modes(stiffness: Array, mass: Array, count: int) -> Array:
@@ -72,12 +72,12 @@ def lowest_modes(stiffness: Array, mass: Array, count: int) -> Array:
     """
     lower = np.linalg.inv(np.linalg.cholesky(mass))
     vectors = np.linalg.eigh(lower @ stiffness @ lower.T)[1][:, :count]
-    found = lower.T @ vectors
-    return found * np.where(found[np.abs(found).argmax(axis=0), np.arange(count)] < 0, -1.0, 1.0)
+    shapes = lower.T @ vectors
+    return shapes * np.where(shapes[np.abs(shapes).argmax(axis=0), np.arange(count)] < 0, -1.0, 1.0)
 
 
 def _load_shapes(loads: Array) -> Array:
-    """Return the shapes (r, n) that loads (s, n) are made of, those below `DEPENDENT` left out."""
+    """Return the shapes (r, n) that span loads (s, n), those below `DEPENDENT` left out."""
     sizes, shapes = np.linalg.svd(loads, full_matrices=False)[1:]
     return shapes[sizes > DEPENDENT * sizes[0]]
 
@@ -90,11 +90,11 @@ def _orthonormal(columns: Sequence[Array], mass: Array) -> Array:
     root = np.linalg.cholesky(mass).T
     basis = np.zeros((len(mass), 0))
     for group in columns:
-        sized = root @ group
-        sized = sized / np.linalg.norm(sized, axis=0)
-        for _ in range(2):
-            sized = sized - basis @ (basis.T @ sized)
-        directions, sizes = np.linalg.svd(sized, full_matrices=False)[:2]
+        scaled_group = root @ group
+        scaled_group = scaled_group / np.linalg.norm(scaled_group, axis=0)
+        for _ in range(2):  # once leaves rounding as large as a nearly dependent column
+            scaled_group = scaled_group - basis @ (basis.T @ scaled_group)
+        directions, sizes = np.linalg.svd(scaled_group, full_matrices=False)[:2]
         fresh = directions[:, sizes > NEW]
         fresh = fresh - basis @ (basis.T @ fresh)
         basis = np.hstack([basis, np.linalg.qr(fresh)[0]])

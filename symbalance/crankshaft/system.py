@@ -2,9 +2,9 @@
 
     M x'' + D x' + S x = f(theta) + sum over bearings of B_j^T b_j,     theta = omega t,
 
-D = C + omega G and S = K + omega^2 dK (less whatever holds the free spin). B_j x is the displacement
-(u, v) of bearing j's journal in turning coordinates; its film and housing live in the stationary
-ones, (vertical, lateral) = R(theta) (u, v).
+D = C + omega G and S = K + omega^2 dK (with the rigid-body rotation constrained). B_j x is the
+displacement (u, v) of bearing j's journal in turning coordinates; its film and housing live in the
+stationary ones, (vertical, lateral) = R(theta) (u, v).
 """
 
 from __future__ import annotations
@@ -17,12 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbalance.crankshaft.arguments import check_function, check_kind
-from symbalance.crankshaft.rotor import Array
-from symbalance.errors import SymbalanceError
+from symbalance.crankshaft.arrays import Array
+from symbalance.errors import SymbalanceError, shown
+
+LEAST_STEPS, MOST_STEPS = 4, 200_000
 
 
 class UnsolvedError(SymbalanceError):
-    """Sound input whose equations gave no answer: no periodic motion, no orbit that closes."""
+    """Sound input whose equations have no answer: no periodic motion, no orbit that closes."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +61,7 @@ class Housing:
 
 @dataclass(frozen=True)
 class PeriodicSystem:
-    """What is integrated; `force` takes angles (s,), gives (s, n) in turning coordinates, N and N m.
+    """A rotor on its bearings; `force` takes angles (s,), gives (s, n) in turning coordinates, N and N m.
 
     `cycle` is the crank angle after which everything repeats, in radians. `points` is (b, 2, n).
     Without a `housing` the films are fixed to the ground.
@@ -88,7 +90,7 @@ class PeriodicSystem:
 
 
 def check_system(value: object) -> None:
-    """Refuse what is no periodic system: a rotor needs its supports first."""
+    """Refuse what is no `PeriodicSystem`: a rotor needs its supports first."""
     remedy = "sb.supported(rotor, supports, omega) makes one of a rotor"
     check_kind(value, PeriodicSystem, "system", remedy)
 
@@ -108,3 +110,76 @@ class Trajectory:
     multipliers: NDArray[np.complexfloating[Any, Any]] | None = None
     error: float = float("nan")
     seconds: float = float("nan")
+
+
+def check_steps(steps: int) -> None:
+    """Refuse a number of steps a cycle that no run can have."""
+    if not isinstance(steps, int | np.integer) or not LEAST_STEPS <= steps <= MOST_STEPS:
+        rule = f"must be a whole number, at least {LEAST_STEPS} and at most {MOST_STEPS}"
+        raise SymbalanceError(f"steps = {shown(steps)}", rule, "720 is usual")
+
+
+def check_consistency(system: PeriodicSystem) -> None:
+    """Refuse a speed or cycle that is not positive, shapes that do not fit, matrices that are not finite,
+    a mass matrix or a housing that is not positive definite."""
+    check_system(system)
+    if not 0 < system.omega < np.inf:
+        rule = "must be positive and finite"
+        raise SymbalanceError(f"speed = {shown(system.omega)} rad/s", rule, "give rpm > 0")
+    if not 0 < system.cycle < np.inf:
+        rule = "must be positive and finite"
+        raise SymbalanceError(f"cycle = {shown(system.cycle)} rad", rule, "4 pi, or 2 pi for one turn")
+    _check_shapes(system)
+    for name in ("mass", "damping", "stiffness", "points"):
+        if not np.isfinite(getattr(system, name)).all():
+            raise SymbalanceError(f"the crank's {name}", "must be finite", "look at its sizes")
+    try:
+        np.linalg.cholesky(system.mass)
+    except np.linalg.LinAlgError:
+        rule, remedy = "must be positive definite", "give every unknown a mass, or leave it out"
+        raise SymbalanceError("the mass matrix", rule, remedy) from None
+    if system.housing is not None:
+        _check_housing(system.housing)
+
+
+def _check_shapes(system: PeriodicSystem) -> None:
+    """Refuse matrices, films and forces whose shapes are not those of n unknowns and b bearings."""
+    n, count, angles = len(system.mass), len(system.points), np.zeros(1)
+    film = (1, count, 2, 2)
+    for name, array, shape in (
+        ("mass", system.mass, (n, n)),
+        ("damping", system.damping, (n, n)),
+        ("stiffness", system.stiffness, (n, n)),
+        ("points", system.points, (count, 2, n)),
+        ("force at one angle", system.force(angles), (1, n)),
+        ("film stiffness at one angle", system.film.stiffness(angles), film),
+        ("film damping at one angle", system.film.damping(angles), film),
+    ):
+        if np.shape(array) != shape:
+            what = f"{name} of shape {np.shape(array)}"
+            raise SymbalanceError(what, f"must be {shape}", f"{n} unknowns, {count} bearings")
+
+
+def _check_housing(housing: Housing) -> None:
+    for name, table, unit in (
+        ("stiffness", housing.stiffness, "N/m"),
+        ("damping", housing.damping, "N s/m"),
+    ):
+        for j, each in enumerate(table):
+            place = f"bearing {j + 1}"
+            if not np.isfinite(each).all():
+                remedy = "leave the housing out where it is rigid"
+                raise SymbalanceError(f"housing {name}", "must be finite", remedy, place)
+            least = _least(each)
+            if least < 0 or (name == "stiffness" and least == 0):
+                rule = (
+                    f"must be {'positive' if name == 'stiffness' else 'zero or more'} in every direction"
+                )
+                what = f"housing {name} {shown(float(f'{least:.4g}'))} {unit}"
+                raise SymbalanceError(what, rule, "leave the housing out where it is rigid", place)
+
+
+def _least(matrix: Array) -> float:
+    """Return the least eigenvalue of the symmetric part; rounding below 1e-12 of the largest is 0."""
+    values = np.linalg.eigvalsh((matrix + matrix.T) / 2)
+    return 0.0 if abs(values[0]) <= 1e-12 * np.abs(values).max() else float(values[0])

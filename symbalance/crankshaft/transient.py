@@ -1,4 +1,4 @@
-"""A crankshaft on its bearings from a given state on, by any of the methods, fixed steps or SciPy's."""
+"""Motion of a crankshaft on its bearings from an initial state, by fixed steps or by SciPy."""
 
 from __future__ import annotations
 
@@ -6,13 +6,11 @@ from time import perf_counter
 
 import numpy as np
 
-from symbalance.crankshaft.integrators.checked import checked_steps, checked_system
-from symbalance.crankshaft.integrators.coefficients import state_size
-from symbalance.crankshaft.integrators.first_order import film_forces
-from symbalance.crankshaft.integrators.from_scipy import SCIPY, scipy_states
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.integrators.coefficients import film_forces, state_size
+from symbalance.crankshaft.integrators.first_order import SCIPY, scipy_states
 from symbalance.crankshaft.integrators.methods import FIXED, linear_steps
-from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.system import PeriodicSystem, Trajectory
+from symbalance.crankshaft.system import PeriodicSystem, Trajectory, check_consistency, check_steps
 from symbalance.errors import SymbalanceError, shown
 
 METHODS = (*FIXED, *SCIPY)
@@ -27,17 +25,17 @@ def integrate(
     start: Array | None = None,
     rtol: float = 1e-6,
 ) -> Trajectory:
-    """Return displacements, velocities, bearing forces over `cycles` cycles from angle 0, ends in.
+    """Return displacements, velocities, bearing forces over `cycles` cycles from angle 0, both ends in.
 
     `start` is a state (x, x', z), rest by default; z are the housings' displacements, stationary.
-    `steps` a cycle are taken by the fixed-step methods, and given back by SciPy's, which keep to `rtol`.
+    `steps` a cycle are taken by the fixed-step methods, and returned by SciPy's, which keep to `rtol`.
     """
     if method not in METHODS:
         raise SymbalanceError(
             f"method = {shown(method)!r}", "is not known", f"one of {', '.join(METHODS)}"
         )
-    checked_steps(steps)
-    checked_system(system)
+    check_steps(steps)
+    check_consistency(system)
     if not isinstance(cycles, int | np.integer) or cycles < 1:
         raise SymbalanceError(f"cycles = {shown(cycles)}", "must be a whole number, at least 1")
     if not 0 < rtol < 1:
@@ -49,12 +47,12 @@ def integrate(
         raise SymbalanceError(
             f"start of shape {state.shape}", rule, "displacements, velocities, housings"
         )
-    begun = perf_counter()
+    begin = perf_counter()
     theta = system.cycle / steps * np.arange(cycles * steps + 1)
     if method in FIXED:
-        states = linear_steps(system, method, steps).marched(state, cycles)
+        states = linear_steps(system, method, steps).march(state, cycles)
     else:
         states = scipy_states(system, method, theta, state, rtol)
     forces = film_forces(system, theta, states)
-    n, spent = system.size, perf_counter() - begun
-    return Trajectory(theta, states[:, :n], states[:, n : 2 * n], forces, seconds=spent)
+    n, seconds = system.size, perf_counter() - begin
+    return Trajectory(theta, states[:, :n], states[:, n : 2 * n], forces, seconds=seconds)

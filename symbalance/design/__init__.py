@@ -1,9 +1,9 @@
 """What a designer changes: counterweights, balance shafts, tolerances, weighed parts.
 
-In: a `Engine` and what is wanted of it. Out: designs with certificates, worst cases that are reached and
-proved, derivatives, assignments.
+In: an `Engine` and the orders, tolerances or parts in question. Out: designs with certificates, worst
+cases that are attained and proved, derivatives, assignments.
 
-    balancing     the least weights and shafts that end given orders
+    balancing     the least counterweights and shafts that balance given orders
     variations    formulas in parts' sizes, sensitivities, tolerances, weighed parts
 """
 

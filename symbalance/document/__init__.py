@@ -6,7 +6,7 @@ Markdown. Knows nothing of engines.
     formula                   formulas as trees: read, derived, printed;  expressions: SymPy's as such
     formula_printing          brackets and signs, which all writers of formulas share
     text_writer, latex_writer, mathml_writer, sympy_writer       a formula in each medium
-    line_breaking, displayed, spreading                          long formulas over several lines
+    line_breaking                                                long formulas over several lines
     symbols, letters, wordlists    letters with units and meaning, Greek, names of functions
     nodes                     a document: headings, facts, tables, formulas, figures, source, details
     fitting                   which exact cells a table has room for;  decimals: numbers in cells

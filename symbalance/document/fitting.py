@@ -78,7 +78,7 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
     longest: dict[int, int] = {}  # by column: how long an exact form may be
 
     def width_of(i: int) -> float:
-        body = (width(_chosen(row[i], longest.get(i))) for row in cells)
+        body = (width(_words_in(row[i], longest.get(i))) for row in cells)
         return max(width(columns[i].head), *body)
 
     sizes = list(map(width_of, range(len(columns))))
@@ -89,7 +89,7 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
             open_columns.discard(widest)
             longest[widest] = limit
             sizes[widest] = width_of(widest)
-    rows = tuple(tuple(_chosen(c, longest.get(i)) for i, c in enumerate(row)) for row in cells)
+    rows = tuple(tuple(_words_in(c, longest.get(i)) for i, c in enumerate(row)) for row in cells)
     keys = sum(i < table.keys for i in filled)
     return Fitted(columns, rows, _left_out(keys, columns, cells, longest), _remark(unread))
 
@@ -122,7 +122,7 @@ def _gives_way(cell: Cell, limit: int | None) -> bool:
     return limit is not None and isinstance(cell, Exact) and len(formula_text(cell.value)) > limit
 
 
-def _chosen(cell: Cell, limit: int | None) -> Words:
+def _words_in(cell: Cell, limit: int | None) -> Words:
     if isinstance(cell, Exact) and _gives_way(cell, limit):
         return "below" if cell.near is None else cell.near
     return _full(cell)

@@ -13,15 +13,13 @@ from collections.abc import Iterator, Sequence
 from math import ceil
 
 from symbalance.document import nodes
-from symbalance.document.displayed import display_lines
 from symbalance.document.document_writer import DocumentWriter
 from symbalance.document.fitting import Fitted, LeftOut, fit_table, plain_words
 from symbalance.document.formula import Equation, Formula, Upright
 from symbalance.document.latex_characters import east_asian, escaped
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
-from symbalance.document.line_breaking import break_sum
+from symbalance.document.line_breaking import break_sum, display_lines, expand_radicals
 from symbalance.document.nodes import UNKNOWN, inlines
-from symbalance.document.spreading import expand_radicals
 
 ROOM = 66.0
 """How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""

@@ -1,18 +1,34 @@
-"""Long equations broken into lines: before a sign, and inside brackets only where it must be.
+"""Long formulas over several lines: broken before a sign, inside brackets only where it must be.
 
 An equation becomes pieces that may not be split, nested as its brackets are. A piece that does not fit
 what is left of a line goes to the next one; one that fits no line is broken at the signs inside it.
-How wide a piece is, says the medium: text counts columns, LaTeX the width of digits.
+How wide a piece is, says the medium: text counts columns, LaTeX the width of digits. Displayed equations
+share one left column, and a bar or root over a whole sum, which no line break can cross, is taken apart
+(`expand_radicals`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
-from symbalance.document.formula import Dots, Equation, Formula, Negative, Product, Sum, Summation
+from symbalance.document.formula import (
+    Call,
+    Dots,
+    Equation,
+    Formula,
+    Negative,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Summation,
+    monomial,
+    number,
+)
 from symbalance.document.formula_printing import PRODUCT
 
 
@@ -204,3 +220,77 @@ def _glued(piece: Piece, before: str, after: str, medium: Medium) -> Piece:
 
 def _joined(parts: list[Piece]) -> Piece:
     return Piece("".join(p.printed for p in parts), sum(p.width for p in parts), tuple(parts))
+
+
+class DisplayedLine(NamedTuple):
+    """A line of displayed equations: what stands left of the relation, its indent, the rest."""
+
+    left: str
+    depth: int
+    printed: str
+
+
+def display_lines(
+    equations: Sequence[Equation], writer: Medium, room: float, indent: float, column: float = 0
+) -> Iterator[DisplayedLine]:
+    """Yield the lines of equations that share one left column, none wider than `room` where that can be.
+
+    Lengths are in the writer's own unit; each bracket that a line continues takes up `indent`, and the
+    left column at least `column`.
+    """
+    space = writer.width(" ")
+    names = [writer.write(each.left) for each in equations]
+    left = max(column, *map(writer.width, names)) + space
+    for name, each in zip(names, equations, strict=True):
+        for place, line in enumerate(break_equation(each, writer, room - left, indent)):
+            yield DisplayedLine("" if place else name, line.depth, line.printed)
+
+
+def expand_radicals(value: Formula) -> tuple[int, Formula]:
+    """Return (power, formula) such that value^power is the formula, a sum without a bar or root over it.
+
+    The power is 2 for a root, whose sign the square does not tell, else 1. What is neither stays.
+
+    >>> from symbalance.document.formula import Name, sqrt
+    >>> from symbalance.document.text_writer import formula_text
+    >>> a, b = Name("a"), Name("b")
+    >>> formula_text(expand_radicals((a - 3 * b) / 2)[1])
+    'a/2 − 3b/2'
+    >>> power, square = expand_radicals(sqrt((a + b) / 2) / 3)
+    >>> power, formula_text(square)
+    (2, 'a/18 + b/18')
+    """
+    factor, rest = _factor(value)
+    if isinstance(rest, Call) and rest.function == "sqrt":
+        inner, below = _factor(rest.argument)
+        return 2, _scaled(below, factor**2 * inner)
+    return 1, _scaled(rest, factor) if isinstance(rest, Sum) else value
+
+
+def _factor(value: Formula) -> tuple[Fraction, Formula]:
+    """Return a rational factor of a formula, and what is left."""
+    if isinstance(value, Negative):
+        factor, rest = _factor(value.operand)
+        return -factor, rest
+    if isinstance(value, Quotient) and isinstance(value.denominator, Number):
+        factor, rest = _factor(value.numerator)
+        return factor / value.denominator.value, rest
+    if isinstance(value, Product) and isinstance(value.factors[0], Number):
+        factors = value.factors[1:]
+        return value.factors[0].value, factors[0] if len(factors) == 1 else Product(factors)
+    return Fraction(1), value
+
+
+def _scaled(value: Formula, factor: Fraction) -> Formula:
+    """Return factor times a sum, term by term."""
+    terms = value.terms if isinstance(value, Sum) else (value,)
+    return Sum(tuple(_scaled_term(term, factor) for term in terms))
+
+
+def _scaled_term(term: Formula, factor: Fraction) -> Formula:
+    coefficient, rest = _factor(term)
+    whole = coefficient * factor
+    if isinstance(rest, Number):
+        whole, rest = whole * rest.value, number(1)
+    size = monomial(abs(whole), rest, 0 if rest == number(1) else 1)
+    return size if whole > 0 else Negative(size)

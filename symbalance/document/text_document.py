@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 from textwrap import wrap
 
 from symbalance.document import nodes
-from symbalance.document.displayed import display_lines
 from symbalance.document.document_writer import DocumentWriter
 from symbalance.document.fitting import Fitted, fit_table
 from symbalance.document.formula import INFINITY, Equation, Formula, Matrix
+from symbalance.document.line_breaking import display_lines
 from symbalance.document.nodes import UNKNOWN, Words, inlines
 from symbalance.document.text_writer import TextWriter, formula_text
 

@@ -118,8 +118,8 @@ class Counterweight:
         set_field, known = object.__setattr__, overbalance is None
         set_field(self, "angle", _direction(angle))
         set_field(self, "station", None if station is None else exact(station, "station"))
-        made = Weight(0, self.angle, share=share, unbalance=unbalance) if known else None
-        set_field(self, "weight", made)
+        weight = Weight(0, self.angle, share=share, unbalance=unbalance) if known else None
+        set_field(self, "weight", weight)
         set_field(self, "overbalance", None if known else exact(overbalance, "overbalance"))
         for name, value in (("throw", throw), ("web", web)):
             checked = None if value is None else checked_whole(value, name, 1, 2000, "count from 1")
@@ -245,6 +245,14 @@ class Balancers:
     counterweights: tuple[Counterweight, ...] = ()
     shafts: tuple[BalanceShaft, ...] = ()
 
+    def __post_init__(self) -> None:
+        for name, kind in (("counterweights", Counterweight), ("shafts", BalanceShaft)):
+            values = getattr(self, name)
+            few = isinstance(values, tuple | list) and len(values) <= MOST_BALANCERS
+            if not few or not all(isinstance(x, kind) for x in values):
+                rule = f"must be at most {MOST_BALANCERS} {kind.__name__} values"
+                raise SymbalanceError("balancers", rule, f"make each with {kind.__name__}(...)")
+
     def __bool__(self) -> bool:
         return bool(self.counterweights or self.shafts)
 
@@ -264,10 +272,6 @@ def checked_balancers(value: object, cylinders: Sequence[Cylinder]) -> Balancers
         return Balancers()
     if not isinstance(value, Balancers):
         raise SymbalanceError(f"balancers = {shown(value)}", "must be Balancers", "make them so")
-    for balancers, kind in ((value.counterweights, Counterweight), (value.shafts, BalanceShaft)):
-        if len(balancers) > MOST_BALANCERS or not all(isinstance(x, kind) for x in balancers):
-            rule = f"must be at most {MOST_BALANCERS} {kind.__name__} values"
-            raise SymbalanceError("balancers", rule, f"make each with {kind.__name__}(...)")
     for counterweight in value.counterweights:
         counterweight.stands_at(cylinders)
     return value

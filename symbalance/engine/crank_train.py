@@ -21,6 +21,8 @@ CYLINDER_SIZES = ("stroke", "rod", *MASSES, "offset", *ROD)
 class CrankTrain:
     """Sizes as in an engine file, mm and kg, each None if not given.
 
+    A Fraction is taken as it is, another number or text is read as one; what is no size is refused.
+
     `offset` (désaxé) is how far the cylinder's axis passes the crank, towards the side the pin moves to
     after top dead centre. The rod's own mass, centre of gravity and moment of inertia give its couple
     alone (`rod_split`): what it adds to the reciprocating and the rotating mass is counted there already.
@@ -36,6 +38,12 @@ class CrankTrain:
     rod_mass: Fraction | None = None
     rod_centre: Fraction | None = None
     rod_inertia: Fraction | None = None
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value is not None and not isinstance(value, Fraction):
+                object.__setattr__(self, field.name, checked_size(field.name, value))
 
     @property
     def ratio(self) -> Fraction | None:

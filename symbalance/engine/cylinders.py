@@ -94,6 +94,9 @@ class Cylinder:
                 f"Cylinder has no {unknown[0]!r}; its own sizes are {', '.join(CYLINDER_SIZES)}"
             )
         set_field(self, "sizes", checked_sizes(sizes))
+        if link is not None and not isinstance(link, Link):
+            what = f"link of type {type(link).__name__}"
+            raise SymbalanceError(what, "must be a Link", "make it with Link(master, angle, radius)")
         set_field(self, "link", link)
         set_field(self, "crank", checked_whole(crank, "crank", 1, CRANKS, "an engine has one crank"))
         set_field(self, "master", None)

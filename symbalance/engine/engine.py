@@ -267,11 +267,10 @@ def _joined(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
 
 def checked_name(name: object) -> str:
     """Return an engine's name, or refuse what would break a table's heading."""
-    text = str(name)
-    if not text.isprintable() or not 1 <= len(text.strip()) <= len(text) <= LONGEST_NAME:
-        rule = f"must be one line of 1 to {LONGEST_NAME} characters"
-        raise SymbalanceError(f"name = {shown(text)!r}", rule, "it heads the tables")
-    return text
+    if isinstance(name, str) and name.isprintable() and name.strip() and len(name) <= LONGEST_NAME:
+        return name
+    rule = f"must be one line of 1 to {LONGEST_NAME} characters"
+    raise SymbalanceError(f"name = {shown(str(name))!r}", rule, "it heads the tables")
 
 
 def checked_cylinders(cylinders: Iterable[Cylinder]) -> tuple[Cylinder, ...]:

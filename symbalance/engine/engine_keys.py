@@ -1,7 +1,7 @@
 """The keys of an engine file: kind, unit, range, default and meaning of each, table by table.
 
-The reader (`engine_file`), the reference in ENGINE_FILES.md and the JSON Schema for editors are made from
-these tables. [crankshaft], [bearings] and [running] are described where they are read:
+The reader (`engine_file`), the reference in docs/engine-files.md and the JSON Schema for editors are
+made from these tables. [crankshaft], [bearings] and [running] are described where they are read:
 `symbalance.crankshaft.files.crank_keys`.
 """
 

@@ -6,7 +6,7 @@ their exact forms.
     angles           exact fractions of a turn, with room for symbols
     amplitude        what every amplitude can do, and the three kinds:  phasor: of a cyclotomic field;
                      symbolic_phasor: with symbols for angles;  decimal_phasor: 40 digits, none exact
-    arithmetic       ratios of amplitudes;  symbol_sums: sums with letters for masses and lengths
+    arithmetic       sums and ratios of amplitudes;  symbolic_polynomials: letters for masses and lengths
     radicals         how such a number is written: roots, or cosines where there are none
     spectrum         one series for a planar vector: +n turns with the crank, -n against it
 """

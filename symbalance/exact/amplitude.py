@@ -1,4 +1,4 @@
-"""What every amplitude can do, whichever way it is held: the numbers that orders are made of.
+"""Amplitudes, the complex numbers that the orders of a force are made of: what all three kinds can do.
 
 An order of a force is one complex number, C + iS of C cos n theta + S sin n theta. It is held in one of
 three ways, each of which can be taken for the next:
@@ -8,6 +8,12 @@ three ways, each of which can be taken for the next:
     DecimalPhasor   40 digits, where the engine's sizes leave nothing exact: zero is a matter of size
 
 A sum or a product of two kinds is of the later one. Symbols have no decimals: that is refused.
+
+Formulas:
+    C cos n theta + S sin n theta = (1/2) (z e^(-i n theta) + w e^(i n theta))
+    (z + w)/2 = C
+    z w = C^2 + S^2
+    with z = C + i S; w = C - i S; C, S numbers; n a whole number
 """
 
 from __future__ import annotations
@@ -22,7 +28,7 @@ HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 class Amplitude(ABC):
-    """A complex number that turns, adds up and knows whether it is zero.
+    """A complex number of one of three kinds, which decides by itself whether it is zero.
 
     >>> from symbalance.exact.decimal_phasor import DecimalPhasor
     >>> from symbalance.exact.phasor import Phasor
@@ -66,7 +72,12 @@ class Amplitude(ABC):
 
     @abstractmethod
     def turned(self, turns: Fraction) -> Self:
-        """Return the number times e^(2 pi i turns)."""
+        """Return the number times e^(2 pi i turns).
+
+        Formulas:
+            C e^(i d) = C cos d + i C sin d
+            with C a number; d an angle
+        """
 
     @abstractmethod
     def conjugate(self) -> Self:

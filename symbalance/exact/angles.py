@@ -88,14 +88,14 @@ def _multiple(name: Any, factor: Fraction) -> str:
     return sign + (head if below == 1 else f"{head}/{below}")
 
 
-def _merged(left: SymbolPart, right: SymbolPart) -> SymbolPart:
-    if not right:
-        return left
-    total = dict(left)
-    for symbol, factor in right:
+def _merged(first: SymbolPart, second: SymbolPart) -> SymbolPart:
+    if not second:
+        return first
+    total = dict(first)
+    for symbol, factor in second:
         total[symbol] = total.get(symbol, Fraction(0)) + factor
-    left_over = ((symbol, factor) for symbol, factor in total.items() if factor)
-    return tuple(sorted(left_over, key=lambda term: str(term[0])))
+    nonzero = ((symbol, factor) for symbol, factor in total.items() if factor)
+    return tuple(sorted(nonzero, key=lambda term: str(term[0])))
 
 
 def degrees(value: object, name: str = "angle") -> Angle:

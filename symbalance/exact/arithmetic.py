@@ -1,4 +1,4 @@
-"""Sums of amplitudes of any kind, and ratios of two."""
+"""Sums of amplitudes of any kind, and the ratio of two where it is rational."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import sympy
 
 FINEST = 10_000
-"""The largest denominator of a ratio that is looked for."""
+"""The largest denominator of a ratio that is tried."""
 
 
 def total(numbers: Iterable[Amplitude]) -> Amplitude:

@@ -1,4 +1,4 @@
-"""A complex number to 40 digits, where the engine's sizes leave nothing exact to hold.
+"""Amplitudes in decimals of 40 digits, for engines whose sizes have no exact harmonics.
 
 The one rule for its zero: a sum that is 10^-25 of its parts, or less, is 0, and so is a real or imaginary
 part of that size beside the other. The reason for 25: engine files hold numbers of 30 digits, so that
@@ -47,7 +47,7 @@ class DecimalPhasor(Amplitude):
 
     def plus(self, other: DecimalPhasor) -> DecimalPhasor:
         """Return the sum, 0 where it is nothing beside its parts."""
-        return DecimalPhasor(total(self.value, other.value))
+        return DecimalPhasor(rounded_sum(self.value, other.value))
 
     def multiplied(self, other: DecimalPhasor) -> DecimalPhasor:
         """Return the product."""
@@ -90,9 +90,9 @@ class DecimalPhasor(Amplitude):
         return self.value
 
 
-def total(left: Complex, right: Complex) -> Complex:
+def rounded_sum(first: Complex, second: Complex) -> Complex:
     """Return the sum of two numbers, 0 where it is nothing beside its parts."""
-    both = left + right
-    if abs(both) <= LEAST * (abs(left) + abs(right)):
+    sum_of_both = first + second
+    if abs(sum_of_both) <= LEAST * (abs(first) + abs(second)):
         return Complex(0)
-    return both
+    return sum_of_both

@@ -1,4 +1,4 @@
-"""Two-sided series: a vector in the plane of the cylinders, as one number for each order.
+"""Two-sided series of a vector in the plane of the cylinders: parts turning with and against the crank.
 
 The vector is written vertical + i lateral = sum of c_n e^(i n theta), n of both signs. The part +n
 turns with the crank and -n against it. Turning the vector by an angle, or delaying the crank by one,
@@ -11,6 +11,13 @@ number C + iS (its modulus is the amplitude, its argument the phase):
     lateral   i (conj(c_n) - c_-n)        backward  c_-n
 
 A number is an `Amplitude` of one of three kinds: exact, with symbols for some angles, or in decimals.
+
+With c_n = c + i C and c_-n = g + i G, and a = n theta, the vertical part is V and the lateral H:
+
+Formulas:
+    (c + i C) e^(i a) + (g + i G) e^(-i a) = V + i H
+    with V = (c + g) cos a + (G - C) sin a; H = (C + G) cos a + (c - g) sin a;
+    c, C, g, G numbers; a an angle
 """
 
 from __future__ import annotations
@@ -45,7 +52,13 @@ MOST_IN_A_SQUARE = 60
 class Component:
     """One order of one component: C cos n theta + S sin n theta = amplitude cos(n theta - phase).
 
-    `number` is C + iS; the properties are exact SymPy expressions, made when first asked for.
+    `number` is C + iS; the properties are exact SymPy expressions, computed on first use. With the
+    amplitude R and the phase d:
+
+    Formulas:
+        C cos n theta + S sin n theta = R cos(n theta - d)
+        C^2 + S^2 = R^2
+        with C = R cos d; S = R sin d; R positive; d an angle; n a whole number
 
     >>> c = Component(Phasor.root(Fraction(1, 3)).scaled(2))
     >>> c.cos, c.sin, c.amplitude, c.phase
@@ -218,7 +231,12 @@ class Spectrum:
         return Spectrum({n: c.turned(turns) for n, c in self.terms.items()})
 
     def delayed(self, turns: Fraction) -> Spectrum:
-        """Return the vector delayed by so many turns of the crank."""
+        """Return the vector delayed by so many turns of the crank.
+
+        Formulas:
+            e^(i n (theta - d)) = e^(-i n d) e^(i n theta)
+            with n a whole number; d an angle
+        """
         return Spectrum({n: c.turned(-n * turns) for n, c in self.terms.items()})
 
     def scaled(self, factor: int | Fraction) -> Spectrum:

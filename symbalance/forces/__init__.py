@@ -2,11 +2,11 @@
 
 In: an `Engine`. Out: a `Balance`: force and couple of each order that survives, in four exact components.
 
-    planar_vectors              the sums;  resultants: the result
-    summation                   closed forms for a symbolic number of cylinders
-    shafts                      the roll moment of balance shafts
-    rows, roll_rows             components as rows of a table
-    balance_document, balance_data              what is written of a balance, and its data for programs
+    force_sums        the sums over cylinders;  free_forces: the result
+    inline_sums       closed forms for a symbolic number of cylinders
+    shaft_moments     the roll moment of balance shafts
+    rows              components as rows of a table
+    balance_document, balance_data   a balance as it is written, and as data for programs
 """
 
 from symbalance.loading import attach

@@ -1,4 +1,4 @@
-"""A balance as plain values for JSON: every number exact, as a string that SymPy reads."""
+"""A balance as plain values for JSON, every number exact as a string that SymPy reads."""
 
 from __future__ import annotations
 
@@ -12,8 +12,7 @@ from symbalance.engine.balance_masses import Balancers, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
 from symbalance.exact.spectrum import COMPONENTS, Component
 from symbalance.forces.free_forces import Balance, Order, Resultant
-from symbalance.forces.roll_rows import roll_rows
-from symbalance.forces.rows import plane_key
+from symbalance.forces.rows import plane_key, roll_rows
 from symbalance.kinematics.mechanisms import LinkRod
 from symbalance.text.numbers import decimal_text
 
@@ -46,10 +45,10 @@ def _roll(balance: Balance) -> list[dict[str, Any]]:
     return [{"order": str(row.order), **component_values(row.component)} for row in rows]
 
 
-def _balancers(found: Balancers) -> dict[str, Any]:
+def _balancers(balancers: Balancers) -> dict[str, Any]:
     """Return counterweights and shafts; a weight is `cos` + i `sin`, straight up and to the right."""
     return {
-        "counterweights": [_counterweight(c) for c in found.counterweights],
+        "counterweights": [_counterweight(c) for c in balancers.counterweights],
         "shafts": [
             {
                 "speed": shaft.speed,
@@ -58,16 +57,16 @@ def _balancers(found: Balancers) -> dict[str, Any]:
                 "y": str(shaft.y),
                 "weights": [_weight(w) for w in shaft.weights],
             }
-            for shaft in found.shafts
+            for shaft in balancers.shafts
         ],
     }
 
 
 def _counterweight(counterweight: Counterweight) -> dict[str, Any]:
     weight = counterweight.weight
-    given = {"throw": counterweight.throw, "web": counterweight.web}
+    places = {"throw": counterweight.throw, "web": counterweight.web}
     return {
-        **{key: value for key, value in given.items() if value is not None},
+        **{key: value for key, value in places.items() if value is not None},
         "angle": counterweight.angle.as_text(),
         "station": None if counterweight.station is None else str(counterweight.station),
         **(
@@ -102,12 +101,12 @@ def _own(balance: Balance, cylinder: Cylinder) -> dict[str, Any]:
     mechanism = cylinder.mechanism
     if balance.kinematics or mechanism is None:
         return {}
-    found: dict[str, Any] = {"ratio": str(mechanism.length), "offset": str(mechanism.offset)}
+    balancers: dict[str, Any] = {"ratio": str(mechanism.length), "offset": str(mechanism.offset)}
     if isinstance(mechanism, LinkRod) and cylinder.link:
         angle = str(mechanism.link_angle * 360)
         radius = str(mechanism.link_radius)
-        found["link"] = {"master": cylinder.link.master, "angle": angle, "radius": radius}
-    return found
+        balancers["link"] = {"master": cylinder.link.master, "angle": angle, "radius": radius}
+    return balancers
 
 
 def _order(order: Order, balance: Balance) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What is written of a balance: the free force and couple by order, then what its letters mean."""
+"""A balance as a document: the free force and couple by order, then what its letters mean."""
 
 from __future__ import annotations
 
@@ -43,8 +43,7 @@ from symbalance.engine.engine_document import (
     size_facts,
 )
 from symbalance.forces.free_forces import Balance
-from symbalance.forces.roll_rows import roll_rows
-from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, rotating, rows
+from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, roll_rows, rotating, rows
 from symbalance.kinematics.coefficients import Kinematics
 from symbalance.kinematics.series_printing import series_formula
 from symbalance.kinematics.slider_crank import Series
@@ -109,16 +108,16 @@ def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tu
 
 
 def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
-    kept = rows(balance, name)
-    table = component_table(title, kept, empty=f"none, to order {balance.highest}")
-    return (table, *_rotating(balance, name)) if kept else (table,)
+    surviving = rows(balance, name)
+    table = component_table(title, surviving, empty=f"none, to order {balance.highest}")
+    return (table, *_rotating(balance, name)) if surviving else (table,)
 
 
 def _roll(balance: Balance) -> tuple[Block, ...]:
-    kept = roll_rows(balance)
+    surviving = roll_rows(balance)
     moment = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
     title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", moment)
-    return (component_table(title, kept),) if kept else ()
+    return (component_table(title, surviving),) if surviving else ()
 
 
 _HEAD = (
@@ -131,12 +130,12 @@ _HEAD = (
 )
 
 
-def component_table(title: Words, kept: Sequence[Row], empty: str = "none") -> Table:
+def component_table(title: Words, surviving: Sequence[Row], empty: str = "none") -> Table:
     """Return a table of components, exact where there is room, in decimals where there is not.
 
     Rows without a name leave the column of components out.
     """
-    return Table(title, _HEAD, tuple(map(_cells, kept)), keys=2, empty=empty)
+    return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty)
 
 
 def order_cell(order: int | Fraction) -> Formula:
@@ -170,8 +169,8 @@ def _short_phase(value: Formula, decimal: str) -> Words:
 
 
 def _phase(row: Row, decimal: str) -> Formula:
-    plain = row.phase_in_turns()
-    return Decimal(decimal) if plain is None else formula_of(plain)
+    fraction = row.phase_in_turns()
+    return Decimal(decimal) if fraction is None else formula_of(fraction)
 
 
 def _rotating(balance: Balance, name: str) -> tuple[Block, ...]:

@@ -1,4 +1,4 @@
-r"""Free forces and couples of a layout, order by order, exactly.
+"""Free forces and couples of an engine, order by order: the result that `balance` returns.
 
 A cylinder pushes along its axis with F = A_n m r omega^2 cos n(theta + throw - bank). Its planar vector,
 vertical + i lateral, is that times e^(i bank); summed over all cylinders,
@@ -8,6 +8,13 @@ vertical + i lateral, is that times e^(i bank); summed over all cylinders,
 w_j = 1 for the force (unit F_n = A_n m r omega^2) and the station for the couple (unit F_n a, about the
 reference plane): the vertical couple is positive when the front is pushed up, the lateral when right.
 These sums are geometry alone; A_n is the kinematics of one cylinder; tables print the two apart.
+
+Per cylinder, with bank angle b and delay d = throw - bank:
+
+Formulas:
+    cos n (theta + d) = cos n d cos n theta - sin n d sin n theta
+    cos n (theta + d) e^(i b) = cos n (theta + d) cos b + i cos n (theta + d) sin b
+    with n a whole number; b, d angles
 """
 
 from __future__ import annotations
@@ -22,7 +29,7 @@ from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.spectrum import Component, Spectrum
-from symbalance.forces.planar_vectors import planar_vectors
+from symbalance.forces.force_sums import planar_vectors
 from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import exact
@@ -34,7 +41,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Resultant:
-    """One order of a force or couple, seen as components; units F_n, or F_n a."""
+    """One order of a force or couple with its components; units F_n, or F_n a."""
 
     spectrum: Spectrum
     order: int
@@ -84,7 +91,13 @@ class Balance(Result):
 
     `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
     says what A_n is where components are geometry, in units of A_n m r omega^2; it is None where they
-    hold the kinematics too, to 40 digits, in units of m r omega^2 of cylinder 1.
+    hold the kinematics too, to 40 digits, in units of m r omega^2 of cylinder 1. Of an in-line four the
+    first order cancels and the second does not, in units of F_1 and F_2:
+
+    Formulas:
+        S = 0
+        T = 4 cos 2 theta
+        with S the force of order 1 of inline-4; T the force of order 2 of inline-4
 
     >>> from symbalance.engine.builders import inline
     >>> left = balance(inline("1-2-4-5-3"), order=4)
@@ -151,8 +164,9 @@ class Balance(Result):
         for one in self.orders:
             if one.order == order:
                 return one
-        kept = ", ".join(str(o.order) for o in self.orders) or "none"
-        raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
+        present = ", ".join(str(o.order) for o in self.orders) or "none"
+        why = f"it cancels or lies above {self.highest} (left: {present})"
+        raise KeyError(f"order {order} is absent: {why}")
 
     def coefficient(self, order: int) -> Series | None:
         """Return A_order as a series in 1/lambda, through `power` or two terms; None if not apart."""
@@ -182,6 +196,14 @@ def balance(
 
     `ratio` overrides the layout's rod ratio lambda = l/r, `power` keeps that many powers of 1/lambda in
     the printed series, `reference` is the station couples are taken about (default: the stations' mean).
+
+    The primary force of a 90-degree V-twin on one pin has the size F_1 and turns with the crank, theta
+    counting from cylinder 1: a counterweight balances it.
+
+    Formulas:
+        V = cos(theta - pi/4)
+        H = sin(theta - pi/4)
+        with V the force.vertical of order 1 of v2-90; H the force.lateral of order 1 of v2-90
     """
     order = checked_order(order)
     if not isinstance(layout, Engine):
@@ -225,11 +247,11 @@ def _with_power(result: Balance, power: int | None) -> Balance:
         return result
     checked_power(power)
     orders = sorted({*result.force.orders(), *result.couple.orders()})
-    lost = [n for n in orders if n - 1 > power]
-    if lost:
+    empty = [n for n in orders if n - 1 > power]
+    if empty:
         raise SymbalanceError(
             f"power = {power}",
-            f"keeps no term of order {lost[-1]}",
-            f"the least power of 1/lambda that keeps every order here is {lost[-1] - 1}",
+            f"keeps no term of order {empty[-1]}",
+            f"the least power of 1/lambda that keeps every order here is {empty[-1] - 1}",
         )
     return replace(result, power=power)

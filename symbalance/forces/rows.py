@@ -1,4 +1,4 @@
-"""The rows of a table of free forces and couples: one component of one order each."""
+"""Rows of a table of free forces, couples and roll moments: one component of one order each."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import sympy
 from symbalance.document.decimals import SHOWN_DIGITS, shown
 from symbalance.exact.spectrum import Component
 from symbalance.forces.free_forces import Balance, Order, Resultant
+from symbalance.forces.shaft_moments import has_shafts_aside, shaft_moment
 from symbalance.text.reals import atan2, hypot, pi
 
 NEAR = Fraction(1, 10**20)
@@ -95,6 +96,18 @@ def rotating(balance: Balance, resultant: str) -> list[tuple[Row, Row]]:
 
 def _of(order: Order, resultant: str) -> Resultant:
     return order.force if resultant == "force" else order.couple
+
+
+def roll_rows(balance: Balance) -> list[Row]:
+    """Return the roll moment of an engine's shafts by order; empty where all run on the crank's axis.
+
+    Units F_n r, or m r^2 omega^2 where components hold the kinematics; a stroke has to be known.
+    """
+    layout = balance.layout
+    if not has_shafts_aside(layout) or layout.first.stroke is None:
+        return []
+    moments = shaft_moment(layout).items()
+    return [Row(n, "roll", part) for n, part in moments if n <= balance.highest]
 
 
 IN_ONE_PLANE = "each order is two equal halves, turning with and against the crank"

@@ -7,4 +7,4 @@ from symbalance.kinematics.mechanisms import force_harmonics as force_harmonics
 from symbalance.kinematics.slider_crank import exact_coefficient as exact_coefficient
 from symbalance.kinematics.slider_crank import harmonics as harmonics
 from symbalance.kinematics.truncation import left_out as left_out
-from symbalance.kinematics.truncation_bounds import truncation_bounds as truncation_bounds
+from symbalance.kinematics.truncation_table import truncation_bounds as truncation_bounds

@@ -1,14 +1,20 @@
-r"""What moves with a mechanism: bodies whose paths or angles are series in the crank angle.
+"""The bodies that a mechanism moves, each with the harmonics of its force, torque and moment.
 
-A mechanism is a set of bodies: the piston, which goes along the cylinder's axis; the rod, whose own
-inertia turns with it; and a link rod's big end, which swings with the master rod. Another linkage is
-another set. Each has, for every order, in units of its own mass (m r omega^2, m r^2 omega^2) or moment
-of inertia (J_x omega^2):
+A mechanism is a set of bodies whose paths or angles are series in the crank angle: the piston, which goes
+along the cylinder's axis; the rod, whose own inertia turns with it; and a link rod's big end, which
+swings with the master rod. Another linkage is another set. Each has, for every order, in units of its
+own mass (m r omega^2, m r^2 omega^2) or moment of inertia (J_x omega^2):
 
     force    h_n of both signs, sum of h_n e^(inp), height + i lateral in the cylinder's frame
     torque   C + iS of what its kinetic energy gives back to the crank
     moment   C + iS of what the frame gets about the crank's axis besides the torque's opposite
     tail     a proved bound on the sum of |h_n| above an order, both signs
+
+A real harmonic A cos n p + B sin n p is two of them, h_n = f/2 and h_-n = g/2:
+
+Formulas:
+    A cos n p + B sin n p = (1/2) (f e^(i n p) + g e^(-i n p))
+    with f = A - i B; g = A + i B; p the crank angle; A, B numbers; n a whole number
 """
 
 from __future__ import annotations
@@ -17,7 +23,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from symbalance.kinematics.kinetic import (
+from symbalance.kinematics.mechanism_torque import (
     beside_harmonics,
     inertia_harmonics,
     link_pin_harmonics,
@@ -30,7 +36,7 @@ from symbalance.kinematics.mechanisms.moving_masses import link_pin_force, link_
 from symbalance.text.reals import Complex, Real
 
 RECIPROCATING, ROTATING, EXCESS = "reciprocating mass", "rotating mass", "J_x"
-"""What of a cylinder a body has: kg at the piston, kg at the rod's lower end, the rod's own inertia."""
+"""The measure of a body: kg at the piston, kg at the rod's lower end, the rod's own inertia."""
 
 
 @dataclass(frozen=True)
@@ -116,7 +122,7 @@ def bodies(mechanism: Mechanism) -> tuple[Body, ...]:
     >>> [body.measure for body in bodies(LinkRod(SliderCrank(4), "1/9", "3/4", "13/4", "1/9"))]
     ['reciprocating mass', 'J_x', 'rotating mass']
     """
-    both: tuple[Body, ...] = (PistonMass(mechanism), RodInertia(mechanism))
+    piston_and_rod: tuple[Body, ...] = (PistonMass(mechanism), RodInertia(mechanism))
     if has_link_pin(mechanism):
-        return (*both, LinkPinMass(mechanism))
-    return both
+        return (*piston_and_rod, LinkPinMass(mechanism))
+    return piston_and_rod

@@ -1,7 +1,14 @@
-"""The coefficients that all like cylinders have in common: A_n of the force, t_n, u_n, k_n of torques.
+"""The coefficients that like cylinders have in common: A_n of the force, t_n, u_n and k_n of the torques.
 
 Of centred cylinders that are alike, an order of the engine is one such coefficient, which is the
 kinematics of one cylinder, times a sum over angles, which is geometry: the two are shown apart.
+
+Formulas:
+    A_1 = 1
+    A_2 = rho + rho^3/4 + ...
+    t_1 = rho/4 + rho^3/16 + ...
+    u_2 = rho^2/2 - rho^6/32 - ...
+    k_1 = -rho - rho^3/8 - ...
 """
 
 from __future__ import annotations
@@ -10,9 +17,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.kinematics.inertia import default_power as torque_power
-from symbalance.kinematics.inertia import torque_series, torque_values
-from symbalance.kinematics.rod import (
+from symbalance.kinematics.piston_torque import default_power as torque_power
+from symbalance.kinematics.piston_torque import torque_series, torque_values
+from symbalance.kinematics.rod_torque import (
     rocking_couple_series,
     rocking_couple_values,
     rod_torque_series,
@@ -53,6 +60,7 @@ def rocking_power(order: int) -> int:
 
 
 OF_RODS = "J_x omega^2"
+"""The unit of the rods' own inertia, J_x being that of `mechanisms.RodSplit`."""
 FORCE = Kinematics("A", "m r omega^2", acceleration_series, acceleration_values, force_power)
 INERTIA = Kinematics("t", "m r^2 omega^2", torque_series, torque_values, torque_power)
 RODS = Kinematics("u", OF_RODS, rod_torque_series, rod_torque_values, rod_power)

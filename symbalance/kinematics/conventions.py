@@ -7,6 +7,9 @@ l/r         lambda, in its inverse  itself
 r/l         rho, in its powers      its inverse
 l/s         lambda, in its inverse  half of it: the stroke is 2 r
 ==========  ======================  =============================
+
+Formulas:
+    rho = r/l = 1/lambda
 """
 
 from __future__ import annotations

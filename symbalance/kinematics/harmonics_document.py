@@ -1,4 +1,4 @@
-"""What is written of a quantity's harmonics: each coefficient as a series in 1/lambda."""
+"""The table of a quantity's harmonics as it is written: each coefficient as a series in 1/lambda."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from symbalance.document.formula import Call, Formula, Name, equal, number
 from symbalance.document.nodes import Cell, Column, Document, Facts, Table
 from symbalance.kinematics.series_printing import series_formula
 from symbalance.kinematics.slider_crank import Harmonics
-from symbalance.kinematics.truncation_bounds import UNITS
+from symbalance.kinematics.truncation_table import UNITS
 
 _THETA = Name("theta")
 

@@ -1,4 +1,4 @@
-"""Series in powers of 1/lambda in print: as a formula, as text and LaTeX, in three conventions."""
+"""Series in powers of 1/lambda as formulas, text and LaTeX, in the three conventions of books."""
 
 from __future__ import annotations
 

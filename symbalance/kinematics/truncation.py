@@ -1,4 +1,4 @@
-r"""What a truncation leaves out: proved bounds on the harmonics that are dropped.
+"""Proved bounds on the harmonics that a truncated series leaves out.
 
 The coefficients of `symbalance.kinematics.slider_crank` alternate in sign, so that at theta = 90
 degrees all harmonics add up with one sign: the bounds here are attained there (the velocity's is safe,
@@ -8,6 +8,12 @@ term but the first is negative, and grows in size). So |A_{2k+2}|/|A_2k| <= q (k
 geometric tail. Where that is slow (q near 1) the sum of all comes from the exact form at 90 degrees:
 
     sum of |A_n| = rho/sqrt(1 - rho^2),  of |B_n| = (c_0 - sqrt(1 - rho^2))/rho,  of |R_n| = asin(rho).
+
+Through rho^15, with the signs that the coefficients have:
+
+Formulas:
+    rho/sqrt(1 - rho^2) = A_2 - A_4 + A_6 - A_8 + A_10 - A_12 + A_14 - A_16 + ...
+    asin rho = R_1 - R_3 + R_5 - R_7 + R_9 - R_11 + R_13 - R_15 + ...
 """
 
 from __future__ import annotations
@@ -38,7 +44,11 @@ RELATIVE = Fraction(1, 10**6)
 def left_out(order: int, ratio: Fraction, quantity: str = "acceleration") -> Real:
     """Return a proved bound on |exact - harmonics to `order`| over all crank angles.
 
-    Every coefficient is taken exact in lambda; units r, r omega, r omega^2, m r omega^2 or rad.
+    Every coefficient is taken exact in lambda; units r, r omega, r omega^2, m r omega^2 or rad. Kept to
+    order 1, the force's error is largest at 90 degrees, where the exact acceleration is known:
+
+    Formulas:
+        A_2 - A_4 + A_6 - A_8 + A_10 - A_12 + A_14 - A_16 = rho + rho^3/2 + 3 rho^5/8 + ...
 
     >>> from symbalance.text.reals import nstr
     >>> nstr(left_out(6, Fraction(4)), 6)
@@ -81,8 +91,8 @@ def _rest(first: int, ratio: Fraction, quantity: str) -> Real:
     digits = 30
     while True:
         values = acceleration_values(first - 1, ratio, digits)
-        kept = fsum(abs(values[n]) * w for n, w in weights.items())
-        rest = _sum_of_all(quantity, ratio, digits) - kept
+        included = fsum(abs(values[n]) * w for n, w in weights.items())
+        rest = _sum_of_all(quantity, ratio, digits) - included
         if rest > Fraction(1, 10 ** (digits - 10)):
             return rest * ROUNDING
         digits *= 2
@@ -117,8 +127,8 @@ def _rod_angle_left_out(first: int, ratio: Fraction) -> Real:
 def _rod_angle_rest(first: int, ratio: Fraction) -> Real:
     digits = 30
     while True:
-        kept = fsum(abs(rod_angle_value(n, ratio, digits)) for n in range(1, first, 2))
-        rest = asin(1 / ratio, digits) - kept
+        included = fsum(abs(rod_angle_value(n, ratio, digits)) for n in range(1, first, 2))
+        rest = asin(1 / ratio, digits) - included
         if rest > Fraction(1, 10 ** (digits - 10)):
             return rest * ROUNDING
         digits *= 2

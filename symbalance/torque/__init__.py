@@ -1,74 +1,18 @@
-r"""The torque on the crank: inertia exact in lambda, gas from a pressure trace or an ideal cycle.
+r"""Torque on the crank and on the frame: inertia exact in lambda, gas from a pressure trace or cycle.
 
-Torque is positive on the crank in the sense of rotation; the frame gets the opposite. theta is the crank
-angle, a cylinder's own angle theta + throw - bank. One cylinder's harmonics are `symbalance.kinematics`.
+In: an `Engine`, and for gas a pressure trace or an ideal cycle. Out: torques by order, exact where the
+geometry is, and the torque of the running engine in N m. Torque is positive on the crank in the sense of
+rotation; the frame gets the opposite. theta is the crank angle, theta + throw - bank a cylinder's own.
 
-    inertia_balance  their sum over a layout, order by order;  groups: where cylinders are not alike
-    roll             the rods' part, and the whole moment that rolls the frame
-    stars            star diagrams of all orders, halves in a four-stroke, closed or not: exact
-    pressure         pressure traces;  csv_file reads them,  ideal makes them
-    tangential       gas torque of one cylinder, work and harmonics;  gas sums it over a layout
-    running          whole torque, mean, fluctuation, energy;  flywheel sizes what evens it
-    torque_document, running_document, gas_document, pressure_document   what is written of results
-    torque_data   torques as plain values
+    inertia_balance  the cylinders' inertia torques, order by order;  body_groups: like bodies
+    roll             what the rods add, and the whole moment that rolls the frame
+    star_diagrams    star diagrams of all orders, halves in a four-stroke, closed or open: exact
+    pressure         pressure traces;  pressure_files: from CSV files;  ideal_cycles: computed
+    cylinder_gas     gas torque of one cylinder, its work and harmonics;  gas: of the engine
+    running          torque, mean, fluctuation and energy at a speed;  flywheel: what evens the speed
+    torque_document, running_document, gas_document, pressure_document, torque_data   results written
 """
 
-from symbalance.forces.shafts import has_shafts_aside, shaft_moment
-from symbalance.kinematics.inertia import torque_left_out, torque_series, torque_values
-from symbalance.torque.csv_file import parse_pressure, read_pressure
-from symbalance.torque.flywheel import Fluctuation, flywheel_inertia, speed_fluctuation
-from symbalance.torque.gas import GasOrder, GasTorque, gas_torque, tangential_pressure
-from symbalance.torque.ideal import IdealCycle, ideal_cycle
-from symbalance.torque.inertia_balance import TorqueBalance, TorqueOrder, inertia_torque
-from symbalance.torque.pressure import PressureTrace, pressure_trace
-from symbalance.torque.roll import (
-    TorqueReport,
-    beside_moment,
-    has_rods,
-    rod_couple,
-    rod_torque,
-    roll_moment,
-    torque_report,
-)
-from symbalance.torque.running import CrankTorque, crank_torque
-from symbalance.torque.stars import FiringStars, Star, firing_pin_passings, firing_stars
-from symbalance.torque.tangential import AMBIENT, TangentialPressure
+from symbalance.loading import attach
 
-__all__ = [
-    "AMBIENT",
-    "CrankTorque",
-    "FiringStars",
-    "Fluctuation",
-    "GasOrder",
-    "GasTorque",
-    "IdealCycle",
-    "PressureTrace",
-    "Star",
-    "TangentialPressure",
-    "TorqueBalance",
-    "TorqueOrder",
-    "TorqueReport",
-    "beside_moment",
-    "crank_torque",
-    "firing_pin_passings",
-    "firing_stars",
-    "flywheel_inertia",
-    "gas_torque",
-    "has_rods",
-    "has_shafts_aside",
-    "ideal_cycle",
-    "inertia_torque",
-    "parse_pressure",
-    "pressure_trace",
-    "read_pressure",
-    "rod_couple",
-    "rod_torque",
-    "roll_moment",
-    "shaft_moment",
-    "speed_fluctuation",
-    "tangential_pressure",
-    "torque_left_out",
-    "torque_report",
-    "torque_series",
-    "torque_values",
-]
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

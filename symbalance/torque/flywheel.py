@@ -1,11 +1,14 @@
-"""How a torque fluctuates over its cycle, and the flywheel that evens the speed.
+"""Fluctuation of a torque over its cycle, and the flywheel that evens the speed.
 
 What a torque T(theta) does beyond its mean is stored in all that turns, of moment of inertia J. Under a
-constant load
+constant load its energy E, the integral of T - mean, swings by dE = max E - min E, and the speed between
+omega_max and omega_min, p and n here, delta = (p - n)/omega of its mean omega = (p + n)/2:
 
-    J (omega_max^2 - omega_min^2)/2 = dE = max E - min E,    E = integral of T - mean,
-    delta = (omega_max - omega_min)/omega,  omega = (omega_max + omega_min)/2:    J = dE/(delta omega^2).
+Formulas:
+    J (p^2 - n^2)/2 = J delta omega^2
+    with delta = (p - n)/omega; omega = (p + n)/2; J, p, n positive
 
+so that J = dE/(delta omega^2).
 Source: Shigley, Mechanical Engineering Design, flywheels (delta is its C_s).
 """
 
@@ -19,6 +22,7 @@ from symbalance.errors import SymbalanceError, shown
 from symbalance.text.measurements import measured, positive
 
 POINTS = 1440
+"""Of the grid on which extremes are sought: two a degree of a four-stroke's cycle."""
 _FINE = 48
 """Steps of the golden section: each narrows the bracket to 0.618 of it."""
 _GOLDEN = (sqrt(5) - 1) / 2
@@ -54,36 +58,40 @@ class Fluctuation:
         return value
 
 
-def extremes(function: Callable[[float], float], cycle: float) -> tuple[float, float]:
+def least_and_largest(function: Callable[[float], float], cycle: float) -> tuple[float, float]:
     """Return the least and the largest value over a cycle: the best of a grid, then a golden section.
 
     >>> from math import sin
-    >>> [round(v, 12) for v in extremes(lambda a: sin(a + 0.123), 6.283185307179586)]
+    >>> [round(v, 12) for v in least_and_largest(lambda a: sin(a + 0.123), 6.283185307179586)]
     [-1.0, 1.0]
     """
     step = cycle / POINTS
     values = [function(i * step) for i in range(POINTS)]
     least = min(range(POINTS), key=values.__getitem__)
     largest = max(range(POINTS), key=values.__getitem__)
-    low = -_narrowed(lambda a: -function(a), least * step, step)
-    high = _narrowed(function, largest * step, step)
+    low = -_golden_section(lambda a: -function(a), least * step, step)
+    high = _golden_section(function, largest * step, step)
     return min(low, values[least]), max(high, values[largest])
 
 
-def _narrowed(function: Callable[[float], float], place: float, step: float) -> float:
+def _golden_section(function: Callable[[float], float], place: float, step: float) -> float:
     """Return the largest value within a step of a place."""
     low, high = place - step, place + step
     for _ in range(_FINE):
-        left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
-        if function(left) < function(right):
-            low = left
+        lower, upper = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
+        if function(lower) < function(upper):
+            low = lower
         else:
-            high = right
+            high = upper
     return function((low + high) / 2)
 
 
 def flywheel_inertia(energy: float, omega: float, delta: object) -> float:
     """Return J = dE/(delta omega^2) in kg m^2: `energy` in J, `omega` in rad/s.
+
+    Formulas:
+        J ((omega (1 + delta/2))^2 - (omega (1 - delta/2))^2)/2 = K
+        with J = K/(delta omega^2); K, delta positive
 
     >>> flywheel_inertia(500.0, 100.0, "1/50")
     2.5
@@ -102,6 +110,11 @@ def checked_delta(delta: object, name: str = "delta") -> float:
 
 def speed_fluctuation(energy: float, omega: float, inertia: object) -> float:
     """Return delta = dE/(J omega^2), (omega_max - omega_min)/omega, for J in kg m^2.
+
+    Formulas:
+        (omega (1 + delta/2) - omega (1 - delta/2))/omega = delta
+        J delta omega^2 = K
+        with delta = K/(J omega^2); K, J positive
 
     >>> speed_fluctuation(500.0, 100.0, 2.5)
     0.02

@@ -1,4 +1,4 @@
-"""The gas torque of a layout: one cylinder's harmonics times the stars of its firing order."""
+"""Gas torque of an engine: one cylinder's harmonics times the star diagrams of its firing order."""
 
 from __future__ import annotations
 
@@ -13,38 +13,38 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.forces.free_forces import listed_orders
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
-from symbalance.kinematics.mechanisms.linkages import plain
+from symbalance.kinematics.mechanisms.mechanism_types import simplified
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.measurements import measured
 from symbalance.text.numbers import exact
 from symbalance.text.reals import Real
-from symbalance.torque.ideal import IdealCycle
+from symbalance.torque.cylinder_gas import AMBIENT, TangentialPressure
+from symbalance.torque.ideal_cycles import IdealCycle
 from symbalance.torque.inertia_balance import checked_known, checked_layout
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
-from symbalance.torque.stars import Star, firing_pin_passings, firing_stars, stars_of
-from symbalance.torque.tangential import AMBIENT, TangentialPressure
+from symbalance.torque.star_diagrams import Star, firing_pin_passings, firing_stars, stars_of
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
 
 @dataclass(frozen=True)
-class GasKind:
-    """Like cylinders: one's tangential pressure, their firing tops (degrees), r over the first's."""
+class GasGroup:
+    """Like cylinders: one's tangential pressure, their firing angles in degrees, r over cylinder 1's."""
 
     tangential: TangentialPressure
-    tops: Mapping[int, Fraction]
+    firing_angles: Mapping[int, Fraction]
     radius: float
 
     def numbers(self, strokes: int, order: int) -> dict[Fraction, complex]:
         """Return C + iS in bar of every order their star leaves: orders that close are absent."""
         harmonics, lead = self.tangential.harmonics(order), self.tangential.piston.top
-        found = {}
-        for star in stars_of(self.tops, strokes, order):
+        numbers = {}
+        for star in stars_of(self.firing_angles, strokes, order):
             if not star.is_closed():
-                turned = complex(*star.resultant.decimal(20)) * exp(1j * float(star.order) * lead)
-                found[star.order] = self.radius * harmonics[star.order] * turned
-        return found
+                rotated = complex(*star.resultant.decimal(20)) * exp(1j * float(star.order) * lead)
+                numbers[star.order] = self.radius * harmonics[star.order] * rotated
+        return numbers
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ class GasTorque(Result):
     """
 
     layout: Engine
-    kinds: tuple[GasKind, ...]
+    groups: tuple[GasGroup, ...]
     highest: int
     orders: tuple[GasOrder, ...]
     pressure: PressureTrace | IdealCycle
@@ -131,21 +131,23 @@ class GasTorque(Result):
     @property
     def cylinder(self) -> TangentialPressure:
         """The tangential pressure of the first cylinder."""
-        return _of_first(self.layout, self.kinds)
+        return _of_first(self.layout, self.groups)
 
     @property
     def mean(self) -> float:
         """The mean over the cycle, of all cylinders."""
-        return sum(len(kind.tops) * kind.radius * kind.tangential.mean for kind in self.kinds)
+        return sum(
+            len(group.firing_angles) * group.radius * group.tangential.mean for group in self.groups
+        )
 
     def __getitem__(self, order: object) -> GasOrder:
-        wanted = exact(order, "order")
-        for found in self.orders:
-            if found.order == wanted:
-                return found
-        kept = ", ".join(str(o.order) for o in self.orders) or "none"
-        why = f"it cancels or lies above {self.highest} (left: {kept})"
-        raise KeyError(f"order {wanted} is absent: {why}")
+        number = exact(order, "order")
+        for gas_order in self.orders:
+            if gas_order.order == number:
+                return gas_order
+        present = ", ".join(str(o.order) for o in self.orders) or "none"
+        why = f"it cancels or lies above {self.highest} (left: {present})"
+        raise KeyError(f"order {number} is absent: {why}")
 
     def terms(self) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) in bar for each order; the digits are those of doubles."""
@@ -163,47 +165,47 @@ def gas_torque(
     """Return the gas torque of a layout whose cylinders all have one pressure trace, or one ideal cycle.
 
     `ratio` overrides the layout's rod ratio, `ambient` is the pressure below the pistons, bar absolute.
-    An ideal cycle gives every kind of cylinder the trace of its own piston's way.
+    An ideal cycle gives every kind of cylinder the trace of its own piston's displacement.
 
     >>> from symbalance.engine.catalogue import load
-    >>> from symbalance.torque.ideal import ideal_cycle
+    >>> from symbalance.torque.ideal_cycles import ideal_cycle
     >>> six = gas_torque(load("inline-6"), ideal_cycle(10, heat=20).trace(4), 9)
     >>> [(str(o.order), round(o.amplitude, 2)) for o in six.orders]
     [('3', 12.43), ('6', 3.65), ('9', 1.32)]
     """
-    kinds = gas_kinds(layout, trace, ratio=ratio, ambient=ambient)
+    groups = gas_groups(layout, trace, ratio=ratio, ambient=ambient)
     layout = layout if ratio is None else layout.with_ratio(ratio)
     checked_order(order)
     total: dict[Fraction, complex] = {}
-    for kind in kinds:
-        for n, number in kind.numbers(layout.strokes, order).items():
+    for group in groups:
+        for n, number in group.numbers(layout.strokes, order).items():
             total[n] = total.get(n, 0j) + number
     stars = {star.order: star for star in firing_stars(layout, order)}
-    found = tuple(GasOrder(n, stars[n], total[n]) for n in sorted(total))
-    return GasTorque(layout, kinds, order, found, trace)
+    orders = tuple(GasOrder(n, stars[n], total[n]) for n in sorted(total))
+    return GasTorque(layout, groups, order, orders, trace)
 
 
-def gas_kinds(
+def gas_groups(
     layout: Engine,
     trace: PressureTrace | IdealCycle,
     *,
     ratio: object = None,
     ambient: object = AMBIENT,
-) -> tuple[GasKind, ...]:
+) -> tuple[GasGroup, ...]:
     """Return the cylinders by kind, each with its tangential pressure."""
-    below, tops = _checked(layout, trace, ambient), firing_pin_passings(layout)
+    below, firing_angles = _checked(layout, trace, ambient), firing_pin_passings(layout)
     layout = layout if ratio is None else layout.with_ratio(ratio)
     radius = {c.number: r for c, r in zip(layout.cylinders, layout.radii, strict=True)}
-    groups = layout.grouped(
+    by_kind = layout.grouped(
         lambda c: (c.mechanism or SliderCrank(checked_known(layout, None)), radius[c.number])
     )
     return tuple(
-        GasKind(
+        GasGroup(
             _tangential(mechanism, trace, below),
-            {c.number: tops[c.number] for c in cylinders},
+            {c.number: firing_angles[c.number] for c in cylinders},
             float(size),
         )
-        for (mechanism, size), cylinders in groups.items()
+        for (mechanism, size), cylinders in by_kind.items()
     )
 
 
@@ -215,18 +217,18 @@ def tangential_pressure(
     ambient: object = AMBIENT,
 ) -> TangentialPressure:
     """Return the tangential pressure of a layout's first cylinder."""
-    return _of_first(layout, gas_kinds(layout, trace, ratio=ratio, ambient=ambient))
+    return _of_first(layout, gas_groups(layout, trace, ratio=ratio, ambient=ambient))
 
 
-def _of_first(layout: Engine, kinds: tuple[GasKind, ...]) -> TangentialPressure:
-    return next(kind.tangential for kind in kinds if layout.first.number in kind.tops)
+def _of_first(layout: Engine, groups: tuple[GasGroup, ...]) -> TangentialPressure:
+    return next(group.tangential for group in groups if layout.first.number in group.firing_angles)
 
 
 def _tangential(
     mechanism: Mechanism, trace: PressureTrace | IdealCycle, below: float
 ) -> TangentialPressure:
     own = trace.trace(mechanism) if isinstance(trace, IdealCycle) else trace
-    return TangentialPressure(own, plain(mechanism).length, below, mechanism)
+    return TangentialPressure(own, simplified(mechanism).length, below, mechanism)
 
 
 def _checked(layout: Engine, trace: object, ambient: object) -> float:

@@ -1,4 +1,4 @@
-"""What is written of an engine's gas torque, and of the stars that say which of its orders are left."""
+"""Gas torque and firing stars of an engine as documents: which orders survive, and why."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from symbalance.forces.balance_document import component_table, order_cell
 from symbalance.forces.rows import Row
 from symbalance.torque.gas import GasTorque
 from symbalance.torque.running_document import ORDER_COLUMNS, Entry, pressure_facts
-from symbalance.torque.stars import FiringStars, Star
+from symbalance.torque.star_diagrams import FiringStars, Star
 
 _A, _R, _J = Name("A"), Name("r"), Name("j")
 _STAR_COLUMNS = (Column("order"), Column("star"), Column("direction: cylinders"))
@@ -51,7 +51,7 @@ def gas_document(gas: GasTorque) -> Document:
 
 def stars_document(stars: FiringStars) -> Document:
     """Return firing stars as a document: the sums that are left, then every star's vectors."""
-    left = [Row(star.order, "", star.resultant) for star in stars.open]
+    sums = [Row(star.order, "", star.resultant) for star in stars.open]
     vectors = tuple(
         (order_cell(star.order), "closed" if star.is_closed() else "open", _directions(star))
         for star in stars
@@ -65,7 +65,7 @@ def stars_document(stars: FiringStars) -> Document:
         ORDER,
     )
     body = blocks(
-        component_table("Sums of the stars that are open", left, empty=f"none, to order {stars.highest}"),
+        component_table("Sums of the stars that are open", sums, empty=f"none, to order {stars.highest}"),
         Table("Stars", _STAR_COLUMNS, vectors),
         Facts(legend, "How to read it"),
     )

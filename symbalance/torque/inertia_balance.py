@@ -1,4 +1,4 @@
-"""The inertia torque of a layout, order by order, exactly.
+"""Inertia torque of an engine, order by order, exactly.
 
 With delta_j = throw_j - bank_j a cylinder has the torque t_n m r^2 omega^2 sin n(theta + delta_j). Over
 all cylinders that is T_n (C cos n theta + S sin n theta), T_n = t_n m r^2 omega^2,
@@ -11,6 +11,11 @@ order is absent exactly where its geometry is zero.
 
 Where cylinders are not alike (offset axes, link rods, masses and strokes of their own) the components
 hold the kinematics too, to 40 digits, in units of m r^2 omega^2 of cylinder 1 (`groups`).
+
+Formulas:
+    sin n (theta + d) = C cos n theta + S sin n theta
+    C + i S = i e^(-i n d)
+    with C = sin n d; S = cos n d; n a whole number; d an angle
 """
 
 from __future__ import annotations
@@ -29,8 +34,8 @@ from symbalance.forces.free_forces import listed_orders
 from symbalance.kinematics.coefficients import INERTIA, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.text.reals import Real
-from symbalance.torque.groups import has_common_torque, summed_torque, torque_groups
-from symbalance.torque.stars import summed
+from symbalance.torque.body_groups import has_common_torque, torque_groups, total_torque
+from symbalance.torque.star_diagrams import unit_vector_sum
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -110,8 +115,9 @@ class TorqueBalance(Result):
         for one in self.orders:
             if one.order == order:
                 return one
-        kept = ", ".join(map(str, self.components)) or "none"
-        raise KeyError(f"order {order} is absent: it cancels or lies above {self.highest} (left: {kept})")
+        present = ", ".join(map(str, self.components)) or "none"
+        why = f"it cancels or lies above {self.highest} (left: {present})"
+        raise KeyError(f"order {order} is absent: {why}")
 
     def coefficient(self, order: int) -> Series | None:
         """Return t_order as a series in 1/lambda: through `power`, or two terms."""
@@ -201,7 +207,7 @@ def inertia_torque(
         _check_power(power, list(components))
         return TorqueBalance(layout, order, components, power)
     _check_no_power(layout, power)
-    components = summed_torque(torque_groups(layout), order)
+    components = total_torque(torque_groups(layout), order)
     return TorqueBalance(layout, order, components, kinematics=None)
 
 
@@ -211,7 +217,7 @@ def sine_components(layout: Engine, highest: int) -> dict[int, Component]:
     by_residue: dict[int, Component] = {}
     for n in range(1, min(highest, modulus) + 1):
         angles = [c.delay.scaled(-n) for c in layout.cylinders]
-        by_residue[n % modulus] = Component(summed(angles).turned(QUARTER))
+        by_residue[n % modulus] = Component(unit_vector_sum(angles).turned(QUARTER))
     components = {n: by_residue[n % modulus] for n in range(1, highest + 1)}
     return {n: c for n, c in components.items() if not c.is_zero()}
 
@@ -227,10 +233,10 @@ def _check_power(power: int | None, orders: Sequence[int]) -> None:
         return
     checked_power(power)
     least = {n: {1: 1, 2: 0}.get(n, n - 2) for n in orders}
-    lost = [n for n in orders if least[n] > power]
-    if lost:
+    empty = [n for n in orders if least[n] > power]
+    if empty:
         raise SymbalanceError(
             f"power = {power}",
-            f"keeps no term of order {lost[-1]}",
+            f"keeps no term of order {empty[-1]}",
             f"the least power of 1/lambda that keeps every order here is {max(least.values())}",
         )

@@ -1,4 +1,4 @@
-"""A cylinder's pressure over one cycle, against the crank angle after its firing top dead centre.
+"""Pressure of a cylinder over one cycle, against the crank angle after its firing top dead centre.
 
 Between its points the pressure is a straight line, periodic over the cycle; two points at one angle are
 a jump. What follows from a trace (torque, work, harmonics) follows from these lines without a further
@@ -25,11 +25,13 @@ if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
 MOST_BAR = 2000
+"""Of no engine: a larger number is in another unit."""
 WIDEST = 10
 """Degrees that two neighbouring points of a measured trace may lie apart."""
 CLOSING = 0.02
 """How far the last point, a cycle after the first, may differ from it: of the trace's whole range."""
 NEAR_TOP = 90
+"""Degrees about the firing top dead centre in which the highest pressure of a cycle stands."""
 SAME = 1e-9
 """Degrees that are the rounding of sums of doubles."""
 
@@ -162,8 +164,8 @@ def from_rows(rows: list[Point], cycle: int, name: str = "the trace") -> Pressur
         _check_step(place, before, after)
     rows = _closed(rows, cycle)
     _check_top(rows, cycle)
-    turned = ((angle % cycle, bar) for _, angle, bar in rows)
-    points = sorted((angle if angle < cycle else 0.0, bar) for angle, bar in turned)
+    wrapped = ((angle % cycle, bar) for _, angle, bar in rows)
+    points = sorted((angle if angle < cycle else 0.0, bar) for angle, bar in wrapped)
     return PressureTrace(tuple(a for a, _ in points), tuple(bar for _, bar in points), cycle // 180)
 
 

@@ -1,11 +1,11 @@
-"""What is written of a cylinder's pressure: a trace against the crank angle, and an ideal cycle."""
+"""A pressure trace or an ideal cycle as a document: peak, pressures against the crank angle, work."""
 
 from __future__ import annotations
 
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, Power, Product, Upright, equal
 from symbalance.document.nodes import Column, Document, Facts, Table, Words
-from symbalance.torque.ideal import IdealCycle
+from symbalance.torque.ideal_cycles import IdealCycle
 from symbalance.torque.pressure import PressureTrace
 
 ROWS = 24

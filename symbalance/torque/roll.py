@@ -1,4 +1,4 @@
-r"""What rolls the frame, and what the rods' own inertia adds to the crank's torque.
+"""Roll moment on the frame, and what the rods' own inertia adds to the torque on the crank.
 
 Let H be the moment of momentum about the crank's axis of all that moves, T the torque the crank gets and
 hands on at its end. The frame has the rest of what changes H:
@@ -11,6 +11,11 @@ A mass on a link pin neither turns steadily nor goes along an axis: its force ac
 What is left of the rod is its couple. T holds, by virtual work, the masses' kinetic energy, the rods'
 (-J_x omega^2 phi' phi'') and the gas, which enters M by T alone: with centred cylinders and rods that are
 two masses M = -T. Balance shafts off the crank's axis add their moment (`shafts`).
+
+Formulas:
+    -D dD/dtheta = u_2 sin 2 theta + u_4 sin 4 theta + ...        the rods, on the crank
+    D = rho cos theta/cos phi
+    with D = dphi/dtheta
 """
 
 from __future__ import annotations
@@ -24,12 +29,12 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
-from symbalance.forces.shafts import shaft_moment, shaft_terms
+from symbalance.forces.shaft_moments import shaft_moment, shaft_terms
 from symbalance.kinematics.bodies import EXCESS
 from symbalance.kinematics.coefficients import OF_RODS, ROCKING, RODS, Kinematics
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.reals import DIGITS, Complex
-from symbalance.torque.groups import has_common_torque, summed_moment, summed_torque, torque_groups
+from symbalance.torque.body_groups import has_common_torque, torque_groups, total_moment, total_torque
 from symbalance.torque.inertia_balance import (
     TorqueBalance,
     checked_layout,
@@ -81,7 +86,7 @@ def beside_moment(layout: Engine, order: int = 12, *, ratio: object = None) -> T
     """
     layout = _at_ratio(layout, order, ratio)
     groups = [] if has_common_torque(layout) else torque_groups(layout)
-    moments = summed_moment(groups, order)
+    moments = total_moment(groups, order)
     return TorqueBalance(layout, order, moments, kinematics=None, quantity=BESIDE_MOMENT)
 
 
@@ -227,8 +232,8 @@ def _of_rods(layout: Engine, order: int, ratio: object, kinematics: Kinematics) 
     if unit and has_common_torque(layout) and {*excesses(layout)} == {unit}:
         components = {n: c for n, c in sine_components(layout, order).items() if n % 2 == couple}
     elif unit:
-        own, summed = None, summed_moment if couple else summed_torque
-        total = summed(torque_groups(layout, [EXCESS]), order)
+        own, total_of = None, total_moment if couple else total_torque
+        total = total_of(torque_groups(layout, [EXCESS]), order)
         components = {n: Component(c.number.scaled(1 / unit)) for n, c in total.items()}
     quantity = ROD_COUPLE if couple else ROD_TORQUE
     return TorqueBalance(layout, order, components, kinematics=own, unit=OF_RODS, quantity=quantity)

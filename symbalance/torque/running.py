@@ -1,4 +1,4 @@
-"""The torque of a running engine against the crank angle, and what its flywheel makes of it.
+"""Torque of a running engine against the crank angle, its fluctuation and its flywheel.
 
 With v^ = v/(r omega) and the rod's angle phi at each cylinder's own angle,
 
@@ -8,6 +8,10 @@ the inertia part is the closed form, all orders at once. Every cylinder has its 
 radius, and all have one bore. The frame's moment is that of `roll`.
 The mean is the gas's alone: indicated, without friction. The inertia part is that of constant omega, its
 change with the speed's own swing left out: of the size of delta times that part.
+
+Formulas:
+    -w dw/dtheta = t_1 sin theta + t_2 sin 2 theta + t_3 sin 3 theta + t_4 sin 4 theta + ...
+    with w = v/(r omega)
 """
 
 from __future__ import annotations
@@ -22,26 +26,26 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
-from symbalance.forces.shafts import shaft_terms
+from symbalance.forces.shaft_moments import shaft_terms
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.measurements import measured, positive
 from symbalance.text.numbers import checked_whole
 from symbalance.text.reals import Complex, Real
+from symbalance.torque.body_groups import has_common_torque
+from symbalance.torque.cylinder_gas import AMBIENT, TangentialPressure
 from symbalance.torque.flywheel import (
     Fluctuation,
     checked_delta,
-    extremes,
     flywheel_inertia,
+    least_and_largest,
     speed_fluctuation,
 )
-from symbalance.torque.gas import GasKind, gas_kinds
-from symbalance.torque.groups import has_common_torque
-from symbalance.torque.ideal import IdealCycle
+from symbalance.torque.gas import GasGroup, gas_groups
+from symbalance.torque.ideal_cycles import IdealCycle
 from symbalance.torque.inertia_balance import checked_layout, inertia_torque
 from symbalance.torque.pressure import PressureTrace
 from symbalance.torque.roll import MILLI, first_excess, rod_torque
-from symbalance.torque.stars import firing_pin_passings
-from symbalance.torque.tangential import AMBIENT, TangentialPressure
+from symbalance.torque.star_diagrams import firing_pin_passings
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -58,40 +62,40 @@ RPM = 60 / (2 * pi)
 
 @dataclass(frozen=True)
 class RunningCylinder:
-    """One cylinder, SI: `top` is its own firing top dead centre in radians, `excess` its rod's J_x."""
+    """One cylinder, SI: `firing_angle` is its firing top dead centre in rad, `excess` its rod's J_x."""
 
     tangential: TangentialPressure
-    top: float
+    firing_angle: float
     radius: float
     mass: float
     excess: float = 0.0
 
     def gas(self, theta: float) -> float:
         """Return the gas torque over the piston's area, in N m/m^2."""
-        return self.radius * PASCAL * self.tangential.at(theta - self.top)
+        return self.radius * PASCAL * self.tangential.at(theta - self.firing_angle)
 
     def inertia(self, theta: float) -> float:
         """Return the inertia torque over omega^2, the rod's part included."""
-        piston, a = self.tangential.piston, theta - self.top
+        piston, a = self.tangential.piston, theta - self.firing_angle
         torque = -self.mass * self.radius**2 * piston.velocity(a) * piston.acceleration(a)
         if self.excess:
-            rate, change = piston.swing(a)
+            rate, change = piston.rod_rates(a)
             torque -= self.excess * rate * change
         return torque
 
     def kinetic(self, theta: float) -> float:
         """Return the kinetic energy over omega^2/2 that comes and goes."""
-        piston, a = self.tangential.piston, theta - self.top
+        piston, a = self.tangential.piston, theta - self.firing_angle
         moving = self.mass * (self.radius * piston.velocity(a)) ** 2
-        return moving + (self.excess * piston.swing(a)[0] ** 2 if self.excess else 0.0)
+        return moving + (self.excess * piston.rod_rates(a)[0] ** 2 if self.excess else 0.0)
 
     def beside(self, theta: float) -> float:
         """Return over omega^2 what the frame gets besides the torque's opposite: offset, and the rod."""
-        piston, a = self.tangential.piston, theta - self.top
+        piston, a = self.tangential.piston, theta - self.firing_angle
         offset, moment = float(piston.mechanism.offset), 0.0
         if offset:
             moment = -offset * self.mass * self.radius**2 * piston.acceleration(a)
-        return moment + (self.excess * piston.swing(a)[1] if self.excess else 0.0)
+        return moment + (self.excess * piston.rod_rates(a)[1] if self.excess else 0.0)
 
 
 @dataclass(frozen=True, repr=False)
@@ -139,7 +143,7 @@ class CrankTorque(Result):
             "cylinders": [
                 {
                     "number": cylinder.number,
-                    "top_degrees": own.top * 180 / pi,
+                    "top_degrees": own.firing_angle * 180 / pi,
                     "stroke_mm": 2 * MILLI * own.radius,
                     "reciprocating_mass_kg": own.mass,
                     "rod_excess_kg_m2": own.excess,
@@ -213,9 +217,9 @@ class CrankTorque(Result):
         return self.first.mass
 
     @property
-    def tops(self) -> tuple[float, ...]:
+    def firing_angles(self) -> tuple[float, ...]:
         """The cylinders' firing top dead centres, in radians."""
-        return tuple(c.top for c in self.cylinders)
+        return tuple(c.firing_angle for c in self.cylinders)
 
     @property
     def cycle(self) -> float:
@@ -264,7 +268,7 @@ class CrankTorque(Result):
 
     def energy(self, theta: float) -> float:
         """Return the integral of T - mean up to a crank angle (radians), in J, to a constant."""
-        worked = sum(c.radius * c.tangential.work(theta - c.top) for c in self.cylinders)
+        worked = sum(c.radius * c.tangential.work(theta - c.firing_angle) for c in self.cylinders)
         moving = sum(c.kinetic(theta) for c in self.cylinders)
         return self.area * PASCAL * worked - self.omega**2 * moving / 2 - self.mean * theta
 
@@ -278,8 +282,8 @@ class CrankTorque(Result):
     @cached_property
     def fluctuation(self) -> Fluctuation:
         """The swing of the torque and of its energy, their extremes narrowed to 1e-9 of a grid's step."""
-        least, largest = extremes(self.at, self.cycle)
-        low, high = extremes(self.energy, self.cycle)
+        least, largest = least_and_largest(self.at, self.cycle)
+        low, high = least_and_largest(self.energy, self.cycle)
         return Fluctuation(self.mean, least, largest, high - low, self.work)
 
     def flywheel(self, delta: object = None) -> float:
@@ -287,8 +291,8 @@ class CrankTorque(Result):
 
         Without one it is the result's own.
         """
-        wanted = self.delta if delta is None else delta
-        return flywheel_inertia(self.fluctuation.energy, self.omega, wanted)
+        limit = self.delta if delta is None else delta
+        return flywheel_inertia(self.fluctuation.energy, self.omega, limit)
 
     def speed_fluctuation(self, inertia: object) -> float:
         """Return delta = (omega_max - omega_min)/omega for a moment of inertia in kg m^2."""
@@ -312,22 +316,23 @@ class CrankTorque(Result):
     def gas_terms(self, order: int | None = None) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) of the gas torque in N m, without the mean."""
         order = self.highest if order is None else order
-        unit, kinds = self.area * self.radius * PASCAL, self._kinds
-        found: dict[Fraction, complex] = {}
-        for kind in kinds:
-            for n, number in kind.numbers(self.layout.strokes, order).items():
-                found[n] = found.get(n, 0j) + number * unit
-        return tuple((n, Real(found[n].real), Real(found[n].imag)) for n in sorted(found))
+        unit, groups = self.area * self.radius * PASCAL, self._groups
+        sums: dict[Fraction, complex] = {}
+        for group in groups:
+            for n, number in group.numbers(self.layout.strokes, order).items():
+                sums[n] = sums.get(n, 0j) + number * unit
+        return tuple((n, Real(sums[n].real), Real(sums[n].imag)) for n in sorted(sums))
 
     @cached_property
-    def _kinds(self) -> tuple[GasKind, ...]:
+    def _groups(self) -> tuple[GasGroup, ...]:
         """The cylinders by what their gas does, as `gas_torque` has them."""
-        nominal, found = firing_pin_passings(self.layout), {}
+        nominal, members = firing_pin_passings(self.layout), {}
         for cylinder, own in zip(self.layout.cylinders, self.cylinders, strict=True):
             key = (id(own.tangential), own.radius)
-            found.setdefault(key, (own, {}))[1][cylinder.number] = nominal[cylinder.number]
+            members.setdefault(key, (own, {}))[1][cylinder.number] = nominal[cylinder.number]
         return tuple(
-            GasKind(own.tangential, tops, own.radius / self.radius) for own, tops in found.values()
+            GasGroup(own.tangential, firing_angles, own.radius / self.radius)
+            for own, firing_angles in members.values()
         )
 
     def inertia_terms(self, order: int | None = None) -> tuple[tuple[Fraction, Real, Real], ...]:
@@ -363,7 +368,7 @@ def crank_torque(
     order that is printed, `delta` the speed fluctuation that the flywheel is printed for.
 
     >>> from symbalance.engine.catalogue import load
-    >>> from symbalance.torque.ideal import ideal_cycle
+    >>> from symbalance.torque.ideal_cycles import ideal_cycle
     >>> trace = ideal_cycle(10, heat=20).trace(4)
     >>> four = crank_torque(load("inline-4"), trace, bore=80, stroke=80, reciprocating_mass=0.5, rpm=3000)
     >>> round(four.mean, 1), round(four.work, 1), round(four.fluctuation.of_torque, 2)
@@ -373,30 +378,30 @@ def crank_torque(
     if not has_common_torque(checked_layout(layout)):
         _check_own(layout, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
     layout = layout if ratio is None else layout.with_ratio(ratio)
-    kinds = gas_kinds(layout, trace, ambient=ambient)
+    groups = gas_groups(layout, trace, ambient=ambient)
     width = positive(bore, "bore") / MILLI
-    tangential = {number: kind.tangential for kind in kinds for number in kind.tops}
-    tops, cylinders = firing_pin_passings(layout), []
+    tangential = {number: group.tangential for group in groups for number in group.firing_angles}
+    firing_angles, cylinders = firing_pin_passings(layout), []
     for cylinder in layout.cylinders:
         own = tangential[cylinder.number]
-        length = _given(stroke, cylinder.stroke, "stroke", "mm")
+        length = _argument_or_known(stroke, cylinder.stroke, "stroke", "mm")
         known = cylinder.reciprocating_mass
-        mass = float(_given(reciprocating_mass, known, "reciprocating_mass", "kg"))
-        top = float(tops[cylinder.number]) * pi / 180 + own.piston.top
+        mass = float(_argument_or_known(reciprocating_mass, known, "reciprocating_mass", "kg"))
+        firing_angle = float(firing_angles[cylinder.number]) * pi / 180 + own.piston.top
         excess = float(cylinder.excess) / MILLI**2
-        cylinders.append(RunningCylinder(own, top, float(length) / (2 * MILLI), mass, excess))
+        cylinders.append(RunningCylinder(own, firing_angle, float(length) / (2 * MILLI), mass, excess))
     area, omega = pi * width**2 / 4, _omega(rpm)
     return CrankTorque(layout, tuple(cylinders), area, omega, trace, order, fluctuation)
 
 
-def _check_own(layout: Engine, **given: object) -> None:
-    for name, value in given.items():
+def _check_own(layout: Engine, **arguments: object) -> None:
+    for name, value in arguments.items():
         if value is not None and any(getattr(c, name) is not None for c in layout.cylinders):
             rule = f"cannot be set for all cylinders of {layout.name}, which are not alike"
             raise SymbalanceError(f"{name} = {shown(value)}", rule, "give it in the engine file")
 
 
-def _given(value: object, known: Fraction | None, name: str, unit: str) -> Fraction:
+def _argument_or_known(value: object, known: Fraction | None, name: str, unit: str) -> Fraction:
     if value is None and known is None:
         rule, remedy = "is needed, and the engine does not give it", f"give {name}, in {unit}"
         raise SymbalanceError(name, rule, remedy)

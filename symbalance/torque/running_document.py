@@ -1,4 +1,4 @@
-"""What is written of a running engine's torque: mean, swing, flywheel and orders, then how it runs."""
+"""Torque of a running engine as a document: mean, swing, flywheel and orders, then how it runs."""
 
 from __future__ import annotations
 

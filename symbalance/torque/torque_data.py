@@ -1,4 +1,4 @@
-"""Torques as plain values for JSON and tables of rows: exact numbers are strings that SymPy reads."""
+"""Torques as plain values for JSON and tables of rows, exact numbers as strings that SymPy reads."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from symbalance.forces.balance_data import component_values
 from symbalance.text.numbers import decimal_text
 from symbalance.torque.inertia_balance import TorqueBalance
 from symbalance.torque.roll import TorqueReport
-from symbalance.torque.stars import FiringStars
+from symbalance.torque.star_diagrams import FiringStars
 
 DIGITS = 20
 

@@ -1,4 +1,4 @@
-"""What is written of a torque: its orders on crank and frame, exact, then what its letters mean."""
+"""Torques as documents: the orders on crank and frame, exact, then what their letters mean."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from symbalance.engine.engine_document import (
 from symbalance.forces.balance_document import coefficient_table, component_table
 from symbalance.forces.rows import Row
 from symbalance.kinematics.coefficients import INERTIA, OF_RODS
-from symbalance.torque.groups import has_common_torque
+from symbalance.torque.body_groups import has_common_torque
 from symbalance.torque.inertia_balance import TorqueBalance
 from symbalance.torque.roll import MILLI, TorqueReport, excesses, first_excess
 from symbalance.torque.running_document import running_blocks, running_facts, running_title

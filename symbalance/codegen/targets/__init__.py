@@ -1,15 +1,15 @@
-"""Plans as source text, one module a target language."""
+"""A plan as source text in C, JavaScript, Octave, and Python for three kinds of array library."""
 
 from __future__ import annotations
 
 from symbalance.codegen.plans import Plan
 from symbalance.codegen.targets.array_api import array_api_source
 from symbalance.codegen.targets.c import c_sources
+from symbalance.codegen.targets.header_text import identifier
 from symbalance.codegen.targets.javascript import javascript_source
 from symbalance.codegen.targets.numba_module import numba_source
 from symbalance.codegen.targets.numpy_module import numpy_source
 from symbalance.codegen.targets.octave import octave_source
-from symbalance.codegen.targets.wording import identifier
 
 __all__ = ["FILES", "IN_MEMORY", "files", "identifier"]
 
@@ -26,15 +26,15 @@ FILES = {
 MODULES = {"numpy": numpy_source, "numba": numba_source, "array-api": array_api_source}
 
 
-def files(planned: Plan, target: str, engine: str, name: str, grid: bool = True) -> dict[str, str]:
+def files(plan: Plan, target: str, engine: str, name: str, grid: bool = True) -> dict[str, str]:
     """Return a target's source files by their endings; `name` is what its functions are called.
 
     `grid` adds the function for evenly spaced angles.
     """
     if target == "c":
-        return c_sources(planned, engine, name, grid)
+        return c_sources(plan, engine, name, grid)
     if target == "javascript":
-        return {".mjs": javascript_source(planned, engine, grid)}
+        return {".mjs": javascript_source(plan, engine, grid)}
     if target == "octave":
-        return {".m": octave_source(planned, engine, name, grid)}
-    return {".py": MODULES[target](planned, engine, grid)}
+        return {".m": octave_source(plan, engine, name, grid)}
+    return {".py": MODULES[target](plan, engine, grid)}

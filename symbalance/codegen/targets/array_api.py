@@ -1,9 +1,10 @@
 """A Python module for any array library of the array API standard: JAX, PyTorch, CuPy, NumPy.
 
 It imports no array library and never looks at a value, so that it can be compiled (`jax.jit`),
-differentiated and left on a device. float64 angles are reduced exactly to 2^50 rad (`wide`), float32
-angles in float32 (`cosines32`): the type of the angles decides, not what the library or the device can
-do besides. Both reductions cost less than the choice between two kernels, which computes both.
+differentiated and left on a device. float64 angles are reduced exactly to 2^50 rad, float32 angles in
+float32 (`argument_reduction`, `float32_cosines`): the type of the angles decides, not what the library or
+the device can do besides. Both reductions cost less than the choice between two kernels, which computes
+both.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from math import pi
 
 import numpy as np
 
+from symbalance.codegen.argument_reduction import FARTHEST_ANGLE, TURNS, extend_range
 from symbalance.codegen.checks import (
     ANGLES,
     KEYWORDS,
@@ -25,16 +27,14 @@ from symbalance.codegen.checks import (
     unit_values,
 )
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.cosines32 import LIMIT32, single_kernel
-from symbalance.codegen.kernels import Kernel
+from symbalance.codegen.expression_ir import Kernel
+from symbalance.codegen.float32_cosines import LIMIT32, float32_kernel
 from symbalance.codegen.plans import Plan
-from symbalance.codegen.targets.folding import folded
-from symbalance.codegen.targets.grids import WHOLE, repeating
-from symbalance.codegen.targets.printing import Spelling, unique
-from symbalance.codegen.targets.wording import paragraphs
-from symbalance.codegen.wide import FARTHEST, MANY, widened
+from symbalance.codegen.targets.header_text import paragraphs
+from symbalance.codegen.targets.numpy_module import WHOLE
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 
-SPELLING = Spelling(
+SYNTAX = Syntax(
     {
         "rint": "xp.round({})",
         "abs": "xp.abs({})",
@@ -48,11 +48,11 @@ SPELLING = Spelling(
     comment="# {}",
 )
 REDUCTION = (
-    f"The type of theta decides the arithmetic. float64: angles are reduced exactly up to {FARTHEST:.3g} "
-    f"rad, values are within the bounds above, and u = 2^-53. float32: up to {LIMIT32:.3g} rad theta is "
-    "taken exactly as it is, everything is computed in float32, and u = 2^-24. Larger angles, "
-    "which the type holds to no better than 1/4 of a radian, and angles that are not finite give NaN at "
-    "their place and nowhere else. Every other type of theta is refused."
+    "The type of theta decides the arithmetic. float64: angles are reduced exactly up to "
+    f"{FARTHEST_ANGLE:.3g} rad, values are within the bounds above, and u = 2^-53. float32: up to "
+    f"{LIMIT32:.3g} rad theta is taken exactly as it is, everything is computed in float32, and "
+    "u = 2^-24. Larger angles, which the type holds to no better than 1/4 of a radian, and angles that "
+    "are not finite give NaN at their place and nowhere else. Every other type of theta is refused."
 )
 MODULE = '''
 {imports}
@@ -85,12 +85,12 @@ def evaluate(theta, *, mass=1.0, radius=1.0, omega=1.0, pitch=1.0, xp=None):
     theta = theta if hasattr(theta, "dtype") else xp.asarray(theta)
     scales = _scales(mass=mass, radius=radius, omega=omega, pitch=pitch)
     if theta.dtype == xp.float64:
-        {bases} = _angles(_within(theta, LIMIT, xp), xp)
+        {basis} = _angles(_within(theta, LIMIT, xp), xp)
     elif theta.dtype == xp.float32:
-        {bases} = _angles_single(_within(theta, LIMIT_SINGLE, xp), xp)
+        {basis} = _angles_single(_within(theta, LIMIT_SINGLE, xp), xp)
     else:
         raise TypeError(f"theta holds {{theta.dtype}}: must be float64 or float32, in radians")
-    return _given([scale*value for scale, value in zip(scales, _outputs({bases}, xp))])
+    return _given([scale*value for scale, value in zip(scales, _outputs({basis}, xp))])
 {grid}
 
 def _given(values):
@@ -148,7 +148,7 @@ def _within(theta, limit, xp):
 {functions}
 
 
-def _outputs({bases}, xp):
+def _outputs({basis}, xp):
     """The outputs, with every keyword 1."""
 {tail}    return (
 {formulas}
@@ -170,13 +170,13 @@ def on_grid(points, turns=1, *, xp, dtype=None, mass=1.0, radius=1.0, omega=1.0,
     if index.dtype != xp.float64 and {highest}*points > 2**24:
         raise ValueError(f"points = {{points}}: float32 takes up to {{2**24//{highest}}}, float64 more")
     scales = _scales(mass=mass, radius=radius, omega=omega, pitch=pitch)
-    {bases} = _on_grid(index, float(points), xp)
-    values = [xp.tile(value, (-(-length//period),))[:length] for value in _outputs({bases}, xp)]
+    {basis} = _on_grid(index, float(points), xp)
+    values = [xp.tile(value, (-(-length//period),))[:length] for value in _outputs({basis}, xp)]
     return _given([scale*value for scale, value in zip(scales, values)])
 '''
     + WHOLE
 )
-FARTHER = 3e14
+FAR_ANGLE = 3e14
 """An angle at which every part of the period counts that reduces angles to 2^50."""
 SELF_TEST = '''
 
@@ -247,49 +247,49 @@ GRID_TEST = """    grid = on_grid({points}, 2, xp=xp, dtype=angles.dtype)
 """
 
 
-def array_api_source(planned: Plan, engine: str, grid: bool) -> str:
+def array_api_source(plan: Plan, engine: str, grid: bool) -> str:
     """Return a module that needs the array library of its arguments alone."""
-    double, single = widened(planned.near), single_kernel(planned.found, planned.bases)
-    more = [planned.tail, *([planned.on_grid] if grid else [])]
-    bases = ", ".join(planned.bases) or "theta"
-    units = [o.wave.unit.formula for o in planned.outputs]
+    double, single = extend_range(plan.reduced_range), float32_kernel(plan.shared, plan.basis)
+    more = [plan.tail, *([plan.on_grid] if grid else [])]
+    basis = ", ".join(plan.basis) or "theta"
+    units = [o.harmonic_sum.unit.formula for o in plan.outputs]
     functions = [
-        *_function("_angles", "theta", double, bases, "float64 angles"),
+        *_function("_angles", "theta", double, basis, "float64 angles"),
         "",
         "",
-        *_function("_angles_single", "theta", single, bases, "float32 angles"),
+        *_function("_angles_single", "theta", single, basis, "float32 angles"),
     ]
-    zero = "0.0*" + (planned.bases or ("theta",))[0]
-    formulas = [zero if o.formula == "0.0" else SPELLING.formula(o.formula) for o in planned.outputs]
-    first, *rest = paragraphs(planned, engine, REDUCTION)
-    calls_gcd = grid and repeating(planned)[1]
+    zero = "0.0*" + (plan.basis or ("theta",))[0]
+    formulas = [zero if o.formula == "0.0" else SYNTAX.formula(o.formula) for o in plan.outputs]
+    first, *rest = paragraphs(plan, engine, REDUCTION)
+    calls_gcd = grid and points_per_period(plan)[1]
     module = MODULE.format(
         imports="import math\nimport sys" if calls_gcd else "import sys",
-        names=", ".join(repr(o.wave.name) for o in planned.outputs),
-        limit=FARTHEST,
+        names=", ".join(repr(o.harmonic_sum.name) for o in plan.outputs),
+        limit=FARTHEST_ANGLE,
         limit_single=LIMIT32,
         **_constants(double, single, more),
-        grid=_grid(planned, bases) if grid else "",
-        bases=bases,
-        units=", ".join(o.wave.unit.name for o in planned.outputs),
+        grid=_grid(plan, basis) if grid else "",
+        basis=basis,
+        units=", ".join(o.harmonic_sum.unit.name for o in plan.outputs),
         scales=", ".join(units),
         functions="\n".join(functions),
-        tail="".join(f"{line}\n" for line in _body(planned.tail)),
+        tail="".join(f"{line}\n" for line in _body(plan.tail)),
         formulas="\n".join(f"        {formula}," for formula in formulas),
     )
-    counted = (counted_angles(planned.near, limit) for limit in (LIMIT, pi * MANY))
-    angles = (*ANGLES, FARTHER, *chain.from_iterable(counted))
-    rows = "\n".join(_row(check) for check in checks(planned, angles))
-    points, grid_rows = grid_points(planned), "\n".join(map(_row, grid_checks(planned)))
+    hard = (counted_angles(plan.reduced_range, limit) for limit in (LIMIT, pi * TURNS))
+    angles = (*ANGLES, FAR_ANGLE, *chain.from_iterable(hard))
+    rows = "\n".join(_row(check) for check in checks(plan, angles))
+    points, grid_rows = grid_points(plan), "\n".join(map(_row, grid_checks(plan)))
     test = SELF_TEST.format(
         rows=rows,
-        rows_single="\n".join(map(_row, _single_checks(planned))),
+        rows_single="\n".join(map(_row, _single_checks(plan))),
         keywords=KEYWORDS,
-        units=", ".join(map(repr, unit_values(planned))),
+        units=", ".join(map(repr, unit_values(plan))),
         grid_rows=GRID_ROWS.format(points=points, rows=grid_rows) if grid else "",
         grid=GRID_TEST.format(points=points) if grid else "",
     )
-    return folded("\n".join([f'"""{first}', *rest, '"""']) + "\n" + module + test, "# ", bracketed=True)
+    return fold("\n".join([f'"""{first}', *rest, '"""']) + "\n" + module + test, "# ", bracketed=True)
 
 
 def _constants(double: Kernel, single: Kernel, more: list[Kernel]) -> dict[str, str]:
@@ -297,41 +297,41 @@ def _constants(double: Kernel, single: Kernel, more: list[Kernel]) -> dict[str, 
     groups = {"double": [double], "single": [single], "constants": more}
     texts, before = {}, []
     for name, kernels in groups.items():
-        known = unique(before)
-        found = unique([*before, *(k.constants for k in kernels)])
-        texts[name] = "\n".join(SPELLING.constants(found[len(known) :]))
-        before.append(found)
+        count = len(unique(before))
+        constants = unique([*before, *(k.constants for k in kernels)])
+        texts[name] = "\n".join(SYNTAX.constants(constants[count:]))
+        before.append(constants)
     return texts
 
 
-def _function(name: str, arguments: str, kernel: Kernel, bases: str, where: str) -> list[str]:
+def _function(name: str, arguments: str, kernel: Kernel, basis: str, where: str) -> list[str]:
     head = [f"def {name}({arguments}, xp):", f'    """What the outputs are made of, from {where}."""']
-    return [*head, *_body(kernel), f"    return {bases}"]
+    return [*head, *_body(kernel), f"    return {basis}"]
 
 
 def _body(kernel: Kernel) -> list[str]:
     """Return a kernel's lines; `side` needs an array of ones first."""
-    lines = SPELLING.lines(kernel.lines, "    ")
+    lines = SYNTAX.lines(kernel.lines, "    ")
     argument = "index" if "index" in kernel.names() else "theta"
     needs_one = any("-one, one" in line for line in lines)
     return [f"    one = xp.ones_like({argument})", *lines] if needs_one else lines
 
 
-def _grid(planned: Plan, bases: str) -> str:
-    highest = int(planned.highest_step * planned.step.denominator**2)
-    period, _ = repeating(planned, "//", "math.gcd")
-    text = GRID.format(period=period, bases=bases, highest=highest)
-    kernel = planned.on_grid
+def _grid(plan: Plan, basis: str) -> str:
+    highest = int(plan.highest_step * plan.step.denominator**2)
+    period, _ = points_per_period(plan, "//", "math.gcd")
+    text = GRID.format(period=period, basis=basis, highest=highest)
+    kernel = plan.on_grid
     where = "theta = 2 pi index/points"
     if not kernel.lines:  # every output is zero
         return text + "\n\ndef _on_grid(index, points, xp):\n    return index\n"
-    return text + "\n\n" + "\n".join(_function("_on_grid", "index, points", kernel, bases, where)) + "\n"
+    return text + "\n\n" + "\n".join(_function("_on_grid", "index, points", kernel, basis, where)) + "\n"
 
 
-def _single_checks(planned: Plan) -> list[Check]:
+def _single_checks(plan: Plan) -> list[Check]:
     """Return the checks at the angles' float32 neighbours, with 2^29 times as much allowed."""
-    found = checks(planned, [float(np.float32(theta)) for theta in ANGLES])
-    return [replace(check, allowed=tuple(a * 2.0**29 for a in check.allowed)) for check in found]
+    doubles = checks(plan, [float(np.float32(theta)) for theta in ANGLES])
+    return [replace(check, allowed=tuple(a * 2.0**29 for a in check.allowed)) for check in doubles]
 
 
 def _row(check: Check) -> str:

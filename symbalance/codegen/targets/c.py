@@ -1,4 +1,4 @@
-"""C99: a header and a source that need the standard library alone."""
+"""Source in C99: a header and a source file that need the standard library alone."""
 
 from __future__ import annotations
 
@@ -6,26 +6,13 @@ from collections.abc import Iterable
 
 from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.kernels import Line
+from symbalance.codegen.expression_ir import Statement
 from symbalance.codegen.plans import Plan
-from symbalance.codegen.targets.c_templates import (
-    GCD,
-    GRID,
-    GRID_CHECKS,
-    GRID_PROTOTYPE,
-    GRID_TEST,
-    HEADER,
-    LOOPS,
-    SELF_TEST,
-    SOURCE,
-)
-from symbalance.codegen.targets.folding import folded
-from symbalance.codegen.targets.grids import repeating
-from symbalance.codegen.targets.printing import Spelling, unique
-from symbalance.codegen.targets.wording import identifier, paragraphs, plain
+from symbalance.codegen.targets.header_text import comment_text, identifier, paragraphs
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 from symbalance.errors import SymbalanceError
 
-C = Spelling(
+C = Syntax(
     {
         "rint": "(({} + MAGIC) - MAGIC)",
         "abs": "fabs({})",
@@ -47,18 +34,281 @@ n points turns mass radius omega pitch fabs sqrt sin cos copysign isnan
 constants_are_doubles grid_checks units angles values singles rounded row prepare arrays_differ
 floats_differ grids_differ
 """
-TAKEN = frozenset(WORDS.split())
+RESERVED = frozenset(WORDS.split())
 """Names the function must not bear: words of C and C++, and what the source itself uses."""
+HEADER = """/* {head}
+ */
+#ifndef {guard}
+#define {guard}
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {{
+#endif
+
+/* Write n values of each output at n crank angles theta (radians). Arrays must not overlap. */
+{prototype_double};
+
+/* The same for float arrays, computed in double and rounded once. */
+{prototype_float};
+{prototype_grid}
+#ifdef __cplusplus
+}}
+#endif
+
+#endif
+"""
+SOURCE = """/* {title}; see {stem}.h.
+ *
+ * Compile with optimisation for the machine it runs on:
+ *     cc -std=gnu99 -O3 -march=native -fno-math-errno -c "{stem}.c"
+ * (any C99 will do; gnu99 lets gcc fuse multiply and add, which is faster). Self-test:
+ *     cc -std=c99 -O2 -D{macro}_SELF_TEST "{stem}.c" -lm && ./a.out
+ */
+#include "{stem}.h"
+
+#include <float.h>
+#include <math.h>
+
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) \\
+    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "angles are reduced by sums as written, and lost as NaN: no -ffast-math nor part of it"
+#endif
+/* FLT_EVAL_METHOD: 0, doubles are evaluated as doubles; 1, 16, 32 and 64 widen narrower types alone
+ * (16 where the machine computes in _Float16). 2, long doubles, rounds twice; below 0 nothing is known.
+ */
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 1 && FLT_EVAL_METHOD != 16 \\
+    && FLT_EVAL_METHOD != 32 && FLT_EVAL_METHOD != 64
+#error "the reduction of angles needs IEEE doubles: on x86 -msse2 -mfpmath=sse"
+#endif
+/* An array of negative size: the constants must be doubles, no -fsingle-precision-constant. */
+typedef char constants_are_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
+
+/* A loop becomes vectors only if all it calls is inlined, however long. */
+#ifdef __GNUC__
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
+#define MAGIC 6755399441055744.0 /* 1.5 * 2^52: adding it rounds to a whole number */
+#define LIMIT {limit} /* the largest |theta| that is reduced exactly */
+#define BLOCK 4096 /* angles at a time: one far angle sends its block the slow way, not all */
+
+{constants}
+
+{functions}
+"""
+GRID_PROTOTYPE = """
+/* Write points * turns values of each output at theta = 2 pi j/points, j = 0, 1, ...: so many whole
+ * turns. One period is computed, from angles that are exact; the rest repeats it.
+ */
+{prototype};
+"""
+GRID = """
+{functions}{gcd}
+{prototype} {{
+{scales}
+    (void)mass, (void)radius, (void)omega, (void)pitch;
+    const size_t count = points * turns, period = {period};
+    const size_t size = period < count ? period : count;
+    for (size_t i = 0; i < size; i++) {{
+{stores}
+    }}
+    for (size_t i = size; i < count; i++) {{
+{copies}
+    }}
+}}
+"""
+GCD = """
+static size_t gcd(size_t a, size_t b) {
+    return b == 0 ? a : gcd(b, a % b);
+}
+"""
+LOOPS = """
+static size_t near_{kind}(size_t n, const {kind} *restrict theta, {scale_parameters}, {out_parameters}) {{
+    size_t inside = 0;
+    for (size_t i = 0; i < n; i++) {{
+        const double angle = theta[i];
+{near}
+{stores}
+        inside += fabs(angle) <= LIMIT;
+    }}
+    return inside;
+}}
+
+static void any_{kind}(size_t n, const {kind} *restrict theta, {scale_parameters}, {out_parameters}) {{
+    for (size_t i = 0; i < n; i++) {{
+        const double angle = theta[i];
+{either}
+{stores}
+    }}
+}}
+
+{prototype} {{
+{scales}
+    (void)mass, (void)radius, (void)omega, (void)pitch;
+    for (size_t start = 0; start < n; start += BLOCK) {{
+        const size_t size = n - start < BLOCK ? n - start : BLOCK;
+        if (near_{kind}(size, theta + start, {scale_names}, {outs}) < size) {{
+            any_{kind}(size, theta + start, {scale_names}, {outs});
+        }}
+    }}
+}}
+"""
+SELF_TEST = """
+#ifdef {macro}_SELF_TEST
+#include <stdio.h>
+
+/* Angles, the true values there (mpmath, 50 digits), and what each may be off. */
+static const double checks[][{columns}] = {{
+{rows}
+}};
+
+/* Of each output, where mass, radius, omega and pitch are 2, 3, 5 and 7 instead of 1. */
+static const double units[{count}] = {{{units}}};
+
+/* Several blocks: near angles, far ones among them, near ones, and one angle more. */
+enum {{ ANGLES = sizeof checks / sizeof checks[0], MANY = 3 * BLOCK + 1 }};
+static double angles[MANY], values[{count}][MANY + 1];
+static float singles[MANY], rounded[{count}][MANY + 1];
+static size_t row[MANY];
+
+static int differs(const double *check, const double *found, const double *unit) {{
+    int failed = 0;
+    for (size_t j = 0; j < {count}; j++) {{
+        const double scale = unit ? unit[j] : 1.0, value = scale * check[1 + j];
+        const double off = (unit ? 2.0 : 1.0) * scale * check[1 + {count} + j];
+        if (!(fabs(found[j] - value) <= off)) {{
+            printf("output %zu at %.17g: %.17g, true %.17g\\n", j, check[0], found[j], value);
+            failed = 1;
+        }}
+    }}
+    return failed;
+}}
+
+/* Place a check's angle at each of MANY places, and NaN wherever a value is to be written, or is not. */
+static void prepare(void) {{
+    for (size_t i = 0, next = 0; i < MANY; i++) {{
+        do {{
+            row[i] = next++ % ANGLES;
+        }} while (i / BLOCK != 1 && !(fabs(checks[row[i]][0]) <= LIMIT));
+        angles[i] = checks[row[i]][0];
+        singles[i] = (float)angles[i];
+    }}
+    for (size_t j = 0; j < {count}; j++) {{
+        for (size_t i = 0; i <= MANY; i++) {{
+            values[j][i] = NAN, rounded[j][i] = NAN;
+        }}
+    }}
+}}
+
+/* Compare arrays of several blocks, with every keyword 1 and with others. */
+static int arrays_differ(void) {{
+    int failed = 0;
+    for (size_t other = 0; other < 2; other++) {{
+        prepare();
+        if (other) {{
+            {name}(MANY, angles, 2.0, 3.0, 5.0, 7.0, {values});
+        }} else {{
+            {name}(MANY, angles, 1.0, 1.0, 1.0, 1.0, {values});
+        }}
+        for (size_t i = 0; i < MANY; i++) {{
+            double found[{count}];
+            for (size_t j = 0; j < {count}; j++) {{
+                found[j] = values[j][i];
+                failed |= !isnan(values[j][MANY]);
+            }}
+            failed |= differs(checks[row[i]], found, other ? units : NULL);
+        }}
+    }}
+    return failed;
+}}
+
+/* Compare float arrays, which are rounded once, with double ones at the same angles. */
+static int floats_differ(void) {{
+    int failed = 0;
+    prepare();
+    for (size_t i = 0; i < MANY; i++) {{
+        angles[i] = singles[i];
+    }}
+    {name}(MANY, angles, 2.0, 3.0, 5.0, 7.0, {values});
+    {name}_float(MANY, singles, 2.0, 3.0, 5.0, 7.0, {rounded});
+    for (size_t j = 0; j < {count}; j++) {{
+        failed |= !isnan(rounded[j][MANY]);
+        for (size_t i = 0; i < MANY; i++) {{
+            const double off = units[j] * checks[row[i]][1 + {count} + j];
+            if (!(fabs(rounded[j][i] - values[j][i]) <= FLT_EPSILON * fabs(values[j][i]) + off)) {{
+                printf("output %zu at %.9g: %.9g as float\\n", j, singles[i], rounded[j][i]);
+                failed = 1;
+            }}
+        }}
+    }}
+    return failed;
+}}
+{grid_checks}
+int main(void) {{
+    int failed = 0;
+    for (size_t i = 0; i < ANGLES; i++) {{
+        double found[{count}];
+        {name}(1, checks[i], 1.0, 1.0, 1.0, 1.0, {pointers});
+        failed |= differs(checks[i], found, NULL);
+    }}
+    failed |= arrays_differ();
+    failed |= floats_differ();
+{grid}    const double lost[] = {{INFINITY, NAN}};
+    for (size_t i = 0; i < 2; i++) {{
+        double found[{count}];
+        {name}(1, lost + i, 1.0, 1.0, 1.0, 1.0, {pointers});
+        for (size_t j = 0; j < {count}; j++) {{
+            failed |= !isnan(found[j]);
+        }}
+    }}
+    printf("self-test %s: %d angles\\n", failed ? "FAILED" : "passed", (int)ANGLES);
+    return failed;
+}}
+#endif
+"""
+GRID_CHECKS = """
+/* The same at theta = 2 pi j/{points}, two turns, for {name}_on_grid. */
+static const double grid_checks[][{columns}] = {{
+{rows}
+}};
+
+static int grids_differ(void) {{
+    int failed = 0;
+    for (size_t other = 0; other < 2; other++) {{
+        prepare();
+        if (other) {{
+            {name}_on_grid({points}, 2, 2.0, 3.0, 5.0, 7.0, {values});
+        }} else {{
+            {name}_on_grid({points}, 2, 1.0, 1.0, 1.0, 1.0, {values});
+        }}
+        for (size_t i = 0; i < 2 * {points}; i++) {{
+            double found[{count}];
+            for (size_t j = 0; j < {count}; j++) {{
+                found[j] = values[j][i];
+                failed |= !isnan(values[j][2 * {points}]);
+            }}
+            failed |= differs(grid_checks[i], found, other ? units : NULL);
+        }}
+    }}
+    return failed;
+}}
+"""
+GRID_TEST = """    failed |= grids_differ();
+"""
 
 
-def c_sources(planned: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
+def c_sources(plan: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
     """Return the header and the source, by the ending of their files' names; `stem` is the names'."""
     name = identifier(stem)
-    if name in TAKEN or plain(stem) != stem:
+    if name in RESERVED or comment_text(stem) != stem:
         remedy = "name it with letters, digits and _, like engine.c"
         raise SymbalanceError(f"--output {stem}.c", "is no function's name in C", remedy)
-    outs = [identifier(o.wave.name) for o in planned.outputs]
-    head = "\n * ".join(paragraphs(planned, engine)).replace(" * \n", " *\n")
+    outs = [identifier(o.harmonic_sum.name) for o in plan.outputs]
+    head = "\n * ".join(paragraphs(plan, engine)).replace(" * \n", " *\n")
     prototypes = {kind: _prototype(name, kind, outs) for kind in ("double", "float", "grid")}
     header = HEADER.format(
         head=head,
@@ -67,18 +317,18 @@ def c_sources(planned: Plan, engine: str, stem: str, grid: bool) -> dict[str, st
         prototype_float=prototypes["float"],
         prototype_grid=GRID_PROTOTYPE.format(prototype=prototypes["grid"]) if grid else "",
     )
-    kernels = (planned.near, planned.far, planned.tail, *([planned.on_grid] if grid else []))
-    functions = [_functions(planned, prototypes, outs)]
-    functions += [_grid(planned, prototypes["grid"], outs)] if grid else []
+    kernels = (plan.reduced_range, plan.full_range, plan.tail, *([plan.on_grid] if grid else []))
+    functions = [_functions(plan, prototypes, outs)]
+    functions += [_grid(plan, prototypes["grid"], outs)] if grid else []
     source = SOURCE.format(
-        title=next(paragraphs(planned, engine)).split(";")[0],
+        title=next(paragraphs(plan, engine)).split(";")[0],
         stem=stem,
         macro=name.upper(),
         limit=repr(LIMIT),
         constants="\n".join(C.constants(unique(k.constants for k in kernels))),
-        functions="".join(functions) + _self_test(planned, name, grid),
+        functions="".join(functions) + _self_test(plan, name, grid),
     )
-    return {".h": header, ".c": folded(source, "/* ")}
+    return {".h": header, ".c": fold(source, "/* ")}
 
 
 def _prototype(name: str, kind: str, outs: list[str]) -> str:
@@ -88,34 +338,34 @@ def _prototype(name: str, kind: str, outs: list[str]) -> str:
     first = "size_t points, size_t turns" if kind == "grid" else f"size_t n, const {number} *theta"
     pointers = ", ".join(f"{number} *{out}" for out in outs)
     keywords = "double mass, double radius, double omega, double pitch"
-    return folded(f"void {name}{suffix}({first},\n    {keywords},\n    {pointers})", "/* ")
+    return fold(f"void {name}{suffix}({first},\n    {keywords},\n    {pointers})", "/* ")
 
 
-def _functions(planned: Plan, prototypes: dict[str, str], outs: list[str]) -> str:
+def _functions(plan: Plan, prototypes: dict[str, str], outs: list[str]) -> str:
     count = range(len(outs))
-    bases = planned.bases
+    basis = plan.basis
     scales = ", ".join(f"scale{i}" for i in count)
-    lines, formulas = C.outputs(planned, "0.0*" + (bases or ("theta",))[0])
+    lines, formulas = C.outputs(plan, "0.0*" + (basis or ("theta",))[0])
     parts = [
-        *_base_function("near", "theta", planned.near.lines, bases, "|theta| <= LIMIT"),
-        *_base_function("far", "theta", planned.far.lines, bases, "any angle"),
-        f"INLINE void outputs({', '.join(f'double {b}' for b in bases or ('theta',))},",
+        *_base_function("near", "theta", plan.reduced_range.lines, basis, "|theta| <= LIMIT"),
+        *_base_function("far", "theta", plan.full_range.lines, basis, "any angle"),
+        f"INLINE void outputs({', '.join(f'double {b}' for b in basis or ('theta',))},",
         f"    {', '.join(f'double scale{i}' for i in count)}, double *restrict value) {{",
         *C.lines(lines, "    "),
         *(f"    value[{i}] = {C.formula(f)};" for i, f in enumerate(formulas)),
         "}",
     ]
     for kind in ("double", "float"):
-        stored = [f"out{i}[i] = {'' if kind == 'double' else '(float)'}value[{i}];" for i in count]
+        stores = [f"out{i}[i] = {'' if kind == 'double' else '(float)'}value[{i}];" for i in count]
         loops = LOOPS.format(
             kind=kind,
             scale_parameters=", ".join(f"double scale{i}" for i in count),
             out_parameters=", ".join(f"{kind} *restrict out{i}" for i in count),
-            near="\n".join(_called("near", "angle", bases)),
-            either="\n".join(_either(bases)),
-            stores="\n".join([*_values(planned, "angle"), *(f"        {line}" for line in stored)]),
+            near="\n".join(_call_lines("near", "angle", basis)),
+            either="\n".join(_either(basis)),
+            stores="\n".join([*_values(plan, "angle"), *(f"        {line}" for line in stores)]),
             prototype=prototypes[kind],
-            scales=_scales(planned),
+            scales=_scales(plan),
             scale_names=scales,
             outs=", ".join(f"{out} + start" for out in outs),
         )
@@ -123,20 +373,22 @@ def _functions(planned: Plan, prototypes: dict[str, str], outs: list[str]) -> st
     return "\n".join(parts)
 
 
-def _called(function: str, arguments: str, bases: tuple[str, ...], indent: str = "        ") -> list[str]:
-    """Return the lines that declare the bases and have a function write them."""
-    if not bases:
+def _call_lines(
+    function: str, arguments: str, basis: tuple[str, ...], indent: str = "        "
+) -> list[str]:
+    """Return the lines that declare the basis and have a function write them."""
+    if not basis:
         return []
     return [
-        f"{indent}double {', '.join(bases)};",
-        f"{indent}{function}({arguments}, {', '.join(f'&{b}' for b in bases)});",
+        f"{indent}double {', '.join(basis)};",
+        f"{indent}{function}({arguments}, {', '.join(f'&{b}' for b in basis)});",
     ]
 
 
-def _either(bases: tuple[str, ...]) -> list[str]:
-    if not bases:
+def _either(basis: tuple[str, ...]) -> list[str]:
+    if not basis:
         return []
-    declared, near = _called("near", "angle", bases)
+    declared, near = _call_lines("near", "angle", basis)
     far = near.replace("near(", "far(")
     return [
         declared,
@@ -148,63 +400,65 @@ def _either(bases: tuple[str, ...]) -> list[str]:
     ]
 
 
-def _values(planned: Plan, argument: str) -> list[str]:
-    count = range(len(planned.outputs))
-    arguments = [*(planned.bases or (argument,)), *(f"scale{i}" for i in count), "value"]
+def _values(plan: Plan, argument: str) -> list[str]:
+    count = range(len(plan.outputs))
+    arguments = [*(plan.basis or (argument,)), *(f"scale{i}" for i in count), "value"]
     return [f"        double value[{len(count)}];", f"        outputs({', '.join(arguments)});"]
 
 
-def _scales(planned: Plan) -> str:
-    rows = (f"    const double scale{i} = {o.wave.unit.formula};" for i, o in enumerate(planned.outputs))
+def _scales(plan: Plan) -> str:
+    rows = (
+        f"    const double scale{i} = {o.harmonic_sum.unit.formula};" for i, o in enumerate(plan.outputs)
+    )
     return "\n".join(rows)
 
 
 def _base_function(
-    name: str, arguments: str, lines: Iterable[Line], bases: tuple[str, ...], where: str
+    name: str, arguments: str, lines: Iterable[Statement], basis: tuple[str, ...], where: str
 ) -> list[str]:
-    if not bases:
+    if not basis:
         return []
-    pointers = ", ".join(f"double *restrict {b}_" for b in bases)
+    pointers = ", ".join(f"double *restrict {b}_" for b in basis)
     parameters = ", ".join(f"double {argument}" for argument in arguments.split(", "))
     return [
         f"/* What the outputs are made of, for {where}. */",
         f"INLINE void {name}({parameters}, {pointers}) {{",
         *C.lines(lines, "    "),
-        *(f"    *{b}_ = {b};" for b in bases),
+        *(f"    *{b}_ = {b};" for b in basis),
         "}",
         "",
     ]
 
 
-def _grid(planned: Plan, prototype: str, outs: list[str]) -> str:
+def _grid(plan: Plan, prototype: str, outs: list[str]) -> str:
     """Return the function for evenly spaced angles."""
-    bases, lines = planned.bases, planned.on_grid.lines
-    functions = _base_function("on_grid", "index, points", lines, bases, "theta = 2 pi index/points")
-    period, calls_gcd = repeating(planned)
-    stored = [f"        {out}[i] = value[{j}];" for j, out in enumerate(outs)]
-    called = _called("on_grid", "(double)i, (double)points", bases)
+    basis, lines = plan.basis, plan.on_grid.lines
+    functions = _base_function("on_grid", "index, points", lines, basis, "theta = 2 pi index/points")
+    period, calls_gcd = points_per_period(plan)
+    stores = [f"        {out}[i] = value[{j}];" for j, out in enumerate(outs)]
+    called = _call_lines("on_grid", "(double)i, (double)points", basis)
     return GRID.format(
         functions="\n".join(functions),
         gcd=GCD if calls_gcd else "",
         prototype=prototype,
-        scales=_scales(planned),
+        scales=_scales(plan),
         period=period,
-        stores="\n".join([*called, *_values(planned, "(double)i"), *stored]),
+        stores="\n".join([*called, *_values(plan, "(double)i"), *stores]),
         copies="\n".join(f"        {out}[i] = {out}[i - period];" for out in outs),
     )
 
 
-def _self_test(planned: Plan, name: str, grid: bool) -> str:
-    count = len(planned.outputs)
-    rows = "\n".join(map(_row, checks(planned)))
-    grid_rows = "\n".join(map(_row, grid_checks(planned))) if grid else ""
-    shared = {"name": name, "count": count, "columns": 1 + 2 * count, "points": grid_points(planned)}
+def _self_test(plan: Plan, name: str, grid: bool) -> str:
+    count = len(plan.outputs)
+    rows = "\n".join(map(_row, checks(plan)))
+    grid_rows = "\n".join(map(_row, grid_checks(plan))) if grid else ""
+    shared = {"name": name, "count": count, "columns": 1 + 2 * count, "points": grid_points(plan)}
     values = ", ".join(f"values[{i}]" for i in range(count))
     grid_test = GRID_CHECKS.format(rows=grid_rows, values=values, **shared)
     return SELF_TEST.format(
         macro=name.upper(),
         rows=rows,
-        units=", ".join(map(repr, unit_values(planned))),
+        units=", ".join(map(repr, unit_values(plan))),
         values=values,
         rounded=", ".join(f"rounded[{i}]" for i in range(count)),
         pointers=", ".join(f"found + {i}" for i in range(count)),

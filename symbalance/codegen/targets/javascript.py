@@ -1,4 +1,4 @@
-"""An ES module without dependencies, for browsers, Node, Deno and Bun."""
+"""Source in JavaScript: an ES module without dependencies, for browsers, Node, Deno and Bun."""
 
 from __future__ import annotations
 
@@ -6,14 +6,12 @@ from collections.abc import Iterable
 
 from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.kernels import Line
+from symbalance.codegen.expression_ir import Statement
 from symbalance.codegen.plans import Plan
-from symbalance.codegen.targets.folding import folded
-from symbalance.codegen.targets.grids import repeating
-from symbalance.codegen.targets.printing import Spelling, unique
-from symbalance.codegen.targets.wording import paragraphs
+from symbalance.codegen.targets.header_text import paragraphs
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 
-SPELLING = Spelling(
+SYNTAX = Syntax(
     {
         "rint": "(({} + MAGIC) - MAGIC)",
         "abs": "Math.abs({})",
@@ -92,7 +90,7 @@ function fill(angles, mass, radius, omega, pitch, {outs}) {{
 {scales}
   for (let i = 0; i < angles.length; i++) {{
     const theta = angles[i];
-{bases}{outputs}
+{basis}{outputs}
   }}
 }}
 {fill_grid}
@@ -204,63 +202,62 @@ function fillGrid(period, points, mass, radius, omega, pitch, {outs}) {{
 """
 
 
-def javascript_source(planned: Plan, engine: str, grid: bool) -> str:
+def javascript_source(plan: Plan, engine: str, grid: bool) -> str:
     """Return the module."""
-    first, *rest = paragraphs(planned, engine)
-    kernels = [planned.near, planned.far, planned.tail, *([planned.on_grid] if grid else [])]
-    period, calls_gcd = repeating(planned)
-    outs = ", ".join(f"out{i}" for i in range(len(planned.outputs)))
+    first, *rest = paragraphs(plan, engine)
+    kernels = [plan.reduced_range, plan.full_range, plan.tail, *([plan.on_grid] if grid else [])]
+    period, calls_gcd = points_per_period(plan)
+    outs = ", ".join(f"out{i}" for i in range(len(plan.outputs)))
     scales = "\n".join(
-        f"  const scale{i} = {o.wave.unit.formula};" for i, o in enumerate(planned.outputs)
+        f"  const scale{i} = {o.harmonic_sum.unit.formula};" for i, o in enumerate(plan.outputs)
     )
-    on_grid = "\n".join(SPELLING.lines(planned.on_grid.lines, "    "))
+    on_grid = "\n".join(SYNTAX.lines(plan.on_grid.lines, "    "))
     on_grid = on_grid or "    const theta = 0;  // every output is zero"
-    fill_grid = FILL_GRID.format(
-        outs=outs, scales=scales, lines=on_grid, outputs=_outputs(planned, "index")
-    )
-    points = grid_points(planned)
+    fill_grid = FILL_GRID.format(outs=outs, scales=scales, lines=on_grid, outputs=_outputs(plan, "index"))
+    points = grid_points(plan)
     text = MODULE.format(
         head="\n * ".join([first, *rest]).replace(" * \n", " *\n"),
-        names=", ".join(f'"{o.wave.name}"' for o in planned.outputs),
+        names=", ".join(f'"{o.harmonic_sum.name}"' for o in plan.outputs),
         limit=int(LIMIT),
-        constants="\n".join(SPELLING.constants(unique(k.constants for k in kernels))),
+        constants="\n".join(SYNTAX.constants(unique(k.constants for k in kernels))),
         grid=GRID.format(period=period, gcd=GCD if calls_gcd else "") if grid else "",
         outs=outs,
         scales=scales,
-        bases=_bases(planned),
-        outputs=_outputs(planned, "i"),
+        basis=_basis_lines(plan),
+        outputs=_outputs(plan, "i"),
         fill_grid=fill_grid if grid else "",
-        rows=_rows(checks(planned)),
-        units=", ".join(map(repr, unit_values(planned))),
-        grid_rows=GRID_ROWS.format(points=points, rows=_rows(grid_checks(planned))) if grid else "",
+        rows=_rows(checks(plan)),
+        units=", ".join(map(repr, unit_values(plan))),
+        grid_rows=GRID_ROWS.format(points=points, rows=_rows(grid_checks(plan))) if grid else "",
         grid_test=GRID_TEST.format(points=points) if grid else "",
     )
-    return folded(text, "// ")
+    return fold(text, "// ")
 
 
-def _rows(found: Iterable[Check]) -> str:
-    return "\n".join(f"  [{c.theta!r}, {list(c.values)}, {list(c.allowed)}]," for c in found)
+def _rows(rows: Iterable[Check]) -> str:
+    return "\n".join(f"  [{c.theta!r}, {list(c.values)}, {list(c.allowed)}]," for c in rows)
 
 
-def _bases(planned: Plan) -> str:
+def _basis_lines(plan: Plan) -> str:
     """Return the lines of what the outputs are made of, near and far."""
-    if not planned.bases:
+    if not plan.basis:
         return ""
     near, far = (
-        "\n".join(_assigned(kernel.lines, planned.bases)) for kernel in (planned.near, planned.far)
+        "\n".join(_assignments(kernel.lines, plan.basis))
+        for kernel in (plan.reduced_range, plan.full_range)
     )
-    head = f"    let {', '.join(planned.bases)};\n    if (Math.abs(theta) <= LIMIT) {{\n"
+    head = f"    let {', '.join(plan.basis)};\n    if (Math.abs(theta) <= LIMIT) {{\n"
     return f"{head}{near}\n    }} else {{\n{far}\n    }}\n"
 
 
-def _assigned(lines: Iterable[Line], bases: tuple[str, ...]) -> list[str]:
-    """Return assignments, those of `bases` to variables that are there already."""
-    texts = SPELLING.lines(lines, "      ")
-    starts = tuple(f"      const {base} = " for base in bases)
+def _assignments(lines: Iterable[Statement], basis: tuple[str, ...]) -> list[str]:
+    """Return assignments, those of `basis` to variables that are there already."""
+    texts = SYNTAX.lines(lines, "      ")
+    starts = tuple(f"      const {base} = " for base in basis)
     return [t.replace("const ", "", 1) if t.startswith(starts) else t for t in texts]
 
 
-def _outputs(planned: Plan, place: str) -> str:
-    lines, formulas = SPELLING.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
-    stored = (f"    out{i}[{place}] = {SPELLING.formula(f)};" for i, f in enumerate(formulas))
-    return "\n".join([*SPELLING.lines(lines, "    "), *stored])
+def _outputs(plan: Plan, place: str) -> str:
+    lines, formulas = SYNTAX.outputs(plan, "0.0*" + (plan.basis or ("theta",))[0])
+    stores = (f"    out{i}[{place}] = {SYNTAX.formula(f)};" for i, f in enumerate(formulas))
+    return "\n".join([*SYNTAX.lines(lines, "    "), *stores])

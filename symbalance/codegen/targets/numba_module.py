@@ -5,20 +5,20 @@ from __future__ import annotations
 from hashlib import sha256
 
 from symbalance.codegen.plans import Plan
-from symbalance.codegen.targets.printing import Spelling
-from symbalance.codegen.targets.python_parts import (
+from symbalance.codegen.targets.numpy_module import (
     CALL_DOC,
     base_function,
     constants,
     docstring,
     grid_call,
     grid_function,
-    joined,
-    returned,
-    self_test,
+    module_text,
+    return_statement,
+    self_test_text,
 )
+from symbalance.codegen.targets.syntax import Syntax
 
-NUMBA = Spelling(
+NUMBA = Syntax(
     {
         "rint": "(({} + MAGIC) - MAGIC)",
         "abs": "abs({})",
@@ -143,7 +143,7 @@ GRID_LOOP = """
 def _fill_grid(points, {scale_names}, {out_names}):
     for i in range(out0.size):
         index = np.float64(i)
-        {bases}
+        {basis}
         {stores}
 """
 
@@ -152,16 +152,16 @@ NOTE = """ The first call
     with a type of angles compiles, unless the code was kept by an earlier process."""
 
 
-def numba_source(planned: Plan, engine: str, grid: bool) -> str:
+def numba_source(plan: Plan, engine: str, grid: bool) -> str:
     """Return a module that needs NumPy and Numba; one pass over the angles, no C compiler."""
-    head = [*docstring(planned, engine), "", "import math", "", "import numpy as np"]
+    head = [*docstring(plan, engine), "", "import math", "", "import numpy as np"]
     head += ["from numba import njit", "", "MAGIC = 6755399441055744.0  # 1.5 * 2^52: adding it rounds"]
-    count = range(len(planned.outputs))
+    count = range(len(plan.outputs))
     scales = ", ".join(f"scale{i}" for i in count)
-    stored = ", ".join(f"out{i}[i]" for i in count)
-    bases = ", ".join(planned.bases)
+    stores = ", ".join(f"out{i}[i]" for i in count)
+    basis = ", ".join(plan.basis)
     at = "np.float64(theta[i])"
-    values = ", ".join(f"float({o.wave.unit.formula})" for o in planned.outputs)
+    values = ", ".join(f"float({o.harmonic_sum.unit.formula})" for o in plan.outputs)
     body = NUMBA_CALL.format(
         call_doc=CALL_DOC.format(note=NOTE),
         scales=values,
@@ -169,35 +169,35 @@ def numba_source(planned: Plan, engine: str, grid: bool) -> str:
         scale_names=scales,
         out_names=", ".join(f"out{i}" for i in count),
         out_parts=", ".join(f"out{i}[start:start + BLOCK]" for i in count),
-        near=f"{bases} = _near({at})" if bases else "pass",
-        far=f"{bases} = _far({at})" if bases else "pass",
-        stores=f"{stored} = _outputs({bases or at}, {scales})",
+        near=f"{basis} = _near({at})" if basis else "pass",
+        far=f"{basis} = _far({at})" if basis else "pass",
+        stores=f"{stores} = _outputs({basis or at}, {scales})",
     )
     loop = GRID_LOOP.format(
         scale_names=scales,
         out_names=", ".join(f"out{i}" for i in count),
-        bases=f"{bases} = _on_grid(index, points)" if bases else "pass",
-        stores=f"{stored} = _outputs({bases or 'index'}, {scales})",
+        basis=f"{basis} = _on_grid(index, points)" if basis else "pass",
+        stores=f"{stores} = _outputs({basis or 'index'}, {scales})",
     )
     jit = "@_inlined"
-    lines, formulas = NUMBA.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
+    lines, formulas = NUMBA.outputs(plan, "0.0*" + (plan.basis or ("theta",))[0])
     functions = [
-        *base_function(NUMBA, "_near", planned.near.lines, planned.bases, "|theta| <= LIMIT", jit),
-        *base_function(NUMBA, "_far", planned.far.lines, planned.bases, "any angle", jit),
-        *(grid_function(NUMBA, planned, jit) if grid else []),
+        *base_function(NUMBA, "_near", plan.reduced_range.lines, plan.basis, "|theta| <= LIMIT", jit),
+        *base_function(NUMBA, "_far", plan.full_range.lines, plan.basis, "any angle", jit),
+        *(grid_function(NUMBA, plan, jit) if grid else []),
         "",
         "",
         jit,
-        f"def _outputs({bases or 'theta'}, {scales}):",
+        f"def _outputs({basis or 'theta'}, {scales}):",
         *NUMBA.lines(lines, "    "),
-        *returned([NUMBA.formula(f) for f in formulas]),
+        *return_statement([NUMBA.formula(f) for f in formulas]),
     ]
-    text = joined(
-        [*head, *constants(NUMBA, planned)],
+    text = module_text(
+        [*head, *constants(NUMBA, plan)],
         COMPILE.replace("{content}", CONTENT)
         + body
-        + (grid_call(planned, GRID_FILL.format(scales=values)) + loop if grid else ""),
+        + (grid_call(plan, GRID_FILL.format(scales=values)) + loop if grid else ""),
         functions,
-        self_test(planned, grid),
+        self_test_text(plan, grid),
     )
     return text.replace(CONTENT, sha256(text.encode()).hexdigest()[: len(CONTENT)], 1)

@@ -1,4 +1,4 @@
-"""One function file for GNU Octave and MATLAB."""
+"""Source in one function file for GNU Octave and MATLAB."""
 
 from __future__ import annotations
 
@@ -6,15 +6,13 @@ from collections.abc import Iterable, Sequence
 
 from symbalance.codegen.checks import KEYWORDS, Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
-from symbalance.codegen.kernels import NAME, Kernel, Line
+from symbalance.codegen.expression_ir import NAME, Kernel, Statement
 from symbalance.codegen.plans import Plan
-from symbalance.codegen.targets.folding import folded
-from symbalance.codegen.targets.grids import repeating
-from symbalance.codegen.targets.printing import Spelling, unique
-from symbalance.codegen.targets.wording import identifier, paragraphs
+from symbalance.codegen.targets.header_text import identifier, paragraphs
+from symbalance.codegen.targets.syntax import Syntax, fold, points_per_period, unique
 from symbalance.errors import SymbalanceError
 
-SPELLING = Spelling(
+SYNTAX = Syntax(
     {
         "rint": "round({})",
         "abs": "abs({})",
@@ -35,7 +33,7 @@ single class ischar isscalar strcmp repmat isreal isnumeric islogical any all mi
 error fprintf size nargin varargin varargout numbers evaluate near far outputs on_grid self_test theta
 result mass radius omega pitch struct cell2mat struct2cell
 """
-TAKEN = frozenset(WORDS.split())
+RESERVED = frozenset(WORDS.split())
 """Names a function file must not bear: words of the language and what the file itself uses."""
 MODULE = """function result = {name}(theta, varargin)
 %{upper}  {head}
@@ -69,7 +67,7 @@ function result = evaluate(theta, mass, radius, omega, pitch)
     [mass, radius, omega, pitch] = numbers(mass, radius, omega, pitch);
     kind = class(theta);
     theta = double(theta);
-{bases}
+{basis}
 {outputs}
     if strcmp(kind, 'single')
 {singles}
@@ -186,13 +184,13 @@ end
 """
 
 
-def octave_source(planned: Plan, engine: str, name: str, grid: bool) -> str:
+def octave_source(plan: Plan, engine: str, name: str, grid: bool) -> str:
     """Return the function file; `name` is its stem, and the function's name."""
-    if identifier(name) != name or name in TAKEN or len(name) > 63:
+    if identifier(name) != name or name in RESERVED or len(name) > 63:
         remedy = "name it with letters, digits and _, like engine.m"
         raise SymbalanceError(f"--output {name}.m", "is no function's name in Octave", remedy)
-    first, *rest = paragraphs(planned, engine)
-    outs = [identifier(o.wave.name) for o in planned.outputs]
+    first, *rest = paragraphs(plan, engine)
+    outs = [identifier(o.harmonic_sum.name) for o in plan.outputs]
     one = len(outs) == 1
     text = MODULE.format(
         name=name,
@@ -203,20 +201,22 @@ def octave_source(planned: Plan, engine: str, name: str, grid: bool) -> str:
         grid_help=GRID_HELP.format(name=name) if grid else "",
         grid_call=GRID_CALL if grid else "",
         words=", ''grid'' or ''self-test''" if grid else " or ''self-test''",
-        bases=_bases(planned),
-        outputs=_call(planned, outs),
+        basis=_basis_lines(plan),
+        outputs=_call(plan, outs),
         singles="\n".join(f"        {out} = single({out});" for out in outs),
         result=_result(outs),
-        near=_function("near", planned.near, planned.bases, f"|theta| <= {int(LIMIT)}"),
-        far=_function("far", planned.far, planned.bases, "any angle"),
-        grid=_grid(planned, outs) if grid else "",
+        near=_function("near", plan.reduced_range, plan.basis, f"|theta| <= {int(LIMIT)}"),
+        far=_function("far", plan.full_range, plan.basis, "any angle"),
+        grid=_grid(plan, outs) if grid else "",
         values=_several(outs),
-        arguments=", ".join(planned.bases) or "theta",
-        scales="\n".join(f"    scale{i} = {o.wave.unit.formula};" for i, o in enumerate(planned.outputs)),
-        **_tail(planned, outs),
-        **_checked(planned, outs, grid),
+        arguments=", ".join(plan.basis) or "theta",
+        scales="\n".join(
+            f"    scale{i} = {o.harmonic_sum.unit.formula};" for i, o in enumerate(plan.outputs)
+        ),
+        **_tail(plan, outs),
+        **_checked(plan, outs, grid),
     )
-    return folded(text, "% ", " ...")
+    return fold(text, "% ", " ...")
 
 
 def _several(names: Sequence[str]) -> str:
@@ -231,98 +231,98 @@ def _result(outs: Sequence[str]) -> str:
     return f"struct({fields})"
 
 
-def _call(planned: Plan, outs: Sequence[str]) -> str:
-    arguments = ", ".join(planned.bases) or "theta"
+def _call(plan: Plan, outs: Sequence[str]) -> str:
+    arguments = ", ".join(plan.basis) or "theta"
     return f"    {_several(outs)} = outputs({arguments}, mass, radius, omega, pitch);"
 
 
-def _bases(planned: Plan) -> str:
-    """Return the lines that compute the bases, near ones at once, far ones where they are needed."""
-    if not planned.bases:
+def _basis_lines(plan: Plan) -> str:
+    """Return the lines that compute the basis, near angles at once, far ones where there are any."""
+    if not plan.basis:
         return "    theta(~(abs(theta) < inf)) = nan;"
-    parts = [f"{base}_far" for base in planned.bases]
+    parts = [f"{base}_far" for base in plan.basis]
     lines = [
-        f"{_several(planned.bases)} = near(theta);",
+        f"{_several(plan.basis)} = near(theta);",
         f"beyond = ~(abs(theta) <= {int(LIMIT)});",
         "if any(beyond(:))",
         f"    {_several(parts)} = far(theta(beyond));",
-        *(f"    {base}(beyond) = {part};" for base, part in zip(planned.bases, parts, strict=True)),
+        *(f"    {base}(beyond) = {part};" for base, part in zip(plan.basis, parts, strict=True)),
         "end",
     ]
     return "\n".join(f"    {line}" for line in lines)
 
 
-def _constants(planned: Plan, lines: Iterable[Line], more: Iterable[str] = ()) -> list[str]:
+def _constants(plan: Plan, lines: Iterable[Statement], more: Iterable[str] = ()) -> list[str]:
     """Return the definitions of the constants that lines, and formulas more, use."""
     formulas = [*(line.formula for line in lines), *more]
     used = {name for formula in formulas for name in NAME.findall(formula)}
-    kernels = (planned.near, planned.far, planned.on_grid, planned.tail)
-    return SPELLING.constants([c for c in unique(k.constants for k in kernels) if c.name in used], "    ")
+    kernels = (plan.reduced_range, plan.full_range, plan.on_grid, plan.tail)
+    return SYNTAX.constants([c for c in unique(k.constants for k in kernels) if c.name in used], "    ")
 
 
-def _function(name: str, kernel: Kernel, bases: tuple[str, ...], where: str) -> str:
-    if not bases:
+def _function(name: str, kernel: Kernel, basis: tuple[str, ...], where: str) -> str:
+    if not basis:
         return ""
     lines = [
         "",
-        f"function {_several(bases)} = {name}(theta)",
+        f"function {_several(basis)} = {name}(theta)",
         f"% What the outputs are made of, for {where}.",
-        *SPELLING.constants(kernel.constants, "    "),
-        *SPELLING.lines(kernel.lines, "    "),
+        *SYNTAX.constants(kernel.constants, "    "),
+        *SYNTAX.lines(kernel.lines, "    "),
         "end",
         "",
     ]
     return "\n".join(lines)
 
 
-def _grid(planned: Plan, outs: Sequence[str]) -> str:
-    lines = SPELLING.lines(planned.on_grid.lines, "    ") or ["    theta = index;"]
+def _grid(plan: Plan, outs: Sequence[str]) -> str:
+    lines = SYNTAX.lines(plan.on_grid.lines, "    ") or ["    theta = index;"]
     return GRID.format(
-        period=repeating(planned)[0],
-        constants="\n".join(SPELLING.constants(planned.on_grid.constants, "    ")),
+        period=points_per_period(plan)[0],
+        constants="\n".join(SYNTAX.constants(plan.on_grid.constants, "    ")),
         lines="\n".join(lines),
-        outputs=_call(planned, outs),
+        outputs=_call(plan, outs),
         repeated="\n".join(f"    {out} = {out}(mod((0:count - 1)', period) + 1);" for out in outs),
         result=_result(outs),
     )
 
 
-def _tail(planned: Plan, outs: Sequence[str]) -> dict[str, str]:
-    lines, formulas = SPELLING.outputs(planned, "0.0*" + (planned.bases or ("theta",))[0])
-    values = (f"    {out} = {SPELLING.formula(f)};" for out, f in zip(outs, formulas, strict=True))
+def _tail(plan: Plan, outs: Sequence[str]) -> dict[str, str]:
+    lines, formulas = SYNTAX.outputs(plan, "0.0*" + (plan.basis or ("theta",))[0])
+    values = (f"    {out} = {SYNTAX.formula(f)};" for out, f in zip(outs, formulas, strict=True))
     return {
-        "constants": "\n".join(_constants(planned, lines, formulas)),
-        "tail": "\n".join([*SPELLING.lines(lines, "    "), *values]),
+        "constants": "\n".join(_constants(plan, lines, formulas)),
+        "tail": "\n".join([*SYNTAX.lines(lines, "    "), *values]),
     }
 
 
-def _checked(planned: Plan, outs: Sequence[str], grid: bool) -> dict[str, str]:
+def _checked(plan: Plan, outs: Sequence[str], grid: bool) -> dict[str, str]:
     def values(call: str) -> str:
         return call if len(outs) == 1 else f"cell2mat(struct2cell({call})')"
 
-    def rows(found: Iterable[Check]) -> str:
+    def rows(tests: Iterable[Check]) -> str:
         return "\n".join(
-            "        " + ", ".join(map(repr, (c.theta, *c.values, *c.allowed))) for c in found
+            "        " + ", ".join(map(repr, (c.theta, *c.values, *c.allowed))) for c in tests
         )
 
-    points, count = grid_points(planned), str(len(outs))
-    given = ", ".join(f"{value:g}" for value in KEYWORDS.values())
+    points, count = grid_points(plan), str(len(outs))
+    keywords = ", ".join(f"{value:g}" for value in KEYWORDS.values())
     on_grid = {
         "points": points,
-        "rows": rows(grid_checks(planned)),
+        "rows": rows(grid_checks(plan)),
         "count": count,
         "values": values(f"on_grid({points}, 2)"),
-        "others": values(f"on_grid({points}, 2, {given})"),
+        "others": values(f"on_grid({points}, 2, {keywords})"),
     }
     return {
-        "rows": rows(checks(planned)),
+        "rows": rows(checks(plan)),
         "count": count,
         "check_all": values("evaluate(checks(:, 1))"),
         "check_one": values("evaluate(checks(i, 1))"),
-        "check_other": values(f"evaluate(checks(:, 1), {given})"),
+        "check_other": values(f"evaluate(checks(:, 1), {keywords})"),
         "check_single": values("evaluate(angles)"),
         "check_doubled": values("evaluate(double(angles))"),
-        "units": ", ".join(map(repr, unit_values(planned))),
+        "units": ", ".join(map(repr, unit_values(plan))),
         "check_grid": GRID_TEST.format(**on_grid) if grid else "",
         "check_lost": values("evaluate([inf; -inf; nan])"),
     }

@@ -1,10 +1,10 @@
-"""The periodic orbit of journals that carry given loads, and the films' tangents along it.
+"""Periodic orbits of journals under given loads, with stiffness and damping of their films along them.
 
 A film has no mass: at every angle F(r, r') = load. The equation is discretised over the cycle by Radau
 IIA with two stages (order 3, L-stable) and solved by Newton's method on the whole closed orbit
-(`closing`), or, should that fail, by going round until it closes. Stiffness and damping along the orbit
-are then the film's own tangents: what a small departure from this orbit meets, not springs about the
-centre.
+(`periodic_newton`), or, should that fail, by going round until it closes. Stiffness and damping along the
+orbit are then the film's own tangents: what a small departure from this orbit meets, not springs about
+the centre.
 """
 
 from __future__ import annotations
@@ -15,19 +15,21 @@ from dataclasses import dataclass
 import numpy as np
 
 from symbalance.crankshaft.arguments import check_kind
-from symbalance.crankshaft.bearings.closing import closed_places
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.bearings.periodic_newton import periodic_places
 from symbalance.crankshaft.bearings.short_film import MAKE, Bearing, FilmState, equilibrium, film_states
 from symbalance.crankshaft.integrators.tableau import radau_iia
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.numbers import listed
 
-MOST_CYCLES, MOST_NEWTON, CLOSES, NEWTON = 40, 60, 1e-7, 1e-11
+MOST_CYCLES, MOST_NEWTON = 40, 60
+CLOSES, NEWTON = 1e-7, 1e-11
+"""When an orbit closes, and when a Newton step is small enough, over the clearance."""
 CARRIED = 1e-6
 """How far the films' forces along an orbit may be from the loads, of the largest."""
 FARTHEST = 0.9995
-"""The eccentricity at which Newton's steps are cut short."""
+"""The eccentricity at which Newton's steps are cut short: the film's force has no bound towards 1."""
 COARSE = 120
 """About how many steps the cycle has from which the whole orbit's Newton method starts."""
 
@@ -60,8 +62,10 @@ def journal_orbit(bearings: Sequence[Bearing], loads: Array, omega: float, cycle
     if not np.isfinite(loads).all():
         raise SymbalanceError("bearing loads", "must be finite")
     march = _March(bearings, loads, omega, cycle / steps / omega)
-    found = _at_once(march, cycle) if steps > COARSE else None
-    return _tangents(bearings, march.closed() if found is None else found, loads, omega, cycle)
+    place = _at_once(march, cycle) if steps > COARSE else None
+    return _tangents(
+        bearings, march.march_until_closed() if place is None else place, loads, omega, cycle
+    )
 
 
 def _at_once(march: _March, cycle: float) -> Array | None:
@@ -79,11 +83,11 @@ def _at_once(march: _March, cycle: float) -> Array | None:
     start = between.reshape(steps, *places.shape[1:]), np.repeat(rates, every, axis=0)
     stages = start[0][:, None] + np.einsum("ij,njbc->nibc", march.inner, start[1])
     if not (np.linalg.norm(stages, axis=-1) < march.limits[:, 0]).all():
-        return None  # the film has no force out there, and Newton's method no start
-    return closed_places(march.at, march.wanted, march.inner, FARTHEST * march.limits, start)
+        return None  # the film has no force there, and Newton's method no start
+    return periodic_places(march.at, march.stage_loads, march.inner, FARTHEST * march.limits, start)
 
 
-def films(bearings: Sequence[Bearing], place: Array, velocity: Array, omega: float) -> FilmState:
+def bearing_films(bearings: Sequence[Bearing], place: Array, velocity: Array, omega: float) -> FilmState:
     """Return all bearings' films at places (..., b, 2): force (..., b, 2), tangents (..., b, 2, 2)."""
     strength = np.array([b.strength for b in bearings])
     return film_states(strength, np.array([b.clearance for b in bearings]), place, velocity, omega)
@@ -97,25 +101,27 @@ class _March:
         self.bearings, self.loads, self.omega, self.h = bearings, loads, omega, h
         self.inner = h * tableau.matrix
         self.limits = np.array([[b.clearance] for b in bearings])
-        self.wanted = np.stack([_between(loads, tableau.nodes[0]), np.roll(loads, -1, axis=0)], axis=1)
+        self.stage_loads = np.stack(
+            [_between(loads, tableau.nodes[0]), np.roll(loads, -1, axis=0)], axis=1
+        )
 
     def at(self, place: Array, velocity: Array) -> FilmState:
         """Return all bearings' films."""
-        return films(self.bearings, place, velocity, self.omega)
+        return bearing_films(self.bearings, place, velocity, self.omega)
 
     def at_rest(self) -> Array:
         """Return the places where the journals would carry the first loads, were they steady."""
         every = zip(self.bearings, self.loads[0], strict=True)
         return np.array([equilibrium(b, load, self.omega) for b, load in every])
 
-    def closed(self) -> Array:
+    def march_until_closed(self) -> Array:
         """Return the places (N, b, 2) of the closed orbit, by going round until it closes."""
         place = self.at_rest()
         for _ in range(MOST_CYCLES):
-            found, _, end = self.cycle(place)
+            places, _, end = self.cycle(place)
             if (np.abs(end - place) / self.limits).max() <= CLOSES:
-                found[0] = end
-                return found
+                places[0] = end
+                return places
             place = end
         rule = f"no orbit closes within {MOST_CYCLES} cycles"
         raise UnsolvedError("journal orbit", rule, "a wider bearing, more angles or smaller loads")
@@ -123,34 +129,34 @@ class _March:
     def cycle(self, place: Array) -> tuple[Array, Array, Array]:
         """Return one cycle's places (N, b, 2), stage velocities (N, 2, b, 2) and end, from a place."""
         steps = len(self.loads)
-        found, rates = np.empty((steps, *place.shape)), np.empty((steps, 2, *place.shape))
+        places, rates = np.empty((steps, *place.shape)), np.empty((steps, 2, *place.shape))
         rate = np.zeros((2, *place.shape))
         for k in range(steps):
-            found[k] = place
-            place, rate = self.stepped(k, place, rate)
+            places[k] = place
+            place, rate = self.step(k, place, rate)
             rates[k] = rate
-        return found, rates, place
+        return places, rates, place
 
-    def stepped(self, k: int, place: Array, rate: Array) -> tuple[Array, Array]:
+    def step(self, k: int, place: Array, rate: Array) -> tuple[Array, Array]:
         """Return places and stage velocities after step k; `rate` is where Newton's method begins."""
         count, inner = len(place), self.inner
-        rate, stage = self._kept_within(place, 0 * rate, rate)
+        rate, stage = self._limited_change(place, 0 * rate, rate)
         for _ in range(MOST_NEWTON):
             at = self.at(stage, rate)
             matrix = np.einsum("ij,ibcd->bicjd", inner, at.stiffness)
             matrix[:, 0, :, 0] += at.damping[0]
             matrix[:, 1, :, 1] += at.damping[1]
-            sides = (self.wanted[k] - at.force).transpose(1, 0, 2).reshape(count, 4, 1)
+            sides = (self.stage_loads[k] - at.force).transpose(1, 0, 2).reshape(count, 4, 1)
             change = np.linalg.solve(matrix.reshape(count, 4, 4), sides)
             change = change.reshape(count, 2, 2).transpose(1, 0, 2)
-            rate, stage = self._kept_within(place, rate, change)
+            rate, stage = self._limited_change(place, rate, change)
             if (np.abs(np.tensordot(inner, change, axes=1)) / self.limits).max() <= NEWTON:
                 return stage[-1], rate
         rule = "Newton's method does not settle on the film's velocity"
         raise UnsolvedError(f"journal orbit at step {shown(k)}", rule, "more angles or smaller loads")
 
-    def _kept_within(self, place: Array, rate: Array, change: Array) -> tuple[Array, Array]:
-        """Return new rates and stage places, a bearing's change halved until its journal stays within."""
+    def _limited_change(self, place: Array, rate: Array, change: Array) -> tuple[Array, Array]:
+        """Return new rates and stage places, a bearing's change halved until its journal fits."""
         share = np.ones((1, len(place), 1))
         while True:
             stage = place + np.tensordot(self.inner, rate + share * change, axes=1)
@@ -176,9 +182,9 @@ def _tangents(
     """Return the orbit with velocities that carry the loads exactly: V = C(V)^-1 F, iterated."""
     velocity = _derivative(place, cycle / omega)
     for _ in range(MOST_NEWTON):
-        at = films(bearings, place, velocity, omega)
+        at = bearing_films(bearings, place, velocity, omega)
         velocity = velocity + np.linalg.solve(at.damping, (loads - at.force)[..., None])[..., 0]
-    at = films(bearings, place, velocity, omega)
+    at = bearing_films(bearings, place, velocity, omega)
     weakest = np.array([b.strength * b.clearance for b in bearings])[:, None] * abs(omega)
     if not (np.abs(at.force - loads) <= CARRIED * (np.abs(loads).max() + weakest)).all():
         rule = "no velocity along it carries the loads"

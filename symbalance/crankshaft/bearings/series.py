@@ -15,17 +15,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
 
 
-def equivalent(film: tuple[Array, Array], housing: Housing, frequency: float) -> tuple[Array, Array]:
+def equivalent_coefficients(
+    film: tuple[Array, Array], housing: Housing, frequency: float
+) -> tuple[Array, Array]:
     """Return K* and C* (..., b, 2, 2) of a film's K and C, at `frequency` in rad/s; at 0 its limit.
 
     Two springs of 2 and 2 N/m in series:
 
     >>> two = 2 * np.eye(2)[None]
-    >>> stiffness, damping = equivalent((two, two), Housing(two, 0 * two), 0.0)
+    >>> stiffness, damping = equivalent_coefficients((two, two), Housing(two, 0 * two), 0.0)
     >>> stiffness[0].round(12), damping[0].round(12)
     (array([[1., 0.],
            [0., 1.]]), array([[0.5, 0. ],
@@ -45,7 +47,7 @@ def equivalent(film: tuple[Array, Array], housing: Housing, frequency: float) ->
     return series.real, series.imag / frequency
 
 
-def quasi_static(system: PeriodicSystem, order: float = 0.0) -> PeriodicSystem:
+def equivalent_system(system: PeriodicSystem, order: float = 0.0) -> PeriodicSystem:
     """Return the system with the paper's equivalent film in place of film and housing, at one order."""
     housing = system.housing
     if housing is None:
@@ -53,7 +55,7 @@ def quasi_static(system: PeriodicSystem, order: float = 0.0) -> PeriodicSystem:
     film, frequency = system.film, order * system.omega
 
     def both(theta: Array) -> tuple[Array, Array]:
-        return equivalent((film.stiffness(theta), film.damping(theta)), housing, frequency)
+        return equivalent_coefficients((film.stiffness(theta), film.damping(theta)), housing, frequency)
 
-    made = Film(lambda theta: both(theta)[0], lambda theta: both(theta)[1])
-    return replace(system, film=made, housing=None)
+    equivalent = Film(lambda theta: both(theta)[0], lambda theta: both(theta)[1])
+    return replace(system, film=equivalent, housing=None)

@@ -11,7 +11,7 @@ parts of r/c along V and a quarter turn ahead of it, kappa^2 = 1 - p^2 - q^2 and
     w = integral dpsi/(1 - p cos psi - q sin psi) = 2 beta/kappa,
 
 F = g |V| (w_pp, w_pq)/2, and the tangents follow.
-Short bearing: Ocvirk, NACA TN 2808 (1952, from memory).
+Source: F. W. Ocvirk, Short-bearing approximation for full journal bearings, NACA TN 2808 (1952).
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from symbalance.crankshaft.arguments import check_kind, check_number
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.frames import QUARTER_TURN
-from symbalance.crankshaft.rotor import Array
 from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import SymbalanceError, shown
 
@@ -86,13 +86,13 @@ def film_state(bearing: Bearing, place: ArrayLike, velocity: ArrayLike, omega: f
 
 
 def film_states(strength: Array, clearance: Array, r: Array, speed: Array, omega: float) -> FilmState:
-    """Return the same for many bearings at once: g and c (...), places and velocities (..., 2)."""
+    """Return `film_state` of many bearings at once: g and c (...), places and velocities (..., 2)."""
     wind = speed - omega / 2 * r @ QUARTER_TURN.T
     size = np.linalg.norm(wind, axis=-1, keepdims=True)
     along = np.where(size > 0, wind / np.where(size > 0, size, 1.0), [1.0, 0.0])
-    ahead = along @ QUARTER_TURN.T
-    axes = np.stack([along, ahead], axis=-1)
-    p, q = (r * along).sum(-1) / clearance, (r * ahead).sum(-1) / clearance
+    across = along @ QUARTER_TURN.T
+    axes = np.stack([along, across], axis=-1)
+    p, q = (r * along).sum(-1) / clearance, (r * across).sum(-1) / clearance
     if not (p * p + q * q < DENSEST**2).all():
         raise SymbalanceError("journal", "must lie within the clearance", "a larger clearance")
     second, third = _moments(p, q)
@@ -129,7 +129,8 @@ def _square(a: Array, b: Array, c: Array, d: Array) -> Array:
 def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
     """Return the place (2,) in m where a journal turning at omega carries a steady load (2,) in N.
 
-    Newton's method on the eccentricity in log(load), which is nearly straight; a load of 0 is at 0.
+    Newton's method on the eccentricity in log(load), which is nearly straight; without load at the
+    centre.
 
     >>> place = equilibrium(Bearing(0.1, 0.03, 1e-4, 0.1), [-525.0, 0.0], 50 * np.pi)
     >>> round(float(np.linalg.norm(place)) / 1e-4, 4)
@@ -147,22 +148,22 @@ def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
     eccentricity = 0.5
     for _ in range(200):
         state = film_state(bearing, [eccentricity * clear, 0.0], still, omega)
-        carried = float(np.linalg.norm(state.force))
-        low, high = (eccentricity, high) if carried < size else (low, eccentricity)
-        slope = float(state.force @ state.stiffness[:, 0]) / carried * clear
-        step = np.log(size / carried) * carried / slope
-        proposed = eccentricity + step
-        settled = abs(step) <= 1e-14 * eccentricity or high - low <= 1e-16
-        if low < proposed < high:
-            eccentricity = proposed
-        elif not settled:  # a step of a rounding unit ends on a bound: no reason to halve what is settled
+        capacity = float(np.linalg.norm(state.force))
+        low, high = (eccentricity, high) if capacity < size else (low, eccentricity)
+        slope = float(state.force @ state.stiffness[:, 0]) / capacity * clear
+        step = np.log(size / capacity) * capacity / slope
+        candidate = eccentricity + step
+        is_settled = abs(step) <= 1e-14 * eccentricity or high - low <= 1e-16
+        if low < candidate < high:
+            eccentricity = candidate
+        elif not is_settled:  # a step of a rounding unit may end on a bound: no reason to halve
             eccentricity = (low + high) / 2
-        if settled:
+        if is_settled:
             break
     state = film_state(bearing, [eccentricity * clear, 0.0], still, omega)
-    carried = float(np.linalg.norm(state.force))
-    if not abs(carried - size) <= BORNE * size:
-        rule = f"is more than the film bears within the clearance, {carried:.3g} N"
+    capacity = float(np.linalg.norm(state.force))
+    if not abs(capacity - size) <= BORNE * size:
+        rule = f"is more than the film bears within the clearance, {capacity:.3g} N"
         raise UnsolvedError(f"load = {size:.3g} N", rule, "a wider bearing or a smaller load")
     turn = np.array([state.force, QUARTER_TURN @ state.force]).T / np.linalg.norm(state.force)
     aim = np.array([force, QUARTER_TURN @ force]).T / size

@@ -3,19 +3,19 @@
 quantities   the symbols, and the polynomial ring that keeps every coefficient in normal form
 rotations    small rotations to the second order: a rotation vector, six Cardan orders
 node         the linear equations of a general node, from its kinetic energy
-published    the paper's equation (1), and how each of its entries fares
+published    the paper's equation (1), compared entry by entry
 bearings     a bearing's stiffness and damping in turning coordinates
-node_document   what is written of it
+node_document   its document
 """
 
 from symbalance.crankshaft.equations.bearings import TurnedBearing, turned_bearing
 from symbalance.crankshaft.equations.node import NodeEquations, node_equations
-from symbalance.crankshaft.equations.published import compared
+from symbalance.crankshaft.equations.published import compare_with_published
 
 __all__ = [
     "NodeEquations",
     "TurnedBearing",
-    "compared",
+    "compare_with_published",
     "node_equations",
     "turned_bearing",
 ]

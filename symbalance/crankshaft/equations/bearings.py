@@ -1,4 +1,4 @@
-"""A bearing's stiffness and damping in turning coordinates, derived.
+"""Derivation of a bearing's stiffness and damping in coordinates that turn with the crank.
 
 The bearing lives in stationary axes: force on the shaft -K x - C x', x = (vertical, lateral). In turning
 axes x = Q z with Q = R(omega t); the force's components there are those of Q^T. The numbers are those of
@@ -42,8 +42,8 @@ class TurnedBearing:
         """
         same = {matrix[1, 1]: matrix[0, 0] for matrix in _BOTH}
         none = {matrix[i, 1 - i]: 0 for matrix in _BOTH for i in (0, 1)}
-        changed = (matrix.subs({**same, **none}) for matrix in (self.stiffness, self.damping))
-        return TurnedBearing(*(in_normal_form(matrix) for matrix in changed))
+        matrices = (matrix.subs({**same, **none}) for matrix in (self.stiffness, self.damping))
+        return TurnedBearing(*(in_normal_form(matrix) for matrix in matrices))
 
 
 def turned_bearing() -> TurnedBearing:
@@ -61,8 +61,8 @@ def turned_bearing() -> TurnedBearing:
     shift = turn * place
     force = turn.T * (STIFFNESS * shift + DAMPING * shift.diff(time))
     force = force.applyfunc(sympy.expand)
-    read = (force.jacobian(place), force.jacobian(place.diff(time)))
-    return TurnedBearing(*(in_normal_form(matrix.subs(time, THETA / OMEGA)) for matrix in read))
+    matrices = (force.jacobian(place), force.jacobian(place.diff(time)))
+    return TurnedBearing(*(in_normal_form(matrix.subs(time, THETA / OMEGA)) for matrix in matrices))
 
 
 def in_normal_form(matrix: sympy.Matrix) -> sympy.ImmutableMatrix:
@@ -70,9 +70,9 @@ def in_normal_form(matrix: sympy.Matrix) -> sympy.ImmutableMatrix:
     cosine, sine = sympy.symbols("c s")
     circle = sine**2 + cosine**2 - 1
 
-    def reduced(entry: Any) -> Any:
+    def reduce(entry: Any) -> Any:
         flat = entry.subs({sympy.cos(THETA): cosine, sympy.sin(THETA): sine})
         rest = sympy.expand(sympy.rem(sympy.expand(flat), circle, sine))
         return rest.subs({cosine: sympy.cos(THETA), sine: sympy.sin(THETA)})
 
-    return sympy.ImmutableMatrix(matrix.applyfunc(reduced))
+    return sympy.ImmutableMatrix(matrix.applyfunc(reduce))

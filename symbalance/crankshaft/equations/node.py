@@ -1,6 +1,6 @@
-"""The linear equations of a rigid body at a node of axes that turn with the crank, derived.
+"""Derivation of the linear equations of a rigid body at a node, in axes that turn with the crank.
 
-The kinetic energy of a body of mass m, tensor I about its mass centre, seen from axes that turn at omega:
+The kinetic energy of a body of mass m, tensor I about its mass centre, in axes that turn at omega:
 
     T = m v.v/2 + Omega.I Omega/2,   v = r' + omega w x r,   r = (U, V, W) + (u, v, w) + A e,
     Omega = A^T omega w + (axis of A^T A'),   A a rotation by small theta_u, theta_v, theta_w.
@@ -38,18 +38,18 @@ from symbalance.crankshaft.equations.quantities import (
     SHIFT,
     THETA,
     M,
-    Polynomial,
-    Rows,
-    Vector,
-    applied,
-    cross,
-    dot,
+    RingElement,
+    RingMatrix,
+    RingVector,
     inertia_rows,
-    polynomial,
-    polynomials,
-    product,
-    rate,
-    transposed,
+    matrix_product,
+    matrix_times_vector,
+    ring_element,
+    ring_elements,
+    scalar_product,
+    time_derivative,
+    transpose,
+    vector_product,
 )
 from symbalance.crankshaft.equations.rotations import rotation_rows
 from symbalance.document.result import Result
@@ -57,7 +57,7 @@ from symbalance.document.result import Result
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
-Matrix = sympy.ImmutableMatrix
+SymbolMatrix = sympy.ImmutableMatrix
 _SIZE = len(COORDINATES)
 
 
@@ -120,9 +120,13 @@ class NodeEquations(Result):
         >>> node_equations().with_values(e_u=0, e_v=0, e_w=0).centrifugal_force.T
         Matrix([[U*m, V*m, 0, I_vw, -I_uw, 0]])
         """
-        named = {str(symbol): symbol for symbol in self.symbols}
-        replaced = {named[name]: sympy.sympify(value) for name, value in values.items() if name in named}
-        return replace(self, **{name: matrix.subs(replaced) for name, matrix in self.parts().items()})
+        by_name = {str(symbol): symbol for symbol in self.symbols}
+        substitutions = {
+            by_name[name]: sympy.sympify(value) for name, value in values.items() if name in by_name
+        }
+        return replace(
+            self, **{name: matrix.subs(substitutions) for name, matrix in self.parts().items()}
+        )
 
     def principal(self) -> NodeEquations:
         """Return the equations of the paper's node: mass centre at the node, principal axes U, V, W."""
@@ -163,31 +167,34 @@ def node_equations(rotation: str = "vector") -> NodeEquations:
     )
 
 
-def _mass_centre(attitude: Rows) -> Vector:
+def _mass_centre(attitude: RingMatrix) -> RingVector:
     """Return the place of the mass centre in turning axes, (U, V, W) + (u, v, w) + A e."""
-    arm = applied(attitude, polynomials(OFFSET))
-    return [p + d + a for p, d, a in zip(polynomials(PLACE), polynomials(SHIFT), arm, strict=True)]
+    arm = matrix_times_vector(attitude, ring_elements(OFFSET))
+    return [p + d + a for p, d, a in zip(ring_elements(PLACE), ring_elements(SHIFT), arm, strict=True)]
 
 
-def _kinetic_energy(centre: Vector, attitude: Rows) -> Polynomial:
+def _kinetic_energy(centre: RingVector, attitude: RingMatrix) -> RingElement:
     """Return the kinetic energy through the second order in coordinates and rates."""
     axis = [RING.zero, RING.zero, RING.one]
-    carried = cross(axis, centre)
-    omega = polynomial(OMEGA)
-    velocity = [rate(r) + omega * c for r, c in zip(centre, carried, strict=True)]
-    body_axes = transposed(attitude)
-    turning = product(body_axes, [[rate(cell) for cell in row] for row in attitude])
+    transport = vector_product(axis, centre)
+    omega = ring_element(OMEGA)
+    velocity = [time_derivative(r) + omega * c for r, c in zip(centre, transport, strict=True)]
+    body_axes = transpose(attitude)
+    turning = matrix_product(body_axes, [[time_derivative(cell) for cell in row] for row in attitude])
     own = [turning[2][1], turning[0][2], turning[1][0]]
-    spin = [omega * a + o for a, o in zip(applied(body_axes, axis), own, strict=True)]
-    return (polynomial(M) * dot(velocity, velocity) + dot(spin, applied(inertia_rows(), spin))) / 2
+    spin = [omega * a + o for a, o in zip(matrix_times_vector(body_axes, axis), own, strict=True)]
+    return (
+        ring_element(M) * scalar_product(velocity, velocity)
+        + scalar_product(spin, matrix_times_vector(inertia_rows(), spin))
+    ) / 2
 
 
-Coefficients = list[dict[tuple[int, ...], sympy.Expr]]
+DerivativeTables = list[dict[tuple[int, ...], sympy.Expr]]
 
 
-def _coefficients(energy: Polynomial) -> tuple[Coefficients, Coefficients]:
+def _coefficients(energy: RingElement) -> tuple[DerivativeTables, DerivativeTables]:
     """Return the first and the second derivatives at rest, a table for each power of omega."""
-    tables: dict[int, Coefficients] = {1: [{}, {}, {}], 2: [{}, {}, {}]}
+    tables: dict[int, DerivativeTables] = {1: [{}, {}, {}], 2: [{}, {}, {}]}
     for powers, number in energy.terms():
         moving, power = powers[:MOVING], powers[MOVING]
         places = tuple(i for i, n in enumerate(moving) for _ in range(n))
@@ -201,19 +208,19 @@ def _coefficients(energy: Polynomial) -> tuple[Coefficients, Coefficients]:
     return tables[1], tables[2]
 
 
-def _matrix(table: dict[tuple[int, ...], sympy.Expr], rows: int = 0, columns: int = 0) -> Matrix:
+def _matrix(table: dict[tuple[int, ...], sympy.Expr], rows: int = 0, columns: int = 0) -> SymbolMatrix:
     """Return six rows and columns of second derivatives, from this row and column on."""
-    return Matrix(_SIZE, _SIZE, lambda i, j: table.get((rows + i, columns + j), 0))
+    return SymbolMatrix(_SIZE, _SIZE, lambda i, j: table.get((rows + i, columns + j), 0))
 
 
-def _column(table: dict[tuple[int, ...], sympy.Expr], rows: int = 0) -> Matrix:
+def _column(table: dict[tuple[int, ...], sympy.Expr], rows: int = 0) -> SymbolMatrix:
     """Return six first derivatives, from this row on."""
-    return Matrix(_SIZE, 1, lambda i, _: table.get((rows + i,), 0))
+    return SymbolMatrix(_SIZE, 1, lambda i, _: table.get((rows + i,), 0))
 
 
-def _gravity(centre: Vector) -> Matrix:
+def _gravity(centre: RingVector) -> SymbolMatrix:
     """Return the force of gravity per g: the X of the mass centre is r_u cos theta - r_v sin theta."""
-    along, across = (_coefficients(polynomial(M) * r)[0][0] for r in centre[:2])
+    along, across = (_coefficients(ring_element(M) * r)[0][0] for r in centre[:2])
     down = -sympy.cos(THETA), sympy.sin(THETA)
     u, v = _column(along), _column(across)
-    return Matrix(_SIZE, 1, lambda i, _: down[0] * u[i] + down[1] * v[i])
+    return SymbolMatrix(_SIZE, 1, lambda i, _: down[0] * u[i] + down[1] * v[i])

@@ -1,4 +1,4 @@
-"""What is written of a node's equations: their matrices, the published ones beside them, a bearing's."""
+"""Document of a node's equations: their matrices, the published ones beside them, a bearing's."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy
 
 from symbalance.crankshaft.equations.bearings import turned_bearing
-from symbalance.crankshaft.equations.published import HOLDS, Entry, compared
+from symbalance.crankshaft.equations.published import HOLDS, PublishedEntry, compare_with_published
 from symbalance.crankshaft.equations.quantities import COORDINATES, OFFSET, PLACE, THETA, M
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import (
@@ -73,7 +73,7 @@ def node_document(equations: NodeEquations) -> Document:
             _blocks_of(_H, (equations.euler + equations.euler.T) / 2, 1),
             Heading("Forces"),
             _forces(equations),
-            _published(equations),
+            _comparison(equations),
             _bearing(),
             _derivation(),
             _how_to_read(equations),
@@ -84,8 +84,8 @@ def node_document(equations: NodeEquations) -> Document:
 def _motion() -> Equation:
     """Return the equations of motion in matrices."""
     acceleration, rate = Derivative(_Q, _T, 2), Derivative(_Q, _T)
-    left = _MASS * acceleration + _OMEGA * _G * rate + (_OMEGA**2 * _DK + _ALPHA * _B) * _Q
-    return equal(left, _LOAD + _OMEGA**2 * _F_M - _ALPHA * _C + _GRAVITY * _F_G)
+    inertia = _MASS * acceleration + _OMEGA * _G * rate + (_OMEGA**2 * _DK + _ALPHA * _B) * _Q
+    return equal(inertia, _LOAD + _OMEGA**2 * _F_M - _ALPHA * _C + _GRAVITY * _F_G)
 
 
 def entry_formula(value: Any) -> Formula:
@@ -138,17 +138,19 @@ def _blocks_of(name: Name, matrix: Any, sign: int) -> tuple[Block, ...]:
     beside: Formula = zero if coupling.is_zero_matrix else _X
     below: Formula = zero if coupling.is_zero_matrix else Power(_X, Name("T"))
     below = Negative(below) if sign < 0 and not coupling.is_zero_matrix else below
-    named = [(Name("S"), shift), (_X, coupling)]
+    blocks_by_letter = [(Name("S"), shift), (_X, coupling)]
     equations = [equal(name, Matrix(((corner, beside), (below, _Y))))]
-    equations += [equal(letter, _matrix(block)) for letter, block in named if not block.is_zero_matrix]
+    equations += [
+        equal(letter, _matrix(block)) for letter, block in blocks_by_letter if not block.is_zero_matrix
+    ]
     whole = _matrix(turn)
     if not _is_wide(whole):
         return (Formulas((*equations, equal(_Y, whole))),)
     kind = "symmetric" if sign > 0 else "skew"
-    said = Paragraph(
+    sentence = Paragraph(
         (_Y, f" is {kind}; its entries, numbered as those of ", name, ", from the diagonal up:")
     )
-    return (Formulas(tuple(equations)), said, Formulas(tuple(_entries(name, turn))))
+    return (Formulas(tuple(equations)), sentence, Formulas(tuple(_entries(name, turn))))
 
 
 def _entries(name: Name, turn: Any) -> Iterator[Equation]:
@@ -172,36 +174,40 @@ def _forces(equations: NodeEquations) -> Formulas:
     return Formulas(tuple(equal(name, _matrix(vector)) for name, vector in pairs))
 
 
-def _published(equations: NodeEquations) -> tuple[Block, ...]:
-    """Return how the entries of the published equation fare."""
-    plain = [entry.verdict for entry in compared(equations.principal())]
-    rows = [_row(entry) for entry in compared(equations) if entry.verdict != HOLDS and _is_upper(entry)]
-    said = (
+def _comparison(equations: NodeEquations) -> tuple[Block, ...]:
+    """Return the published equation beside the derived one, entry by entry."""
+    plain = [entry.verdict for entry in compare_with_published(equations.principal())]
+    rows = [
+        _row(entry)
+        for entry in compare_with_published(equations)
+        if entry.verdict != HOLDS and _is_upper(entry)
+    ]
+    sentence = (
         f"{plain.count(HOLDS)} of its {len(plain)} entries hold where the mass centre is the node and "
         "the principal axes are U, V, W. For this body these do not; rows and columns count from 1, "
         "and of a symmetric or skew pair the upper one stands here."
     )
     columns = tuple(map(Column, ("entry", "published", "derived", "verdict")))
     table = Table("", columns, tuple(rows), empty="none: every entry holds")
-    return (Heading("Beside the published equation (1)"), Paragraph(said), table)
+    return (Heading("Beside the published equation (1)"), Paragraph(sentence), table)
 
 
-def _is_upper(entry: Entry) -> bool:
+def _is_upper(entry: PublishedEntry) -> bool:
     return entry.matrix == "centrifugal_force" or entry.row <= entry.column
 
 
-def _row(entry: Entry) -> tuple[Words, ...]:
+def _row(entry: PublishedEntry) -> tuple[Words, ...]:
     places = (entry.row, entry.column)[: 1 if entry.matrix == "centrifugal_force" else 2]
     name = _entry_name(_LETTERS[entry.matrix], *places)
-    return (name, entry_formula(entry.published), entry_formula(entry.derived), entry.verdict)
+    return (name, entry_formula(entry.published_value), entry_formula(entry.derived_value), entry.verdict)
 
 
 def _bearing() -> tuple[Block, ...]:
     """Return a bearing's stiffness and damping in turning axes."""
-    turned = turned_bearing()
+    bearing = turned_bearing()
     stiffness, damping, turn, quarter = map(Name, ("K", "C", "R", "J"))
-    transposed = Power(turn, Name("T"))
-    circulatory = _OMEGA * transposed * damping * turn * quarter
+    transpose = Power(turn, Name("T"))
+    circulatory = _OMEGA * transpose * damping * turn * quarter
     return (
         Heading("A bearing in turning axes"),
         Paragraph(
@@ -219,14 +225,14 @@ def _bearing() -> tuple[Block, ...]:
         ),
         Formulas(
             (
-                equal(Name("K_rot"), transposed * stiffness * turn + circulatory),
-                equal(Name("C_rot"), transposed * damping * turn),
+                equal(Name("K_rot"), transpose * stiffness * turn + circulatory),
+                equal(Name("C_rot"), transpose * damping * turn),
             )
         ),
         Paragraph(("The last term is circulatory. At ", equal(Name("theta"), 0), " it is")),
-        Formulas((equal(circulatory, _plain(turned.circulatory.subs(THETA, 0))),)),
+        Formulas((equal(circulatory, _plain(bearing.circulatory.subs(THETA, 0))),)),
         Paragraph("A bearing that is the same in all directions has"),
-        Formulas((equal(Name("K_rot"), _plain(turned.isotropic().stiffness)),)),
+        Formulas((equal(Name("K_rot"), _plain(bearing.isotropic().stiffness)),)),
     )
 
 
@@ -242,7 +248,7 @@ def _derivation() -> tuple[Block, ...]:
         + _OMEGA * (p * _B * _Q + c * _P)
         + _OMEGA**2 * (force * _Q - _HALF * q * _DK * _Q)
     )
-    said = (
+    sentence = (
         "They are Lagrange's for the kinetic energy through the second order, with the rates ",
         equal(_P, Derivative(_Q, _T)),
         ":",
@@ -256,7 +262,7 @@ def _derivation() -> tuple[Block, ...]:
     )
     return (
         Heading("Where they come from"),
-        Paragraph(said),
+        Paragraph(sentence),
         Formulas((equal(_E, energy),)),
         Paragraph(skew),
     )
@@ -270,10 +276,19 @@ def _how_to_read(equations: NodeEquations) -> Facts:
         attitude = Product(tuple(Name(f"R_{axis}") for axis in kind))
         turn = ("Cardan angles, the body turned by ", attitude)
     entries: list[tuple[Words, Words]] = [
-        (_Q, (*_listed(COORDINATES), ": a shift and ", *turn, ", in axes that turn about W at ", _OMEGA)),
+        (
+            _Q,
+            (
+                *_vector_words(COORDINATES),
+                ": a shift and ",
+                *turn,
+                ", in axes that turn about W at ",
+                _OMEGA,
+            ),
+        ),
         (_ALPHA, Derivative(_OMEGA, _T)),
-        (Name("m"), ("mass of the rigid body at the node ", *_listed(PLACE))),
-        (Name("e"), ("its mass centre from the node, ", *_listed(OFFSET))),
+        (Name("m"), ("mass of the rigid body at the node ", *_vector_words(PLACE))),
+        (Name("e"), ("its mass centre from the node, ", *_vector_words(OFFSET))),
         (
             Name("I"),
             (
@@ -288,7 +303,7 @@ def _how_to_read(equations: NodeEquations) -> Facts:
     return Facts(tuple(entries), "How to read it")
 
 
-def _listed(symbols: tuple[sympy.Symbol, ...]) -> tuple[Inline, ...]:
+def _vector_words(symbols: tuple[sympy.Symbol, ...]) -> tuple[Inline, ...]:
     """Return symbols as a vector in brackets."""
     parts: list[Any] = ["("]
     for symbol in symbols:

@@ -1,4 +1,4 @@
-"""The published equation of motion of a crankshaft's node, and how each of its entries fares.
+"""The published equation of motion of a crankshaft's node, compared with the derived one entry by entry.
 
 Source: J. Mizuhaya, I. Honda, K. Ota, H. Shimokouchi, T. Tsubota, "Analysis of Dynamic Stress of Engine
 Crankshaft in Operating Condition" (Mitsubishi Heavy Industries), equation (1). Its M, I_u, I_v, I_w are
@@ -20,7 +20,7 @@ HOLDS, MISSING, DIFFERS = "holds", "missing", "differs"
 
 
 @dataclass(frozen=True)
-class Entry:
+class PublishedEntry:
     """One entry of a published matrix (rows and columns count from 0), what it is, and the verdict.
 
     "holds": equal; "missing": zero in print only; "differs": both there and not equal.
@@ -29,21 +29,21 @@ class Entry:
     matrix: str
     row: int
     column: int
-    published: Any
-    derived: Any
+    published_value: Any
+    derived_value: Any
 
     @property
     def verdict(self) -> str:
         """One of "holds", "missing", "differs"; every entry is a polynomial, so the test is exact."""
-        if sympy.expand(self.published - self.derived) == 0:
+        if sympy.expand(self.published_value - self.derived_value) == 0:
             return HOLDS
-        return MISSING if self.published == 0 else DIFFERS
+        return MISSING if self.published_value == 0 else DIFFERS
 
 
-def published() -> dict[str, sympy.ImmutableMatrix]:
+def published_matrices() -> dict[str, sympy.ImmutableMatrix]:
     """Return the matrices of equation (1) as printed.
 
-    >>> published()["gyroscopic"][4, 3]
+    >>> published_matrices()["gyroscopic"][4, 3]
     I_uu + I_vv - I_ww
     """
     uu, vv, ww = MOMENTS
@@ -57,15 +57,15 @@ def published() -> dict[str, sympy.ImmutableMatrix]:
     }
 
 
-def compared(equations: NodeEquations) -> Iterator[Entry]:
+def compare_with_published(equations: NodeEquations) -> Iterator[PublishedEntry]:
     """Yield every entry of equation (1), 114 in all, beside the one derived.
 
     >>> from symbalance.crankshaft.equations import node_equations
-    >>> {entry.verdict for entry in compared(node_equations().principal())}
+    >>> {entry.verdict for entry in compare_with_published(node_equations().principal())}
     {'holds'}
     """
-    derived = equations.parts()
-    for name, printed in published().items():
-        for row in range(printed.rows):
-            for column in range(printed.cols):
-                yield Entry(name, row, column, printed[row, column], derived[name][row, column])
+    matrices = equations.parts()
+    for name, print_ in published_matrices().items():
+        for row in range(print_.rows):
+            for column in range(print_.cols):
+                yield PublishedEntry(name, row, column, print_[row, column], matrices[name][row, column])

@@ -1,4 +1,4 @@
-"""The symbols of a node's equations, and the polynomials they are derived in.
+"""Symbols of a node's equations, and the polynomial ring in which they are derived.
 
 Everything is a polynomial with rational coefficients: in the mass, the place, the offset, the inertia
 tensor, the six coordinates and their rates. SymPy's sparse rings keep them in normal form, so that a
@@ -30,70 +30,70 @@ RING: PolyRing = ring((*COORDINATES, *RATES, OMEGA, *PARAMETERS), sympy.QQ)[0]
 MOVING = len(COORDINATES) + len(RATES)
 """How many of the ring's generators, the first, are small."""
 
-Polynomial = Any
+RingElement = Any
 """An element of the ring: SymPy's types do not say what their sums are."""
-Vector = list[Polynomial]
-Rows = list[Vector]
+RingVector = list[RingElement]
+RingMatrix = list[RingVector]
 
 
-def polynomial(symbol: sympy.Expr | int) -> Polynomial:
+def ring_element(symbol: sympy.Expr | int) -> RingElement:
     """Return a symbol, or a sum of products of them, as an element of the ring."""
     return RING.from_expr(sympy.sympify(symbol))
 
 
-def polynomials(symbols: tuple[sympy.Symbol, ...]) -> Vector:
+def ring_elements(symbols: tuple[sympy.Symbol, ...]) -> RingVector:
     """Return several symbols as elements of the ring."""
-    return [polynomial(symbol) for symbol in symbols]
+    return [ring_element(symbol) for symbol in symbols]
 
 
-def inertia_rows() -> Rows:
+def inertia_rows() -> RingMatrix:
     """Return the inertia tensor about the mass centre, with I_uv = -(integral of u v dm) and so on."""
-    uu, vv, ww = polynomials(MOMENTS)
-    uv, uw, vw = polynomials(PRODUCTS)
+    uu, vv, ww = ring_elements(MOMENTS)
+    uv, uw, vw = ring_elements(PRODUCTS)
     return [[uu, uv, uw], [uv, vv, vw], [uw, vw, ww]]
 
 
-def through(value: Polynomial, degree: int = 2) -> Polynomial:
+def truncated(value: RingElement, degree: int = 2) -> RingElement:
     """Return a polynomial without its terms of higher degree in the small quantities."""
-    kept = {powers: c for powers, c in value.terms() if sum(powers[:MOVING]) <= degree}
-    return RING.from_dict(kept)
+    terms = {powers: c for powers, c in value.terms() if sum(powers[:MOVING]) <= degree}
+    return RING.from_dict(terms)
 
 
-def total(values: Iterable[Polynomial]) -> Polynomial:
+def ring_sum(values: Iterable[RingElement]) -> RingElement:
     """Return the sum."""
     return sum(values, RING.zero)
 
 
-def dot(one: Vector, other: Vector, degree: int = 2) -> Polynomial:
+def scalar_product(one: RingVector, other: RingVector, degree: int = 2) -> RingElement:
     """Return the scalar product, through a degree in the small quantities."""
-    return through(total(a * b for a, b in zip(one, other, strict=True)), degree)
+    return truncated(ring_sum(a * b for a, b in zip(one, other, strict=True)), degree)
 
 
-def applied(rows: Rows, vector: Vector) -> Vector:
+def matrix_times_vector(rows: RingMatrix, vector: RingVector) -> RingVector:
     """Return matrix times vector, through the second degree."""
-    return [dot(row, vector) for row in rows]
+    return [scalar_product(row, vector) for row in rows]
 
 
-def product(one: Rows, other: Rows) -> Rows:
+def matrix_product(one: RingMatrix, other: RingMatrix) -> RingMatrix:
     """Return matrix times matrix, through the second degree."""
-    return [[dot(row, list(column)) for column in zip(*other, strict=True)] for row in one]
+    return [[scalar_product(row, list(column)) for column in zip(*other, strict=True)] for row in one]
 
 
-def transposed(rows: Rows) -> Rows:
+def transpose(rows: RingMatrix) -> RingMatrix:
     """Return the transpose."""
     return [list(column) for column in zip(*rows, strict=True)]
 
 
-def cross(one: Vector, other: Vector) -> Vector:
+def vector_product(one: RingVector, other: RingVector) -> RingVector:
     """Return the vector product, through the second degree."""
     return [
-        dot([one[1], -one[2]], [other[2], other[1]]),
-        dot([one[2], -one[0]], [other[0], other[2]]),
-        dot([one[0], -one[1]], [other[1], other[0]]),
+        scalar_product([one[1], -one[2]], [other[2], other[1]]),
+        scalar_product([one[2], -one[0]], [other[0], other[2]]),
+        scalar_product([one[0], -one[1]], [other[1], other[0]]),
     ]
 
 
-def rate(value: Polynomial) -> Polynomial:
+def time_derivative(value: RingElement) -> RingElement:
     """Return the time derivative of a polynomial in the coordinates."""
-    pairs = zip(polynomials(COORDINATES), polynomials(RATES), strict=True)
-    return total(value.diff(q) * q_dot for q, q_dot in pairs)
+    pairs = zip(ring_elements(COORDINATES), ring_elements(RATES), strict=True)
+    return ring_sum(value.diff(q) * q_dot for q, q_dot in pairs)

@@ -1,7 +1,6 @@
 """Engine files' tables for the running crankshaft: [crankshaft], [bearings], [running], read strictly.
 
-crank_keys  the keys of the three tables: kind, unit, range, default and meaning
-described   the reference and the JSON Schema of all of an engine file
+crank_keys  the keys of the three tables: kind, unit, range, default, meaning; reference, JSON Schema
 geometry    [crankshaft] and the layout -> Crank
 supports    [bearings] -> clearance, oil, housing, thrust bearing
 operation   [running] -> bore, speeds, pressure, rods, damping, strength, measured curves

@@ -1,19 +1,32 @@
 """The keys of [crankshaft], [bearings] and [running]: kind, unit, range, default and meaning of each.
 
-`FILE_KEYS` describes all of an engine file: the other tables are those of `engine.engine_keys`.
+`FILE_KEYS` describes all of an engine file: the other tables are those of `engine.engine_keys`. A
+reference in Markdown for people and a JSON Schema for editors come from it; ENGINE_FILES.md and the
+package hold them as text, so that nothing is computed when they are read.
 """
 
 from __future__ import annotations
 
+import json
 from fractions import Fraction
 
 from symbalance.engine.crank_train import ROD
 from symbalance.engine.engine_keys import DEGREES, ENGINE_FILE, KG, KG_MM2, MM, ROD_KEYS
-from symbalance.text.key_tables import Excludes, Key, Needs, OneOf, Some, TableKeys, Together, Unit
+from symbalance.text.key_tables import (
+    Excludes,
+    Key,
+    Needs,
+    OneOf,
+    Some,
+    TableKeys,
+    Together,
+    Unit,
+    json_schema,
+)
 from symbalance.text.kinds import ListOf, Measured, OneOrList, Text, Whole
-from symbalance.torque.ideal import HIGHEST_COMPRESSION, MOST_HEAT
+from symbalance.torque.cylinder_gas import AMBIENT
+from symbalance.torque.ideal_cycles import HIGHEST_COMPRESSION, MOST_HEAT
 from symbalance.torque.pressure import MOST_BAR
-from symbalance.torque.tangential import AMBIENT
 
 GPA, MPA, BAR, RPM = Unit("GPa", 1e9), Unit("MPa", 1e6), Unit("bar"), Unit("rpm")
 DENSITY, VISCOSITY = Unit("kg/m³"), Unit("Pa s")
@@ -30,6 +43,10 @@ NAME = Text(longest=4096)
 EACH = OneOrList(POSITIVE)
 PLACES = ListOf(Whole(1, MOST_PLACES), "[1, 3]")
 FROM_FRONT = "counted from 1 at the front"
+ABOUT = (
+    'A number may be written as text, so that it is exact: "360/7". Lengths are in mm, masses in kg, '
+    "angles in degrees, speeds in rpm, pressures in bar."
+)
 
 
 def _round(name: str, meaning: str) -> TableKeys:
@@ -310,3 +327,18 @@ RUNNING = TableKeys(
 
 FILE_KEYS = ENGINE_FILE.with_kinds({"crankshaft": CRANKSHAFT, "bearings": BEARINGS, "running": RUNNING})
 """The keys of a whole engine file."""
+
+
+def schema_of_engine_files() -> str:
+    """Return the JSON Schema (draft 2020-12) of an engine file.
+
+    It says which keys there are, what their values are and which go together; what depends on several
+    tables (a firing order and its cylinders, a rod and its stroke) is left to the reader.
+    """
+    schema = json_schema(FILE_KEYS, "urn:symbalance:engine-file", "symbalance engine file", ABOUT)
+    return json.dumps(schema, indent=1, ensure_ascii=False) + "\n"
+
+
+def reference_of_keys() -> str:
+    """Return the reference of all keys of an engine file, in Markdown."""
+    return "\n".join(FILE_KEYS.reference()).rstrip() + "\n"

@@ -1,4 +1,4 @@
-"""An engine file with all that a running crankshaft needs."""
+"""Reading of an engine file with all that a running crankshaft needs."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.files import geometry, operation, supports
 from symbalance.crankshaft.files.crank_keys import FILE_KEYS
 from symbalance.crankshaft.files.operation import Operation
-from symbalance.crankshaft.files.supports import Supports
+from symbalance.crankshaft.files.supports import MainBearings
 from symbalance.engine.catalogue import preset_names
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import default_name, engine_from
@@ -25,7 +25,7 @@ class RunningEngine:
 
     layout: Engine
     crank: Crank
-    supports: Supports
+    bearings: MainBearings
     operation: Operation
 
     @property
@@ -35,7 +35,7 @@ class RunningEngine:
 
     def at_speeds(self, rpm: Sequence[float]) -> RunningEngine:
         """Return the same engine with other speeds to run at."""
-        speeds = operation.checked_speeds(list(rpm))
+        speeds = operation.sorted_speeds(list(rpm))
         return replace(self, operation=replace(self.operation, rpm=speeds))
 
 
@@ -51,9 +51,9 @@ def read_running_engine(path: str | Path) -> RunningEngine:
             what = f"{place}: cylinder {cylinder.number}"
             raise SymbalanceError(what, "has no reciprocating_mass", "give it in [crank_train], in kg")
     crank = geometry.read_crank(_section(file, "crankshaft"), layout)
-    held = supports.read_supports(_section(file, "bearings"), crank, folder)
+    bearings = supports.read_bearings(_section(file, "bearings"), crank, folder)
     run = operation.read_operation(_section(file, "running"), layout, folder)
-    return RunningEngine(layout, crank, held, run)
+    return RunningEngine(layout, crank, bearings, run)
 
 
 def refuse_preset(path: str | Path) -> None:

@@ -1,4 +1,4 @@
-"""From [crankshaft] and a layout to a crank: pins in the order of the cylinders' stations.
+"""The table [crankshaft] of an engine file as a crank: pins in the order of the cylinders' stations.
 
 A bay is what lies between two journals. The cylinders of one station share a bay: one pin where they
 share a throw, several pins with a flying web between where they do not (split pins). `web_only_after`
@@ -12,8 +12,9 @@ from fractions import Fraction
 from itertools import groupby, pairwise
 from math import pi
 
-from symbalance.crankshaft.checks import check_geometry
-from symbalance.crankshaft.crank import Crank, Disc, Journal, Material, Part, Pin, Web, WebCounterweight
+from symbalance.crankshaft.crank import Crank, Journal, Part, Pin, Web, WebCounterweight
+from symbalance.crankshaft.geometry_checks import check_geometry
+from symbalance.crankshaft.rotor.parts import Disc, Material
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
@@ -25,12 +26,12 @@ WEB = ("thickness", "width", "tip", "heel")
 PITCH_TOLERANCE = 1e-3
 """How far the sum of a throw's lengths may differ from the pitch, of the pitch."""
 
-Group = tuple[Cylinder, ...]
+PinCylinders = tuple[Cylinder, ...]
 
 
 def read_crank(section: Section, layout: Engine) -> Crank:
     """Return the crank of [crankshaft] for a layout; lengths in mm, moduli in GPa, kg, kg mm^2."""
-    bays = _joined(_bays(layout), section)
+    bays = _join_bays(_bays(layout), section)
     pins = _read_pins(section, bays, layout)
     webs = _read_webs(section, bays, pins)
     journals = _read_journals(section, len(bays) + 1)
@@ -45,58 +46,58 @@ def read_crank(section: Section, layout: Engine) -> Crank:
     return crank
 
 
-def _bays(layout: Engine) -> list[list[Group]]:
+def _bays(layout: Engine) -> list[list[PinCylinders]]:
     """Return the bays front to rear, each its pins, each the cylinders that share it."""
     if layout.has_symbols:
         raise SymbalanceError(layout.name, "has angles with symbols", "a crankshaft needs numbers")
-    ordered = sorted(layout.cylinders, key=lambda c: -c.station)
+    from_front = sorted(layout.cylinders, key=lambda c: -c.station)
     bays = []
-    for _, here in groupby(ordered, lambda c: c.station):
+    for _, here in groupby(from_front, lambda c: c.station):
         pins: dict[Fraction, list[Cylinder]] = {}
         for cylinder in here:
             pins.setdefault(cylinder.throw.turns % 1, []).append(cylinder)
         bays.append([tuple(pin) for pin in pins.values()])
-    return _sharing(bays)
+    return _merge_vee_pins(bays)
 
 
-def _sharing(bays: list[list[Group]]) -> list[list[Group]]:
+def _merge_vee_pins(bays: list[list[PinCylinders]]) -> list[list[PinCylinders]]:
     """Return the bays with neighbouring pins of one throw and different banks, less than half a pitch
-    apart, made one: the rods of a vee side by side.
+    apart, merged: the rods of a vee side by side.
     """
-    found = bays[:1]
+    merged_bays = bays[:1]
     for bay in bays[1:]:
-        before, after = found[-1][-1], bay[0]
+        before, after = merged_bays[-1][-1], bay[0]
         near = before[-1].station - after[0].station < Fraction(1, 2)
-        if near and len(bay) == len(found[-1]) == 1 and _one_pin(before, after):
-            found[-1] = [before + after]
+        if near and len(bay) == len(merged_bays[-1]) == 1 and _one_pin(before, after):
+            merged_bays[-1] = [before + after]
         elif near:
-            found[-1] = found[-1] + bay
+            merged_bays[-1] = merged_bays[-1] + bay
         else:
-            found.append(bay)
-    return found
+            merged_bays.append(bay)
+    return merged_bays
 
 
-def _one_pin(before: Group, after: Group) -> bool:
+def _one_pin(before: PinCylinders, after: PinCylinders) -> bool:
     alike = (before[0].throw.turns - after[0].throw.turns) % 1 == 0
     return alike and not {c.bank for c in before} & {c.bank for c in after}
 
 
-def _joined(bays: list[list[Group]], section: Section) -> list[list[Group]]:
+def _join_bays(bays: list[list[PinCylinders]], section: Section) -> list[list[PinCylinders]]:
     """Return the bays with those that `web_only_after` names joined to the next."""
     count = sum(map(len, bays))
-    joined = set(section.places("web_only_after", max(count - 1, 1)))
-    found: list[list[Group]] = []
+    webs_only = set(section.places("web_only_after", max(count - 1, 1)))
+    bays_joined: list[list[PinCylinders]] = []
     place = 0
     for bay in bays:
-        if found and place in joined:
-            found[-1] = found[-1] + bay
+        if bays_joined and place in webs_only:
+            bays_joined[-1] = bays_joined[-1] + bay
         else:
-            found.append(list(bay))
+            bays_joined.append(list(bay))
         place += len(bay)
-    return found
+    return bays_joined
 
 
-def _read_pins(section: Section, bays: list[list[Group]], layout: Engine) -> list[Pin]:
+def _read_pins(section: Section, bays: list[list[PinCylinders]], layout: Engine) -> list[Pin]:
     table = section.section("pin")
     groups = [pin for bay in bays for pin in bay]
     sizes = [table.numbers(key, len(groups)) for key in ROUND]
@@ -109,7 +110,7 @@ def _read_pins(section: Section, bays: list[list[Group]], layout: Engine) -> lis
     return pins
 
 
-def _crank_radius(section: Section, group: Group) -> float:
+def _crank_radius(section: Section, group: PinCylinders) -> float:
     """Return the crank radius in m that a pin's cylinders agree on; a link rod's is its master's."""
     strokes = {c.stroke for c in group}
     stroke = strokes.pop()
@@ -135,7 +136,7 @@ def _read_journals(section: Section, count: int) -> list[Journal]:
     return [Journal(d, long, b, f, bearing=i not in bare) for i, (d, long, b, f) in rows]
 
 
-def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> list[Web]:
+def _read_webs(section: Section, bays: list[list[PinCylinders]], pins: list[Pin]) -> list[Web]:
     """Return the webs front to rear: each bay has one more than pins, its inner ones flying."""
     table = section.section("web")
     flying = [0 < i < len(bay) for bay in bays for i in range(len(bay) + 1)]
@@ -150,7 +151,7 @@ def _read_webs(section: Section, bays: list[list[Group]], pins: list[Pin]) -> li
     return [Web(*row[:4], counterweight=weights.get(i)) for i, row in enumerate(rows, 1)]
 
 
-def _missing_flying_web(section: Section, bays: Sequence[Sequence[Group]]) -> SymbalanceError:
+def _missing_flying_web(section: Section, bays: Sequence[Sequence[PinCylinders]]) -> SymbalanceError:
     """Return the refusal that says which pins need a flying web between them, and why."""
     one, other = next(bay for bay in bays if len(bay) > 1)[:2]
     throws = [f"{float(pin[0].throw.turns * 360):.6g}" for pin in (one, other)]
@@ -161,21 +162,21 @@ def _missing_flying_web(section: Section, bays: Sequence[Sequence[Group]]) -> Sy
 
 
 def _read_counterweights(
-    section: Section, bays: list[list[Group]], pins: list[Pin], count: int
+    section: Section, bays: list[list[PinCylinders]], pins: list[Pin], count: int
 ) -> dict[int, WebCounterweight]:
     """Return each web's counterweight; its angle counts from opposite the web's pin."""
-    counted = iter(pins)
+    next_pins = iter(pins)
     beside = []  # the pin behind each web, of a bay's last web the pin before it
     for bay in bays:
-        own = [next(counted) for _ in bay]
+        own = [next(next_pins) for _ in bay]
         beside += [*own, own[-1]]
-    found: dict[int, WebCounterweight] = {}
+    weights: dict[int, WebCounterweight] = {}
     for row in section.sections("counterweight"):
         for web in row.places("webs", count):
-            if web in found:
+            if web in weights:
                 raise row.refusal("webs", f"gives web {web} a second counterweight", "name each web once")
-            found[web] = _counterweight(row, beside[web - 1].angle)
-    return found
+            weights[web] = _counterweight(row, beside[web - 1].angle)
+    return weights
 
 
 def _counterweight(row: Section, pin: float) -> WebCounterweight:
@@ -208,7 +209,10 @@ def _disc(section: Section, key: str) -> Disc | None:
 
 
 def _chain(
-    journals: Sequence[Journal], webs: Sequence[Web], pins: Sequence[Pin], bays: Sequence[Sequence[Group]]
+    journals: Sequence[Journal],
+    webs: Sequence[Web],
+    pins: Sequence[Pin],
+    bays: Sequence[Sequence[PinCylinders]],
 ) -> tuple[Part, ...]:
     next_web, next_pin = iter(webs), iter(pins)
     parts: list[Part] = [journals[0]]
@@ -220,7 +224,7 @@ def _chain(
     return tuple(parts)
 
 
-def _check_pitch(section: Section, crank: Crank, layout: Engine, groups: Sequence[Group]) -> None:
+def _check_pitch(section: Section, crank: Crank, layout: Engine, groups: Sequence[PinCylinders]) -> None:
     """Refuse a chain whose pins do not stand where the cylinders do."""
     pitch = layout.pitch
     if pitch is None:
@@ -230,8 +234,8 @@ def _check_pitch(section: Section, crank: Crank, layout: Engine, groups: Sequenc
     ]
     places = [-float(sum(c.station for c in g) / len(g) * pitch) for g in groups]
     for i, ((m0, m1), (p0, p1)) in enumerate(zip(pairwise(middles), pairwise(places), strict=True), 1):
-        shared = abs(p1 - p0) < float(pitch) / 2  # pins of one bay: rods side by side
-        if not shared and abs((m1 - m0) - (p1 - p0)) > PITCH_TOLERANCE * float(pitch):
+        same_bay = abs(p1 - p0) < float(pitch) / 2  # pins of one bay: rods side by side
+        if not same_bay and abs((m1 - m0) - (p1 - p0)) > PITCH_TOLERANCE * float(pitch):
             what = f"pins {i} and {i + 1} lie {m1 - m0:.6g} mm apart"
             rule = f"must lie {p1 - p0:.6g} mm apart, as their cylinders do"
             remedy = "journal + 2 webs + pin is the pitch: correct a length, or [crank_train] pitch"

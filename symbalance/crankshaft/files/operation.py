@@ -1,4 +1,4 @@
-"""From [running]: bore, speeds, pressure, rods, damping, the material's strength, a measured curve."""
+"""The table [running] of an engine file: bore, speeds, pressure, rods, strength, a measured curve."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ IDEAL = ("heat", "peak_pressure", "intake")
 
 @dataclass(frozen=True)
 class Strength:
-    """What the material bears, Pa: tensile strength, endurance limit at zero mean, and the S-N line.
+    """Strength of the material, Pa: tensile strength, endurance limit at zero mean, and the S-N line.
 
     Amplitudes above the endurance limit last `cycles` (endurance/amplitude)^slope. The defaults are
     estimates for a forged and hardened steel crank; a real assessment needs measured ones.
@@ -88,7 +88,7 @@ def read_operation(section: Section, layout: Engine, folder: Path) -> Operation:
 def _speeds(section: Section) -> tuple[float, ...]:
     value = section.value("rpm")
     speeds = [float(v) for v in (value if isinstance(value, list) else [value])]
-    return section.guarded(lambda: checked_speeds(speeds), "rpm")
+    return section.guarded(lambda: sorted_speeds(speeds), "rpm")
 
 
 def speed_text(rpm: float) -> str:
@@ -100,7 +100,7 @@ def speed_text(rpm: float) -> str:
     return repr(float(rpm)).removesuffix(".0")
 
 
-def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
+def sorted_speeds(speeds: list[float]) -> tuple[float, ...]:
     """Return speeds in rising order; refuse none at all, one not positive, and repeated ones."""
     if not speeds:
         raise SymbalanceError("rpm = []", "names no speed", "write rpm = 2200, or a list")
@@ -110,11 +110,11 @@ def checked_speeds(speeds: list[float]) -> tuple[float, ...]:
             raise SymbalanceError(
                 f"rpm = {speed_text(speed)}", rule, "a crank at rest has no running stress"
             )
-    ordered = tuple(sorted(speeds))
-    for before, after in pairwise(ordered):
+    speeds_up = tuple(sorted(speeds))
+    for before, after in pairwise(speeds_up):
         if before == after:
             raise SymbalanceError(f"rpm = {speed_text(after)}", "is named twice", "name each speed once")
-    return ordered
+    return speeds_up
 
 
 def _trace(section: Section, layout: Engine, folder: Path) -> PressureTrace:
@@ -123,13 +123,13 @@ def _trace(section: Section, layout: Engine, folder: Path) -> PressureTrace:
 
 
 def _ideal(section: Section, layout: Engine) -> IdealCycle | None:
-    """Return the ideal cycle asked for, None where a pressure trace is given."""
+    """Return the ideal cycle, None where a pressure trace is given."""
     if "pressure" in section:
         return None
-    given = {key: section.value(key) for key in IDEAL if key in section}
+    options = {key: section.value(key) for key in IDEAL if key in section}
     compression = section.value("compression")
     return section.guarded(
-        lambda: ideal_cycle(compression, strokes=layout.strokes, **given), "compression"
+        lambda: ideal_cycle(compression, strokes=layout.strokes, **options), "compression"
     )
 
 
@@ -138,14 +138,12 @@ def _first(section: Section, ideal: IdealCycle, layout: Engine) -> PressureTrace
 
 
 def _rod(section: Section, layout: Engine) -> RodSplit | None:
-    given = [key for key in ROD if key in section]
-    if not given:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
+    keys = [key for key in ROD if key in section]
+    if not keys:  # [crank_train] may give the rod for the other commands: the same keys, the same rod
         return layout.first.rod_split
     length = layout.first.sizes.rod
     if length is None:
-        raise section.refusal(
-            given[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]"
-        )
+        raise section.refusal(keys[0], "needs the rod's length", "add rod = ..., in mm, in [crank_train]")
     mass, centre, inertia = (section.value(key) for key in ROD)
     rod = section.guarded(lambda: RodSplit(mass, length, centre, inertia), "rod_centre")
     share = layout.first.reciprocating_mass
@@ -181,11 +179,11 @@ def _check_rods(section: Section, layout: Engine, rod: RodSplit | None, big_end_
 
 
 def _strength(table: Section) -> Strength:
-    made = Strength(*(table.number(key) for key in ("tensile", "endurance", "slope", "cycles")))
-    if made.endurance >= made.tensile:
-        rule = f"must lie below the tensile strength, {made.tensile / 1e6:.6g} MPa"
+    strength = Strength(*(table.number(key) for key in ("tensile", "endurance", "slope", "cycles")))
+    if strength.endurance >= strength.tensile:
+        rule = f"must lie below the tensile strength, {strength.tensile / 1e6:.6g} MPa"
         raise table.refusal("endurance", rule, "both in MPa")
-    return made
+    return strength
 
 
 def _overlay(section: Section, folder: Path) -> Overlay | None:

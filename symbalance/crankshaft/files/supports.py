@@ -1,4 +1,4 @@
-"""From [bearings]: the clearances, the oil, the structure behind the films, the thrust bearing."""
+"""The table [bearings] of an engine file: clearances, oil, structure behind the films, thrust bearing."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ WIDEST = 0.01
 
 
 @dataclass(frozen=True)
-class Supports:
+class MainBearings:
     """The main bearings front to rear, SI: a number each; `housing` None is a rigid structure.
 
     `clearance` is radial; `housing` holds (vertical, lateral, damping); `table` names a file of film
@@ -32,7 +32,7 @@ class Supports:
     thrust_stiffness: float
 
 
-def read_supports(section: Section, crank: Crank, folder: Path) -> Supports:
+def read_bearings(section: Section, crank: Crank, folder: Path) -> MainBearings:
     """Return what [bearings] says of a crank's main bearings: clearance and length in mm, Pa s, N/m."""
     journals = [p for p in crank.parts if isinstance(p, Journal) and p.bearing]
     count = len(journals)
@@ -42,17 +42,17 @@ def read_supports(section: Section, crank: Crank, folder: Path) -> Supports:
     lengths = [j.length for j in journals]
     if "length" in section:
         lengths = section.numbers("length", count)
-        for given, journal in zip(lengths, journals, strict=True):
-            if given > journal.length * (1 + 1e-12):
+        for value, journal in zip(lengths, journals, strict=True):
+            if value > journal.length * (1 + 1e-12):
                 rule = f"exceeds the journal's {journal.length / MILLI:.6g} mm"
                 raise section.refusal("length", rule, "a bearing shell lies on its journal")
     table = section.value("table")
     clearance = section.numbers("clearance", count)
-    for given, journal in zip(clearance, journals, strict=True):
-        if given > WIDEST * journal.diameter:
+    for value, journal in zip(clearance, journals, strict=True):
+        if value > WIDEST * journal.diameter:
             rule = f"exceeds {WIDEST * journal.diameter / MILLI:.6g} mm, a hundredth of the journal"
             raise section.refusal("clearance", rule, "radial, in mm: about a thousandth of the radius")
-    return Supports(
+    return MainBearings(
         tuple(clearance),
         tuple(lengths),
         tuple(j.diameter for j in journals),

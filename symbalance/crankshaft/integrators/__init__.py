@@ -1,13 +1,9 @@
 """Integrators of a linear periodic system: fixed-step Radau IIA and Newmark, and SciPy's.
 
 methods       the fixed-step ones by name
-radau         Radau IIA, the bearings as a correction of small rank
+radau         Radau IIA, the bearings as a correction of small rank;  tableau: its nodes and matrix
 newmark       average acceleration, likewise
-marching      what both come to: a few small products a step
-checked       what a system must be
-films         films and housings at a step's stages
-tableau       Radau IIA's nodes and matrix
-from_scipy    SciPy's on the first-order form
-first_order   that form; the bearings' forces of a state
+time_stepping what both come to: a few small products a step
+first_order   the first-order form, and SciPy's integrators on it
 coefficients  the bearings at given angles
 """

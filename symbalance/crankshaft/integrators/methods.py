@@ -1,14 +1,13 @@
-"""The fixed-step methods by name."""
+"""The fixed-step integrators by name: Radau IIA of order 5 and 9, and Newmark's."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from symbalance.crankshaft.integrators.checked import checked_steps, checked_system
-from symbalance.crankshaft.integrators.marching import LinearSteps
 from symbalance.crankshaft.integrators.newmark import newmark_steps
 from symbalance.crankshaft.integrators.radau import radau_steps
-from symbalance.crankshaft.system import PeriodicSystem
+from symbalance.crankshaft.integrators.time_stepping import LinearSteps
+from symbalance.crankshaft.system import PeriodicSystem, check_consistency, check_steps
 from symbalance.errors import SymbalanceError, shown
 
 FIXED: dict[str, Callable[[PeriodicSystem, int], LinearSteps]] = {
@@ -22,6 +21,6 @@ def linear_steps(system: PeriodicSystem, method: str, steps: int) -> LinearSteps
     """Return one cycle of a fixed-step method."""
     if method not in FIXED:
         raise SymbalanceError(f"method = {shown(method)!r}", "is not known", f"one of {', '.join(FIXED)}")
-    checked_steps(steps)
-    checked_system(system)
+    check_steps(steps)
+    check_consistency(system)
     return FIXED[method](system, steps)

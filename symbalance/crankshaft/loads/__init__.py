@@ -1,4 +1,4 @@
-r"""What the rods put on the crank pins against the crank angle, each part once.
+r"""Forces of the connecting rods on the crank pins against the crank angle: gas and inertia.
 
 In a cylinder's own frame (height along its axis, + lateral where the pin moves to after p = 0; numbers
 height + i lateral) the piston's equilibrium along its axis and the rod's moments about its pin give, at
@@ -14,10 +14,9 @@ The big end's rotating share is no part of P: it sits as mass on its pin's node,
 holds its centrifugal force. A link rod bears on its link pin, so that the master's rod gives the crank
 pin its force too, and the master's piston the moment of it.
 
-    motion       y and phi of any mechanism for whole arrays of crank angles
-    pressures    gas forces for whole arrays
+    motion       y and phi of any mechanism for arrays of crank angles
     cylinders    P of every cylinder
-    pins         the six loads at every pin, turning coordinates; gravity, big ends, harmonics
+    pins         the six loads at every pin, turning coordinates; big ends, harmonics
 """
 
 from symbalance.crankshaft.loads.cylinders import RodForces, firing_crank_angles, rod_forces

@@ -8,14 +8,13 @@ from math import pi
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.files import RunningEngine
-from symbalance.crankshaft.loads.motion import Complex, Motion, link_arm, motion
-from symbalance.crankshaft.loads.pressures import pressures
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.loads.motion import Complex, PistonMotion, link_arm, piston_motion
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.kinematics.mechanisms import LinkRod, Mechanism
-from symbalance.kinematics.pistons import Piston
+from symbalance.kinematics.piston_motion import Piston
 from symbalance.torque import PressureTrace, firing_pin_passings
 from symbalance.torque.running import PASCAL
 
@@ -42,20 +41,20 @@ class RodForces:
         """Return that force in the cylinder's own frame: height + i lateral, N.
 
         A master's holds the lateral force that balances its link rods' moments about the crank pin; the
-        link rods' own forces are theirs.
+        link rods have forces of their own.
         """
-        cylinder, moved = self._cylinders[number], self._motion(number, theta)
+        cylinder, motion_ = self._cylinders[number], self._motion(number, theta)
         axial = self.axial(number, theta)
-        excess = self.engine.operation.excess * self.omega**2 * moved.swinging
+        excess = self.engine.operation.excess * self.omega**2 * motion_.angle_acceleration
         moment = excess + sum(self._link_moment(link, theta) for link in self._links(cylinder))
-        across = moment / (self._length(number) * np.cos(moved.angle))
-        return axial - 1j * (axial * np.tan(moved.angle) + across)
+        across = moment / (self._length(number) * np.cos(motion_.angle))
+        return axial - 1j * (axial * np.tan(motion_.angle) + across)
 
     def axial(self, number: int, theta: Array) -> Array:
         """Return F, the piston's load along its axis, away from the crank: gas and inertia, N."""
         total = np.zeros_like(np.asarray(theta, dtype=float))
         if "gas" in self.parts:
-            after, run = theta - self._tops[number], self.engine.operation
+            after, run = theta - self._firing_angles[number], self.engine.operation
             bar = pressures(self._traces[number], after) - run.ambient
             total = total - bar * PASCAL * run.area
         if "inertia" in self.parts:
@@ -87,7 +86,7 @@ class RodForces:
         return {n: c.known_mechanism for n, c in self._cylinders.items()}
 
     @cached_property
-    def _tops(self) -> dict[int, float]:
+    def _firing_angles(self) -> dict[int, float]:
         return firing_crank_angles(self.engine.layout)
 
     @cached_property
@@ -95,13 +94,13 @@ class RodForces:
         run = self.engine.operation
         if run.ideal is None:
             return dict.fromkeys(self._mechanisms, run.trace)
-        made = {self._mechanisms[self.engine.layout.first.number]: run.trace}
-        made |= {m: run.ideal.trace(m) for m in set(self._mechanisms.values()) - made.keys()}
-        return {n: made[m] for n, m in self._mechanisms.items()}
+        traces = {self._mechanisms[self.engine.layout.first.number]: run.trace}
+        traces |= {m: run.ideal.trace(m) for m in set(self._mechanisms.values()) - traces.keys()}
+        return {n: traces[m] for n, m in self._mechanisms.items()}
 
-    def _motion(self, number: int, theta: Array) -> Motion:
+    def _motion(self, number: int, theta: Array) -> PistonMotion:
         delay = 2 * pi * float(self._cylinders[number].delay.turns)
-        return motion(self._mechanisms[number], theta + delay)
+        return piston_motion(self._mechanisms[number], theta + delay)
 
     def _bank(self, number: int) -> float:
         return 2 * pi * float(self._cylinders[number].bank.turns)
@@ -118,8 +117,8 @@ class RodForces:
         return float(self._mechanisms[number].length) * self._radius(number)
 
     def _links(self, master: Cylinder) -> list[Cylinder]:
-        found = self._cylinders.values()
-        return [c for c in found if c.link is not None and c.link.master == master.number]
+        cylinders = self._cylinders.values()
+        return [c for c in cylinders if c.link is not None and c.link.master == master.number]
 
     def _link_moment(self, cylinder: Cylinder, theta: Array) -> Array:
         """Return a link rod's moment about the crank pin, + in the sense of rotation, N m."""
@@ -146,3 +145,21 @@ def firing_crank_angles(layout: Engine) -> dict[int, float]:
 def rod_forces(engine: RunningEngine, omega: float) -> RodForces:
     """Return the rods' forces of an engine at a speed in rad/s."""
     return RodForces(engine, omega)
+
+
+def pressures(trace: PressureTrace, angles: Array) -> Array:
+    """Return the pressures in bar at angles (radians) after the firing top dead centre.
+
+    Straight lines between the points; at a jump the value behind it, as `PressureTrace.at`.
+
+    >>> trace = PressureTrace((0.0, 180.0, 360.0, 540.0), (3.0, 1.0, 1.0, 1.0))
+    >>> pressures(trace, np.radians([90.0, 630.0, -90.0])).tolist()
+    [2.0, 2.0, 2.0]
+    """
+    points, values = np.array(trace.radians), np.array(trace.closed)
+    cycle = points[-1] - points[0]
+    places = points[0] + np.mod(angles - points[0], cycle)
+    i = np.clip(np.searchsorted(points, places, side="right") - 1, 0, len(points) - 2)
+    width = points[i + 1] - points[i]
+    share = np.where(width > 0, (places - points[i]) / np.where(width > 0, width, 1.0), 0.0)
+    return values[i] + share * (values[i + 1] - values[i])

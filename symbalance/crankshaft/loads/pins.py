@@ -1,4 +1,4 @@
-"""The loads at the pins' middles in turning coordinates, as the rotor's nodes take them."""
+"""Forces and moments of the rods at the middles of the crank pins, in turning coordinates."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Pin
 from symbalance.crankshaft.files import RunningEngine
 from symbalance.crankshaft.loads.cylinders import RodForces
 from symbalance.crankshaft.loads.motion import Complex
-from symbalance.crankshaft.rotor import DOF, Array
 
 MILLI = 1e-3
 
@@ -34,15 +34,15 @@ class PinLoads:
     def at(self, theta: Array) -> Array:
         """Return (s, pins, 6): F_u, F_v, F_w, N_u, N_v, N_w at angles (s,), N and N m."""
         pins = self.rods.engine.crank.pins
-        found = np.zeros((len(theta), len(pins), DOF))
+        loads = np.zeros((len(theta), len(pins), DOF))
         for place, pin in enumerate(pins):
             for number in pin.cylinders:
                 force = self.rods.at(number, theta)
-                found[:, place, 0] += force.real
-                found[:, place, 1] += force.imag
-                found[:, place, 3] -= self.shifts[number] * force.imag
-                found[:, place, 4] += self.shifts[number] * force.real
-        return found
+                loads[:, place, 0] += force.real
+                loads[:, place, 1] += force.imag
+                loads[:, place, 3] -= self.shifts[number] * force.imag
+                loads[:, place, 4] += self.shifts[number] * force.real
+        return loads
 
     def harmonics(self, order: int, points: int = 4096) -> Complex:
         """Return (k + 1, pins, 6), the two-sided coefficients c of sum c e^(i s theta) of each load.
@@ -70,16 +70,6 @@ def pin_loads(engine: RunningEngine, omega: float, *parts: str) -> PinLoads:
 def big_end_masses(engine: RunningEngine) -> list[float]:
     """Return the rods' rotating mass on every pin, kg: for the rotor's nodes, and not for `pin_loads`."""
     return [engine.operation.big_end_mass * len(pin.cylinders) for pin in engine.crank.pins]
-
-
-def gravity(masses: Array, theta: Array, standard: float = 9.80665) -> Array:
-    """Return (s, n, 2): the weight of masses (n,) in turning coordinates, X up: it turns backward.
-
-    >>> gravity(np.array([1.0]), np.array([np.pi, np.pi / 2])).round(5)[:, 0].max(axis=1).tolist()
-    [9.80665, 9.80665]
-    """
-    down = -standard * np.exp(-1j * theta)[:, None] * masses
-    return np.stack([down.real, down.imag], axis=-1)
 
 
 def _shifts(engine: RunningEngine) -> dict[int, float]:

@@ -1,4 +1,4 @@
-"""A run's curves for other programs, as CSV."""
+"""Curves of a run over the crank angle as CSV, for other programs."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import numpy as np
 
 from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.reports.summary import MEGA
-from symbalance.crankshaft.running.outcome import Outcome
-from symbalance.crankshaft.running.setting import Setting
+from symbalance.crankshaft.running.configuration import RunConfiguration
+from symbalance.crankshaft.running.outcome import SpeedOutcome
 
 
-def curves_csv(outcome: Outcome) -> str:
+def curves_csv(outcome: SpeedOutcome) -> str:
     """Return a speed's channels, bearing loads (N) and orbits (mm) against the crank angle (degrees).
 
     Of a speed that is not to be relied on: a line that says why, the names, and no values.
@@ -21,8 +21,8 @@ def curves_csv(outcome: Outcome) -> str:
     ]
     columns = [outcome.degrees, *(outcome.values * scale).T]
     for j in range(len(outcome.clearance)):
-        for axis, way in enumerate(("vertical", "lateral")):
-            names += [f"bearing {j + 1} {way} [N]", f"journal {j + 1} {way} [mm]"]
+        for axis, direction in enumerate(("vertical", "lateral")):
+            names += [f"bearing {j + 1} {direction} [N]", f"journal {j + 1} {direction} [mm]"]
             columns += [outcome.bearings[:, j, axis], outcome.orbits[:, j, axis] * 1000]
     head = ",".join(["crank angle [degrees]", *names])
     if outcome.reason:
@@ -31,12 +31,12 @@ def curves_csv(outcome: Outcome) -> str:
     return "\n".join(lines) + "\n"
 
 
-def loads_csv(outcome: Outcome, setting: Setting) -> str:
+def loads_csv(outcome: SpeedOutcome, configuration: RunConfiguration) -> str:
     """Return the rods' forces on every pin (N) along U and V, turning axes, against the crank angle.
 
     Gas and inertia of piston and rod; the big ends turn with their pins and are no part of it.
     """
-    loads = setting.loading(outcome.rpm).pins.at(outcome.theta)
+    loads = configuration.rotor_loads(outcome.rpm).pins.at(outcome.theta)
     count = loads.shape[1]
     names = [f"pin {k} {axis} [N]" for k in range(1, count + 1) for axis in "UV"]
     rows = np.column_stack([outcome.degrees, loads[:, :, :2].reshape(len(loads), -1)])

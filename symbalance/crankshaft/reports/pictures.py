@@ -1,4 +1,4 @@
-"""A run's pictures: stress against the crank angle, orders, speeds, orbits, bearings, frequencies."""
+"""Pictures of a run: stress against the crank angle, orders, speeds, orbits, bearings, frequencies."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.crankshaft.bearings.series import quasi_static as in_series
-from symbalance.crankshaft.campbell import campbell
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.bearings.series import equivalent_system as in_series
 from symbalance.crankshaft.files.operation import speed_text
 from symbalance.crankshaft.loads import firing_crank_angles
-from symbalance.crankshaft.modes import KINDS
 from symbalance.crankshaft.reports.summary import MEGA, Summary
-from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.running.holding import driven_node
-from symbalance.crankshaft.running.outcome import Outcome
+from symbalance.crankshaft.rotor.campbell_diagram import campbell
+from symbalance.crankshaft.rotor.constraints import driven_node
+from symbalance.crankshaft.rotor.modes import MOTIONS
+from symbalance.crankshaft.running.outcome import SpeedOutcome
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import MissingPartError
 
@@ -29,32 +29,32 @@ MOST_TICKS = 12
 JUMP = 1.6
 """A Campbell line that moves further than this times the step of speed turned its whirl: it is cut."""
 HOLD = 1e8
-"""N/m and N m/rad that hold the crank's axial place and its spin in the Campbell diagram."""
+"""N/m and N m/rad on the crank's axial place and its rotation in the Campbell diagram."""
 
 
-def pictures(found: Summary) -> dict[str, bytes]:
+def draw_pictures(run: Summary) -> dict[str, bytes]:
     """Return the pictures as PNG by file name: those of the highest speed, and those over all speeds.
 
     Speeds that are not to be relied on are left out; where no other is, the free crank's frequencies
     remain. Refused without matplotlib, with the command that installs it.
     """
-    if not found.reliable:
-        return {"frequencies.png": _png(_frequencies(found))}
-    last = found.reliable[-1]
-    drawn = {
-        "pin-bending.png": _angles(found, last, "bending"),
-        "pin-torsion.png": _angles(found, last, "torsion"),
-        "orders.png": _orders(found, last),
+    if not run.reliable:
+        return {"frequencies.png": _png(_frequencies(run))}
+    last = run.reliable[-1]
+    figures = {
+        "pin-bending.png": _angles(run, last, "bending"),
+        "pin-torsion.png": _angles(run, last, "torsion"),
+        "orders.png": _orders(run, last),
         "orbits.png": _orbits(last),
         "bearings.png": _bearings(last),
-        "films.png": _films(found, last),
+        "films.png": _films(run, last),
     }
-    drawn["frequencies.png"] = _frequencies(found)
-    drawn["campbell.png"] = _campbell(found)
-    if len(found.reliable) > 2:
-        drawn["waterfall.png"] = _waterfall(found)
-        drawn["order-cuts.png"] = _order_cuts(found)
-    return {name: _png(figure) for name, figure in drawn.items()}
+    figures["frequencies.png"] = _frequencies(run)
+    figures["campbell.png"] = _campbell(run)
+    if len(run.reliable) > 2:
+        figures["waterfall.png"] = _waterfall(run)
+        figures["order-cuts.png"] = _order_cuts(run)
+    return {name: _png(figure) for name, figure in figures.items()}
 
 
 def check_drawing() -> Any:
@@ -80,27 +80,29 @@ def _png(figure: Any) -> bytes:
     return stream.getvalue()
 
 
-def _angles(found: Summary, outcome: Outcome, kind: str) -> Any:
+def _angles(run: Summary, outcome: SpeedOutcome, kind: str) -> Any:
     """Draw a stress of every pin against the crank angle, with all firings; measured curves on top."""
     pins = [
         n for n in outcome.names if n.startswith("pin ") and n.endswith(f" {kind}") and "fillet" not in n
     ]
     figure, axes = _figure(len(pins), 1, sharex=True, sharey=True, height=1.5)
-    tops = {n: np.degrees(a) for n, a in firing_crank_angles(found.setting.engine.layout).items()}
+    firings = {n: np.degrees(a) for n, a in firing_crank_angles(run.configuration.engine.layout).items()}
     cycle = np.degrees(outcome.cycle)
-    for axis, name, pin in zip(axes[:, 0], pins, found.setting.engine.crank.pins, strict=True):
+    for axis, name, pin in zip(axes[:, 0], pins, run.configuration.engine.crank.pins, strict=True):
         axis.plot(outcome.degrees, outcome.channel(name) / MEGA, color=COLOURS[0], linewidth=1.2)
-        for number, top in tops.items():
+        for number, firing in firings.items():
             own = number in pin.cylinders
             axis.axvline(
-                top,
+                firing,
                 color=COLOURS[1] if own else "0.6",
                 linewidth=1.6 if own else 0.9,
                 zorder=1,
                 clip_on=False,
             )
-            axis.text(top, 0.98, f" {number}", transform=axis.get_xaxis_transform(), va="top", fontsize=8)
-        for curve in found.comparisons:
+            axis.text(
+                firing, 0.98, f" {number}", transform=axis.get_xaxis_transform(), va="top", fontsize=8
+            )
+        for curve in run.comparisons:
             if curve.channel == name and curve.rpm == outcome.rpm:
                 axis.plot(curve.degrees % cycle, curve.values, ".", color="black", markersize=3)
         axis.set_ylabel(f"{name.rsplit(' ', 1)[0]}, MPa")
@@ -113,19 +115,19 @@ def _angles(found: Summary, outcome: Outcome, kind: str) -> Any:
     return figure
 
 
-def _over_a_cycle(axis: Any, outcome: Outcome) -> None:
+def _over_a_cycle(axis: Any, outcome: SpeedOutcome) -> None:
     cycle = np.degrees(outcome.cycle)
     axis.set(xlabel="crank angle, degrees", xlim=(0, cycle))
     axis.set_xticks(np.arange(0, cycle + 1, 90))
 
 
-def _orders(found: Summary, outcome: Outcome) -> Any:
+def _orders(run: Summary, outcome: SpeedOutcome) -> Any:
     pins = [n for n in outcome.names if n.startswith("pin ") and n.endswith(" bending")]
     figure, axes = _figure(len(pins), 1, sharex=True, sharey=True, height=1.3)
     for axis, name in zip(axes[:, 0], pins, strict=True):
         orders, sizes = outcome.orders(name)
-        kept = (orders > 0) & (orders <= HIGHEST_ORDER)
-        axis.bar(orders[kept], sizes[kept] / MEGA, width=0.35, color=COLOURS[0])
+        inside = (orders > 0) & (orders <= HIGHEST_ORDER)
+        axis.bar(orders[inside], sizes[inside] / MEGA, width=0.35, color=COLOURS[0])
         axis.set_ylabel(f"{name.rsplit(' ', 1)[0]}, MPa")
     axes[-1, 0].set(xlabel="order: per turn of the crank", xlim=(0, HIGHEST_ORDER + 0.5))
     axes[-1, 0].set_xticks(range(0, HIGHEST_ORDER + 1, 2))
@@ -133,8 +135,8 @@ def _orders(found: Summary, outcome: Outcome) -> Any:
     return figure
 
 
-def _orbits(outcome: Outcome) -> Any:
-    """Draw every journal's orbit in its clearance circle, up and right as seen from the front."""
+def _orbits(outcome: SpeedOutcome) -> Any:
+    """Draw every journal's orbit in its clearance circle, up and right for a viewer in front."""
     count = len(outcome.clearance)
     columns = min(count, 4)
     figure, axes = _figure((count - 1) // columns + 1, columns, width=2.6 * columns, height=2.6)
@@ -154,7 +156,7 @@ def _orbits(outcome: Outcome) -> Any:
     return figure
 
 
-def _bearings(outcome: Outcome) -> Any:
+def _bearings(outcome: SpeedOutcome) -> Any:
     figure, axes = _figure(1, 1, height=3.4)
     loads = np.hypot(outcome.bearings[..., 0], outcome.bearings[..., 1]) / 1000
     for j, load in enumerate(loads.T):
@@ -168,12 +170,12 @@ def _bearings(outcome: Outcome) -> Any:
     return figure
 
 
-def _films(found: Summary, outcome: Outcome) -> Any:
+def _films(run: Summary, outcome: SpeedOutcome) -> Any:
     """Draw the films' stiffness against the crank angle, alone and in series with the housing.
 
     The middle bearing; the paper's figure 5 in kind.
     """
-    full = replace(found.setting, steps=outcome.steps).system(outcome.rpm)
+    full = replace(run.configuration, steps=outcome.steps).system(outcome.rpm)
     series = in_series(full)
     j = len(outcome.clearance) // 2
     figure, axes = _figure(2, 1, sharex=True, sharey=True)
@@ -191,30 +193,34 @@ def _films(found: Summary, outcome: Outcome) -> Any:
     return figure
 
 
-def _frequencies(found: Summary) -> Any:
+def _frequencies(run: Summary) -> Any:
     """Draw the natural frequencies by mode, coloured by what moves; the paper's figure 3 in kind."""
     figure, axes = _figure(1, 1, width=7, height=3.2)
-    for colour, kind in zip(COLOURS, KINDS, strict=False):
-        rows = [(i, f) for i, (f, own) in enumerate(found.frequencies, 1) if own == kind]
+    for colour, kind in zip(COLOURS, MOTIONS, strict=False):
+        rows = [(i, f) for i, (f, own) in enumerate(run.frequencies, 1) if own == kind]
         if rows:
             axes[0, 0].bar(*zip(*rows, strict=True), color=colour, label=kind)
     axes[0, 0].set(xlabel="mode", ylabel="Hz", title="Natural frequencies of the free crank")
-    axes[0, 0].set_xticks(range(1, len(found.frequencies) + 1))
+    axes[0, 0].set_xticks(range(1, len(run.frequencies) + 1))
     axes[0, 0].legend(fontsize=8)
     return figure
 
 
-def _campbell(found: Summary) -> Any:
+def _campbell(run: Summary) -> Any:
     """Draw the modes on the bearings' mean stiffness over speed, turning and stationary lines, orders."""
-    outcome = found.reliable[-1]
-    made, last, theta = replace(found.setting, steps=outcome.steps), outcome.rpm, outcome.theta
-    full = made.system(last)
+    outcome = run.reliable[-1]
+    configuration, last, theta = (
+        replace(run.configuration, steps=outcome.steps),
+        outcome.rpm,
+        outcome.theta,
+    )
+    full = configuration.system(last)
     middle = np.abs(series_film(full, theta)).mean(axis=0).trace(axis1=1, axis2=2) / 2
     support = np.einsum("b,bin,bim->nm", middle, full.points, full.points)
-    for unknown in (6 * driven_node(made.rotor) + 5, 6 * made.rotor.journals[-1] + 2):
+    for unknown in (6 * driven_node(configuration.rotor) + 5, 6 * configuration.rotor.journals[-1] + 2):
         support[unknown, unknown] += HOLD
     speeds = np.linspace(0, 1.5 * last, 31)
-    lines = campbell(made.rotor, list(speeds * np.pi / 30), support, CAMPBELL_MODES)
+    lines = campbell(configuration.rotor, list(speeds * np.pi / 30), support, CAMPBELL_MODES)
     figure, axes = _figure(1, 2, sharey=True, height=4.2)
     hertz = 2 * np.pi
     step = speeds[1] * np.pi / 30
@@ -242,27 +248,27 @@ def series_film(full: PeriodicSystem, theta: Array) -> Array:
     return in_series(full).film.stiffness(theta)
 
 
-def _worst_pin(found: Summary) -> str:
-    pins = [e for e in found.extremes if e.name.startswith("pin ") and e.name.endswith(" bending")]
+def _worst_pin(run: Summary) -> str:
+    pins = [e for e in run.extremes if e.name.startswith("pin ") and e.name.endswith(" bending")]
     return max(pins, key=lambda e: e.largest - e.least).name
 
 
-def _spectra(found: Summary, name: str) -> tuple[Array, Array]:
+def _spectra(run: Summary, name: str) -> tuple[Array, Array]:
     """Return the orders that all speeds have, whatever their steps, and (speed, order) sizes in MPa."""
-    rows = [outcome.orders(name) for outcome in found.reliable]
+    rows = [outcome.orders(name) for outcome in run.reliable]
     count = min(len(orders) for orders, _ in rows)
     return rows[0][0][:count], np.array([sizes[:count] for _, sizes in rows]) / MEGA
 
 
-def _waterfall(found: Summary) -> Any:
+def _waterfall(run: Summary) -> Any:
     """Draw the order spectra of the worst pin's bending over the speed."""
-    name = _worst_pin(found)
+    name = _worst_pin(run)
     figure, axes = _figure(1, 1, height=4.2)
-    orders, sizes = _spectra(found, name)
-    kept = (orders > 0) & (orders <= HIGHEST_ORDER)
-    speeds = [o.rpm for o in found.reliable]
-    shade = np.log10(np.maximum(sizes[:, kept], 1e-2))
-    mesh = axes[0, 0].pcolormesh(orders[kept], speeds, shade, shading="nearest", cmap="viridis")
+    orders, sizes = _spectra(run, name)
+    inside = (orders > 0) & (orders <= HIGHEST_ORDER)
+    speeds = [o.rpm for o in run.reliable]
+    shade = np.log10(np.maximum(sizes[:, inside], 1e-2))
+    mesh = axes[0, 0].pcolormesh(orders[inside], speeds, shade, shading="nearest", cmap="viridis")
     figure.colorbar(mesh, label="lg of the amplitude in MPa")
     axes[0, 0].set(xlabel="order", ylabel="rpm", title=f"{name.capitalize()} stress, order by order")
     axes[0, 0].set_yticks(
@@ -271,13 +277,13 @@ def _waterfall(found: Summary) -> Any:
     return figure
 
 
-def _order_cuts(found: Summary) -> Any:
-    name = _worst_pin(found)
+def _order_cuts(run: Summary) -> Any:
+    name = _worst_pin(run)
     figure, axes = _figure(1, 1, height=3.6)
-    orders, sizes = _spectra(found, name)
-    ranked = sorted(np.flatnonzero(orders > 0), key=lambda k: -sizes[:, k].max())[:8]
-    for colour, k in zip(COLOURS, sorted(ranked), strict=False):
-        rpm = [o.rpm for o in found.reliable]
+    orders, sizes = _spectra(run, name)
+    strongest = sorted(np.flatnonzero(orders > 0), key=lambda k: -sizes[:, k].max())[:8]
+    for colour, k in zip(COLOURS, sorted(strongest), strict=False):
+        rpm = [o.rpm for o in run.reliable]
         axes[0, 0].plot(rpm, sizes[:, k], "o-", markersize=3, color=colour, label=f"{orders[k]:g}")
     axes[0, 0].set(xlabel="rpm", ylabel="amplitude, MPa", title=f"Largest orders of {name} stress")
     axes[0, 0].legend(title="order", fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))

@@ -1,4 +1,4 @@
-"""What is written of a run: what it is worth, speeds, durability, stresses, and how it was computed."""
+"""Document of a run: whether it is valid, speeds, durability, stresses, and how it was computed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from symbalance.document.nodes import (
 from symbalance.forces.balance_document import engine_title
 
 if TYPE_CHECKING:
-    from symbalance.crankshaft.reports.summary import Speed, Summary
+    from symbalance.crankshaft.reports.summary import SpeedFigures, Summary
 
 MEGA = 1e6
 OFF = "how far orbits lie from those of their films, over the clearance"
@@ -50,14 +50,15 @@ _PICTURES = {
 def summary_document(run: Summary) -> Document:
     """Return a run as a document."""
     return Document(
-        f"Running crankshaft of {engine_title(run.setting.engine.layout)}",
+        f"Running crankshaft of {engine_title(run.configuration.engine.layout)}",
         blocks(
             _speeds(run),
             _reasons(run),
             _places(run),
             _extremes(run),
-            _measured(run),
+            _comparisons(run),
             _frequencies(run),
+            Facts(tuple((line, "") for line in run.assumptions), "Assumptions"),
             Facts(tuple((note, "") for note in run.notes), "Notes") if run.notes else None,
             _how_to_read(run),
             tuple(_figure(name, picture) for name, picture in run.pictures.items()),
@@ -70,7 +71,7 @@ def _verdict(run: Summary) -> Words:
     if not run.reliable:
         return Strong("No speed is to be relied on.")
     worst = run.worst
-    safety = f"{worst.found.safety:.2f}"
+    safety = f"{worst.durability.safety:.2f}"
     least: Words = (
         "The least safety factor is ",
         Decimal(safety),
@@ -94,10 +95,10 @@ def _speeds(run: Summary) -> Table:
 
 def _is_about_centre(run: Summary) -> bool:
     """Tell whether films are linear about their bearings' centres: a table always is."""
-    return run.setting.about == "centre" or run.setting.table is not None
+    return run.configuration.about == "centre" or run.configuration.table is not None
 
 
-def _speed(speed: Speed, about_centre: bool) -> tuple[Cell, ...]:
+def _speed(speed: SpeedFigures, about_centre: bool) -> tuple[Cell, ...]:
     return (
         _rpm(speed.rpm),
         fixed(speed.eccentricity, 2),
@@ -124,9 +125,9 @@ def _places(run: Summary) -> Table | None:
         (
             place.name,
             _rpm(place.rpm),
-            fixed(place.found.amplitude / MEGA, 1),
-            fixed(place.found.mean / MEGA, 1),
-            fixed(place.found.safety, 2),
+            fixed(place.durability.amplitude / MEGA, 1),
+            fixed(place.durability.mean / MEGA, 1),
+            fixed(place.durability.safety, 2),
             rounded(place.hours, 3),
         )
         for place in run.places
@@ -153,7 +154,7 @@ def _extremes(run: Summary) -> tuple[Block, ...]:
     )
 
 
-def _measured(run: Summary) -> Table | None:
+def _comparisons(run: Summary) -> Table | None:
     columns = ("channel", "rpm", "rms error MPa", "error at the peak MPa", "measured range MPa")
     rows = tuple(
         (c.channel, _rpm(c.rpm), rounded(c.rms, 3), rounded(c.peak, 3), rounded(c.span, 4))
@@ -170,17 +171,17 @@ def _frequencies(run: Summary) -> Table:
 
 def _how_to_read(run: Summary) -> Facts:
     """Return what was run, and what the columns are."""
-    setting, operation = run.setting, run.setting.engine.operation
-    fires = setting.engine.layout.firing_order()
-    about = f"linear about their orbits, at most {setting.passes} passes"
+    configuration, operation = run.configuration, run.configuration.engine.operation
+    fires = configuration.engine.layout.firing_order()
+    about = f"linear about their orbits, at most {configuration.iterations} passes"
     if _is_about_centre(run):
         about = "as springs about the centre"
     entries: list[tuple[Words, Words]] = [("fires", "-".join(map(str, fires)))] if fires else []
     entries += [
         ("peak pressure", f"{max(operation.trace.bar):.4g} bar, bore {operation.bore * 1000:g} mm"),
-        ("model", f"{setting.rotor.size} unknowns, {_kept(setting.modes)}"),
-        ("steps", f"{setting.steps} a cycle"),
-        ("webs, housing", f"{setting.webs}, {setting.connection}"),
+        ("model", f"{configuration.rotor.size} unknowns, {_model_size(configuration.modes)}"),
+        ("steps", f"{configuration.steps} a cycle"),
+        ("webs, housing", f"{configuration.webs}, {configuration.connection}"),
         ("films", about),
         ("damping", f"{operation.damping:g} of critical"),
         (
@@ -198,7 +199,7 @@ def _how_to_read(run: Summary) -> Facts:
     return Facts(tuple(entries), "How it was computed, and how to read it")
 
 
-def _kept(modes: int) -> str:
+def _model_size(modes: int) -> str:
     if not modes:
         return "all kept"
     return f"{modes} modes and the static shapes kept: check one speed without --modes"

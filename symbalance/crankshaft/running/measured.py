@@ -1,4 +1,4 @@
-"""A measured curve beside the computed one: CSV of crank angle and value, and the error in numbers."""
+"""Comparison of a computed stress with a measured curve from a CSV file: mean and peak error."""
 
 from __future__ import annotations
 
@@ -9,14 +9,15 @@ from pathlib import Path
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.files.operation import Overlay
-from symbalance.crankshaft.rotor import Array
-from symbalance.crankshaft.running.outcome import Outcome
+from symbalance.crankshaft.running.outcome import SpeedOutcome
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.csv_rows import Row, rows_of, without_headers
 from symbalance.text.files import read_text
 
 FEWEST = 8
+"""Points of a measured curve."""
 MEGA = 1e6
 
 
@@ -37,7 +38,7 @@ class Comparison:
     span: float
 
 
-def compared(overlay: Overlay, outcome: Outcome) -> Comparison | None:
+def compare_with_measured(overlay: Overlay, outcome: SpeedOutcome) -> Comparison | None:
     """Return the comparison at an outcome's speed, None where the curve belongs to another one."""
     if overlay.rpm is not None and abs(overlay.rpm - outcome.rpm) > 1e-9 * outcome.rpm:
         return None
@@ -45,10 +46,10 @@ def compared(overlay: Overlay, outcome: Outcome) -> Comparison | None:
     check_overlay(overlay, outcome.names, cycle)
     degrees, values = read_curve(overlay.path, cycle)
     theta = np.append(outcome.degrees, cycle)
-    computed = outcome.channel(overlay.channel) / MEGA
-    there = np.interp(degrees % cycle, theta, np.append(computed, computed[0]))
+    curve = outcome.channel(overlay.channel) / MEGA
+    there = np.interp(degrees % cycle, theta, np.append(curve, curve[0]))
     off = there - values
-    rms, peak = float(np.sqrt(np.mean(off**2))), float(computed.max() - values.max())
+    rms, peak = float(np.sqrt(np.mean(off**2))), float(curve.max() - values.max())
     return Comparison(outcome.rpm, overlay.channel, degrees, values, rms, peak, float(np.ptp(values)))
 
 

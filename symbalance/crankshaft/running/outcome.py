@@ -1,24 +1,42 @@
-"""What a speed gives: stresses against the crank angle, orbits, bearing loads, and their orders."""
+"""Outcome of one speed: stresses against the crank angle, orbits, bearing loads, orders; and its file.
+
+A file is one NPZ a speed, whole or not at all, under a key of all that it depends on: a digest of the
+engine (the content of the files it names), of how it is solved, of the webs' compliances and of the
+program. A file under another key, or one that does not read, is not believed: the speed is solved anew,
+and the caller learns why.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import io
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.digests import digest, program_digest
+from symbalance.crankshaft.files.operation import speed_text
+from symbalance.errors import SymbalanceError
+from symbalance.text.writing import write_file
+
+FORMAT = 2
+"""The number of this layout of a file, raised with every change of it."""
+REMEDY = "name a folder you may write to"
 
 
 @dataclass(frozen=True)
-class Outcome:
+class SpeedOutcome:
     """One speed's periodic state at even crank angles `theta` (s,) of a cycle, SI but for `rpm`.
 
     `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
-    journals' displacements in their shells and `bearings` (s, b, 2) the shaft's forces on them, vertical
-    and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size, `error`
-    the largest change of a stress when the steps are halved, films kept, over the largest stress;
-    `seconds` the run time. `departure` is how far, over the clearance, the orbits lie from those the
-    films are linear about. A `reason` says why the values are not to be relied on: no report prints them.
+    journals' displacements in their bearings and `bearings` (s, b, 2) the shaft's forces on them,
+    vertical and lateral; `clearance` (b,) is radial. `largest` is the largest Floquet multiplier's size,
+    `error` the largest change of a stress when the steps are halved, films unchanged, over the largest
+    stress; `seconds` the run time. `departure` is how far, over the clearance, the orbits lie from those
+    the films are linear about. A `reason` says why the values are not to be relied on: no report
+    prints them.
     """
 
     rpm: float
@@ -87,3 +105,63 @@ def harmonic_content(values: Array, cycle: float) -> tuple[Array, Array]:
     if len(values) % 2 == 0:
         spectrum[-1] /= 2
     return np.array(range(len(spectrum)), dtype=float) * (2 * np.pi / cycle), spectrum
+
+
+@dataclass(frozen=True)
+class SavedOutcome:
+    """A speed in a folder: its `outcome`, or None and the `reason` why a file there is not valid."""
+
+    outcome: SpeedOutcome | None
+    reason: str = ""
+
+
+def key_of(*parts: object) -> str:
+    """Return a key that differs where some part's content does, or the program (see `digests`)."""
+    return digest(FORMAT, program_digest(), parts)
+
+
+def file_of(folder: Path, rpm: float) -> Path:
+    """Return where a speed's outcome lies: a file of its own for every speed.
+
+    >>> file_of(Path("speeds"), 2200.0).name, file_of(Path("speeds"), 2200.001).name
+    ('2200rpm.npz', '2200.001rpm.npz')
+    """
+    return folder / f"{speed_text(rpm)}rpm.npz"
+
+
+def save_outcome(folder: Path, key: str, outcome: SpeedOutcome) -> None:
+    """Write an outcome under its key, replacing an older one in one step."""
+    path = file_of(folder, outcome.rpm)
+    content = io.BytesIO()
+    np.savez_compressed(content, key=key, **{f.name: getattr(outcome, f.name) for f in fields(outcome)})
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as problem:
+        rule = f"cannot be written ({problem.strerror})"
+        raise SymbalanceError(f"--output {path}", rule, REMEDY) from None
+    write_file(path, content.getvalue(), what="--output ", remedy=REMEDY)
+
+
+def load_outcome(folder: Path, key: str, rpm: float) -> SavedOutcome:
+    """Return a speed's outcome if one of the same key is there; else why a file there is not it."""
+    path = file_of(folder, rpm)
+    if not path.exists():
+        return SavedOutcome(None)
+    try:
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
+            if str(data["key"]) != key:
+                return SavedOutcome(None, "is of another engine, other settings or another program")
+            return SavedOutcome(_outcome({f.name: data[f.name] for f in fields(SpeedOutcome)}))
+    except Exception as problem:  # a damaged file raises anything, from zlib.error to TokenError
+        return SavedOutcome(None, f"does not read ({type(problem).__name__})")
+
+
+def _outcome(values: dict[str, Any]) -> SpeedOutcome:
+    for field in fields(SpeedOutcome):
+        if field.type == "float":
+            values[field.name] = float(values[field.name])
+        elif field.type == "str":
+            values[field.name] = str(values[field.name])
+        elif field.type == "tuple[str, ...]":
+            values[field.name] = tuple(str(x) for x in values[field.name])
+    return SpeedOutcome(**values)

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.crankshaft.crank import Material
-from symbalance.crankshaft.rotor import DOF, Array
+from symbalance.crankshaft.arrays import DOF, Array
+from symbalance.crankshaft.rotor.parts import Material
 
 NEAR = 1e-7
 """A node lies in a plane when it is closer than this, in m."""
 
 
 @dataclass(frozen=True)
-class Solid:
+class ElasticBody:
     """A meshed body's sparse matrices; unknown k is component `across[k]` at `places[:, k]`, SI."""
 
     stiffness: Any
@@ -33,8 +33,8 @@ class Solid:
         """Return which unknowns lie on the plane where coordinate `axis` is `value`."""
         return np.abs(self.places[axis] - value) < NEAR
 
-    def held_by_mirror(self, axis: int, value: float, *, even: bool) -> Any:
-        """Return which unknowns vanish where the body is cut at a mirror plane.
+    def zero_at_mirror(self, axis: int, value: float, *, even: bool) -> Any:
+        """Return which unknowns are zero where the body is cut at a mirror plane.
 
         An `even` motion has none across the plane, an odd one none in it.
         """
@@ -51,7 +51,7 @@ class Solid:
         return motions[self.across, np.arange(self.size)]
 
 
-def elastic_solid(mesh: Any, material: Material) -> Solid:
+def elastic_solid(mesh: Any, material: Material) -> ElasticBody:
     """Return the stiffness and mass of a scikit-fem mesh in m."""
     from skfem import Basis, BilinearForm, ElementTetP2, ElementVector
     from skfem.helpers import ddot, div, dot, sym_grad
@@ -74,10 +74,10 @@ def elastic_solid(mesh: Any, material: Material) -> Solid:
             continue
         for component in range(3):
             across[numbers[component]] = component
-    return Solid(elastic.assemble(basis), inert.assemble(basis), basis.doflocs, across)
+    return ElasticBody(elastic.assemble(basis), inert.assemble(basis), basis.doflocs, across)
 
 
-def factored(matrix: Any, free: Sequence[bool]) -> Any:
+def sparse_factors(matrix: Any, free: Sequence[bool]) -> Any:
     """Return SciPy's sparse factors of the rows and columns that are `free`."""
     from scipy.sparse.linalg import splu
 

@@ -1,4 +1,4 @@
-"""Solved web flexibilities as data: what one machine has meshed, every other reads.
+"""Store of web flexibilities solved by finite elements: what one machine has meshed, every other reads.
 
 A store is a JSON file {"format": 2, "mesher": digest, "webs": {key: {"web": what it is of, "flexibility":
 144 numbers, "body": 3 numbers}}}. The key is that of the geometry in own axes (sizes to the nanometre),
@@ -6,7 +6,7 @@ Poisson's ratio and, where it is not the usual one, the elements' size; the flex
 not depend on Young's modulus. The package's own store holds the worked cranks'.
 
 `mesher` is a digest of the sources that draw, mesh and solve a web: what other sources have solved is not
-believed but solved anew, and `say` is told.
+believed but solved anew, and a line to `say` tells the user.
 """
 
 from __future__ import annotations
@@ -22,64 +22,72 @@ from typing import Any
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.digests import digest
-from symbalance.crankshaft.rotor import DOF, Array
-from symbalance.crankshaft.webs.arm import Arm, Elastic, arms
+from symbalance.crankshaft.webs.arm import Arm, WebCompliance, arms
 from symbalance.errors import SymbalanceError, shown
 from symbalance.text.writing import write_file
 
 FORMAT = 2
-SOURCES = ("solid", "webs", "beams.py", "bodies.py", "crank.py", "rotor.py")
+SOURCES = (
+    "solid",
+    "webs",
+    "crank.py",
+    "rotor/parts.py",
+    "rotor/matrices.py",
+    "rotor/beams.py",
+    "rotor/rigid_bodies.py",
+)
 """The files and rooms of `symbalance.crankshaft` on which a solved flexibility depends."""
 REMEDY = "delete it: it is written anew"
 Say = Callable[[str], None]
 
 
 @dataclass
-class Store:
-    """Web flexibilities by geometry; `path` is where those of `solved` are kept, if anywhere."""
+class WebStore:
+    """Web flexibilities by geometry; `path` is the file of the `new_webs`, if there is one."""
 
     webs: dict[str, dict[str, Any]] = field(default_factory=dict)
     path: Path | None = None
-    solved: dict[str, dict[str, Any]] = field(default_factory=dict)
+    new_webs: dict[str, dict[str, Any]] = field(default_factory=dict)
     """Those of `webs` that were solved here, not shipped with the package."""
 
-    def found(self, arm: Arm, size: float = 0.0) -> Elastic | None:
-        """Return the web's flexibility in its own axes, or None where nobody has solved it."""
-        entry = self.webs.get(key(arm, size))
+    def lookup(self, arm: Arm, size: float = 0.0) -> WebCompliance | None:
+        """Return the web's flexibility in its own axes, or None where it is not solved yet."""
+        entry = self.webs.get(web_key(arm, size))
         if entry is None:
             return None
         flexible, body = _numbers(entry)
-        return Elastic(flexible / arm.material.young, body)
+        return WebCompliance(flexible / arm.material.young, body)
 
-    def kept(self, arm: Arm, elastic: Elastic, size: float = 0.0) -> None:
+    def keep(self, arm: Arm, elastic: WebCompliance, size: float = 0.0) -> None:
         """Keep a solved flexibility, on disk too where the store has a path; whole or not at all.
 
         What another run has put there since stays.
         """
         if elastic.body is None:
             raise SymbalanceError("a web without a body", "is not a solved one", "solve it as a solid")
-        scaled = (elastic.flexibility * arm.material.young).ravel().tolist()
-        entry = {"web": described(arm, size), "flexibility": scaled, "body": elastic.body.tolist()}
-        self.webs[key(arm, size)] = self.solved[key(arm, size)] = entry
+        numbers = (elastic.flexibility * arm.material.young).ravel().tolist()
+        entry = {"web": web_description(arm, size), "flexibility": numbers, "body": elastic.body.tolist()}
+        self.webs[web_key(arm, size)] = self.new_webs[web_key(arm, size)] = entry
         if self.path is not None:
-            self.solved = _kept_webs(self.path, lambda line: None) | self.solved
-            document = {"format": FORMAT, "mesher": mesher_digest(), "webs": self.solved}
+            self.new_webs = _webs_at(self.path, lambda line: None) | self.new_webs
+            document = {"format": FORMAT, "mesher": mesher_digest(), "webs": self.new_webs}
             text = json.dumps(document, indent=1) + "\n"
             write_file(self.path, text, what="", remedy="name a folder you may write to")
 
 
-def open_store(path: Path | None = None, say: Say = lambda line: None) -> Store:
-    """Return the package's own solved webs, and those kept at `path`; `say` hears what is not believed.
+def open_store(path: Path | None = None, say: Say = lambda line: None) -> WebStore:
+    """Return the package's own solved webs, and those of the file `path`; `say` hears what is not valid.
 
     >>> open_store().path is None
     True
     """
     own = files("symbalance.crankshaft.solid") / "solved.json"
-    webs = _checked(_document(own.read_text(encoding="utf-8"), "solved.json"), "solved.json")
-    solved = {} if path is None else _kept_webs(path, say)
-    return Store(solved | webs, path, solved)
+    webs = _check_webs(_document(own.read_text(encoding="utf-8"), "solved.json"), "solved.json")
+    new_webs = {} if path is None else _webs_at(path, say)
+    return WebStore(new_webs | webs, path, new_webs)
 
 
 @cache
@@ -94,7 +102,7 @@ def mesher_digest() -> str:
     return digest(sorted(sources))
 
 
-def _kept_webs(path: Path, say: Say) -> dict[str, dict[str, Any]]:
+def _webs_at(path: Path, say: Say) -> dict[str, dict[str, Any]]:
     """Return the webs of a file of this mesher; none of one that is not there or of another."""
     place = str(path)
     try:
@@ -105,7 +113,7 @@ def _kept_webs(path: Path, say: Say) -> dict[str, dict[str, Any]]:
         reason = getattr(problem, "strerror", None) or "it is no text"
         raise SymbalanceError(place, f"cannot be read ({reason})", REMEDY) from None
     document = _document(text, place)
-    webs = _checked(document, place)
+    webs = _check_webs(document, place)
     if (document.get("format"), document.get("mesher")) != (FORMAT, mesher_digest()):
         if webs:
             say(f"{place}: holds webs that another version solved: those needed are solved anew")
@@ -123,13 +131,13 @@ def _document(text: str, place: str) -> dict[str, Any]:
     return document
 
 
-def _checked(document: dict[str, Any], place: str) -> dict[str, dict[str, Any]]:
+def _check_webs(document: dict[str, Any], place: str) -> dict[str, dict[str, Any]]:
     """Return a document's webs; refuses one whose numbers no web has, or that is of another key."""
     for name, entry in document["webs"].items():
         try:
             matrix, body = _numbers(entry)
             sound = np.allclose(matrix, matrix.T) and np.linalg.eigvalsh(matrix)[0] > 0
-            described_so = _hashed(entry["web"]) == name
+            described_so = _hash_of(entry["web"]) == name
         except (ValueError, KeyError, TypeError, AttributeError) as problem:
             raise SymbalanceError("the file", "must hold solved webs", REMEDY, place) from problem
         if not (sound and np.isfinite(body).all()):
@@ -145,7 +153,7 @@ def _numbers(entry: dict[str, Any]) -> tuple[Array, Array]:
     return flexible, np.array(entry["body"], dtype=float).reshape(3)
 
 
-def described(arm: Arm, size: float = 0.0) -> str:
+def web_description(arm: Arm, size: float = 0.0) -> str:
     """Return the sizes, in mm, that decide a web's flexibility; and its elements', if not the usual."""
     own = arm.canonical()
     parts = [_round(p) for p in (own.near, own.far)]
@@ -157,8 +165,8 @@ def described(arm: Arm, size: float = 0.0) -> str:
         turn = np.round(np.degrees([weight.angle, weight.half_angle]), 6) % 360
         place = " ".join(_mm(-x + 0.0) for x in own.axis)
         sector = f" sector {_mm(weight.outer)} {turn[0]:.6f} {turn[1]:.6f} {place}"
-    meshed = f" elements {_mm(size)}" if size else ""
-    return f"{parts[0]} web {slab} {parts[1]}{sector} nu {own.material.poisson:.6f}{meshed}"
+    mesh = f" elements {_mm(size)}" if size else ""
+    return f"{parts[0]} web {slab} {parts[1]}{sector} nu {own.material.poisson:.6f}{mesh}"
 
 
 def _round(part: object) -> str:
@@ -169,39 +177,38 @@ def _mm(length: float) -> str:
     return f"{length * 1e3 + 0.0:.6f}"
 
 
-def key(arm: Arm, size: float = 0.0) -> str:
-    """Return the name under which a web's flexibility is kept."""
-    return _hashed(described(arm, size))
+def web_key(arm: Arm, size: float = 0.0) -> str:
+    """Return the name of a web in the store."""
+    return _hash_of(web_description(arm, size))
 
 
-def _hashed(text: str) -> str:
+def _hash_of(text: str) -> str:
     return sha256(text.encode()).hexdigest()[:16]
 
 
-def solve_missing(crank: Crank, store: Store, size: float = 0.0) -> int:
+def solve_missing(crank: Crank, store: WebStore, size: float = 0.0) -> int:
     """Mesh and solve the crank's webs that the store lacks; return how many there were.
 
     `size` of the elements in m, 0 for the usual one.
     """
-    from symbalance.crankshaft.solid.half_throw import solved_web
+    from symbalance.crankshaft.solid.half_throw import solve_web
 
-    solved = 0
+    count = 0
     for _, arm in arms(crank):
-        if store.found(arm, size) is None:
-            store.kept(arm, solved_web(arm, size), size)
-            solved += 1
-    return solved
+        if store.lookup(arm, size) is None:
+            store.keep(arm, solve_web(arm, size), size)
+            count += 1
+    return count
 
 
-def solid_web(arm: Arm, store: Store) -> Elastic:
+def solid_web(arm: Arm, store: WebStore) -> WebCompliance:
     """Return a web's flexibility from the store, or meshed and solved now."""
-    from symbalance.crankshaft.solid.half_throw import solved_web
+    from symbalance.crankshaft.solid.half_throw import solve_web
 
-    elastic = store.found(arm)
+    elastic = store.lookup(arm)
     if elastic is None:
-        elastic = solved_web(arm)
-        store.kept(arm, elastic)
-        # As the store gives it from now on: E S / E is S only but for rounding, and a saved speed's key
-        # holds every digit.
-        elastic = store.found(arm) or elastic
+        elastic = solve_web(arm)
+        store.keep(arm, elastic)
+        # As read back: E S / E differs from S by rounding, and a saved key depends on every digit.
+        elastic = store.lookup(arm) or elastic
     return elastic

@@ -1,8 +1,7 @@
-"""Stresses of a crankshaft as linear functions of its displacements, and what they do to it.
+"""Stresses of a crankshaft as linear functions of its displacements, and its durability under them.
 
-sections        the six loads through any section, a row of the stiffness each
 concentration   stress concentration factors of the fillets by published formulas, with their range
-channels        the named stresses and twists of a crank: pins, fillets, sections
+channels        the named stresses and twists of a crank: pins, fillets; section loads
 fatigue         mean and amplitude, Goodman's line, rainflow damage
 """
 

@@ -1,4 +1,4 @@
-"""The named stresses and twists of a crank, each a row over the rotor's displacements.
+"""Named stresses and twists of a crank, each linear in the rotor's displacements.
 
     pin k bending           axial stress at pin k's middle, at its line nearest the crank's axis
     pin k sideways          the same at the line that leads, a quarter turn on
@@ -22,10 +22,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Crank, Journal, Part, Pin, Web
-from symbalance.crankshaft.rotor import DOF, Array, Rotor
+from symbalance.crankshaft.rotor.matrices import Member, Rotor
 from symbalance.crankshaft.stress.concentration import fillet_factors, round_modulus
-from symbalance.crankshaft.stress.sections import members_of, transmitted
 
 DEGREE = np.pi / 180
 
@@ -45,19 +45,19 @@ class Channel:
     outside: tuple[str, ...] = ()
 
 
-def stress_matrix(found: Sequence[Channel]) -> Array:
+def stress_matrix(rows: Sequence[Channel]) -> Array:
     """Return Psi: the channels' rows, (c, n); Psi Phi are the stress modes of the modes Phi."""
-    return np.array([channel.row for channel in found])
+    return np.array([channel.row for channel in rows])
 
 
 def channels(crank: Crank, rotor: Rotor) -> list[Channel]:
     """Return the channels of a crank that became a rotor with `members`."""
-    found: list[Channel] = []
+    rows: list[Channel] = []
     for number, place in enumerate(_places(crank, Pin), 1):
-        found += _pin_channels(crank, rotor, number, place)
+        rows += _pin_channels(crank, rotor, number, place)
     for number, place in enumerate(_places(crank, Web), 1):
-        found += _web_channels(crank, rotor, number, place)
-    return [*found, *_twists(rotor)]
+        rows += _web_channels(crank, rotor, number, place)
+    return [*rows, *_twists(rotor)]
 
 
 def _places(crank: Crank, kind: type) -> list[int]:
@@ -82,7 +82,7 @@ def _section(rotor: Rotor, part: Part, place: int, front: bool | None) -> Array:
     else:
         member = members[0 if front else -1]
         height = rotor.points[member.front if front else member.rear][2]
-    return transmitted(rotor, member, radius * out + np.array([0.0, 0.0, height]))
+    return section_loads(rotor, member, radius * out + np.array([0.0, 0.0, height]))
 
 
 def _pin_channels(crank: Crank, rotor: Rotor, number: int, place: int) -> Iterator[Channel]:
@@ -143,7 +143,7 @@ def _web_nominal(
     members = members_of(rotor, place)
     ends = rotor.points[members[0].front], rotor.points[members[-1].rear]
     middle = out * pin.radius / 2 + np.array([0.0, 0.0, (ends[0][2] + ends[1][2]) / 2])
-    loads = transmitted(rotor, members[len(members) // 2], middle)
+    loads = section_loads(rotor, members[len(members) // 2], middle)
     across = np.array([-out[1], out[0], 0.0])
     opening = -(across @ loads[3:]) * 6 / (web.width * web.thickness**2)
     sign = -1.0 if pin_behind else 1.0
@@ -157,3 +157,24 @@ def _twists(rotor: Rotor) -> Iterator[Channel]:
         row = np.zeros(rotor.size)
         row[DOF * rear + 5], row[DOF * front + 5] = 1 / DEGREE, -1 / DEGREE
         yield Channel(f"twist {number}", "degrees", row)
+
+
+def section_loads(rotor: Rotor, member: Member, point: Array) -> Array:
+    """Return (6, n): the load of the part in front of a section on the part behind it, per displacement.
+
+    Forces F and moments M about `point` (3,), all in U, V, W: the loads at the member's front end,
+    stiffness times displacements, carried to the point, M = M_front + (front - point) x F. The member's
+    own inertia between is left out; a body attached to a web counts with the end that carries it.
+
+    A member stretched along W transmits F_w = -N: the part in front pulls forward.
+    """
+    loads = rotor.passing(member)
+    arm = rotor.points[member.front] - np.asarray(point, dtype=float)
+    loads[3:] += np.cross(arm, loads[:3], axisb=0, axisc=0)
+    return loads
+
+
+def members_of(rotor: Rotor, index: int) -> list[Member]:
+    """Return the members of a part of the crank's chain, front to rear."""
+    own = [m for m in rotor.members if m.index == index]
+    return sorted(own, key=lambda m: rotor.points[m.front][2] + rotor.points[m.rear][2])

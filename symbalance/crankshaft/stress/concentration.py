@@ -3,11 +3,15 @@
 They multiply nominal stresses: bending of the web's section B W^2/6 and pressure over B W (here width
 times thickness), torsion of the pin's or journal's section. All sizes over the pin's diameter D:
 
-    s = S/D overlap,  w = W/D thickness,  b = B/D width,  r fillet,  d_G, d_H bores of journal and pin.
+    s = S/D overlap,  w = W/D thickness,  b = B/D width,  r fillet,  d_G, d_H bores of journal and pin
 
-Source: IACS Unified Requirement M53, Calculation of Crankshafts for I.C. Engines (Rev. 1, 2004), M53.3:
-fits to measured throws, without a recess; written here from memory, without the print at hand, so compare
-with it before relying on them in a classification.
+but in the journal's torsion, where the fillet counts over the journal's own diameter: r = R_G/D_G.
+
+Source: IACS Unified Requirement M53, Calculation of Crankshafts for I.C. Engines: fits to measured
+throws, without a recess. Compared with the print of the Korean Register (Rules for the Classification of
+Steel Ships, Part 5, Guidance, Annex 5-3, 2025, in a public transcription), which differs by a digit in
+three numbers: 2.7146 and 1.527 of beta_B (here 2.7145 and 1.5276), 0.85 of alpha_T (here 0.857, up to 5 %
+less at wide webs). Which is right is not known: compare before relying on them in a classification.
 """
 
 from __future__ import annotations
@@ -26,7 +30,13 @@ RANGES = {
     "d_G": (0.0, 0.8),
     "d_H": (0.0, 0.8),
 }
-"""Where the formulas hold; below the least overlap its formulas are taken at that overlap."""
+"""Where the formulas hold. Below the least overlap those of bending and torsion are taken at it; that of
+pressure, as the print has it, at the overlap there is."""
+FILLET_ASSUMPTION = (
+    "stress concentration factors of the fillets: the formulas of IACS UR M53 for solid forged throws; "
+    "three of their coefficients differ by a digit from the one print they were compared with"
+)
+"""What a report of a run says of the factors."""
 
 
 @dataclass(frozen=True)
@@ -49,12 +59,12 @@ def fillet_factors(journal: Journal, web: Web, pin: Pin) -> FilletFactors:
 
     >>> journal = Journal(0.065, 0.03, fillet=0.0035)
     >>> pin = Pin(0.055, 0.036, 0.06, 0.0, (1,), fillet=0.0035)
-    >>> found = fillet_factors(journal, Web(0.022, 0.092, 0.038, 0.042), pin)
-    >>> [round(x, 2) for x in (found.pin_bending, found.pin_torsion, found.journal_bending)]
+    >>> factors = fillet_factors(journal, Web(0.022, 0.092, 0.038, 0.042), pin)
+    >>> [round(x, 2) for x in (factors.pin_bending, factors.pin_torsion, factors.journal_bending)]
     [2.74, 1.72, 3.1]
     """
     size = pin.diameter
-    given = {
+    ratios = {
         "s": ((pin.diameter + journal.diameter) / 2 - pin.radius) / size,
         "w": web.thickness / size,
         "b": web.width / size,
@@ -63,17 +73,20 @@ def fillet_factors(journal: Journal, web: Web, pin: Pin) -> FilletFactors:
         "d_G": journal.bore / size,
         "d_H": pin.bore / size,
     }
-    outside = tuple(f"{k} = {v:.4g}" for k, v in given.items() if not _within(k, v))
-    s = max(given["s"], RANGES["s"][0])
-    w, b = given["w"], given["b"]
-    r, r_g = (max(given[k], RANGES[k][0]) for k in ("r", "r_G"))
-    bores = given["d_G"], given["d_H"]
+    outside = tuple(f"{k} = {v:.4g}" for k, v in ratios.items() if not _within(k, v))
+    s = max(ratios["s"], RANGES["s"][0])
+    w, b = ratios["w"], ratios["b"]
+    least = RANGES["r"][0]
+    r, r_g, r_own = (
+        max(x, least) for x in (ratios["r"], ratios["r_G"], journal.fillet / journal.diameter)
+    )
+    bores = ratios["d_G"], ratios["d_H"]
     return FilletFactors(
         _pin_bending(s, w, b, r, *bores),
         _torsion(s, w, b, r),
         _journal_bending(s, w, b, r_g, *bores),
-        _journal_pressure(s, w, b, r_g, given["d_H"]),
-        _torsion(s, w, b, r_g),
+        _journal_pressure(ratios["s"], w, b, r_g, ratios["d_H"]),
+        _torsion(s, w, b, r_own),
         outside,
     )
 
@@ -99,7 +112,7 @@ def _pin_bending(s: float, w: float, b: float, r: float, d_g: float, d_h: float)
 
 
 def _torsion(s: float, w: float, b: float, r: float) -> float:
-    """Return alpha_T, or beta_T with the journal's fillet."""
+    """Return alpha_T, or beta_T with the journal's fillet over the journal's diameter."""
     wide = _powers(b, 7.8955, -10.654, 5.3482, -0.857)
     return 0.8 * r ** (-0.322 + 0.1015 * (1 - s)) * wide * w**-0.145
 

@@ -1,8 +1,8 @@
-"""What a stress against the crank angle does over time: Goodman's line and rainflow damage.
+"""Fatigue under a stress over the crank angle: Goodman's safety factor and rainflow damage.
 
 Amplitudes and means of a normal stress sigma and a shear stress tau at one place combine to
 sqrt(sigma^2 + 3 tau^2) (von Mises). Goodman's line: sigma_a/sigma_e + sigma_m/sigma_u = 1/n, a mean below
-zero counted as zero. Cycles are those of the equivalent stress that wears most, of
+zero counted as zero. Cycles are those of the equivalent stress with the largest damage, of
 
     sign(sigma) sqrt(sigma^2 + 3 tau^2)   and   sigma cos phi + sqrt(3) tau sin phi,  |phi| <= 90 degrees:
 
@@ -23,8 +23,8 @@ from typing import Any
 
 import numpy as np
 
+from symbalance.crankshaft.arrays import Array
 from symbalance.crankshaft.files.operation import Strength
-from symbalance.crankshaft.rotor import Array
 from symbalance.errors import MissingPartError
 
 DIRECTIONS = 24
@@ -49,22 +49,23 @@ def durability(normal: Array, shear: Array, strength: Strength) -> Durability:
     """Return the durability under a normal and a shear stress (s,) over one cycle, Pa.
 
     >>> wave = 1e8 * np.cos(np.arange(360) * np.pi / 180)
-    >>> found = durability(wave, 0 * wave, Strength(9e8, 4e8, 8.0, 2e6))
-    >>> round(found.safety, 9), bool(abs(found.damage * 2e6 * 4**8 - 1) < 1e-9)
+    >>> result = durability(wave, 0 * wave, Strength(9e8, 4e8, 8.0, 2e6))
+    >>> round(result.safety, 9), bool(abs(result.damage * 2e6 * 4**8 - 1) < 1e-9)
     (4.0, True)
     """
     amplitude = _equivalent(float(np.ptp(normal)) / 2, float(np.ptp(shear)) / 2)
     middle = (normal.max() + normal.min()) / 2, (shear.max() + shear.min()) / 2
     mean = _equivalent(*middle) if middle[0] > 0 else 0.0
-    used = amplitude / strength.endurance + mean / strength.tensile
+    utilisation = amplitude / strength.endurance + mean / strength.tensile
     worst = max(damage(wave, strength) for wave in combinations(normal, shear))
-    return Durability(amplitude, mean, 1 / used if used else float("inf"), worst)
+    return Durability(amplitude, mean, 1 / utilisation if utilisation else float("inf"), worst)
 
 
 def combinations(normal: Array, shear: Array) -> Iterator[Array]:
     """Yield the signed root (s,), then sigma cos phi + sqrt(3) tau sin phi at `DIRECTIONS` angles.
 
-    sigma is never turned over. A swing between two angles is missed by less than 0.3 %.
+    Not beyond 90 degrees, where the sign of sigma would turn. A swing between two angles is missed by
+    less than 0.3 %.
     """
     yield np.where(normal < 0, -1.0, 1.0) * np.sqrt(normal**2 + 3 * shear**2)
     if not shear.any():
@@ -82,13 +83,13 @@ def _equivalent(normal: float, shear: float) -> float:
 def damage(stress: Array, strength: Strength) -> float:
     """Return the share of the life that a cycle of a stress (s,) takes; infinite at the strength."""
     start = int(np.argmax(np.abs(stress)))
-    closed = np.concatenate([stress[start:], stress[: start + 1]])  # from its largest value round to it
+    cycle = np.concatenate([stress[start:], stress[: start + 1]])  # from its largest value round to it
     total = 0.0
-    for span, mean, count, *_ in rainflow().extract_cycles(closed):
-        left = 1 - max(mean, 0.0) / strength.tensile
-        if left <= 0:
+    for span, mean, count, *_ in rainflow().extract_cycles(cycle):
+        margin = 1 - max(mean, 0.0) / strength.tensile
+        if margin <= 0:
             return float("inf")
-        ratio = span / 2 / left / strength.endurance
+        ratio = span / 2 / margin / strength.endurance
         total += count * ratio**strength.slope / strength.cycles
     return float(total)
 

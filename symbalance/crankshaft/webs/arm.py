@@ -1,4 +1,4 @@
-"""One web in its own axes: the near end's axis at the origin, the far end's along +u, faces 0 and t.
+"""A crank web in axes of its own: near end's axis at the origin, far end's along +u, faces 0 and t.
 
 The near end is the journal's, the far end the pin's; a web between two pins has its front pin near. A web
 that stands pin first is the mirror image, w to -w, of one that stands journal first.
@@ -12,19 +12,20 @@ from math import atan2, cos, hypot, sin
 
 import numpy as np
 
-from symbalance.crankshaft.beams import element, transfer
-from symbalance.crankshaft.bodies import Body, turn_about_w
-from symbalance.crankshaft.crank import Crank, Journal, Material, Pin, Web
-from symbalance.crankshaft.rotor import DOF, Array
+from symbalance.crankshaft.arrays import DOF, Array
+from symbalance.crankshaft.crank import Crank, Journal, Pin, Web
+from symbalance.crankshaft.rotor.beams import element, transfer
+from symbalance.crankshaft.rotor.parts import Material
+from symbalance.crankshaft.rotor.rigid_bodies import RigidBody, turn_about_w
 
 MIRROR = np.diag([1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
 
 
 @dataclass(frozen=True)
-class Elastic:
-    """A web's give, held at its near face, in own axes: `flexibility` (6, 6) of the far face.
+class WebCompliance:
+    """A web's flexibility, clamped at its near face, in own axes: `flexibility` (6, 6) of the far face.
 
-    With `body` (3,), from the near node to the centre of what hangs on the near end (heel and
+    With `body` (3,), from the near node to the centre of the body attached to the near end (heel and
     counterweight), it is (12, 12): far face, then the mean motion of that body under inertia forces.
     """
 
@@ -79,15 +80,15 @@ class Arm:
         axis = axis_of(near)
         return replace(self, web=web, near=near, far=far, angle=0.0, mirrored=False, axis=axis)
 
-    def placed(self, elastic: Elastic) -> Array:
+    def web_stiffness(self, elastic: WebCompliance) -> Array:
         """Return a web's stiffness in U, V, W: front node, rear node, body if it has one."""
         levers = (self.lever,) if elastic.body is None else (self.lever, elastic.body)
         own = element(elastic.flexibility, *levers)
         count = len(own) // DOF
         if self.mirrored:
-            swapped = [*range(DOF, 2 * DOF), *range(DOF), *range(2 * DOF, count * DOF)]
+            order = [*range(DOF, 2 * DOF), *range(DOF), *range(2 * DOF, count * DOF)]
             flips = np.kron(np.eye(count), MIRROR)
-            own = (flips @ own @ flips)[np.ix_(swapped, swapped)]
+            own = (flips @ own @ flips)[np.ix_(order, order)]
         turn = np.kron(np.eye(2 * count), turn_about_w(self.angle))
         return turn @ own @ turn.T
 
@@ -96,7 +97,7 @@ class Arm:
         flip = np.array([1.0, 1.0, -1.0 if self.mirrored else 1.0])
         return near + turn_about_w(self.angle) @ (flip * lever)
 
-    def settled(self, body: Body) -> Body:
+    def in_rotor_axes(self, body: RigidBody) -> RigidBody:
         """Return a body given in own axes in U, V, W."""
         return (body.mirrored() if self.mirrored else body).turned(self.angle)
 
@@ -138,7 +139,7 @@ def _arm(crank: Crank, index: int, web: Web) -> Arm:
     return Arm(web, near, far, crank.material, reach, angle, mirrored, (u0, v0))
 
 
-def chained(pieces: list[tuple[Array, Array]]) -> Array:
+def chain_flexibility(pieces: list[tuple[Array, Array]]) -> Array:
     """Return the flexibility of the last end of pieces in a row, each (flexibility, lever)."""
     total, after = np.zeros((DOF, DOF)), np.zeros(3)
     for flexible, lever in reversed(pieces):

@@ -1,4 +1,4 @@
-"""The paper's web: a beam whose six flexibilities are fitted to the solid half throw.
+"""Webs as beams whose six flexibilities are fitted to the solid half throw, as in the paper.
 
 The web is the nominal one's chain (stub, radial beam, stub), with the beam's six section flexibilities f
 (stretch, two shears, twist, two bendings) free. A section's loads under a load at the far end are
@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from symbalance.crankshaft.beams import transfer
-from symbalance.crankshaft.rotor import DOF, Array
-from symbalance.crankshaft.webs.arm import Arm, chained
-from symbalance.crankshaft.webs.nominal import stub
+from symbalance.crankshaft.arrays import DOF, Array
+from symbalance.crankshaft.rotor.beams import transfer
+from symbalance.crankshaft.webs.arm import Arm, chain_flexibility
+from symbalance.crankshaft.webs.beam_webs import stub
 from symbalance.errors import MissingPartError
 
 NAMES = ("stretch", "shear across", "shear through", "twist", "bend through", "bend in plane")
@@ -34,7 +34,7 @@ def fitted_parameters(arm: Arm, target: Array, *, stubs: bool = False) -> Array:
     """Return the six section flexibilities (1/EA, 1/GA_v, 1/GA_w, 1/GJ, 1/EI_v, 1/EI_w), none negative.
 
     With `stubs` journal and pin are elastic up to the web's mid-plane, as in the nominal web; the default
-    takes them as rigid within the web, so that all of the web's give lies in the six.
+    takes them as rigid within the web, so that all of the web's flexibility lies in the six.
     """
     try:
         from scipy.optimize import nnls
@@ -45,8 +45,8 @@ def fitted_parameters(arm: Arm, target: Array, *, stubs: bool = False) -> Array:
     scale = 1 / np.sqrt(np.outer(np.diag(target), np.diag(target)))
     columns = np.array([(term * scale).ravel() for term in terms]).T
     size = np.linalg.norm(columns, axis=0)
-    wanted = ((target - constant) * scale).ravel()
-    return nnls(columns / size, wanted)[0] / size
+    side = ((target - constant) * scale).ravel()
+    return nnls(columns / size, side)[0] / size
 
 
 def _parts(arm: Arm, stubs: bool) -> tuple[Array, Array]:
@@ -54,7 +54,7 @@ def _parts(arm: Arm, stubs: bool) -> tuple[Array, Array]:
     rigid = (np.zeros((DOF, DOF)), half)
     ends = [stub(arm, near=True), stub(arm, near=False)] if stubs else [rigid, rigid]
     radial = (np.zeros((DOF, DOF)), np.array([arm.reach, 0.0, 0.0]))
-    return chained([ends[0], radial, ends[1]]), _unit_terms(arm)
+    return chain_flexibility([ends[0], radial, ends[1]]), _unit_terms(arm)
 
 
 def _unit_terms(arm: Arm) -> Array:

@@ -1,4 +1,4 @@
-"""A counterweight from its drawing: a sector about the axis, less what lies within the web."""
+"""Mass and inertia of a drawn counterweight: a sector about the axis, less its part within the web."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from math import pi
 
 import numpy as np
 
-from symbalance.crankshaft.crank import Material, Web, WebCounterweight
-from symbalance.crankshaft.rotor import Array
+from symbalance.crankshaft.arrays import Array
+from symbalance.crankshaft.crank import Web, WebCounterweight
+from symbalance.crankshaft.rotor.parts import Material
 from symbalance.errors import SymbalanceError, shown
 
 STEPS = 600
@@ -63,7 +64,7 @@ def sector_plate(
     out, rise = _middles(0.0, outer)
     along, across = np.outer(out, np.cos(about)), np.outer(out, np.sin(about))
     u, v = along * np.cos(turn) - across * np.sin(turn), along * np.sin(turn) + across * np.cos(turn)
-    beyond = np.abs(v) > _outline((width, heel, tip), u, reach)
+    beyond = np.abs(v) > outline_half_width((width, heel, tip), u, reach)
     area = np.where(beyond, out[:, None] * rise * step, 0.0)
     total = float(area.sum())
     if total == 0:
@@ -80,8 +81,12 @@ def _middles(start: float, stop: float) -> tuple[Array, float]:
     return np.linspace(start + width / 2, stop - width / 2, STEPS), width
 
 
-def _outline(sizes: tuple[float, float, float], u: Array, reach: float) -> Array:
-    """Return half the web's width at u, negative beyond its ends."""
+def outline_half_width(sizes: tuple[float, float, float], u: Array, reach: float) -> Array:
+    """Return half a web's width at u along its arm, negative beyond its ends.
+
+    `sizes` are its width and its margins beyond the near axis, at u = 0, and the far one, at `reach`: a
+    rectangle whose corners are rounded with the radius min(width/2, margin) at either end.
+    """
     width, heel, tip = sizes
     half, narrow = width / 2, np.zeros_like(u)
     for margin, place in ((heel, -u), (tip, u - reach)):

@@ -1,33 +1,15 @@
-"""Balancing: rotating parts, overbalance, balance shafts, and designs with their certificates."""
+"""Balancing of an engine: rotating masses, overbalance, counterweights and shafts, with certificates.
 
-from symbalance.design.balancing.certifying import Claim
-from symbalance.design.balancing.designing import Design, design_balance
-from symbalance.design.balancing.devices import Device
-from symbalance.design.balancing.ellipses import Ellipse, ellipse
-from symbalance.design.balancing.overbalancing import best_forward, best_overbalance, overbalanced
-from symbalance.design.balancing.planes import in_planes
-from symbalance.design.balancing.rotating import (
-    RotatingBalance,
-    balanced_weights,
-    rotating_unbalance,
-    rotating_weights,
-    throw_unbalance,
-)
+In: an `Engine` and the orders to balance. Out: exact weights at stations, and a proof of what they leave.
 
-__all__ = [
-    "Claim",
-    "Design",
-    "Device",
-    "Ellipse",
-    "RotatingBalance",
-    "balanced_weights",
-    "best_forward",
-    "best_overbalance",
-    "design_balance",
-    "ellipse",
-    "in_planes",
-    "overbalanced",
-    "rotating_unbalance",
-    "rotating_weights",
-    "throw_unbalance",
-]
+    planes, bounded_weights    weights in given planes for a force and couple, within a largest size
+    rotating_balance           counterweights against rotating masses
+    ellipses, overbalance      what one order draws, and the first order as a function of overbalance
+    order_selection, devices   which orders get a shaft, and what stands on it
+    designs                    a design with its certificate;  design_limits: what it may use
+    *_document, *_data, design_facts, weight_cells, design_picture   how these are written and drawn
+"""
+
+from symbalance.loading import attach
+
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

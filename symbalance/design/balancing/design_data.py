@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
-from symbalance.design.balancing.certifying import Claim
-from symbalance.design.balancing.design_facts import left_ellipses, name, on_throws, sentence, weights
-from symbalance.design.balancing.designing import Design
+from symbalance.design.balancing.design_facts import (
+    design_weights,
+    device_name,
+    residual_ellipses,
+    sentence,
+    throw_counterweights,
+)
+from symbalance.design.balancing.design_limits import Limits
+from symbalance.design.balancing.designs import Claim, Design
 from symbalance.design.balancing.devices import Device
-from symbalance.design.balancing.ellipse_data import axes
-from symbalance.design.balancing.limits import Limits
-from symbalance.design.balancing.rotating_data import polar, vector
+from symbalance.design.balancing.rotating_balance import polar, vector_data
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import Component
 from symbalance.forces.balance_data import VALUE_DIGITS, balance_data, component_values
@@ -33,7 +37,8 @@ def design_data(design: Design) -> dict[str, Any]:
         "devices": [_device(design, device) for device in design.devices],
         "certificate": [_claim(claim) for claim in design.claims],
         "left": [
-            {"order": str(left.order), "kind": left.of, **axes(left)} for left in left_ellipses(design)
+            {"order": str(curve.order), "kind": curve.of, **curve.axes_data()}
+            for curve in residual_ellipses(design)
         ],
         "remains": balance_data(design.remains),
     }
@@ -61,12 +66,12 @@ def _device(design: Design, device: Device) -> dict[str, Any]:
         "speed": device.speed,
         "kind": "counterweights" if device.on_crank else "shaft",
         "per_throw": not device.weights,
-        "force": vector(device.force),
-        "couple": vector(device.couple),
+        "force": vector_data(device.force),
+        "couple": vector_data(device.couple),
         "weights": [
             {
                 "station": str(station),
-                "share": vector(share),
+                "share": vector_data(share),
                 "unbalance": _unbalance(design, device, share),
             }
             for station, share in device.weights
@@ -98,20 +103,20 @@ def design_records(design: Design) -> list[dict[str, Any]]:
     """
     none = dict.fromkeys(_KEYS)
     rows = []
-    for weight in weights(design):
+    for weight in design_weights(design):
         part = Component(weight.vector)
         share, degrees = polar(weight.vector)
         exact = {"exact_up": str(part.cos), "exact_right": str(part.sin)}
         size = None if weight.unbalance is None else float(weight.unbalance)
         place = {
             "speed": weight.device.speed,
-            "on": name(weight.device),
+            "on": device_name(weight.device),
             "station": float(weight.station),
         }
         rows.append(
             {**none, **place, "share": share, "direction_deg": degrees, **exact, "unbalance_kg_mm": size}
         )
-    for counterweight in on_throws(design):
+    for counterweight in throw_counterweights(design):
         overbalance = float(counterweight.overbalance or 0)
         on = {"speed": 1, "on": "crank", "throw": counterweight.throw, "overbalance": overbalance}
         rows.append({**none, **on})

@@ -1,18 +1,18 @@
-"""What is written of a design: the weights proposed, their certificate, and what they leave."""
+"""The document of a design: the weights proposed, their certificate, and what they leave."""
 
 from __future__ import annotations
 
 from symbalance.design.balancing.design_facts import (
     PlacedWeight,
-    achieved,
+    achievement,
     by_order,
-    left_ellipses,
-    means,
-    name,
-    on_throws,
-    weights,
+    design_weights,
+    device_name,
+    requirements,
+    residual_ellipses,
+    throw_counterweights,
 )
-from symbalance.design.balancing.designing import Design
+from symbalance.design.balancing.designs import Design
 from symbalance.design.balancing.ellipse_document import READING, ellipse_table
 from symbalance.design.balancing.weight_cells import size_cell, station_cell
 from symbalance.document.formula import Decimal, Formula, Name, Subscript, equal, number
@@ -37,7 +37,7 @@ VERDICTS = {
     "absent": "none before",
     "removed": "proved 0",
     "reduced": "changed",
-    "unchanged": "as it was",
+    "unchanged": "unchanged",
     "added": "added",
 }
 _A_N = Subscript(Name("A"), Name("n"))
@@ -55,17 +55,17 @@ _CERTIFICATE = (Column("order"), Column("of"), Column("with the crank"), Column(
 
 def design_document(design: Design) -> Document:
     """Return a design as a document: what is proposed, the certificate, what remains, how to read it."""
-    left = left_ellipses(design)
+    ellipses = residual_ellipses(design)
     return Document(
-        f"{design.layout.name}: {achieved(design)}",
+        f"{design.layout.name}: {achievement(design)}",
         blocks(
-            _proposed(design),
+            _proposal(design),
             _certificate(design),
-            ellipse_table("Left of the orders to remove", left) if left else None,
+            ellipse_table("Residual of the orders to remove", ellipses) if ellipses else None,
             Heading(f"What remains, to order {design.remains.highest}"),
             resultant_blocks(design.remains),
             Details(
-                f"Before: {design.layout.name} as it is, to order {design.remove[-1]}",
+                f"Before: {design.layout.name} unchanged, to order {design.remove[-1]}",
                 resultant_blocks(balance(design.layout, design.remove[-1])),
             ),
             conventions(design.before, _reading(design)),
@@ -75,7 +75,7 @@ def design_document(design: Design) -> Document:
 
 
 def _lead(design: Design) -> str:
-    parts = (means(design), engine_words(design.layout))
+    parts = (requirements(design), engine_words(design.layout))
     return " ".join(f"{part[0].upper()}{part[1:]}." for part in parts if part)
 
 
@@ -84,17 +84,17 @@ def _size(design: Design) -> Formula:
     return (_S * _A_N * _M * _R if design.layout.has_common_harmonics else _S * _M * _R) / _N**2
 
 
-def _proposed(design: Design) -> tuple[Block, ...]:
-    rows = tuple(map(_row, weights(design)))
+def _proposal(design: Design) -> tuple[Block, ...]:
+    rows = tuple(map(_row, design_weights(design)))
     title: Words = (
         "Proposed weights: mass times radius ",
         equal(_U, _size(design)),
     )
     table = Table(title, _PROPOSED, rows, keys=3) if rows else None
-    built = on_throws(design)
-    if not built:
+    counterweights = throw_counterweights(design)
+    if not counterweights:
         return blocks(table)
-    share = max(c.overbalance or 0 for c in built)
+    share = max(c.overbalance or 0 for c in counterweights)
     also = f" and {share} of its reciprocating mass" if share else ""
     begin = "And on every throw" if rows else "On every throw"
     return blocks(table, Paragraph(f"{begin} a counterweight for its rotating mass{also}."))
@@ -103,7 +103,7 @@ def _proposed(design: Design) -> tuple[Block, ...]:
 def _row(weight: PlacedWeight) -> tuple[Cell, ...]:
     return (
         Decimal(f"{weight.device.speed:+d}"),
-        name(weight.device),
+        device_name(weight.device),
         station_cell(weight.station),
         size_cell(weight.vector),
         direction(weight.vector),
@@ -122,9 +122,9 @@ def _certificate(design: Design) -> Table:
 def _reading(design: Design) -> list[tuple[Words, Words]]:
     """Return what the tables of a design mean, and the limits it keeps to."""
     entries: list[tuple[Words, Words]] = []
-    if asked := _limits(design):
-        entries.append(("limits", "; ".join(asked)))
-    if weights(design):
+    if limits := _limits(design):
+        entries.append(("limits", "; ".join(limits)))
+    if design_weights(design):
         if design.layout.has_common_harmonics:
             first = equal(Subscript(Name("A"), number(1)), 1)
             entries.append((_A_N, ("coefficient of one cylinder at speed ", _N, "; ", first)))
@@ -134,13 +134,13 @@ def _reading(design: Design) -> list[tuple[Words, Words]]:
             (("at ", Name("theta"), " = 0"), "where a weight points, from straight up, + to the right"),
         ]
     entries.append(("proved 0", "exactly; where sizes are decimals, to their rounding"))
-    return [*entries, *(READING if left_ellipses(design) else ())]
+    return [*entries, *(READING if residual_ellipses(design) else ())]
 
 
 def _limits(design: Design) -> list[str]:
     """Return the limits a design was given, and how it weighs what is left."""
     limits, weighting = design.limits, design.limits.weighting
-    said = {
+    conditions = {
         f"at most {limits.shafts} shaft{'' if limits.shafts == 1 else 's'}": limits.shafts is not None,
         "no shaft against the crank": not limits.counter_rotation,
         "no counterweights on the crank": not limits.counterweights,
@@ -153,4 +153,4 @@ def _limits(design: Design) -> list[str]:
         ),
         f"couples count over {weighting.length} pitches": weighting.length != 1,
     }
-    return [words for words, holds in said.items() if holds]
+    return [words for words, holds in conditions.items() if holds]

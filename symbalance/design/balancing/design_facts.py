@@ -1,12 +1,11 @@
-"""What a design's document and its data share: weights, the certificate in order, the achievement."""
+"""Facts of a design that its document and its data share: weights, certificate, achievement in words."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
 
-from symbalance.design.balancing.certifying import Claim
-from symbalance.design.balancing.designing import Design
+from symbalance.design.balancing.designs import Claim, Design
 from symbalance.design.balancing.devices import Device
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
 from symbalance.engine.balance_masses import Counterweight
@@ -24,7 +23,7 @@ class PlacedWeight:
     unbalance: Real | None
 
 
-def weights(design: Design) -> list[PlacedWeight]:
+def design_weights(design: Design) -> list[PlacedWeight]:
     """Return every weight that stands at a station, device by device."""
     return [
         PlacedWeight(device, station, vector, design.unbalance(device, vector))
@@ -33,19 +32,19 @@ def weights(design: Design) -> list[PlacedWeight]:
     ]
 
 
-def on_throws(design: Design) -> list[Counterweight]:
+def throw_counterweights(design: Design) -> list[Counterweight]:
     """Return the counterweights of a design that stand on throws: their rotating mass, or more."""
-    had = len(design.layout.balancers.counterweights)
-    added = design.balanced.balancers.counterweights[had:]
-    return [c for c in added if c.overbalance is not None]
+    old = len(design.layout.balancers.counterweights)
+    new = design.balanced.balancers.counterweights[old:]
+    return [c for c in new if c.overbalance is not None]
 
 
-def name(device: Device) -> str:
+def device_name(device: Device) -> str:
     """Return what a device is called.
 
     >>> from symbalance.design.balancing import design_balance
     >>> from symbalance.engine.catalogue import load
-    >>> [name(d) for d in design_balance(load("inline-1"), [1]).devices]
+    >>> [device_name(d) for d in design_balance(load("inline-1"), [1]).devices]
     ['crank', 'shaft']
     """
     return "crank" if device.on_crank else "shaft"
@@ -57,34 +56,34 @@ def by_order(design: Design) -> list[tuple[int, str, list[Claim]]]:
     return [(abs(c.signed), c.kind, claims[i : i + 2]) for i, c in enumerate(claims) if i % 2 == 0]
 
 
-def left_ellipses(design: Design) -> list[Ellipse]:
+def residual_ellipses(design: Design) -> list[Ellipse]:
     """Return the ellipses of what a design leaves of the orders to remove."""
     every = [ellipse(design.remains, n, of) for n in design.remove for of in ("force", "couple")]
-    return [left for left in every if left.shape != "nothing"]
+    return [each for each in every if each.shape != "nothing"]
 
 
-def achieved(design: Design) -> str:
+def achievement(design: Design) -> str:
     """Return what becomes of the orders to remove.
 
     >>> from symbalance.design.balancing import design_balance
     >>> from symbalance.engine.catalogue import load
-    >>> achieved(design_balance(load("v8-90"), [1, 2]))
-    'orders 1, 2 end exactly'
+    >>> achievement(design_balance(load("v8-90"), [1, 2]))
+    'orders 1, 2 are balanced exactly'
     """
     orders = _orders(design)
     if design.is_complete:
         if not design.devices:
             return f"{orders}: nothing to remove"
-        return f"{orders} {'ends' if len(design.remove) == 1 else 'end'} exactly"
+        return f"{orders} {'is' if len(design.remove) == 1 else 'are'} balanced exactly"
     return f"{orders} {_short_of(design)}"
 
 
-def means(design: Design) -> str:
+def requirements(design: Design) -> str:
     """Return what a design takes for that, and whether less would do; empty where nothing is to remove.
 
     >>> from symbalance.design.balancing import design_balance
     >>> from symbalance.engine.catalogue import load
-    >>> means(design_balance(load("v8-90"), [1, 2]))
+    >>> requirements(design_balance(load("v8-90"), [1, 2]))
     'with counterweights on the crank; no shaft is needed'
     """
     if not design.devices and design.is_complete:
@@ -92,11 +91,11 @@ def means(design: Design) -> str:
     shafts = len(design.shafts)
     parts = ["counterweights on the crank"] if any(d.on_crank for d in design.devices) else []
     parts += [f"{shafts} balance shaft{'s' if shafts > 1 else ''}"] if shafts else []
-    built = f"with {' and '.join(parts) or 'nothing built in'}"
+    equipment = f"with {' and '.join(parts) or 'nothing built in'}"
     if design.is_complete:
-        return f"{built}; {'fewer shafts cannot do it' if shafts else 'no shaft is needed'}"
+        return f"{equipment}; {'fewer shafts cannot do it' if shafts else 'no shaft is needed'}"
     count = f"{design.least_shafts} shaft{'' if design.least_shafts == 1 else 's'}"
-    return f"{built}; it takes {count} to end all exactly"
+    return f"{equipment}; it takes {count} to balance all exactly"
 
 
 def sentence(design: Design) -> str:
@@ -105,18 +104,18 @@ def sentence(design: Design) -> str:
     >>> from symbalance.design.balancing import design_balance
     >>> from symbalance.engine.catalogue import load
     >>> sentence(design_balance(load("v8-90"), [1, 2]))
-    'Orders 1, 2 end exactly, with counterweights on the crank; no shaft is needed.'
+    'Orders 1, 2 are balanced exactly, with counterweights on the crank; no shaft is needed.'
     """
-    taken = means(design)
+    needs = requirements(design)
     if design.is_complete:
-        words = f"{achieved(design)}, {taken}." if taken else f"{achieved(design)}."
+        words = f"{achievement(design)}, {needs}." if needs else f"{achievement(design)}."
     else:
-        words = f"{_orders(design)}: {_short_of(design)} {taken}."
+        words = f"{_orders(design)}: {_short_of(design)} {needs}."
     return words[0].upper() + words[1:]
 
 
 def _short_of(design: Design) -> str:
-    """Return what becomes of orders that do not end."""
+    """Return what becomes of orders that are not balanced."""
     return "reduced" if design.devices else "left unchanged"
 
 

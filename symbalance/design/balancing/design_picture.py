@@ -1,4 +1,4 @@
-"""A picture of a design: the ellipses of force and couple, before and after, drawn with matplotlib."""
+"""A picture of a design: the ellipses of force and couple before and after, drawn with matplotlib."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from symbalance.design.balancing import Design
+from symbalance.design.balancing.designs import Design
 from symbalance.design.balancing.ellipses import Ellipse, ellipse
 from symbalance.engine.rotating_masses import unit_of_share
 from symbalance.errors import MissingPartError, SymbalanceError
@@ -16,12 +16,13 @@ from symbalance.text.reals import expjpi
 
 ENDINGS = (".png", ".pdf", ".svg")
 POINTS = 361
+"""Of a drawn ellipse: one a degree, and the first again to close it."""
 
 
 def design_picture(design: Design, path: str) -> bytes:
     """Return a picture in the format that the file's name ends in: one row an order, force and couple.
 
-    Grey is the layout as it is, blue what is left with the design built in; in m r omega^2 (couples
+    Grey is the layout unchanged, blue what is left with the design built in; in m r omega^2 (couples
     m r omega^2 a), seen from the front, so an engine with symbols in it has none.
     """
     ending = Path(path).suffix
@@ -55,14 +56,14 @@ def _figure(design: Design) -> Any:
 
 def _draw(axis: Any, design: Design, order: int, kind: str) -> None:
     for result, colour, label in (
-        (design.before, "0.6", "as it is"),
+        (design.before, "0.6", "unchanged"),
         (design.remains, "tab:blue", "with the design"),
     ):
-        drawn = ellipse(result, order, kind)
-        if drawn.shape == "nothing":
+        curve = ellipse(result, order, kind)
+        if curve.shape == "nothing":
             axis.plot([0], [0], ".", color=colour, label=f"{label}: none")
         else:
-            axis.plot(*_points(result, drawn), color=colour, label=label)
+            axis.plot(*_points(result, curve), color=colour, label=label)
     unit = r"$m r \omega^2$" if kind == "force" else r"$m r \omega^2 a$"
     axis.set_title(f"order {order}, {kind}", fontsize=10)
     axis.set_xlabel(f"lateral, {unit}", fontsize=8)
@@ -74,10 +75,10 @@ def _draw(axis: Any, design: Design, order: int, kind: str) -> None:
     axis.legend(fontsize=7, loc="upper right")
 
 
-def _points(result: Balance, drawn: Ellipse) -> tuple[list[float], list[float]]:
+def _points(result: Balance, curve: Ellipse) -> tuple[list[float], list[float]]:
     """Return the points an order's vector goes through in a turn of it, lateral and vertical."""
-    unit = unit_of_share(result.layout, drawn.order) if result.kinematics else 1
-    ahead, against = (complex(n.evaluated(20) * unit) for n in (drawn.forward, drawn.backward))
+    unit = unit_of_share(result.layout, curve.order) if result.kinematics else 1
+    forward, backward = (complex(n.evaluated(20) * unit) for n in (curve.forward, curve.backward))
     turns = [complex(expjpi(Fraction(2 * i, POINTS - 1), 20)) for i in range(POINTS)]
-    places = [ahead * z + against * z.conjugate() for z in turns]
+    places = [forward * z + backward * z.conjugate() for z in turns]
     return [p.imag for p in places], [p.real for p in places]

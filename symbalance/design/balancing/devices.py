@@ -1,4 +1,4 @@
-"""What turns in a design: for each signed order served, weights with the force and couple wanted."""
+"""Counterweights and balance shafts of a design: for each order served, weights that balance it."""
 
 from __future__ import annotations
 
@@ -8,10 +8,16 @@ from fractions import Fraction
 from math import floor
 from typing import Any
 
-from symbalance.design.balancing.bounded import bounded, jointly
-from symbalance.design.balancing.choosing import Left, Pair, chosen, parts_of, targets_of
-from symbalance.design.balancing.limits import Limits
-from symbalance.design.balancing.planes import Placed, in_planes
+from symbalance.design.balancing.bounded_weights import bounded_vectors, joint_vectors
+from symbalance.design.balancing.design_limits import Limits
+from symbalance.design.balancing.order_selection import (
+    Pair,
+    Residuals,
+    parts_of,
+    select_orders,
+    targets_of,
+)
+from symbalance.design.balancing.planes import PlacedVector, in_planes
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight, directed
 from symbalance.engine.engine import Engine
 from symbalance.engine.rotating_masses import has_unit_share, unit_of_share
@@ -35,50 +41,52 @@ class Device:
     on_crank: bool
     force: Amplitude
     couple: Amplitude
-    weights: tuple[Placed, ...]
+    weights: tuple[PlacedVector, ...]
     parts: tuple[Counterweight | BalanceShaft, ...] = field(compare=False)
 
 
 def devices_for(before: Balance, orders: Sequence[int], limits: Limits) -> list[Device]:
     """Return what serves the orders to remove, slowest first, the crank before shafts."""
     parts = parts_of(before, orders)
-    served = _served(before, parts, limits)
+    served = _orders_to_serve(before, parts, limits)
     devices = []
     for n in sorted({abs(s) for s in served}):
-        placed = _placed(before, parts, [s for s in (n, -n) if s in served], limits)
-        devices += [_device(before, speed, weights, limits) for speed, weights in placed.items()]
+        vectors = _weights_by_speed(before, parts, [s for s in (n, -n) if s in served], limits)
+        devices += [_device(before, speed, weights, limits) for speed, weights in vectors.items()]
     return [device for device in devices if device.parts]
 
 
-def _served(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int]:
+def _orders_to_serve(before: Balance, parts: dict[int, Pair], limits: Limits) -> list[int]:
     """Return the signed orders that get a device."""
     free = [1] if limits.counterweights else []
     candidates = set(parts)
     if limits.weighting.tilt:  # a part that is zero may then make up for the other
         candidates |= {-n for n in parts}
     able = sorted(n for n in candidates if n > 0 or limits.counter_rotation)
-    crank, wanted = [n for n in able if n in free], [n for n in able if n not in free]
-    if limits.shafts is None or len(wanted) <= limits.shafts:
+    crank, others = [n for n in able if n in free], [n for n in able if n not in free]
+    if limits.shafts is None or len(others) <= limits.shafts:
         return able
     if limits.shafts == 0:
         return crank
-    return chosen(before, able, free, limits.shafts, limits.weighting, _leaves(before, limits))
+    return select_orders(before, able, free, limits.shafts, limits.weighting, _residuals(before, limits))
 
 
-def _leaves(before: Balance, limits: Limits) -> Left | None:
-    """Return what tells what is left where weights cannot have any force and couple, else None."""
+def _residuals(before: Balance, limits: Limits) -> Residuals | None:
+    """Return what computes what limited weights leave, None where they can have any force and couple."""
     places = limits.stations and set(limits.stations)
     if limits.most is None and (not places or len(places) > 1):
         return None
 
-    def left(parts: dict[int, Pair], served: Sequence[int]) -> dict[int, Pair]:
-        placed = _placed(before, parts, served, limits)
-        return {s: _sum(parts.get(s, (ZERO, ZERO)), _had(before.layout, w)) for s, w in placed.items()}
+    def residuals(parts: dict[int, Pair], served: Sequence[int]) -> dict[int, Pair]:
+        vectors = _weights_by_speed(before, parts, served, limits)
+        return {
+            s: _sum(parts.get(s, (ZERO, ZERO)), _resultant(before.layout, w)) for s, w in vectors.items()
+        }
 
-    return left
+    return residuals
 
 
-def _had(layout: Engine, weights: Sequence[Placed]) -> Pair:
+def _resultant(layout: Engine, weights: Sequence[PlacedVector]) -> Pair:
     """Return the force and the couple about the mean of the stations that weights have."""
     plane = layout.mean_station
     return total(w for _, w in weights), total(w.scaled(z - plane) for z, w in weights)
@@ -88,30 +96,30 @@ def _sum(one: Pair, other: Pair) -> Pair:
     return one[0] + other[0], one[1] + other[1]
 
 
-def _placed(
+def _weights_by_speed(
     before: Balance, parts: dict[int, Pair], served: Sequence[int], limits: Limits
-) -> dict[int, list[Placed]]:
+) -> dict[int, list[PlacedVector]]:
     """Return, by speed, the weights that serve one order: stations and vectors in its unit."""
     layout, tilt = before.layout, limits.weighting.tilt
     targets = {s: targets_of(parts, s, -s in served, tilt) for s in served}
-    weights = {s: _weights(layout, s, wanted, limits) for s, wanted in targets.items()}
+    weights = {s: _weights(layout, s, target, limits) for s, target in targets.items()}
     if limits.most is None or not tilt or len(served) < 2:
         return weights
-    if all(_had_all(layout, weights[s], targets[s]) for s in served):
+    if all(_is_exact(layout, weights[s], targets[s]) for s in served):
         return weights
     plane = layout.mean_station
-    arms = sorted({z for wanted in targets.values() for z in _arms(layout, wanted, limits.stations)})
+    arms = sorted({z for target in targets.values() for z in _arms(layout, target, limits.stations)})
     bound = _bound(layout, served[0], limits.most)
-    both = jointly([targets[s] for s in served], arms[::-1], bound, limits.weighting.length, tilt)
+    both = joint_vectors([targets[s] for s in served], arms[::-1], bound, limits.weighting.length, tilt)
     return {s: [(z + plane, w) for z, w in side] for s, side in zip(served, both, strict=True)}
 
 
-def _had_all(layout: Engine, weights: Sequence[Placed], wanted: Pair) -> bool:
-    had = _had(layout, weights)
-    return all((w - h).is_zero() for w, h in zip(wanted, had, strict=True))
+def _is_exact(layout: Engine, weights: Sequence[PlacedVector], target: Pair) -> bool:
+    resultant = _resultant(layout, weights)
+    return all((t - r).is_zero() for t, r in zip(target, resultant, strict=True))
 
 
-def _device(before: Balance, speed: int, weights: Sequence[Placed], limits: Limits) -> Device:
+def _device(before: Balance, speed: int, weights: Sequence[PlacedVector], limits: Limits) -> Device:
     on_crank = speed == 1 and limits.counterweights
     if on_crank and limits.per_throw:
         return _on_throws(before.layout)
@@ -122,7 +130,7 @@ def _device(before: Balance, speed: int, weights: Sequence[Placed], limits: Limi
         parts = tuple(Counterweight(0, station, share=vector) for station, vector in shares)
     else:
         parts = (BalanceShaft(speed, [Weight(station, share=vector) for station, vector in shares]),)
-    return Device(speed, on_crank, *_had(before.layout, weights), tuple(shares), parts)
+    return Device(speed, on_crank, *_resultant(before.layout, weights), tuple(shares), parts)
 
 
 def _on_throws(layout: Engine) -> Device:
@@ -130,19 +138,19 @@ def _on_throws(layout: Engine) -> Device:
     half = tuple(Counterweight(throw=c.number, overbalance="1/2") for c in layout.cylinders)
     rows = zip(layout.cylinders, layout.sizes, strict=True)
     pulls = [(c.station, directed(Phasor.of(1, {0: -size / 2}), c.throw)) for c, size in rows]
-    return Device(1, True, *_had(layout, pulls), (), half)
+    return Device(1, True, *_resultant(layout, pulls), (), half)
 
 
-def _weights(layout: Engine, speed: int, targets: Pair, limits: Limits) -> list[Placed]:
-    """Return stations and vectors, in the unit of the order, with the force and couple wanted."""
+def _weights(layout: Engine, speed: int, targets: Pair, limits: Limits) -> list[PlacedVector]:
+    """Return stations and vectors, in the unit of the order, with a force and couple."""
     plane, length = layout.mean_station, limits.weighting.length
     arms = _arms(layout, targets, limits.stations)
-    placed = in_planes(*targets, arms, spread=limits.spread, length=length)
+    vectors = in_planes(*targets, arms, spread=limits.spread, length=length)
     if limits.most is not None:
         bound = _bound(layout, speed, limits.most)
-        if any(vector.size() > bound for _, vector in placed):
-            placed = bounded(*targets, sorted(set(arms), reverse=True), bound, length)
-    return [(arm + plane, vector) for arm, vector in placed if not vector.is_zero()]
+        if any(vector.size() > bound for _, vector in vectors):
+            vectors = bounded_vectors(*targets, sorted(set(arms), reverse=True), bound, length)
+    return [(arm + plane, vector) for arm, vector in vectors if not vector.is_zero()]
 
 
 def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) -> list[Fraction]:
@@ -153,10 +161,11 @@ def _arms(layout: Engine, targets: Pair, stations: tuple[Fraction, ...] | None) 
     places = layout.arms()
     half = Fraction(1, 2)
     front, rear = max(places), min(places)
-    alone = station_of(*targets)
-    near = alone is not None and rear - half <= alone <= front + half
+    single_arm = station_of(*targets)
     ends = [front, rear] if front != rear else [half, -half]
-    return [*ends, alone] if near and alone is not None else ends
+    if single_arm is None or not rear - half <= single_arm <= front + half:
+        return ends
+    return [*ends, single_arm]
 
 
 def _share(layout: Engine, speed: int, vector: Amplitude) -> Amplitude:
@@ -179,10 +188,12 @@ def _bound(layout: Engine, speed: int, most: Fraction) -> Fraction:
     return Fraction(floor(abs(share * 10**12 / per_share)), 10**12)
 
 
-def for_rotating(layout: Engine, devices: Sequence[Device]) -> list[Counterweight]:
+def rotating_counterweights(layout: Engine, devices: Sequence[Device]) -> list[Counterweight]:
     """Return what balances rotating masses throw by throw: they count once there are counterweights."""
-    added_weights = any(d.on_crank for d in devices) and not layout.balancers.counterweights
-    if not added_weights or any(p.overbalance is not None for d in devices for p in _on_crank(d)):
+    has_new_counterweights = any(d.on_crank for d in devices) and not layout.balancers.counterweights
+    if not has_new_counterweights or any(
+        p.overbalance is not None for d in devices for p in _on_crank(d)
+    ):
         return []
     pairs = zip(layout.cylinders, layout.rotating_sizes, strict=True)
     return [Counterweight(throw=c.number, overbalance=0) for c, share in pairs if share]

@@ -1,4 +1,4 @@
-"""What is written of ellipses: semi-axes, where the long one points, in which sense they are drawn."""
+"""The document of an ellipse: semi-axes, where the long one points, in which sense it is drawn."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ READING: tuple[tuple[Words, Words], ...] = (
 def ellipse_document(ellipse: Ellipse) -> Document:
     """Return an ellipse as a document: its semi-axes, its two rotating parts, the conventions."""
     measure = unit(ellipse.balance, ellipse.of)
-    drawn = [] if ellipse.shape == "nothing" else [ellipse]
+    ellipses = [] if ellipse.shape == "nothing" else [ellipse]
     parts = (("with the crank", ellipse.forward), ("against it", ellipse.backward))
     rows = tuple((name, size_cell(part), direction(part)) for name, part in parts if not part.is_zero())
     return Document(
         ellipse.summary(),
         (
-            ellipse_table(("Ellipse, unit ", measure), drawn),
+            ellipse_table(("Ellipse, unit ", measure), ellipses),
             Table(("Rotating parts, unit ", measure), _PARTS, rows),
             *conventions(ellipse.balance, [*READING, *_units(ellipse)]),
         ),
@@ -73,7 +73,7 @@ def _cells(ellipse: Ellipse) -> tuple[Cell, ...]:
     decimals = (None, None) if ellipse.has_symbols else ellipse.decimal_axes
     sizes = [_axis(*pair) for pair in zip(axes, decimals, strict=True)]
     tilt = "" if ellipse.shape == "circle" else _tilt(ellipse)
-    return number(ellipse.order), ellipse.of, *sizes, tilt, ellipse.drawn
+    return number(ellipse.order), ellipse.of, *sizes, tilt, ellipse.description
 
 
 def _axis(axis: sympy.Expr, decimal: Real | None) -> Cell:

@@ -3,8 +3,8 @@ r"""The ellipse that one order of a force or couple draws, from its two rotating
 forward e^(i n theta) + backward e^(-i n theta) draws an ellipse with semi-axes |forward| + |backward| and
 ||forward| - |backward||, the long one at half the sum of the parts' directions. It is a circle where one
 part is 0 and a straight line where both are equal; it is run through with the crank where the forward
-part is the larger. (Two counter-rotating vectors: Den Hartog, Mechanical Vibrations, section 5.2, from
-memory.)
+part is the larger. (Both follow from where the
+two counter-rotating vectors stand in line.)
 """
 
 from __future__ import annotations
@@ -21,9 +21,11 @@ from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.decimal_phasor import LEAST
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Component
+from symbalance.forces.balance_data import VALUE_DIGITS, component_values, unit
 from symbalance.forces.free_forces import Balance, checked_balance
-from symbalance.text.numbers import checked_whole
-from symbalance.text.reals import Exact, Real, atan2, expj
+from symbalance.forces.rows import plane_key
+from symbalance.text.numbers import checked_whole, decimal_text
+from symbalance.text.reals import Exact, Real, atan2, expj, pi
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -55,7 +57,7 @@ class Ellipse(Result):
 
     def summary(self) -> str:
         """Return which order this is of, and what it draws, in one line."""
-        return f"Free {self.of} of order {self.order} of {self.balance.layout.name}: {self.drawn}"
+        return f"Free {self.of} of order {self.order} of {self.balance.layout.name}: {self.description}"
 
     def document(self) -> Document:
         """Return the semi-axes and the two rotating parts, then how to read them."""
@@ -64,16 +66,60 @@ class Ellipse(Result):
         return ellipse_document(self)
 
     def data(self) -> dict[str, Any]:
-        """Return the semi-axes and the rotating parts, exact numbers as strings that SymPy reads."""
-        from symbalance.design.balancing.ellipse_data import ellipse_data
+        """Return the semi-axes and the rotating parts, exact numbers as strings that SymPy reads.
 
-        return ellipse_data(self)
+        `cos` and `sin` of its parts are those straight up and to the right at theta = 0; `decimal` is the
+        long and the short semi-axis and the direction in radians, None with symbols in them.
+        """
+        decimals = None
+        if not self.has_symbols:
+            numbers = (*self.decimal_axes, self.decimal_direction)
+            decimals = [decimal_text(x, VALUE_DIGITS) for x in numbers]
+        return {
+            "engine": self.balance.layout.name,
+            "reference_plane": plane_key(self.balance.reference),
+            "unit": unit(self.balance, self.of),
+            "order": str(self.order),
+            "of": self.of,
+            **self.axes_data(),
+            "sense": None if self.has_symbols else self.sense,
+            "decimal": decimals,
+            "forward": dict(component_values(Component(self.forward))),
+            "backward": dict(component_values(Component(self.backward))),
+        }
+
+    def axes_data(self) -> dict[str, Any]:
+        """Return what it is, exactly: its shape, semi-axes and direction in radians."""
+        return {
+            "shape": self.shape,
+            "major": str(self.major),
+            "minor": str(self.minor),
+            "direction": str(self.direction),
+        }
 
     def records(self) -> list[dict[str, Any]]:
-        """Return one row: semi-axes and direction in decimals where there are no symbols in them."""
-        from symbalance.design.balancing.ellipse_data import ellipse_records
+        """Return one row: semi-axes and direction in decimals where there are no symbols in them.
 
-        return ellipse_records([self])
+        Keys: order, of (force or couple), drawn, major, minor and direction_deg (floats, None with
+        symbols in them), exact_major, exact_minor, unit.
+        """
+        major = minor = degrees = None
+        if not self.has_symbols:
+            major, minor = map(float, self.decimal_axes)
+            degrees = float(self.decimal_direction * 180 / pi())
+        return [
+            {
+                "order": self.order,
+                "of": self.of,
+                "drawn": self.description,
+                "major": major,
+                "minor": minor,
+                "direction_deg": degrees,
+                "exact_major": str(self.major),
+                "exact_minor": str(self.minor),
+                "unit": unit(self.balance, self.of),
+            }
+        ]
 
     @cached_property
     def _sizes(self) -> tuple[sympy.Expr, sympy.Expr]:
@@ -130,7 +176,7 @@ class Ellipse(Result):
         return "ellipse" if self.sense else "line"
 
     @property
-    def drawn(self) -> str:
+    def description(self) -> str:
         """What it draws in words, and in which sense: "circle, against the crank"."""
         if self.shape == "circle":
             return f"circle, {'with' if self.backward.is_zero() else 'against'} the crank"
@@ -145,8 +191,8 @@ class Ellipse(Result):
 
     def reach(self, direction: Exact | Real) -> Real:
         """Return how far it reaches along a direction (radians from straight up): its amplitude there."""
-        turned = expj(-direction)
-        forward, backward = (n.evaluated() * turned for n in (self.forward, self.backward))
+        rotation = expj(-direction)
+        forward, backward = (n.evaluated() * rotation for n in (self.forward, self.backward))
         return abs(forward.conjugate() + backward)
 
 

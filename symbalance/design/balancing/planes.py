@@ -24,8 +24,8 @@ from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.arithmetic import station_of
 
-Placed = tuple[Fraction, Amplitude]
-"""An arm, and the vector that turns there."""
+PlacedVector = tuple[Fraction, Amplitude]
+"""A lever arm, and the vector that turns there."""
 SPREADS = ("ends", "even")
 
 
@@ -36,7 +36,7 @@ def in_planes(
     *,
     spread: str = "ends",
     length: Fraction,
-) -> list[Placed]:
+) -> list[PlacedVector]:
     """Return vectors at some of `arms` with that force and couple, in the unit of the two.
 
     `spread` "ends" takes as few planes as do, with the least total; "even" all planes, with the least sum
@@ -64,7 +64,7 @@ def in_planes(
     return _ends(force, couple, places) if spread == "ends" else _even(force, couple, places)
 
 
-def _ends(force: Amplitude, couple: Amplitude, places: Sequence[Fraction]) -> list[Placed]:
+def _ends(force: Amplitude, couple: Amplitude, places: Sequence[Fraction]) -> list[PlacedVector]:
     front, rear = places[0], places[-1]
     over = 1 / (front - rear)
     first = (couple - force.scaled(rear)).scaled(over)
@@ -72,16 +72,16 @@ def _ends(force: Amplitude, couple: Amplitude, places: Sequence[Fraction]) -> li
     return [(z, w) for z, w in ((front, first), (rear, second)) if not w.is_zero()]
 
 
-def _even(force: Amplitude, couple: Amplitude, places: Sequence[Fraction]) -> list[Placed]:
+def _even(force: Amplitude, couple: Amplitude, places: Sequence[Fraction]) -> list[PlacedVector]:
     count, total, squares = len(places), sum(places), sum(z * z for z in places)
     over = 1 / Fraction(count * squares - total * total)
     level = (force.scaled(squares) - couple.scaled(total)).scaled(over)
     slope = (couple.scaled(count) - force.scaled(total)).scaled(over)
-    found = [(z, level + slope.scaled(z)) for z in places]
-    return [(z, w) for z, w in found if not w.is_zero()]
+    vectors = [(z, level + slope.scaled(z)) for z in places]
+    return [(z, w) for z, w in vectors if not w.is_zero()]
 
 
-def _nearest(force: Amplitude, couple: Amplitude, arm: Fraction, length: Fraction) -> Placed:
+def _nearest(force: Amplitude, couple: Amplitude, arm: Fraction, length: Fraction) -> PlacedVector:
     """Return the vector at one arm that misses force and couple least, in the sense of a length."""
     square = length * length
     return arm, (force + couple.scaled(arm / square)).scaled(1 / (1 + arm * arm / square))

@@ -1,11 +1,11 @@
-"""What is written of turning weights: the counterweights against them, and what those leave."""
+"""The document of counterweights against rotating weights: both, and a certificate of the residual."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
 
-from symbalance.design.balancing.rotating import RotatingBalance
+from symbalance.design.balancing.rotating_balance import RotatingBalance
 from symbalance.design.balancing.weight_cells import size_cell, station_cell
 from symbalance.document.formula import Formula, Name, Upright
 from symbalance.document.nodes import Cell, Column, Document, Facts, Table, Words
@@ -20,19 +20,19 @@ def rotating_document(balance: RotatingBalance) -> Document:
     """Return the counterweights, the force and couple before and after, the weights, how to read them."""
     unit = Upright("kg mm") if balance.in_kg_mm else _M * _R
     pairs = zip(("force", "couple"), balance.before, balance.remains, strict=True)
-    left = tuple(
+    certificate = tuple(
         (name, *_part(before, "none"), *_part(after, "proved 0")) for name, before, after in pairs
     )
-    columns = (Column("of"), Column("before"), Column(_AT), Column("left"), Column(_AT))
+    columns = (Column("of"), Column("before"), Column(_AT), Column("residual"), Column(_AT))
     weights = ((weight.station, weight.vector) for weight in balance.weights)
     return Document(
         balance.summary(),
         (
-            _weights("Counterweights", unit, balance.placed),
+            _weights("Counterweights", unit, balance.vectors),
             Table(
                 ("Certificate: all of it added up anew, forces in ", unit, ", couples in ", unit * _A),
                 columns,
-                left,
+                certificate,
             ),
             _weights("Weights to balance", unit, weights),
             Facts(tuple(_reading(balance)), "How to read it"),
@@ -40,9 +40,9 @@ def rotating_document(balance: RotatingBalance) -> Document:
     )
 
 
-def _weights(title: str, unit: Formula, placed: Iterable[tuple[Fraction, Amplitude]]) -> Table:
+def _weights(title: str, unit: Formula, vectors: Iterable[tuple[Fraction, Amplitude]]) -> Table:
     columns = (Column("station"), Column(("mass times radius, ", unit), "mass times radius"), Column(_AT))
-    rows = tuple((station_cell(z), size_cell(vector), direction(vector)) for z, vector in placed)
+    rows = tuple((station_cell(z), size_cell(vector), direction(vector)) for z, vector in vectors)
     return Table(title, columns, rows)
 
 

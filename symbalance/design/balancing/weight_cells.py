@@ -1,4 +1,4 @@
-"""Cells of tables of weights: where one stands, how large it is."""
+"""Table cells of a balance weight: its station and its size."""
 
 from __future__ import annotations
 

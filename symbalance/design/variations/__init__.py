@@ -1,40 +1,16 @@
 """Engines whose parts differ: formulas with symbols left in, sensitivities, tolerances, weighed parts.
 
-- `symbolic_order`: one order of the free force and couple with symbols for masses, stations and lengths;
-- `sensitivities`: how each order changes with each size of each cylinder, geometry exact;
-- `worst_cases`: the worst that tolerances allow, attained and bounded;
-- `assign_parts`: which weighed part goes to which cylinder so that least is left.
+symbolic_orders       one order with symbols for masses, stations and lengths
+derivatives           how each order changes with each size of each cylinder (`sensitivity`), also of
+                      master and link rods (`articulated`);  length_derivatives: by lengths
+worst_case_search     the worst within tolerances, attained and bounded (`objectives`, `annular_sectors`,
+                      `tolerance_intervals`)
+assignment            which weighed part (`part_sets`) goes to which cylinder, with the least residual
+                      (`assignment_objective`, `arrangement_search`, `assignment_bounds`, `shaking`)
+contributions         what one cylinder adds to an order;  as_built: what turns adds
+*_document, legend    how these are written
 """
 
-from symbalance.design.variations.aims import MODES
-from symbalance.design.variations.arranging import Assignment, assign_parts
-from symbalance.design.variations.derivatives import PARAMETERS, sensitivities
-from symbalance.design.variations.extremes import WorstCase, WorstCases, worst_cases
-from symbalance.design.variations.formulas import SymbolicOrder, symbolic_order
-from symbalance.design.variations.measures import Shaking
-from symbalance.design.variations.sensitivity import STEPS, Sensitivities, Sensitivity
-from symbalance.design.variations.tolerances import UNITS, Tolerances
-from symbalance.design.variations.weighed import Part, PartSet, parse_parts, read_parts
+from symbalance.loading import attach
 
-__all__ = [
-    "MODES",
-    "PARAMETERS",
-    "STEPS",
-    "UNITS",
-    "Assignment",
-    "Part",
-    "PartSet",
-    "Sensitivities",
-    "Sensitivity",
-    "Shaking",
-    "SymbolicOrder",
-    "Tolerances",
-    "WorstCase",
-    "WorstCases",
-    "assign_parts",
-    "parse_parts",
-    "read_parts",
-    "sensitivities",
-    "symbolic_order",
-    "worst_cases",
-]
+__getattr__, __dir__, __all__ = attach(__name__, __file__)

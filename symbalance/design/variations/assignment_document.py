@@ -1,9 +1,9 @@
-"""What is written of weighed parts: which goes where, what that leaves, and how it is counted."""
+"""The document of an assignment: which part goes where, what that leaves, and how it is counted."""
 
 from __future__ import annotations
 
-from symbalance.design.variations.arranging import Assignment
-from symbalance.design.variations.legend import Entry, as_decimal, letters, units
+from symbalance.design.variations.assignment import Assignment
+from symbalance.design.variations.legend import Entry, as_decimal, letters_entry, unit_formulas
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Upright, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words
@@ -18,15 +18,15 @@ def assignment_document(result: Assignment) -> Document:
     )
     where = Table("Which part goes to which cylinder", tuple(map(Column, ("cylinder", *kinds))), places)
     title = f"{result.engine.name}: weighed parts to cylinders{speed}"
-    return Document(title, (where, _criterion(result), _left(result), _legend(result)))
+    return Document(title, (where, _criterion(result), _residual_table(result), _legend(result)))
 
 
 def _criterion(result: Assignment) -> Block:
     force, _ = _units(result)
     rows: list[tuple[Cell, ...]] = [
         ("these places", rounded(result.criterion)),
-        ("as listed", rounded(result.listed)),
-        ("at random", rounded(result.random)),
+        ("as listed", rounded(result.as_listed)),
+        ("at random", rounded(result.at_random)),
     ]
     if not result.proved:
         rows.append(("any arrangement, at least", rounded(result.bound)))
@@ -36,22 +36,22 @@ def _criterion(result: Assignment) -> Block:
 _CRITERION = (Column("arrangement"), Column("criterion"))
 
 
-def _left(result: Assignment) -> Block:
+def _residual_table(result: Assignment) -> Block:
     force, couple = _units(result)
-    pairs = zip(result.left, result.left_listed, strict=True)
+    pairs = zip(result.residual, result.residual_as_listed, strict=True)
     rows = tuple(
         (number(best.order), *map(rounded, (best.force, best.couple, first.force, first.couple)))
         for best, first in pairs
     )
     title = ("What they leave, largest over a turn, force in ", force, ", couple in ", couple)
-    return Table(title, _LEFT, rows, empty="none: these orders leave nothing")
+    return Table(title, _RESIDUAL, rows, empty="none: these orders leave nothing")
 
 
-_LEFT = tuple(map(Column, ("order", "force", "couple", "force as listed", "couple as listed")))
+_RESIDUAL = tuple(map(Column, ("order", "force", "couple", "force as listed", "couple as listed")))
 
 
 def _units(result: Assignment) -> tuple[Upright, Upright]:
-    return units(result.engine, result.rpm is not None, Upright("kg"))  # type: ignore[return-value]
+    return unit_formulas(result.engine, result.rpm is not None, Upright("kg"))  # type: ignore[return-value]
 
 
 def _legend(result: Assignment) -> Block:
@@ -60,7 +60,7 @@ def _legend(result: Assignment) -> Block:
         rounded(result.lever),
         " pitches",
     )
-    counted = "their whole masses" if result.whole else "what they differ from the mean of their set by"
+    counting = "their whole masses" if result.whole else "what they differ from the mean of their set by"
     proof = "no arrangement leaves less: all were compared"
     best = proof if result.proved else "the best known: not all arrangements were compared"
     entries: tuple[Entry, ...] = (
@@ -69,7 +69,7 @@ def _legend(result: Assignment) -> Block:
         ("at random", "root mean square over all arrangements"),
         ("criterion", criterion),
         ("orders counted", ", ".join(map(str, result.orders))),
-        ("parts count with", counted),
-        letters(result.engine),
+        ("parts count with", counting),
+        letters_entry(result.engine),
     )
     return Facts(entries, "How to read it")

@@ -1,6 +1,6 @@
-r"""How each order of the free force and couple changes with each size of each cylinder.
+r"""Derivatives of every order of the free force and couple by each size of each cylinder.
 
-Of cylinder j, with its share c_{+-n} of `shares`, f its harmonic and everything else held fixed:
+Of cylinder j, with its contribution c_{+-n}, f its harmonic and everything else held fixed:
 
 =========  ============================  =============================================
 parameter  the unit of its change        derivative of c_{+-n}
@@ -26,10 +26,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
-from symbalance.design.variations.hung import MOVING, clusters, hung_changes
+from symbalance.design.variations.articulated import MOVING, articulated_sensitivities, attached_cylinders
+from symbalance.design.variations.contributions import (
+    Contribution,
+    contributions,
+    mechanism_to,
+    rotating_pair,
+)
+from symbalance.design.variations.length_derivatives import LengthDerivatives, length_derivatives
 from symbalance.design.variations.sensitivity import Sensitivities, Sensitivity
-from symbalance.design.variations.shares import Share, mechanism_to, rotating_pair, shares
-from symbalance.design.variations.slopes import Slopes, slopes
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, shown
@@ -52,9 +57,10 @@ def sensitivities(
 
     `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
     "rotating" (default: all but the last). Orders that cancel in the engine as drawn are among them.
-    A master's angles and lengths move the cylinders hung on it too: its derivatives are of all of them. A
-    link rod has neither throw nor stroke of its own, they are its master's. Counterweights, shafts and
-    rotating masses, those on link pins too, stay where they are: a size moves pistons and rods alone.
+    A master's angles and lengths move the cylinders attached to it too: its derivatives are of all of
+    them. A link rod has neither throw nor stroke of its own, they are its master's. Counterweights,
+    shafts and rotating masses, those on link pins too, stay where they are: a size moves pistons and rods
+    alone.
 
     >>> from symbalance.engine.builders import inline
     >>> changes = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
@@ -63,10 +69,10 @@ def sensitivities(
     """
     names = _checked_parameters(parameters)
     plane = None if reference is None else exact(reference, "reference")
-    by_order = shares(layout, order, plane)
-    lengths = _slopes(layout, order) if set(names) & set(LENGTHS) else {}
+    by_order = contributions(layout, order, plane)
+    lengths = _length_derivatives(layout, order) if set(names) & set(LENGTHS) else {}
     pins = [link_pin_force(c.mechanism, order) for c in layout.cylinders] if "rotating" in names else []
-    changes = [*hung_changes(layout, by_order, order, names)]
+    changes = [*articulated_sensitivities(layout, by_order, order, names)]
     for n in range(1, order + 1):
         for name in names:
             if name == "rotating":
@@ -88,13 +94,13 @@ def _checked_parameters(parameters: object) -> tuple[str, ...]:
     return names
 
 
-def _slopes(layout: Engine, order: int) -> dict[int, dict[int, Slopes]]:
-    """Return, by cylinder, the slopes of those that hang on no other and bear no other."""
-    masters, by_cylinder = clusters(layout), {}
+def _length_derivatives(layout: Engine, order: int) -> dict[int, dict[int, LengthDerivatives]]:
+    """Return, by cylinder, the derivatives by lengths, but of masters and link rods."""
+    masters, by_cylinder = attached_cylinders(layout), {}
     for cylinder in layout.cylinders:
         mechanism = mechanism_to(layout, cylinder, order)
         if isinstance(mechanism, SliderCrank) and cylinder.number not in masters:
-            by_cylinder[cylinder.number] = slopes(mechanism, order)
+            by_cylinder[cylinder.number] = length_derivatives(mechanism, order)
     return by_cylinder
 
 
@@ -102,60 +108,77 @@ def _of_order(
     layout: Engine,
     n: int,
     name: str,
-    by_order: Mapping[int, Sequence[Share]],
-    lengths: dict[int, dict[int, Slopes]],
+    by_order: Mapping[int, Sequence[Contribution]],
+    lengths: dict[int, dict[int, LengthDerivatives]],
 ) -> Iterator[Sensitivity]:
     """Yield what one parameter, not "rotating", changes in one order, but for masters and link rods."""
     if n not in by_order and name not in LENGTHS:
         return
-    # An order that no cylinder has may still have slopes: an offset brings the odd ones.
-    rows, masters = by_order.get(n) or [_absent(s, n) for s in by_order[1]], clusters(layout)
-    for cylinder, share in zip(layout.cylinders, rows, strict=True):
+    # An order that no cylinder has may still have derivatives by lengths: an offset brings the odd ones.
+    rows, masters = by_order.get(n) or [_absent(s, n) for s in by_order[1]], attached_cylinders(layout)
+    for cylinder, contribution in zip(layout.cylinders, rows, strict=True):
         if name in MOVING and (cylinder.link or cylinder.number in masters):
             continue
-        one = _one(layout, cylinder, share, name, lengths)
+        one = _one(layout, cylinder, contribution, name, lengths)
         if one.factor:
             yield one
 
 
-def _absent(share: Share, n: int) -> Share:
-    """Return the share of an order that a cylinder does not have."""
-    return Share(share.number, n, share.axis, n * share.lead, share.arm, share.size, Complex(0))
+def _absent(contribution: Contribution, n: int) -> Contribution:
+    """Return the contribution to an order that a cylinder does not have."""
+    return Contribution(
+        contribution.number,
+        n,
+        contribution.axis,
+        n * contribution.lead,
+        contribution.arm,
+        contribution.size,
+        Complex(0),
+    )
 
 
 def _rotating(
-    layout: Engine, n: int, first: Sequence[Share], pins: Sequence[Mapping[int, Complex]]
+    layout: Engine, n: int, first: Sequence[Contribution], pins: Sequence[Mapping[int, Complex]]
 ) -> Iterator[Sensitivity]:
     """Yield what a rotating mass adds: on the crank pin to order 1 forward, on a link pin to all.
 
-    `first` are the cylinders' shares of order 1, `pins` what their link pins add (`link_pin_force`).
+    `first` are the cylinders' contributions to order 1, `pins` what their link pins add
+    (`link_pin_force`).
     """
-    for cylinder, share, radius, added in zip(layout.cylinders, first, layout.radii, pins, strict=True):
+    for cylinder, contribution, radius, pin_terms in zip(
+        layout.cylinders, first, layout.radii, pins, strict=True
+    ):
         factor = Real(radius)
-        if added:
-            ahead, against = (DecimalPhasor(z) for z in rotating_pair(cylinder, added, n))
-            yield Sensitivity("rotating", share.number, n, (ahead, against), factor, share.arm)
+        if pin_terms:
+            forward, backward = (DecimalPhasor(z) for z in rotating_pair(cylinder, pin_terms, n))
+            yield Sensitivity(
+                "rotating", contribution.number, n, (forward, backward), factor, contribution.arm
+            )
         elif n == 1:
             pin = Phasor.root(cylinder.throw.turns)
-            yield Sensitivity("rotating", share.number, 1, (pin, ZERO), factor, share.arm)
+            yield Sensitivity("rotating", contribution.number, 1, (pin, ZERO), factor, contribution.arm)
 
 
 def _one(
-    layout: Engine, cylinder: Cylinder, share: Share, name: str, lengths: dict[int, dict[int, Slopes]]
+    layout: Engine,
+    cylinder: Cylinder,
+    contribution: Contribution,
+    name: str,
+    lengths: dict[int, dict[int, LengthDerivatives]],
 ) -> Sensitivity:
-    n, value, size = share.order, share.value, share.size
+    n, value, size = contribution.order, contribution.value, contribution.size
     if name in LENGTHS:
-        value, size = getattr(lengths[share.number][n], name), _over_radius(layout, cylinder, size)
+        value, size = getattr(lengths[contribution.number][n], name), _over_radius(layout, cylinder, size)
     if name == "mass":
         size = _over_mass(layout, cylinder, size)
-    ahead, against = _geometry(share, name)
+    forward, backward = _geometry(contribution, name)
     if value.imag and value.real:  # a link rod: nothing exact to hold
-        pair = (_decimal(ahead, value), _decimal(against, value.conjugate()))
-        return Sensitivity(name, share.number, n, pair, Real(size), share.arm)
+        pair = (_decimal(forward, value), _decimal(backward, value.conjugate()))
+        return Sensitivity(name, contribution.number, n, pair, Real(size), contribution.arm)
     quarter = QUARTER if value.imag else Fraction(0)
     factor = (value.imag if value.imag else value.real) * size
-    pair = (ahead.turned(quarter), against.turned(-quarter))
-    return Sensitivity(name, share.number, n, pair, factor, share.arm)
+    pair = (forward.turned(quarter), backward.turned(-quarter))
+    return Sensitivity(name, contribution.number, n, pair, factor, contribution.arm)
 
 
 def _decimal(exact: Phasor, value: Complex) -> DecimalPhasor:
@@ -163,24 +186,24 @@ def _decimal(exact: Phasor, value: Complex) -> DecimalPhasor:
 
 
 def _over_mass(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
-    """Return r_j/r_1: the share's size with its mass taken for that of cylinder 1."""
+    """Return r_j/r_1: the contribution's size with its mass taken for that of cylinder 1."""
     mass, first = cylinder.reciprocating_mass, layout.first.reciprocating_mass
     return size * first / mass if mass and first else size
 
 
 def _over_radius(layout: Engine, cylinder: Cylinder, size: Fraction) -> Fraction:
-    """Return m_j/m_1: the share's size with its radius taken for that of cylinder 1."""
+    """Return m_j/m_1: the contribution's size with its radius taken for that of cylinder 1."""
     own, radius = cylinder.radius, layout.first.radius
     return size * radius / own if own and radius else size
 
 
-def _geometry(share: Share, name: str) -> tuple[Phasor, Phasor]:
+def _geometry(contribution: Contribution, name: str) -> tuple[Phasor, Phasor]:
     """Return the derivative of e^(i (axis +- lead))/2 by an angle, or that itself."""
-    ahead = Phasor.root(share.axis + share.lead).scaled(HALF)
-    against = Phasor.root(share.axis - share.lead).scaled(HALF)
-    n = share.order
+    forward = Phasor.root(contribution.axis + contribution.lead).scaled(HALF)
+    backward = Phasor.root(contribution.axis - contribution.lead).scaled(HALF)
+    n = contribution.order
     if name == "throw":
-        return ahead.turned(QUARTER).scaled(n), against.turned(QUARTER).scaled(-n)
+        return forward.turned(QUARTER).scaled(n), backward.turned(QUARTER).scaled(-n)
     if name == "bank":
-        return ahead.turned(QUARTER).scaled(1 - n), against.turned(QUARTER).scaled(1 + n)
-    return ahead, against
+        return forward.turned(QUARTER).scaled(1 - n), backward.turned(QUARTER).scaled(1 + n)
+    return forward, backward

@@ -1,4 +1,4 @@
-"""Units and letters in documents of tolerances, sensitivities and weighed parts."""
+"""Units and letters that the documents of tolerances, sensitivities and weighed parts explain."""
 
 from __future__ import annotations
 
@@ -15,18 +15,19 @@ TURNING: Entry = (
     "what turns",
     "counterweights, shafts and rotating masses stay where they are; a size moves pistons and rods",
 )
-AS_MADE: Entry = (
+AS_BUILT: Entry = (
     "what turns",
-    "counterweights, shafts and rotating masses count as they are made, without errors",
+    "counterweights, shafts and rotating masses count as built, without errors",
 )
 
 
-def units(engine: Engine, at_speed: bool, mass: Formula = MASS) -> tuple[Formula, Formula]:
+def unit_formulas(engine: Engine, at_speed: bool, mass: Formula = MASS) -> tuple[Formula, Formula]:
     """Return the units of force and couple: `mass` r omega^2 (a), or at a speed N and N m.
 
     >>> from symbalance.document.text_writer import formula_text
     >>> from symbalance.engine.builders import inline
-    >>> [formula_text(unit) for at_speed in (False, True) for unit in units(inline("1-2"), at_speed)]
+    >>> engine = inline("1-2")
+    >>> [formula_text(unit) for at_speed in (False, True) for unit in unit_formulas(engine, at_speed)]
     ['m r ω²', 'm r ω² a', 'N', 'N a']
     """
     if at_speed:
@@ -35,7 +36,7 @@ def units(engine: Engine, at_speed: bool, mass: Formula = MASS) -> tuple[Formula
     return force, force * PITCH
 
 
-def letters(engine: Engine) -> Entry:
+def letters_entry(engine: Engine) -> Entry:
     """Return what m, r and a are."""
     first = engine.first.number
     return (

@@ -1,10 +1,10 @@
-"""What is written of sensitivities: the worst steps first, cylinders that are alike in one row."""
+"""The document of sensitivities: the worst steps first, cylinders that are alike in one row."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbalance.design.variations.legend import TURNING, Entry, letters, units
+from symbalance.design.variations.legend import TURNING, Entry, letters_entry, unit_formulas
 from symbalance.design.variations.sensitivity import STEPS, Sensitivities
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Formula, Name, number
@@ -16,7 +16,7 @@ _COLUMNS = tuple(map(Column, ("order", "size", "step", "cylinders", "force", "co
 
 def sensitivities_document(result: Sensitivities) -> Document:
     """Return sensitivities as a document: what one step adds, order by order, worst first."""
-    force, couple = units(result.engine, at_speed=False)
+    force, couple = unit_formulas(result.engine, at_speed=False)
     title = f"{result.engine.name}: sensitivities to order {result.order}"
     table = Table(
         ("What one step adds, force in ", force, ", couple in ", couple), _COLUMNS, _rows(result)
@@ -26,7 +26,7 @@ def sensitivities_document(result: Sensitivities) -> Document:
         ("force, couple", "the largest modulus over a turn of what is added"),
         ("orders", "those that cancel in the engine as drawn are among them"),
         ("couples", f"about {plane(result.reference)}"),
-        letters(result.engine),
+        letters_entry(result.engine),
     ]
     if result.engine.balancers or any(c.rotating_mass for c in result.engine.cylinders):
         entries.append(TURNING)
@@ -39,7 +39,7 @@ def _rows(result: Sensitivities) -> tuple[tuple[Cell, ...], ...]:
         force, couple = map(rounded, change.step())
         groups.setdefault((change.parameter, change.order, force, couple), []).append(change.cylinder)
     return tuple(
-        (number(order), parameter, _step(parameter), numbered(cylinders), force, couple)
+        (number(order), parameter, _step(parameter), number_runs(cylinders), force, couple)
         for (parameter, order, force, couple), cylinders in groups.items()
     )
 
@@ -50,10 +50,10 @@ def _step(parameter: str) -> Words:
     return (f"{before} ", Name(last)) if len(last) == 1 else STEPS[parameter][1]
 
 
-def numbered(numbers: Sequence[int]) -> str:
+def number_runs(numbers: Sequence[int]) -> str:
     """Return numbers as runs.
 
-    >>> numbered([4, 1, 2, 3, 7])
+    >>> number_runs([4, 1, 2, 3, 7])
     '1–4, 7'
     """
     runs: list[list[int]] = []

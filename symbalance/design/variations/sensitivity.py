@@ -1,4 +1,4 @@
-"""Derivatives of orders by sizes: exact geometry, one number of kinematics, the worth of a step."""
+"""A sensitivity: the derivative of one order by one size of one cylinder; and the list of them all."""
 
 from __future__ import annotations
 
@@ -78,8 +78,8 @@ class Sensitivity:
         return self._resultant(Fraction(1) if self.parameter == "station" else self.arm)
 
     def _resultant(self, weight: Fraction, pair: tuple[Amplitude, Amplitude] | None = None) -> Resultant:
-        ahead, against = (part.scaled(weight) for part in pair or self.geometry)
-        return Resultant(Spectrum.of({self.order: ahead, -self.order: against}), self.order)
+        forward, backward = (part.scaled(weight) for part in pair or self.geometry)
+        return Resultant(Spectrum.of({self.order: forward, -self.order: backward}), self.order)
 
     @cached_property
     def largest(self) -> tuple[float, float]:
@@ -94,18 +94,18 @@ class Sensitivity:
     @cached_property
     def values(self) -> tuple[complex, complex]:
         """The change of c_n and c_-n for one unit, kinematics in it; of the couple where a station's."""
-        return self._valued(self.geometry)
+        return self._with_factor(self.geometry)
 
     def pair(self, quantity: str) -> tuple[complex, complex]:
         """Return the change of c_n and c_-n of the "force" or the "couple" for one unit."""
         if self.couples is not None and quantity == "couple":
-            return self._valued(self.couples)
+            return self._with_factor(self.couples)
         weight = self.weight(quantity)
         return self.values[0] * weight, self.values[1] * weight
 
-    def _valued(self, pair: tuple[Amplitude, Amplitude]) -> tuple[complex, complex]:
-        ahead, against = (complex(part.evaluated()) * float(self.factor) for part in pair)
-        return ahead, against
+    def _with_factor(self, pair: tuple[Amplitude, Amplitude]) -> tuple[complex, complex]:
+        forward, backward = (complex(part.evaluated()) * float(self.factor) for part in pair)
+        return forward, backward
 
     def weight(self, quantity: str) -> float:
         """Return what `values` count in the "force" or, but for `couples`, in the "couple"."""

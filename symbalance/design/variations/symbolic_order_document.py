@@ -1,4 +1,4 @@
-"""What is written of an order with symbols left in: formulas of force and couple, then their letters."""
+"""The document of an order with symbols left in: formulas of force and couple, then their letters."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import Any
 
 import sympy
 
-from symbalance.design.variations.formulas import SymbolicOrder, SymbolResultant
 from symbalance.design.variations.legend import MASS, OMEGA, PITCH, RADIUS, Entry
+from symbalance.design.variations.symbolic_orders import SymbolicOrder, SymbolResultant
 from symbalance.document.expressions import formula_of
 from symbalance.document.formula import (
     Equation,
@@ -71,7 +71,7 @@ def _plane(order: SymbolicOrder) -> tuple[Inline, ...]:
 
 def _formulas(order: SymbolicOrder, title: Any, resultant: SymbolResultant) -> tuple[Block, ...]:
     equations = [
-        Equation(Upright(name) * Name(letter), (("=", _formula(value, order.given)),))
+        Equation(Upright(name) * Name(letter), (("=", _formula(value, order.all_symbols)),))
         for name in ("vertical", "lateral")
         for letter, value in (("C", resultant.component(name).cos), ("S", resultant.component(name).sin))
         if value != 0
@@ -80,13 +80,13 @@ def _formulas(order: SymbolicOrder, title: Any, resultant: SymbolResultant) -> t
     return Heading(title), body
 
 
-def _formula(value: sympy.Expr, given: tuple[Any, ...]) -> Formula:
+def _formula(value: sympy.Expr, symbols: tuple[Any, ...]) -> Formula:
     """Return a sum over monomials in the symbols given, each with its exact coefficient before it."""
     coefficients: dict[Any, Any] = {}
     for term in sympy.Add.make_args(value):
-        coefficient, monomial = term.as_independent(*given, as_Add=False)
+        coefficient, monomial = term.as_independent(*symbols, as_Add=False)
         coefficients[monomial] = coefficients.get(monomial, 0) + coefficient
-    place = {symbol: i for i, symbol in enumerate(given)}
+    place = {symbol: i for i, symbol in enumerate(symbols)}
     powers = {monomial: _powers(monomial, place) for monomial in coefficients}
     ranked = sorted(coefficients, key=lambda monomial: _rank(powers[monomial]))
     terms = tuple(_term(coefficients[monomial], powers[monomial]) for monomial in ranked)
@@ -130,10 +130,10 @@ def _power(symbol: Any, exponent: int) -> Formula:
 
 def _product(factors: list[Formula]) -> Formula:
     flat = [part for each in factors for part in (each.factors if isinstance(each, Product) else (each,))]
-    kept = [part for part in flat if not (isinstance(part, Number) and part.value == 1)]
-    if not kept:
+    other = [part for part in flat if not (isinstance(part, Number) and part.value == 1)]
+    if not other:
         return number(1)
-    return kept[0] if len(kept) == 1 else Product(tuple(kept))
+    return other[0] if len(other) == 1 else Product(tuple(other))
 
 
 def _legend(order: SymbolicOrder) -> Block:
@@ -149,7 +149,7 @@ def _legend(order: SymbolicOrder) -> Block:
     if order.values:
         pairs = [(", ", equal(_letter(symbol), number(value))) for symbol, value in order.values]
         entries.append(("put in", tuple(part for pair in pairs for part in pair)[1:]))
-    entries += [(letter, said) for size, letter, said in _UNITS if size not in order.sizes]
+    entries += [(letter, meaning) for size, letter, meaning in _UNITS if size not in order.sizes]
     if order.sizes:
         entries.append(("units", f"besides, those in which {' and '.join(order.sizes)} are given"))
     return Facts((*entries, *origin_facts(order.engine), SIGNS), "How to read it")

@@ -1,4 +1,4 @@
-"""Tolerances as drawings state them, and what they are beside an engine's own sizes."""
+"""Tolerances as drawings state them (kg, mm, degrees, percent), and relative to an engine's sizes."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ UNITS = {
 PARTS_OF = {"mass": "m", "rotating": "m", "station": "a"}
 """Tolerances that may be percentages, and of what."""
 WIDEST_ANGLE = 45
+"""Degrees, plus or minus, that a throw or a bank may have."""
 
 
 @dataclass(frozen=True, init=False)
@@ -46,23 +47,23 @@ class Tolerances:
     offset: Fraction
     rotating: Fraction | str
 
-    def __init__(self, **given: object) -> None:
-        for name in given:
+    def __init__(self, **tolerances: object) -> None:
+        for name in tolerances:
             if name not in UNITS:
                 raise TypeError(f"Tolerances has no {name!r}; it has {', '.join(UNITS)}")
         for name in UNITS:
-            object.__setattr__(self, name, _checked(name, given.get(name, 0)))
+            object.__setattr__(self, name, _checked(name, tolerances.get(name, 0)))
 
-    def relative(self, layout: Engine) -> Relative:
+    def relative(self, layout: Engine) -> RelativeTolerances:
         """Return them in the units of `sensitivities`, for a layout that has the sizes they need."""
         mass, radius, pitch = layout.first.reciprocating_mass, layout.first.radius, layout.pitch
         units = {"m": (mass, "reciprocating_mass"), "a": (pitch, "pitch"), "r": (radius, "stroke")}
-        turned = {"throw": self.throw, "bank": self.bank}
-        found: dict[str, Fraction | float] = {k: float(v) * pi / 180 for k, v in turned.items()}
-        for name in (f.name for f in fields(Relative) if f.name not in turned):
+        angles = {"throw": self.throw, "bank": self.bank}
+        sizes: dict[str, Fraction | float] = {k: float(v) * pi / 180 for k, v in angles.items()}
+        for name in (f.name for f in fields(RelativeTolerances) if f.name not in angles):
             unit, key = units[PARTS_OF.get(name, "r")]
-            found[name] = _over(name, getattr(self, name), unit, key)
-        return Relative(**{**found, "stroke": Fraction(found["stroke"]) / 2})  # type: ignore[arg-type]
+            sizes[name] = _over(name, getattr(self, name), unit, key)
+        return RelativeTolerances(**{**sizes, "stroke": Fraction(sizes["stroke"]) / 2})  # type: ignore[arg-type]
 
 
 def _checked(name: str, value: object) -> Fraction | str:
@@ -94,7 +95,7 @@ def _over(name: str, value: Fraction | str, unit: Fraction | None, key: str) -> 
 
 
 @dataclass(frozen=True)
-class Relative:
+class RelativeTolerances:
     """Tolerances over m, r or a of cylinder 1, angles in radians; `stroke` is that of the radius."""
 
     mass: Fraction

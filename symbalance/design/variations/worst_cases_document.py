@@ -1,12 +1,12 @@
-"""What is written of worst cases: force and couple by order, then how the worst is meant."""
+"""The document of worst cases: force and couple by order, then how the worst is meant."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
-from symbalance.design.variations.extremes import WorstCase, WorstCases
-from symbalance.design.variations.legend import AS_MADE, Entry, as_decimal, letters, units
+from symbalance.design.variations.legend import AS_BUILT, Entry, as_decimal, letters_entry, unit_formulas
 from symbalance.design.variations.tolerances import PARTS_OF, UNITS
+from symbalance.design.variations.worst_case_search import WorstCase, WorstCases
 from symbalance.document.decimals import rounded
 from symbalance.document.formula import Name, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words, blocks
@@ -22,7 +22,7 @@ _COLUMNS = tuple(map(Column, ("order", "of", "as drawn", "worst", "at most", "RS
 def worst_cases_document(result: WorstCases) -> Document:
     """Return worst cases as a document: what is reached and what is proved, of force and couple."""
     speed = "" if result.rpm is None else f", at {as_decimal(result.rpm)} rpm"
-    force, couple = units(result.engine, result.rpm is not None)
+    force, couple = unit_formulas(result.engine, result.rpm is not None)
     titles: dict[str, Words] = {
         "force": ("Force, unit ", force),
         "couple": (f"Couple about {plane(result.reference)}, unit ", couple),
@@ -40,18 +40,18 @@ def worst_cases_document(result: WorstCases) -> Document:
 
 def _given(result: WorstCases) -> Words:
     """Return the tolerances, plus or minus."""
-    said: list[Words] = []
+    parts: list[Words] = []
     for name in UNITS:
         value = getattr(result.tolerances, name)
         if not value:
             continue
-        said.append((", " if said else "") + f"{name} ±")
+        parts.append((", " if parts else "") + f"{name} ±")
         if isinstance(value, str):
-            said += [f"{as_decimal(Fraction(value[:-1]))} % of ", Name(PARTS_OF[name])]
+            parts += [f"{as_decimal(Fraction(value[:-1]))} % of ", Name(PARTS_OF[name])]
         else:
             unit = {"degrees": "°"}.get(UNITS[name], f" {UNITS[name]}")
-            said.append(f"{as_decimal(value)}{unit}")
-    return ("every cylinder: ", *(said or ["without errors"]))  # type: ignore[return-value]
+            parts.append(f"{as_decimal(value)}{unit}")
+    return ("every cylinder: ", *(parts or ["without errors"]))  # type: ignore[return-value]
 
 
 def _rows(result: WorstCases, quantity: str) -> tuple[tuple[Cell, ...], ...]:
@@ -80,5 +80,5 @@ def _legend(result: WorstCases) -> Block:
         entries.append(("largest", "the largest modulus over a turn"))
     if of - {"largest"}:
         entries.append((", ".join(sorted(of - {"largest"})), "the amplitude of this component"))
-    entries.append(letters(result.engine))
-    return Facts((*entries, *([AS_MADE] if result.engine.balancers else [])), "How to read it")
+    entries.append(letters_entry(result.engine))
+    return Facts((*entries, *([AS_BUILT] if result.engine.balancers else [])), "How to read it")

@@ -9,6 +9,12 @@ a part of order 2 is rational, and the square of a part of order 4 lies in a qua
 exactly when only characters of order 1, 2 and 4 occur: in-line fives, sixteenths of a turn, ....
 Characters of order 3 (sevenths, ninths) admit no real radicals at all (the casus irreducibilis);
 those numbers, and deeper towers, are written as rational combinations of cosines or sines instead.
+
+Formulas:
+    cos(pi/5) = (1 + sqrt(5))/4
+    sin(pi/8) = sqrt(2 - sqrt(2))/2
+    cos(pi/12) = (sqrt(6) + sqrt(2))/4
+    sin(2 pi/5) = sqrt(10 + 2 sqrt(5))/4
 """
 
 from symbalance.exact.radicals.characters import radical_form

@@ -1,4 +1,4 @@
-"""Radicals, from the parts a number has under the characters of its field's Galois group."""
+"""Radicals of a real cyclotomic number, from its parts under the characters of the Galois group."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from itertools import product
 from math import gcd
 from typing import TYPE_CHECKING
 
-from symbalance.exact.phasor import ZERO, Phasor, cleared, prime_factors
+from symbalance.exact.phasor import ZERO, Phasor, common_denominator, prime_factors
 from symbalance.exact.radicals.roots import tidy_root
 
 if TYPE_CHECKING:
@@ -24,8 +24,8 @@ def radical_form(number: Phasor) -> sympy.Expr | None:
 
     if number.modulus > LARGEST_RADICAL_FIELD:
         return None
-    projected = [(_projected(number, c), c.order) for c in _even_characters(number.modulus)]
-    parts = [(part, order) for part, order in projected if not part.is_zero()]
+    projections = [(_projected(number, c), c.order) for c in _even_characters(number.modulus)]
+    parts = [(part, order) for part, order in projections if not part.is_zero()]
     if not (number - sum((part for part, _ in parts), ZERO)).is_zero():
         return None
     return sympy.Add(*(_part_form(part, order) for part, order in parts))
@@ -56,7 +56,7 @@ class _Character:
 def _projected(number: Phasor, character: _Character) -> Phasor:
     """Return the part of `number` that belongs to a character and its conjugate."""
     classes, modulus = 2 if character.order == 4 else 1, number.modulus
-    terms, below = cleared(number.terms)
+    terms, below = common_denominator(number.terms)
     total: dict[int, int] = {}
     for unit, weight in character.weights.items():
         for k, c in terms.items():
@@ -70,16 +70,16 @@ def _even_characters(modulus: int) -> tuple[_Character, ...]:
     """Return one character of each conjugate pair, of order 1, 2 or 4, trivial on -1."""
     units = [u for u in range(1, modulus + 1) if gcd(u, modulus) == 1]
     tables = [table for power in _prime_powers(modulus) for table in _logarithm_tables(power)]
-    found: dict[tuple[int, ...], _Character] = {}
+    characters: dict[tuple[int, ...], _Character] = {}
     for exponents in product(range(4), repeat=len(tables)):
         logarithms = _logarithms(units, tables, exponents)
         if logarithms is None or logarithms[modulus - 1 if modulus > 1 else 1] != 0:
             continue
         key = tuple(logarithms.values())
         conjugate = tuple(-v % 4 for v in key)
-        if key not in found and conjugate not in found:
-            found[key] = _Character(logarithms)
-    return tuple(sorted(found.values(), key=lambda c: c.order))
+        if key not in characters and conjugate not in characters:
+            characters[key] = _Character(logarithms)
+    return tuple(sorted(characters.values(), key=lambda c: c.order))
 
 
 def _prime_powers(modulus: int) -> list[int]:

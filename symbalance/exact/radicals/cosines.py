@@ -1,4 +1,4 @@
-"""Cosines and sines, as few as the vanishing sums of roots of unity allow."""
+"""Short sums of cosines or sines for a real cyclotomic number, by vanishing sums of roots of unity."""
 
 from __future__ import annotations
 
@@ -68,31 +68,31 @@ def _shortest(number: Phasor, parity: int) -> dict[int, Fraction]:
     the coefficients says, wherever that leaves fewer terms or smaller ones.
     """
     common = 2 * lcm(*(c.denominator for c in number.terms.values()))
-    scaled = ((k, int(c * common)) for k, c in number.terms.items())
-    terms = _folded(scaled, number.modulus, parity)
+    whole = ((k, int(c * common)) for k, c in number.terms.items())
+    terms = _fold(whole, number.modulus, parity)
     if len(terms) <= MOST_TO_SHORTEN:
-        while _shortened(terms, number.modulus, parity):
+        while _shorten(terms, number.modulus, parity):
             pass
     return {k: Fraction(c, common) for k, c in sorted(terms.items())}
 
 
-def _shortened(terms: dict[int, int], modulus: int, parity: int) -> bool:
+def _shorten(terms: dict[int, int], modulus: int, parity: int) -> bool:
     """Take vanishing sums away from `terms` where that helps; tell whether any did."""
-    helped, seen = False, set()
+    helped, visited = False, set()
     for exponent, prime in product(list(terms), prime_factors(modulus)):
         step = modulus // prime
-        if exponent not in terms or (prime, exponent % step) in seen:
+        if exponent not in terms or (prime, exponent % step) in visited:
             continue
-        seen.add((prime, exponent % step))
+        visited.add((prime, exponent % step))
         places = range(exponent % step, modulus, step)
-        relation = _folded(((k, 1) for k in places), modulus, parity)
+        relation = _fold(((k, 1) for k in places), modulus, parity)
         # A sum with fewer than half its terms here would bring more terms than it takes.
         if 2 * len(terms.keys() & relation.keys()) >= len(relation):
-            helped = _taken_away(terms, relation) or helped
+            helped = _subtract(terms, relation) or helped
     return helped
 
 
-def _taken_away(terms: dict[int, int], relation: dict[int, int]) -> bool:
+def _subtract(terms: dict[int, int], relation: dict[int, int]) -> bool:
     """Subtract from `terms` the multiple of a vanishing sum that helps most; tell whether one does."""
     before = {k: terms.get(k, 0) for k in relation}
     multiples = {terms[k] // c for k, c in relation.items() if k in terms and terms[k] % c == 0}
@@ -112,7 +112,7 @@ def _cost(terms: dict[int, int]) -> tuple[int, int, int]:
     return len(values), sum(map(abs, values)), sum(c < 0 for c in values)
 
 
-def _folded(terms: Iterable[tuple[int, int]], modulus: int, parity: int) -> dict[int, int]:
+def _fold(terms: Iterable[tuple[int, int]], modulus: int, parity: int) -> dict[int, int]:
     """Return the terms with m - k folded onto k, as cos does (parity 1) or sin (-1)."""
     total: dict[int, int] = {}
     for exponent, coefficient in terms:

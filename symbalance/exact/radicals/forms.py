@@ -1,4 +1,4 @@
-"""The form a person would choose: radicals where they exist, cosines elsewhere; and square roots."""
+"""The form in which a real cyclotomic number is written: radicals where they exist, else cosines."""
 
 from __future__ import annotations
 
@@ -42,6 +42,9 @@ def _cached_form(modulus: int, terms: tuple[tuple[int, int | Fraction], ...]) ->
 
 def square_root_form(square: Phasor) -> sympy.Expr:
     """Return the positive root of a positive real cyclotomic number.
+
+    Formulas:
+        (sqrt(6)/2 + sqrt(2)/2)^2 = 2 + sqrt(3)
 
     >>> square_root_form(Phasor.of(1, {0: 10}))
     sqrt(10)

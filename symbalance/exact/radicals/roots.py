@@ -1,4 +1,4 @@
-"""Square roots with their square factors taken out."""
+"""Square roots of exact numbers with their square factors taken out."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ def tidy_root(form: sympy.Expr) -> sympy.Expr:
     content, rest = form.primitive()
     outside, inside = sympy.S.One, sympy.S.One
     factors: Any = sympy.factorrat(content, limit=LARGEST_PRIME)
-    for found, times in factors.items():
-        root = isqrt(int(found))  # what is left of large numbers may be a square still
-        prime, power = (root, 2 * times) if root * root == found and root > 1 else (found, times)
+    for divisor, times in factors.items():
+        root = isqrt(int(divisor))  # what is left of large numbers may be a square still
+        prime, power = (root, 2 * times) if root * root == divisor and root > 1 else (divisor, times)
         half = int(power / 2)  # towards zero, so that an odd power of a denominator stays inside
         outside *= sympy.Integer(prime) ** half
         inside *= sympy.Integer(prime) ** (power - 2 * half)

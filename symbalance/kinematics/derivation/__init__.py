@@ -1,6 +1,6 @@
-"""The derivation of one slider-crank's harmonics, step by step."""
+"""Derivation of one slider-crank's harmonics, step by step as a person would write it."""
 
+from symbalance.kinematics.derivation.request import Step
 from symbalance.kinematics.derivation.result import Derivation, derive
-from symbalance.kinematics.derivation.setting import Step
 
 __all__ = ["Derivation", "Step", "derive"]

@@ -1,4 +1,4 @@
-"""What is written of a derivation: its steps, each a heading, paragraphs and displayed equations."""
+"""A derivation as a document: each step a heading, paragraphs and displayed equations."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import Any
 from symbalance.document.fitting import plain_words
 from symbalance.document.formula import Equation
 from symbalance.document.nodes import Block, Document, Formulas, Heading, Paragraph, inlines
+from symbalance.kinematics.derivation.request import LETTERS, LONGEST_IN_FULL, Step
 from symbalance.kinematics.derivation.result import Derivation
-from symbalance.kinematics.derivation.setting import LETTERS, LONGEST_IN_FULL, Step
 from symbalance.kinematics.harmonics_document import harmonics_data
 
 _SUBJECTS = {

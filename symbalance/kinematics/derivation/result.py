@@ -15,10 +15,18 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, shown
 from symbalance.kinematics.conventions import convention_named
-from symbalance.kinematics.derivation import expansion
-from symbalance.kinematics.derivation.collection import collection_steps
-from symbalance.kinematics.derivation.remainder import left_out_step
-from symbalance.kinematics.derivation.setting import SHORTENED, Setting, Step
+from symbalance.kinematics.derivation.expansion_steps import (
+    even_powers,
+    geometry,
+    inverse_sine,
+    inverse_sine_series,
+    odd_powers,
+    root,
+    root_series,
+)
+from symbalance.kinematics.derivation.harmonic_steps import collection_steps
+from symbalance.kinematics.derivation.remainder_step import left_out_step
+from symbalance.kinematics.derivation.request import SHORTENED, Request, Step
 from symbalance.kinematics.slider_crank import (
     HIGHEST_ORDER,
     QUANTITIES,
@@ -81,6 +89,12 @@ def derive(
 
     `power` keeps powers of 1/lambda to it; it must leave every harmonic at least one term.
 
+    Formulas:
+        sin phi = rho sin theta
+        v = omega dx/dtheta
+        a = omega dv/dtheta
+        F = m a
+
     >>> [step.title for step in derive("displacement", 2).steps][:3]
     ['Geometry', 'The root', 'The root as a series']
     >>> derive("force", 6, power=3)
@@ -90,27 +104,22 @@ def derive(
     if quantity not in QUANTITIES:
         raise SymbalanceError(f"quantity = {shown(quantity)}", f"must be one of {', '.join(QUANTITIES)}")
     convention_named(convention)
-    kept = _checked_power(power, quantity, checked_order(order))
-    setting = Setting(quantity, order, kept, convention)
-    found = _harmonics(setting)
-    return Derivation(quantity, convention, order, kept, found, _steps(setting, found))
+    highest_power = _checked_power(power, quantity, checked_order(order))
+    request = Request(quantity, order, highest_power, convention)
+    outcome = _harmonics(request)
+    return Derivation(quantity, convention, order, highest_power, outcome, _steps(request, outcome))
 
 
-def _steps(setting: Setting, found: Harmonics) -> tuple[Step, ...]:
+def _steps(request: Request, outcome: Harmonics) -> tuple[Step, ...]:
     """Return the steps; the rod's angle needs no root and no derivative."""
-    if setting.quantity == "rod-angle":
-        before = (
-            expansion.geometry,
-            expansion.inverse_sine,
-            expansion.inverse_sine_series,
-            expansion.odd_powers,
-        )
+    if request.rod_angle:
+        before = (geometry, inverse_sine, inverse_sine_series, odd_powers)
     else:
-        before = (expansion.geometry, expansion.root, expansion.root_series, expansion.even_powers)
+        before = (geometry, root, root_series, even_powers)
     return (
-        *(step(setting) for step in before),
-        *collection_steps(setting, found),
-        left_out_step(setting, found),
+        *(step(request) for step in before),
+        *collection_steps(request, outcome),
+        left_out_step(request, outcome),
     )
 
 
@@ -131,19 +140,19 @@ def _checked_power(power: int | None, quantity: str, order: int) -> int:
     return power
 
 
-def _harmonics(setting: Setting) -> Harmonics:
+def _harmonics(request: Request) -> Harmonics:
     """Return the harmonics; of a long derivation two terms of each."""
-    if not setting.long:
-        return all_harmonics(setting.quantity, setting.order, setting.power)
-    first = all_harmonics(setting.quantity, 1, min(setting.power, 3))
-    if setting.quantity == "rod-angle":
-        rows = {n: rod_angle_series(n, min(setting.power, n + 2)) for n in setting.orders()}
+    if not request.long:
+        return all_harmonics(request.quantity, request.order, request.power)
+    first = all_harmonics(request.quantity, 1, min(request.power, 3))
+    if request.quantity == "rod-angle":
+        rows = {n: rod_angle_series(n, min(request.power, n + 2)) for n in request.orders()}
     else:
-        rows = {n: _shortened(setting, n) for n in setting.orders()}
-    return Harmonics(setting.quantity, first.function, first.constant, rows)
+        rows = {n: _shortened(request, n) for n in request.orders()}
+    return Harmonics(request.quantity, first.function, first.constant, rows)
 
 
-def _shortened(setting: Setting, n: int) -> Series:
+def _shortened(request: Request, n: int) -> Series:
     """Return the leading terms of one coefficient of a piston quantity."""
-    through = min(setting.power, n - 1 + 2 * (SHORTENED - 1)) if n > 1 else 0
-    return acceleration_series(n, through).scaled(integrated(setting.quantity, n))
+    through = min(request.power, n - 1 + 2 * (SHORTENED - 1)) if n > 1 else 0
+    return acceleration_series(n, through).scaled(integrated(request.quantity, n))

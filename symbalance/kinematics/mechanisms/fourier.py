@@ -1,6 +1,6 @@
-"""The harmonics of a mechanism to any number of digits, by the trapezoidal rule with a proved error.
+"""Harmonics of a mechanism to any number of digits, by the trapezoidal rule with a proved error.
 
-In the strip |Im p| <= a of `linkages` the function f = y - cos p, or f = phi, is analytic with
+In the strip |Im p| <= a of `mechanism_types` the function f = y - cos p, or f = phi, is analytic with
 |sin phi| <= 1, hence bounded:
 
     |phi| <= pi/2,    |y - cos p| <= sqrt(2) l + sqrt(3) L
@@ -21,12 +21,12 @@ from functools import lru_cache
 from math import ceil, log
 
 from symbalance.errors import SymbalanceError
-from symbalance.kinematics.mechanisms.linkages import (
+from symbalance.kinematics.mechanisms.mechanism_types import (
     LinkRod,
     Mechanism,
     alternates,
     depends_on_sine,
-    plain,
+    simplified,
 )
 from symbalance.kinematics.mechanisms.motion import height, rod_angle
 from symbalance.kinematics.slider_crank import checked_order
@@ -34,6 +34,7 @@ from symbalance.text.numbers import checked_whole
 from symbalance.text.reals import Complex, Real, cos, digits_of, expjpi, fixed, ldexp, pi
 
 MOST_POINTS = 20_000
+"""A rod that lies across so nearly that this is too few is refused: it would take minutes."""
 MOST_DIGITS = 1000
 GUARD = 8.0
 """Nepers between what a coefficient may be wrong by and what the bounds add up to."""
@@ -58,13 +59,16 @@ def harmonics_of(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int
     2 (0.032564602 + 0.0j)
     3 (0.0 + 0.00054119972j)
     """
-    return dict(_harmonics(plain(mechanism), *_checked(order, digits), "height"))
+    return dict(_harmonics(simplified(mechanism), *_checked(order, digits), "height"))
 
 
 def force_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> dict[int, tuple[Real, Real]]:
     """Return n -> (A_n, B_n), n = 1..order: the inertia force A_n cos np + B_n sin np over m r omega^2.
 
-    A_n - i B_n = 2 n^2 c_n of `harmonics_of`, with its errors times that.
+    A_n - i B_n = 2 n^2 c_n of `harmonics_of`, with its errors times that. A centred slider-crank has
+
+    Formulas:
+        F/(m r omega^2) = cos theta + A_2 cos 2 theta + A_4 cos 4 theta + ...
 
     >>> from symbalance.text.reals import nstr
     >>> from symbalance.kinematics.mechanisms import SliderCrank
@@ -87,7 +91,7 @@ def rod_angle_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> d
     >>> {n: nstr(c, 8) for n, c in rod_angle_harmonics(SliderCrank(4), 4).items()}
     {1: '(0.0 - 0.12600023j)', 3: '(0.0 + 0.00033743188j)'}
     """
-    return dict(_harmonics(plain(mechanism), *_checked(order, digits), "rod-angle"))
+    return dict(_harmonics(simplified(mechanism), *_checked(order, digits), "rod-angle"))
 
 
 def series_of(mechanism: Mechanism, order: int, digits: int, quantity: str) -> dict[int, Complex]:
@@ -95,7 +99,7 @@ def series_of(mechanism: Mechanism, order: int, digits: int, quantity: str) -> d
 
     For products of series, whose factors are needed beyond the order of the product.
     """
-    return dict(_harmonics(plain(mechanism), order, digits, quantity))
+    return dict(_harmonics(simplified(mechanism), order, digits, quantity))
 
 
 def _checked(order: int, digits: int) -> tuple[int, int]:
@@ -173,12 +177,12 @@ def _sums(
         return samples, [0]
     even = _sums(samples[::2], cosines[::2], sines[::2], bits)
     odd = _sums(samples[1::2], cosines[::2], sines[::2], bits)
-    turned = [
+    rotated = [
         ((c * x + s * y) >> bits, (c * y - s * x) >> bits)
         for c, s, x, y in zip(cosines, sines, *odd, strict=True)
     ]
-    real = [x + t for x, (t, _) in zip(even[0], turned, strict=True)]
-    imaginary = [y + t for y, (_, t) in zip(even[1], turned, strict=True)]
-    real += [x - t for x, (t, _) in zip(even[0], turned, strict=True)]
-    imaginary += [y - t for y, (_, t) in zip(even[1], turned, strict=True)]
+    real = [x + t for x, (t, _) in zip(even[0], rotated, strict=True)]
+    imaginary = [y + t for y, (_, t) in zip(even[1], rotated, strict=True)]
+    real += [x - t for x, (t, _) in zip(even[0], rotated, strict=True)]
+    imaginary += [y - t for y, (_, t) in zip(even[1], rotated, strict=True)]
     return real, imaginary

@@ -1,15 +1,21 @@
-"""Where the piston and the rod are at a crank angle, how fast they move and how they accelerate.
+"""Position, velocity and acceleration of the piston and the rod at a crank angle, in closed form.
 
 Values have the digits of the crank angle they are at, 40 where it carries none; every derivative is in
 closed form, by d/dp of the formulas in the package's head. Times r, r omega, r omega^2; the rod's in rad,
 omega, omega^2.
+
+Formulas:
+    dphi/dtheta = rho cos theta/cos phi
+    d^2phi/dtheta^2 = -rho (1 - rho^2) sin theta/cos^3 phi
+    d^2phi/dtheta^2 = (D^2 sin phi - rho sin theta)/cos phi
+    with D = dphi/dtheta
 """
 
 from __future__ import annotations
 
 from typing import Generic, NamedTuple, TypeVar
 
-from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank
+from symbalance.kinematics.mechanisms.mechanism_types import LinkRod, Mechanism, SliderCrank
 from symbalance.text.reals import Complex, Exact, Real, asin, expj, expjpi, pi, sqrt
 
 Number = TypeVar("Number", Real, Complex)
@@ -52,7 +58,11 @@ def rod_motion(mechanism: Mechanism, p: Exact | Real) -> Motion[Real]:
 def height_motion(mechanism: Mechanism, p: Exact | Real) -> Motion[Real]:
     """Return y(p), y' = u' - l phi' sin phi and y'' = u'' - l (phi'' sin phi + phi'^2 cos phi), u = Re w.
 
-    The inertia force over m r omega^2 is -y''.
+    The inertia force over m r omega^2 is -y''. Without offset:
+
+    Formulas:
+        dy/dtheta = -sin theta - lambda D sin phi
+        with y = cos theta + lambda cos phi; D = dphi/dtheta
 
     >>> from symbalance.text.reals import nstr
     >>> nstr(height_motion(SliderCrank(4), 0).second, 15)  # -(1 + 1/lambda)
@@ -70,7 +80,7 @@ def height_motion(mechanism: Mechanism, p: Exact | Real) -> Motion[Real]:
 
 
 def _slant(mechanism: Mechanism, place: Complex) -> Real:
-    """Return sin phi."""
+    """Return sin phi of the rod whose pin is at a place."""
     return (place.imag - mechanism.offset) / mechanism.length
 
 
@@ -80,7 +90,7 @@ def _cosine(sine: Real) -> Real:
 
 def _arm(link: LinkRod, digits: int) -> Complex:
     """Return L e^(i chi)."""
-    return expjpi(2 * link.lead, digits) * link.link_radius
+    return expjpi(2 * link.pin_direction, digits) * link.link_radius
 
 
 def _master_angle(link: LinkRod, p: Real) -> Real:

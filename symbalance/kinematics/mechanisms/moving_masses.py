@@ -1,4 +1,4 @@
-r"""The force of every mass that a mechanism moves: at its piston, and at its link pin.
+"""Harmonics of the force of every mass that a mechanism moves, at its piston and at its link pin.
 
 A mass whose place is w(p) = sum of w_n e^(inp) over r (height + i lateral, in the cylinder's frame)
 pushes with -w'' = sum of n^2 w_n e^(inp), in m r omega^2.
@@ -8,15 +8,26 @@ pushes with -w'' = sum of n^2 w_n e^(inp), in m r omega^2.
 - A link pin stands at w = e^(ip) + L e^(i (chi - phi(p + D))), phi the master rod's angle, lam and eps
   its ratio and offset. With q = p + D, e^(-i phi(q)) = cos phi - i sin phi, where cos phi =
   (y(q) - cos q)/lam of the master's height y, and sin phi = (sin q - eps)/lam: known harmonics.
+
+Formulas:
+    L e^(i (c - b)) = L e^(i c) (cos b - i sin b)
+    -d^2w/dp^2 = n^2 w
+    with w = e^(i n p); p, b, c angles; n a whole number; L positive
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
 
+from symbalance.kinematics.mechanisms.force_bounds import force_tail
 from symbalance.kinematics.mechanisms.fourier import force_harmonics, series_of
-from symbalance.kinematics.mechanisms.linkages import LinkRod, Mechanism, SliderCrank, has_link_pin, plain
-from symbalance.kinematics.mechanisms.tails import force_tail
+from symbalance.kinematics.mechanisms.mechanism_types import (
+    LinkRod,
+    Mechanism,
+    SliderCrank,
+    has_link_pin,
+    simplified,
+)
 from symbalance.kinematics.slider_crank import acceleration_values
 from symbalance.text.reals import DIGITS, Complex, Real, expjpi
 
@@ -28,7 +39,7 @@ def piston_force(mechanism: Mechanism, order: int) -> dict[int, Complex]:
     >>> [(n, nstr(f.real, 6)) for n, f in piston_force(SliderCrank(4), 4).items()]
     [(1, '1.0'), (2, '0.254025'), (4, '-0.00409811')]
     """
-    mechanism = plain(mechanism)
+    mechanism = simplified(mechanism)
     if isinstance(mechanism, SliderCrank) and mechanism.is_centred:
         values = acceleration_values(order, mechanism.ratio, DIGITS)
         return {n: Complex(a) for n, a in values.items() if n <= order}
@@ -45,19 +56,19 @@ def link_pin_path(mechanism: LinkRod, order: int, digits: int = DIGITS) -> dict[
     """
     master, turn = mechanism.master, mechanism.bank_difference
     heights = series_of(master, order, digits, "height")
-    arm = expjpi(2 * mechanism.lead, digits + 10) * mechanism.link_radius
-    half, nothing = Fraction(1, 2), Complex(0, 0, digits + 10)
+    arm = expjpi(2 * mechanism.pin_direction, digits + 10) * mechanism.link_radius
+    half, zero = Fraction(1, 2), Complex(0, 0, digits + 10)
     path = {}
     for n in range(-order, order + 1):
-        height = heights.get(abs(n), nothing)
+        height = heights.get(abs(n), zero)
         cosine = height.conjugate() if n < 0 else height
         if abs(n) == 1:
             cosine -= half
         # -i times the harmonics of the sine: sin q = (e^(iq) - e^(-iq))/2i
         sine = {1: -half, -1: half}.get(n, Fraction(0))
-        swung = cosine + sine if n else cosine + Complex(0, master.offset, digits + 10)
-        if swung:
-            path[n] = arm * (swung / master.ratio) * expjpi(2 * n * turn, digits + 10)
+        harmonic = cosine + sine if n else cosine + Complex(0, master.offset, digits + 10)
+        if harmonic:
+            path[n] = arm * (harmonic / master.ratio) * expjpi(2 * n * turn, digits + 10)
     return path
 
 

@@ -1,4 +1,4 @@
-r"""The force of an offset slider-crank in powers of rho = r/l and delta = e/l, exactly.
+"""Inertia force of an offset slider-crank as a power series in rho = r/l and delta = e/l, exactly.
 
 With X = rho sin p - delta the height over r is cos p + sqrt(1 - X^2)/rho, and with b_m the coefficients
 of sqrt(1 - X^2) = sum of b_m X^2m, b_m = -2 Catalan(m-1)/4^m,
@@ -15,6 +15,13 @@ over i = n, n+2, ... <= 2m; A_1 = 1, and no other cosine of odd order nor sine o
 Every term is of odd total degree 2m - 1: A_n has odd powers of rho, from n - 1 on, times even powers
 of delta; B_n even powers of rho, from n - 1 on, times odd powers of delta. The series converge for
 rho + |delta| < 1, which is lambda > 1 + |eps|: wherever the crank can turn.
+
+The height, and the start of its series:
+
+Formulas:
+    sqrt(1 - X^2) = 1 - X^2/2 - X^4/8 - X^6/16 - ...
+    cos p + sqrt(L^2 - (sin p - e)^2) = cos p + L sqrt(1 - X^2)
+    with X = (sin p - e)/L; p an angle; L, e positive
 """
 
 from __future__ import annotations
@@ -26,7 +33,7 @@ from math import comb
 from typing import TYPE_CHECKING, NamedTuple
 
 from symbalance.document.symbols import symbol
-from symbalance.kinematics.mechanisms.linkages import SliderCrank
+from symbalance.kinematics.mechanisms.mechanism_types import SliderCrank
 from symbalance.kinematics.slider_crank import checked_order
 from symbalance.text.numbers import checked_whole
 
@@ -99,11 +106,11 @@ def offset_series(order: int, through: int) -> OffsetSeries:
         for i in range(n, 2 * m + 1, 2):
             spread = Fraction(2 * comb(2 * m, i) * comb(i, (i - n) // 2), 2**i)
             terms[i - 1, 2 * m - i] = n * n * (-1) ** ((n + 1) // 2) * root * spread
-    found = OffsetPowers(terms, through)
+    powers = OffsetPowers(terms, through)
     if n % 2 == 0:
-        return OffsetSeries(found, OffsetPowers({}, through, complete=True))
+        return OffsetSeries(powers, OffsetPowers({}, through, complete=True))
     first = {(0, 0): Fraction(1)} if n == 1 else {}
-    return OffsetSeries(OffsetPowers(first, through, complete=True), found)
+    return OffsetSeries(OffsetPowers(first, through, complete=True), powers)
 
 
 def offset_left_out(order: int, through: int, mechanism: SliderCrank) -> Fraction:

@@ -1,22 +1,35 @@
-r"""One slider-crank: exact harmonics of the piston and of the rod, to any order.
+r"""Harmonics of the centred slider-crank: piston motion, inertia force and rod angle, to any order.
 
 The crank pin turns at radius r, the rod of length l joins it to a piston on an axis through the crank,
-rho = r/l = 1/lambda < 1. With theta = 0 at top dead centre:
+rho = r/l = 1/lambda < 1, and theta = 0 at top dead centre.
 
-    displacement  x/r           = B_0 - cos theta - sum of B_n cos n theta     from top dead centre
-    velocity      v/(r omega)   =       sin theta + sum of n B_n sin n theta
-    acceleration  a/(r omega^2) =       cos theta + sum of A_n cos n theta,    A_n = n^2 B_n
-    force         F/(m r omega^2) = the same: the inertia force, positive away from the crank
-    rod-angle     phi           = asin(rho sin theta) = sum of R_n sin n theta (n odd)
+Formulas:
+    x = r (1 - cos theta) + l (1 - cos phi)                      from top dead centre
+    sin phi = rho sin theta
+    x/r = B_0 - cos theta - B_2 cos 2 theta - B_4 cos 4 theta - ...
+    v/(r omega) = sin theta + 2 B_2 sin 2 theta + 4 B_4 sin 4 theta + ...
+    a/(r omega^2) = cos theta + A_2 cos 2 theta + A_4 cos 4 theta + ...
+    F = m a                                                      positive away from the crank
+    phi = R_1 sin theta + R_3 sin 3 theta + R_5 sin 5 theta + ...
+    A_4 = 16 B_4                                                 A_n = n^2 B_n
 
-over n = 2, 4, 6, .... From sqrt(1 - X) = 1 - 2 sum of Catalan(m-1) (X/4)^m with X = rho^2 sin^2 theta,
-and sin^2m theta = (C(2m, m) + 2 sum of (-1)^k C(2m, m-k) cos 2k theta)/4^m,
+From sqrt(1 - X) = 1 - 2 sum of Catalan(m-1) (X/4)^m with X = rho^2 sin^2 theta, and
+sin^2m theta = (C(2m, m) + 2 sum of (-1)^k C(2m, m-k) cos 2k theta)/4^m,
 
     A_2k = (-1)^(k+1) sum over m >= k of 16 k^2 Catalan(m-1) C(2m, m-k) rho^(2m-1) / 16^m,
 
 dyadic rationals whose numerators follow one exact integer recurrence in m. All terms of one A_2k have
 the same sign, and the A_2k alternate: that makes the bounds of `left_out` sharp, not merely safe.
 Likewise R_n = (-1)^i sum over j >= i of C(2j, j) C(2j+1, j-i) rho^(2j+1) / (16^j (2j+1)), n = 2i+1.
+
+Formulas:
+    sqrt(1 - X) = 1 - X/2 - X^2/8 - X^3/16 - ...
+    asin X = X + X^3/6 + 3 X^5/40 + ...
+    sin^2 theta = (1 - cos 2 theta)/2
+    sin^3 theta = (3 sin theta - sin 3 theta)/4
+    sin^4 theta = (3 - 4 cos 2 theta + cos 4 theta)/8
+    sin^6 theta = (10 - 15 cos 2 theta + 6 cos 4 theta - cos 6 theta)/32
+    with X a number
 
 Exact in rho, with k' = sqrt(1 - rho^2) and q = (rho/(1 + k'))^2,
 
@@ -26,16 +39,7 @@ which converges like q^2: well before rho nears 1 and far beyond where powers of
 Source: expanded afresh; the classical expansion is in Biezeno and Grammel, Technische Dynamik, ch. XI.
 """
 
-from symbalance.kinematics.slider_crank.exact import (
-    acceleration_value,
-    acceleration_values,
-    exact_coefficient,
-    rho_root_q,
-    rod_angle_value,
-    root_mean,
-)
-from symbalance.kinematics.slider_crank.floats import acceleration_floats
-from symbalance.kinematics.slider_crank.limits import (
+from symbalance.kinematics.slider_crank.arguments import (
     HIGHEST_ORDER,
     HIGHEST_POWER,
     QUANTITIES,
@@ -45,7 +49,16 @@ from symbalance.kinematics.slider_crank.limits import (
     checked_ratio,
     surviving,
 )
-from symbalance.kinematics.slider_crank.powers import (
+from symbalance.kinematics.slider_crank.closed_forms import (
+    acceleration_value,
+    acceleration_values,
+    exact_coefficient,
+    rho_root_q,
+    rod_angle_value,
+    root_mean,
+)
+from symbalance.kinematics.slider_crank.floats import acceleration_floats
+from symbalance.kinematics.slider_crank.power_series import (
     Harmonics,
     acceleration_integers,
     acceleration_series,

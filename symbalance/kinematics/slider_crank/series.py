@@ -1,4 +1,4 @@
-"""A polynomial in 1/lambda that knows how far it is kept."""
+"""Polynomials in 1/lambda that state the power through which they are kept."""
 
 from __future__ import annotations
 

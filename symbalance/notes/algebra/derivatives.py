@@ -1,7 +1,7 @@
-"""Rates of change of forms: the chain rule, generator by generator.
+"""Derivatives of normal forms by the chain rule, generator by generator.
 
 A form is a quotient of polynomials in generators, so its rate is the sum over the generators g of
-(g dp/dg) (g'/g), with g'/g found once: x'/x for a letter, i m' for e^(i m), q'/(2q) for the root of q.
+(g dp/dg) (g'/g), with g'/g computed once: x'/x for a letter, i m' for e^(i m), q'/(2q) for the root of q.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from symbalance.notes.algebra.roots import root, unit
 Rates = Mapping[int, Polynomial]
 
 
-def differentiated(form: Form, rates: Rates) -> Form:
+def differentiate(form: Form, rates: Rates) -> Form:
     """Return the rate of change, given the rates of the letters that change; the others are constant.
 
     >>> domain = Domain()
     >>> s = Form.letter(domain, "s")
-    >>> differentiated(s.times(s), {domain.symbol("s"): {(): Fraction(1)}}).equals(s.scaled(2))
+    >>> differentiate(s.times(s), {domain.symbol("s"): {(): Fraction(1)}}).equals(s.scaled(2))
     True
     """
     return _Differentiation(form.domain, rates).of(form)
@@ -30,7 +30,7 @@ def differentiated(form: Form, rates: Rates) -> Form:
 class _Differentiation:
     def __init__(self, domain: Domain, rates: Rates) -> None:
         self.domain, self.rates = domain, rates
-        self._known: dict[int, Form] = {}
+        self._relative_rates: dict[int, Form] = {}
 
     def of(self, form: Form) -> Form:
         top = self.polynomial(form.numerator)
@@ -44,15 +44,15 @@ class _Differentiation:
         for number in sorted({g for monomial in polynomial for g, _ in monomial}):
             relative = self.relative(number)
             if relative.numerator:
-                weighted = {m: c * e for m, c in polynomial.items() for g, e in m if g == number}
-                total = total.plus(Form.of(self.domain, weighted).times(relative))
+                terms = {m: c * e for m, c in polynomial.items() for g, e in m if g == number}
+                total = total.plus(Form.of(self.domain, terms).times(relative))
         return total
 
     def relative(self, number: int) -> Form:
         """Return g'/g for a generator g."""
-        if number not in self._known:
-            self._known[number] = self._find_relative(number)
-        return self._known[number]
+        if number not in self._relative_rates:
+            self._relative_rates[number] = self._find_relative(number)
+        return self._relative_rates[number]
 
     def _find_relative(self, number: int) -> Form:
         domain, generator = self.domain, self.domain.generators[number]

@@ -1,4 +1,4 @@
-"""The generators of one calculation: what a hand-written formula is a Laurent polynomial in.
+"""Generators of an exact algebra of harmonics: letters, phases e^(iθ), roots, and roots of unity.
 
 A formula becomes a quotient of two Laurent polynomials with rational coefficients in generators:
 
@@ -65,7 +65,7 @@ class Generator:
 
 
 class Domain:
-    """The generators of one calculation, numbered as they come up; it also gathers assumptions.
+    """The generators of one calculation, numbered as they come up; it also collects assumptions.
 
     >>> domain = Domain()
     >>> half_turn = ((TURN, HALF),)
@@ -100,8 +100,8 @@ class Domain:
 
     def symbol(self, name: str) -> int:
         """Return the generator of a letter (or of `pi`, `e`)."""
-        made = Generator("symbol", name, name in self.positive)
-        return self._number(("symbol", name), made)
+        generator = Generator("symbol", name, name in self.positive)
+        return self._number(("symbol", name), generator)
 
     def is_integer(self, monomial: Monomial) -> bool:
         """Tell whether a monomial is a product of letters declared to be whole numbers."""
@@ -162,22 +162,22 @@ class Domain:
         total = dict(left)
         for generator, exponent in right:
             total[generator] = plain(total[generator] + exponent) if generator in total else exponent
-        return self._settled(total)
+        return self._reduced_monomial(total)
 
     def raised(self, monomial: Monomial, exponent: Exponent) -> tuple[Fraction | int, Monomial]:
         """Return the monomial to a rational power, as (rational factor, monomial)."""
-        return self._settled({g: plain(e * exponent) for g, e in monomial})
+        return self._reduced_monomial({g: plain(e * exponent) for g, e in monomial})
 
-    def _settled(self, exponents: dict[int, Exponent]) -> tuple[Fraction | int, Monomial]:
+    def _reduced_monomial(self, exponents: dict[int, Exponent]) -> tuple[Fraction | int, Monomial]:
         factor: Fraction | int = 1
         if not self._special.isdisjoint(exponents):
             for generator in self._special & exponents.keys():
-                part, reduced = self._reduced(generator, exponents[generator])
-                exponents[generator] = plain(reduced)
+                part, rest = self._reduced_power(generator, exponents[generator])
+                exponents[generator] = plain(rest)
                 factor *= part
         return factor, tuple(sorted(item for item in exponents.items() if item[1]))
 
-    def _reduced(self, number: int, exponent: Exponent) -> tuple[Fraction | int, Exponent]:
+    def _reduced_power(self, number: int, exponent: Exponent) -> tuple[Fraction | int, Exponent]:
         """Return generator^exponent as a rational times a power in the generator's own range."""
         generator = self.generators[number]
         if generator.kind == "turn":

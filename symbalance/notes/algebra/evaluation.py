@@ -1,4 +1,4 @@
-"""From a formula's tree to its form, with letters replaced by what they stand for."""
+"""Formula trees brought to normal form, with letters replaced by what they stand for."""
 
 from __future__ import annotations
 
@@ -7,15 +7,17 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from symbalance.document import formula
-from symbalance.notes.algebra import functions, named
-from symbalance.notes.algebra.derivatives import differentiated
+from symbalance.notes.algebra import functions
+from symbalance.notes.algebra.derivatives import differentiate
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.polynomials import MOST_WORK
 from symbalance.notes.algebra.roots import root, unit
 
 DEEPEST = 40
+"""Definitions that use definitions, one in the other."""
 DEEPEST_TREE = 150
+"""Levels of one formula, its definitions put in: well below Python's limit of recursion."""
 LONGEST_SUM = 400
 
 
@@ -32,25 +34,25 @@ class Meaning:
     positive: frozenset[str] = frozenset()
     integer: frozenset[str] = frozenset()
     ranges: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    """Where a letter's values are tried, in hundredths: a rod ratio l/r from 300 to 500."""
+    """Range of a letter's values at random points, in hundredths: a rod ratio l/r from 300 to 500."""
 
     def domain(self) -> Domain:
         """Return a fresh domain for formulas of this meaning."""
         return Domain(self.positive, self.integer, self.ranges)
 
 
-class Evaluator:
+class FormEvaluator:
     """Turns trees into forms of one domain.
 
     >>> half = formula.Quotient(formula.Name("s"), formula.Number(Fraction(2)))
-    >>> evaluator = Evaluator(Domain(), Meaning({"s": formula.Name("d")}))
+    >>> evaluator = FormEvaluator(Domain(), Meaning({"s": formula.Name("d")}))
     >>> evaluator.form(half).numerator
     {((1, 1),): Fraction(1, 2)}
     """
 
     def __init__(self, domain: Domain, meaning: Meaning | None = None) -> None:
         self.domain, self.meaning = domain, meaning or Meaning()
-        self._known: dict[str, Form] = {}
+        self._forms: dict[str, Form] = {}
         self._open: list[str] = []
         self._depth = 0
 
@@ -68,43 +70,43 @@ class Evaluator:
         """Return what a letter stands for, or the letter itself."""
         if name not in self.meaning.values or name in self._open:
             return Form.letter(self.domain, name)
-        if name not in self._known:
+        if name not in self._forms:
             if len(self._open) > DEEPEST:
                 raise NoFormError("definitions nested too deep")
             self._open.append(name)
             try:
-                self._known[name] = self.form(self.meaning.values[name])
+                self._forms[name] = self.form(self.meaning.values[name])
             finally:
                 self._open.pop()
-        return self._known[name]
+        return self._forms[name]
 
-    def replacing(self, name: str, value: formula.Formula) -> Evaluator:
+    def replacing(self, name: str, value: formula.Formula) -> FormEvaluator:
         """Return an evaluator to which one more letter stands for a value: the index of a sum."""
         values = dict(self.meaning.values) | {name: value}
-        inner = Evaluator(self.domain, replace(self.meaning, values=values))
-        inner._open, inner._depth = [known for known in self._open if known != name], self._depth
+        inner = FormEvaluator(self.domain, replace(self.meaning, values=values))
+        inner._open, inner._depth = [letter for letter in self._open if letter != name], self._depth
         return inner
 
     def rates(self, variable: str) -> dict[int, Polynomial]:
         """Return the letters that change with `variable`, and their rates."""
-        own: dict[int, Polynomial] = {self.domain.symbol(variable): {(): Fraction(1)}}
+        rates_by_number: dict[int, Polynomial] = {self.domain.symbol(variable): {(): Fraction(1)}}
         for name, rate in self.meaning.rates.get(variable, {}).items():
             form = self.form(rate)
             if not form.is_polynomial:
                 raise NoFormError("a rate that is a quotient")
-            own[self.domain.symbol(name)] = form.numerator
-        return own
+            rates_by_number[self.domain.symbol(name)] = form.numerator
+        return rates_by_number
 
 
-def _number(evaluator: Evaluator, node: formula.Number) -> Form:
+def _number(evaluator: FormEvaluator, node: formula.Number) -> Form:
     return Form.number(evaluator.domain, node.value)
 
 
-def _name(evaluator: Evaluator, node: formula.Name) -> Form:
+def _name(evaluator: FormEvaluator, node: formula.Name) -> Form:
     return evaluator.letter(node.name)
 
 
-def _constant(evaluator: Evaluator, node: formula.Constant) -> Form:
+def _constant(evaluator: FormEvaluator, node: formula.Constant) -> Form:
     if node.name == "i":
         return unit(evaluator.domain)
     if node.name == "infinity":
@@ -112,30 +114,31 @@ def _constant(evaluator: Evaluator, node: formula.Constant) -> Form:
     return Form.letter(evaluator.domain, node.name)
 
 
-def _sum(evaluator: Evaluator, node: formula.Sum) -> Form:
+def _sum(evaluator: FormEvaluator, node: formula.Sum) -> Form:
     total = Form.number(evaluator.domain, 0)
-    written = [term for term in node.terms if not isinstance(term, formula.Dots)]
-    for term in written or node.terms:  # of dots alone: not the number 0
+    terms = [term for term in node.terms if not isinstance(term, formula.Dots)]
+    for term in terms or node.terms:  # of dots alone: not the number 0
         total = total.plus(evaluator.form(term))
     return total
 
 
-def _product(evaluator: Evaluator, node: formula.Product) -> Form:
+def _product(evaluator: FormEvaluator, node: formula.Product) -> Form:
     total = Form.number(evaluator.domain, 1)
     for factor in node.factors:
         total = total.times(evaluator.form(factor))
     return total
 
 
-def _quotient(evaluator: Evaluator, node: formula.Quotient) -> Form:
+def _quotient(evaluator: FormEvaluator, node: formula.Quotient) -> Form:
     return evaluator.form(node.numerator).over(evaluator.form(node.denominator))
 
 
-def _negative(evaluator: Evaluator, node: formula.Negative) -> Form:
+def _negative(evaluator: FormEvaluator, node: formula.Negative) -> Form:
     return evaluator.form(node.operand).scaled(-1)
 
 
-def _power(evaluator: Evaluator, node: formula.Power) -> Form:
+def _power(evaluator: FormEvaluator, node: formula.Power) -> Form:
+    """Return b^x: e^x, rational powers, (-1)^x and (e^(ia))^x by rules of their own, else e^(x ln b)."""
     exponent = evaluator.form(node.exponent)
     if isinstance(node.base, formula.Constant) and node.base.name == "e":
         return functions.exponential(exponent)
@@ -143,13 +146,13 @@ def _power(evaluator: Evaluator, node: formula.Power) -> Form:
     if value is not None:
         return rational_power(base, value)
     if base.rational() == -1:
-        turned = unit(evaluator.domain).times(exponent)
-        return functions.exponential(turned.times(Form.letter(evaluator.domain, "pi")))
+        phase_exponent = unit(evaluator.domain).times(exponent)
+        return functions.exponential(phase_exponent.times(Form.letter(evaluator.domain, "pi")))
     phase = functions.exponent_of(base)
     if phase is not None:
         functions.assume_whole(exponent, base)
         return functions.exponential(exponent.times(phase))
-    return functions.exponential(exponent.times(named.logarithm(base)))
+    return functions.exponential(exponent.times(functions.logarithm(base)))
 
 
 def rational_power(base: Form, exponent: Fraction) -> Form:
@@ -163,20 +166,20 @@ def rational_power(base: Form, exponent: Fraction) -> Form:
     ((monomial, coefficient),) = base.numerator.items()
     if coefficient != 1 or any(not base.domain.generators[g].positive for g, _ in monomial):
         raise NoFormError("a root that is no square root")
-    factor, raised = base.domain.raised(monomial, exponent)
-    return Form.of(base.domain, {raised: Fraction(factor)})
+    factor, power = base.domain.raised(monomial, exponent)
+    return Form.of(base.domain, {power: Fraction(factor)})
 
 
-def _call(evaluator: Evaluator, node: formula.Call) -> Form:
+def _call(evaluator: FormEvaluator, node: formula.Call) -> Form:
     argument = evaluator.form(node.argument)
-    return named.apply(node.function, argument)
+    return functions.apply(node.function, argument)
 
 
-def _derivative(evaluator: Evaluator, node: formula.Derivative) -> Form:
+def _derivative(evaluator: FormEvaluator, node: formula.Derivative) -> Form:
     inner, variable = node.expression, node.variable.name
     meaning = evaluator.meaning
-    known = {*meaning.values, *meaning.rates.get(variable, ()), variable}
-    if isinstance(inner, formula.Name) and inner.name not in known:
+    dependent = {*meaning.values, *meaning.rates.get(variable, ()), variable}
+    if isinstance(inner, formula.Name) and inner.name not in dependent:
         if inner.name in meaning.positive and meaning.rates:  # a size, such as ω: constant
             return Form.number(evaluator.domain, 0)
         return Form.letter(evaluator.domain, derivative_name(node))
@@ -184,17 +187,17 @@ def _derivative(evaluator: Evaluator, node: formula.Derivative) -> Form:
         return _by_chain_rule(evaluator, evaluator.form(inner), node)
     form, rates = evaluator.form(inner), evaluator.rates(variable)
     for _ in range(node.order):
-        form = differentiated(form, rates)
+        form = differentiate(form, rates)
     return form
 
 
-def _by_chain_rule(evaluator: Evaluator, form: Form, node: formula.Derivative) -> Form:
+def _by_chain_rule(evaluator: FormEvaluator, form: Form, node: formula.Derivative) -> Form:
     """Return df/dx = (df/dt)/(dx/dt) where x itself is a motion."""
     time = next(iter(evaluator.meaning.rates))
     rates = evaluator.rates(time)
-    below = differentiated(evaluator.letter(node.variable.name), rates)
+    below = differentiate(evaluator.letter(node.variable.name), rates)
     for _ in range(node.order):
-        form = differentiated(form, rates).over(below)
+        form = differentiate(form, rates).over(below)
     return form
 
 
@@ -209,7 +212,8 @@ def derivative_name(node: formula.Derivative) -> str:
     return f"d{order}{inner}/d{node.variable.name}{order}"
 
 
-def _summation(evaluator: Evaluator, node: formula.Summation) -> Form:
+def _summation(evaluator: FormEvaluator, node: formula.Summation) -> Form:
+    """Return a sum written out between whole bounds; without bounds, a function of its body."""
     if node.index is None or node.lower is None or node.upper is None:
         return functions.opaque("sum", evaluator.form(node.body))
     lower, upper = (evaluator.form(bound).rational() for bound in (node.lower, node.upper))
@@ -227,11 +231,11 @@ def _summation(evaluator: Evaluator, node: formula.Summation) -> Form:
     return total
 
 
-def _dots(evaluator: Evaluator, node: formula.Dots) -> Form:
+def _dots(evaluator: FormEvaluator, node: formula.Dots) -> Form:
     raise NoFormError("dots alone")
 
 
-_RULES: dict[type, Callable[[Evaluator, formula.Formula], Form]] = {
+_RULES: dict[type, Callable[[FormEvaluator, formula.Formula], Form]] = {
     formula.Number: _number,
     formula.Name: _name,
     formula.Constant: _constant,

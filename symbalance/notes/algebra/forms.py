@@ -1,4 +1,4 @@
-"""Forms: quotients of Laurent polynomials, the normal form in which equations are decided."""
+"""Quotients of Laurent polynomials: the normal form in which equations are decided."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.notes.algebra import polynomials as poly
-from symbalance.notes.algebra.division import common, quotient
 from symbalance.notes.algebra.domain import ONE, Domain, NoFormError, Polynomial
+from symbalance.notes.algebra.polynomials import common_multiple, quotient
 from symbalance.notes.algebra.zero import is_zero
 
 
@@ -40,7 +40,7 @@ class Form:
                 factor, inverse = domain.raised(monomial, -1)
                 numerator = poly.times(domain, numerator, {inverse: factor / coefficient})
                 return Form(domain, numerator, {ONE: Fraction(1)})
-        return _rationalised(domain, numerator, denominator)
+        return _with_rational_denominator(domain, numerator, denominator)
 
     @staticmethod
     def number(domain: Domain, value: Fraction | int) -> Form:
@@ -67,16 +67,18 @@ class Form:
         """Return the sum."""
         if self.denominator == other.denominator:
             return Form.of(self.domain, poly.plus(self.numerator, other.numerator), self.denominator)
-        ours, theirs, below = common(self.domain, self.denominator, other.denominator)
+        own_factor, other_factor, below = common_multiple(
+            self.domain, self.denominator, other.denominator
+        )
         cross = poly.plus(
-            poly.times(self.domain, self.numerator, ours),
-            poly.times(self.domain, other.numerator, theirs),
+            poly.times(self.domain, self.numerator, own_factor),
+            poly.times(self.domain, other.numerator, other_factor),
         )
         return Form.of(self.domain, cross, below)
 
     def scaled(self, factor: Fraction | int) -> Form:
         """Return the form times a rational."""
-        return Form(self.domain, poly.scaled(self.numerator, factor), self.denominator)
+        return Form(self.domain, poly.scale(self.numerator, factor), self.denominator)
 
     def minus(self, other: Form) -> Form:
         """Return the difference."""
@@ -119,7 +121,7 @@ class Form:
         return self.minus(other).is_zero()
 
 
-def _rationalised(domain: Domain, numerator: Polynomial, denominator: Polynomial) -> Form:
+def _with_rational_denominator(domain: Domain, numerator: Polynomial, denominator: Polynomial) -> Form:
     """Return numerator/denominator without radicals below: multiplied by the conjugate of each."""
     for generator in list(domain.radicals):
         if any(g == generator for m in denominator for g, _ in m):

@@ -1,4 +1,4 @@
-"""Exponentials and circular functions of forms.
+"""Functions of normal forms: exponentials, circular and hyperbolic functions, logarithms, inverses.
 
 cos x and sin x are (e^(ix) ± e^(-ix))/2: an argument is split into monomials, each with its own
 generator e^(i m), and multiples of pi become turns. e^(i asin v) = √(1-v²) + i v, and the like.
@@ -6,6 +6,7 @@ generator e^(i m), and multiples of pi become turns. e^(i asin v) = √(1-v²) +
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
 from symbalance.notes.algebra.domain import HALF, ONE, QUARTER, TURN, Domain, Monomial, NoFormError
@@ -48,8 +49,8 @@ def _phase(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
     if inverse is not None and coefficient.denominator == 1:
         return _phase_of_inverse(*inverse, int(coefficient))
     generator = domain.exponential(monomial)
-    factor, made = domain.raised(((generator, 1),), coefficient)
-    return Form.of(domain, {made: Fraction(factor)})
+    factor, phase = domain.raised(((generator, 1),), coefficient)
+    return Form.of(domain, {phase: Fraction(factor)})
 
 
 def exponent_of(form: Form) -> Form | None:
@@ -101,35 +102,95 @@ def _phase_of_inverse(function: str, value: Form, multiple: int) -> Form:
         cosine = one.over(root(one.plus(value.times(value))))
         sine = value.times(cosine)
     else:
-        other = root(one.minus(value.times(value)))
-        cosine, sine = (other, value) if function == "asin" else (value, other)
+        complement = root(one.minus(value.times(value)))
+        cosine, sine = (complement, value) if function == "asin" else (value, complement)
     sign = 1 if multiple >= 0 else -1
     return cosine.plus(unit(value.domain).times(sine).scaled(sign)).raised(abs(multiple))
 
 
 def cosine(argument: Form) -> Form:
     """Return cos x = (e^(ix) + e^(-ix))/2."""
-    forward, backward = _both_ways(argument)
+    forward, backward = _both_exponentials(argument)
     return forward.plus(backward).scaled(HALF)
 
 
 def sine(argument: Form) -> Form:
     """Return sin x = (e^(ix) - e^(-ix))/(2i)."""
-    forward, backward = _both_ways(argument)
+    forward, backward = _both_exponentials(argument)
     return forward.minus(backward).times(unit(argument.domain)).scaled(-HALF)
 
 
-def _both_ways(argument: Form) -> tuple[Form, Form]:
-    turned = unit(argument.domain).times(argument)
-    return exponential(turned), exponential(turned.scaled(-1))
+def _both_exponentials(argument: Form) -> tuple[Form, Form]:
+    rotation = unit(argument.domain).times(argument)
+    return exponential(rotation), exponential(rotation.scaled(-1))
 
 
 def opaque(function: str, argument: Form) -> Form:
     """Return a function that has no rule here, as a generator; equal arguments share one."""
     domain = argument.domain
     for number in domain.opaque:
-        name, known = domain.generators[number].content
-        if name == function and known.equals(argument):
+        name, content = domain.generators[number].content
+        if name == function and content.equals(argument):
             return Form.of(domain, {((number, 1),): Fraction(1)})
     number = domain.opaque_function((function, argument))
     return Form.of(domain, {((number, 1),): Fraction(1)})
+
+
+# By the names that formulas give them
+
+
+def apply(function: str, argument: Form) -> Form:
+    """Return a function of a form; what has no rule raises NoFormError.
+
+    >>> from symbalance.notes.algebra.domain import Domain
+    >>> third = Form.letter(Domain(), "pi").scaled(Fraction(1, 3))
+    >>> apply("cos", third).rational()
+    """
+    if function in _CIRCULAR:
+        return _CIRCULAR[function](argument)
+    if function in ("asin", "acos", "atan"):
+        return opaque(function, argument)
+    raise NoFormError(f"the function {function}")
+
+
+def logarithm(base: Form) -> Form:
+    """Return ln base; ln e is 1."""
+    if base.equals(Form.letter(base.domain, "e")):
+        return Form.number(base.domain, 1)
+    if base.rational() == 1:
+        return Form.number(base.domain, 0)
+    return opaque("ln", base)
+
+
+def _over(first: Callable[[Form], Form], second: Callable[[Form], Form]) -> Callable[[Form], Form]:
+    return lambda x: first(x).over(second(x))
+
+
+def _unity(argument: Form) -> Form:
+    return Form.number(argument.domain, 1)
+
+
+def _growing(sign: int) -> Callable[[Form], Form]:
+    def function(x: Form) -> Form:
+        back = exponential(x.scaled(-1)).scaled(sign)
+        return exponential(x).plus(back).scaled(Fraction(1, 2))
+
+    return function
+
+
+_CIRCULAR: dict[str, Callable[[Form], Form]] = {
+    "sin": sine,
+    "cos": cosine,
+    "tan": _over(sine, cosine),
+    "cot": _over(cosine, sine),
+    "sec": _over(_unity, cosine),
+    "csc": _over(_unity, sine),
+    "sinh": _growing(-1),
+    "cosh": _growing(1),
+    "tanh": _over(_growing(-1), _growing(1)),
+    "exp": exponential,
+    "ln": logarithm,
+    "log": logarithm,
+    "sqrt": root,
+    "abs": lambda x: root(x.times(x)),
+}

@@ -1,4 +1,4 @@
-"""Polynomials sorted into harmonics: what stands before cos nθ, sin nθ and each product of letters.
+"""Coefficients of cos nθ, sin nθ and products of letters in a polynomial, and formulas written from them.
 
 C cos x + S sin x = c_+ e^(ix) + c_- e^(-ix) with C = c_+ + c_- and S = i (c_+ - c_-). The numbers C and S
 are polynomials in turns and primes only.
@@ -13,41 +13,41 @@ from fractions import Fraction
 from symbalance.document import formula
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import QUARTER, TURN, Domain, Monomial, Polynomial
-from symbalance.notes.algebra.numbers import number_node, rational_node
+from symbalance.notes.algebra.number_formulas import number_node, rational_node
 from symbalance.notes.algebra.zero import is_zero
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
-    """Where a number stands: before `function` of an angle, and before a product of letters."""
+class HarmonicKey:
+    """The harmonic a number belongs to: `function` of an angle, times a product of letters."""
 
     function: str
     angle: Monomial
     letters: Monomial
 
 
-Components = dict[Place, Polynomial]
+Components = dict[HarmonicKey, Polynomial]
 
 
 def components(domain: Domain, polynomial: Polynomial) -> Components:
-    """Return the numbers of a polynomial by their places; those that are zero are left out."""
-    sides: dict[tuple[Monomial, Monomial], list[Polynomial]] = defaultdict(lambda: [{}, {}])
+    """Return the numbers of a polynomial by their harmonics; those that are zero are left out."""
+    pairs: dict[tuple[Monomial, Monomial], list[Polynomial]] = defaultdict(lambda: [{}, {}])
     for monomial, coefficient in polynomial.items():
         number, angle, letters = split(domain, monomial)
         backward = bool(angle) and angle[0][1] < 0
         if backward:
             angle = tuple((g, -e) for g, e in angle)
-        pair = sides[angle, letters]
+        pair = pairs[angle, letters]
         pair[backward] = poly.plus(pair[backward], {number: coefficient})
-    found: Components = {}
-    for (angle, letters), (ahead, back) in sides.items():
-        parts = {"cos": poly.plus(ahead, back), "sin": _turned(domain, poly.minus(ahead, back))}
+    result: Components = {}
+    for (angle, letters), (ahead, back) in pairs.items():
+        parts = {"cos": poly.plus(ahead, back), "sin": _times_i(domain, poly.minus(ahead, back))}
         if not angle:
             parts = {"1": ahead}
         for function, number in parts.items():
             if is_zero(domain, number) is not True:
-                found[Place(function, angle, letters)] = number
-    return found
+                result[HarmonicKey(function, angle, letters)] = number
+    return result
 
 
 def split(domain: Domain, monomial: Monomial) -> tuple[Monomial, Monomial, Monomial]:
@@ -62,15 +62,15 @@ def split(domain: Domain, monomial: Monomial) -> tuple[Monomial, Monomial, Monom
     return tuple(number), tuple(angle), tuple(letters)
 
 
-def _turned(domain: Domain, polynomial: Polynomial) -> Polynomial:
+def _times_i(domain: Domain, polynomial: Polynomial) -> Polynomial:
     return poly.times(domain, polynomial, {((TURN, QUARTER),): Fraction(1)})
 
 
-def place_node(domain: Domain, place: Place) -> formula.Formula | None:
-    """Return the product of letters and the function of the angle; None for the constant place."""
-    factors = letter_nodes(domain, place.letters)
-    if place.function != "1":
-        factors.append(formula.Call(place.function, angle_node(domain, place.angle)))
+def key_node(domain: Domain, key: HarmonicKey) -> formula.Formula | None:
+    """Return the product of letters and the function of the angle; None for the constant."""
+    factors = letter_nodes(domain, key.letters)
+    if key.function != "1":
+        factors.append(formula.Call(key.function, angle_node(domain, key.angle)))
     return _product(factors)
 
 
@@ -97,11 +97,12 @@ def letter_nodes(domain: Domain, letters: Monomial) -> list[formula.Formula]:
 
 
 def _power(domain: Domain, number: int, exponent: int | Fraction) -> formula.Formula:
+    """Return a power of one generator as a formula."""
     generator = domain.generators[number]
     base: formula.Formula
     if generator.kind == "symbol":
-        known = generator.content in ("pi", "e")
-        base = formula.Constant(generator.content) if known else formula.Name(generator.content)
+        is_constant = generator.content in ("pi", "e")
+        base = formula.Constant(generator.content) if is_constant else formula.Name(generator.content)
     elif generator.kind == "radical":
         base = formula.Call("sqrt", polynomial_node(domain, generator.content))
     elif generator.kind == "prime":
@@ -130,51 +131,51 @@ def _function_node(function: str, inside: formula.Formula) -> formula.Formula:
 
 
 def polynomial_node(domain: Domain, polynomial: Polynomial) -> formula.Formula:
-    """Return a polynomial as a sum over its places, lowest harmonics first."""
-    found = components(domain, polynomial)
-    terms = [term_node(domain, place, found[place]) for place in ordered(found)]
+    """Return a polynomial as a sum over its harmonics, the lowest first."""
+    numbers = components(domain, polynomial)
+    terms = [term_node(domain, key, numbers[key]) for key in sort_keys(numbers)]
     if not terms:
         return rational_node(Fraction(0))
     return terms[0] if len(terms) == 1 else formula.Sum(tuple(terms))
 
 
-def ordered(found: Components) -> list[Place]:
-    """Return the places by harmonic, then by letters."""
+def sort_keys(numbers: Components) -> list[HarmonicKey]:
+    """Return the keys by harmonic, then by letters."""
     return sorted(
-        found,
+        numbers,
         key=lambda p: ([abs(e) for _, e in p.angle], p.function, [(g, abs(e)) for g, e in p.letters]),
     )
 
 
-def term_node(domain: Domain, place: Place, number: Polynomial) -> formula.Formula:
-    """Return number times place, the sign outside and whole denominators below."""
-    coefficient, rest = number_node(domain, number), place_node(domain, place)
+def term_node(domain: Domain, key: HarmonicKey, number: Polynomial) -> formula.Formula:
+    """Return number times harmonic, the sign outside and whole denominators below."""
+    coefficient, rest = number_node(domain, number), key_node(domain, key)
     if rest is None:
         return coefficient
     if isinstance(coefficient, formula.Negative):
-        return formula.Negative(joined(coefficient.operand, rest))
-    return joined(coefficient, rest)
+        return formula.Negative(times_coefficient(coefficient.operand, rest))
+    return times_coefficient(coefficient, rest)
 
 
-def joined(coefficient: formula.Formula, rest: formula.Formula) -> formula.Formula:
+def times_coefficient(coefficient: formula.Formula, rest: formula.Formula) -> formula.Formula:
     """Return coefficient times rest as it would be written by hand.
 
-    >>> joined(formula.Number(Fraction(1)), formula.Name("s")).name
+    >>> times_coefficient(formula.Number(Fraction(1)), formula.Name("s")).name
     's'
     """
     if coefficient == formula.Number(Fraction(1)):
         return rest
-    top, bottom = _halves(coefficient)
+    top, bottom = _numerator_and_denominator(coefficient)
     factors = rest.factors if isinstance(rest, formula.Product) else (rest,)
     first = factors[0]
     if isinstance(first, formula.Quotient):
-        above, below = _halves(first)
+        above, below = _numerator_and_denominator(first)
         head = formula.Quotient(_times(top, above), _times(bottom, below))
         return _product([head, *factors[1:]])  # type: ignore[return-value]
     return _product([coefficient, *factors])  # type: ignore[return-value]
 
 
-def _halves(node: formula.Formula) -> tuple[formula.Formula, formula.Formula]:
+def _numerator_and_denominator(node: formula.Formula) -> tuple[formula.Formula, formula.Formula]:
     if isinstance(node, formula.Quotient):
         return node.numerator, node.denominator
     return node, rational_node(Fraction(1))

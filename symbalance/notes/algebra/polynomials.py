@@ -1,17 +1,32 @@
-"""Laurent polynomials over a `Domain`: sums and products, with the radicals reduced."""
+"""Laurent polynomials over a `Domain`: sums, products with the radicals reduced, and exact division.
+
+A polynomial is a dict from monomials to rational coefficients, without zeros.
+"""
 
 from __future__ import annotations
 
+from collections import defaultdict
 from fractions import Fraction
 from math import lcm
 
-from symbalance.notes.algebra.domain import ONE, Domain, Monomial, Polynomial, TooLargeError
+from symbalance.notes.algebra.domain import (
+    ONE,
+    Domain,
+    Exponent,
+    Monomial,
+    Polynomial,
+    TooLargeError,
+    plain,
+)
 
 MOST_WORK = 150_000
 """Products of two terms a domain may form: about a second's work."""
 LARGEST_EXPONENT = 400
 LARGEST_BITS = 20_000
+"""Of a coefficient: `MOST_WORK` counts products of terms, and would not see numbers that grow."""
 UNIT: Polynomial = {ONE: Fraction(1)}
+Exponents = tuple[Exponent, ...]
+"""The exponents of one monomial, for a fixed row of generators."""
 
 
 def constant(value: Fraction | int) -> Polynomial:
@@ -42,41 +57,42 @@ def _add(total: Polynomial, more: Polynomial) -> None:
             del total[monomial]
 
 
-def scaled(polynomial: Polynomial, factor: Fraction | int) -> Polynomial:
+def scale(polynomial: Polynomial, factor: Fraction | int) -> Polynomial:
     """Return the polynomial times a rational."""
     return {m: c * factor for m, c in polynomial.items()} if factor else {}
 
 
 def minus(left: Polynomial, right: Polynomial) -> Polynomial:
     """Return the difference."""
-    return plus(left, scaled(right, -1))
+    return plus(left, scale(right, -1))
 
 
 def times(domain: Domain, left: Polynomial, right: Polynomial) -> Polynomial:
     """Return the product, every radical's power below two."""
-    worked(domain, len(left) * len(right))
+    count_work(domain, len(left) * len(right))
     if left == UNIT:
         return right
     if right == UNIT:
         return left
-    (ours, above), (theirs, below) = _cleared(left), _cleared(right)
+    left_terms, left_denominator = _over_common_denominator(left)
+    right_terms, right_denominator = _over_common_denominator(right)
     total: dict[Monomial, int | Fraction] = {}
-    for first, a in ours.items():
-        for second, b in theirs.items():
+    for first, a in left_terms.items():
+        for second, b in right_terms.items():
             factor, monomial = domain.times(first, second)
             total[monomial] = total.get(monomial, 0) + a * b * factor
-    product = {m: Fraction(c, above * below) for m, c in total.items() if c}
+    product = {m: Fraction(c, left_denominator * right_denominator) for m, c in total.items() if c}
     _check_size(product)
     return _without_squares(domain, product) if domain.radicals else product
 
 
-def _cleared(polynomial: Polynomial) -> tuple[dict[Monomial, int], int]:
+def _over_common_denominator(polynomial: Polynomial) -> tuple[dict[Monomial, int], int]:
     """Return the coefficients as integers over one denominator: they multiply faster than fractions."""
     below = lcm(*(c.denominator for c in polynomial.values()))
     return {m: c.numerator * (below // c.denominator) for m, c in polynomial.items()}, below
 
 
-def worked(domain: Domain, products: int) -> None:
+def count_work(domain: Domain, products: int) -> None:
     """Count products of two terms; too many raise TooLargeError."""
     domain.work += products
     if domain.work > MOST_WORK:
@@ -92,17 +108,17 @@ def _check_size(polynomial: Polynomial) -> None:
 def _without_squares(domain: Domain, polynomial: Polynomial) -> Polynomial:
     """Return the polynomial with radical² replaced by what is under the root."""
     radicals = set(domain.radicals)
-    high = [m for m in polynomial if any(e >= 2 and g in radicals for g, e in m)]
-    if not high:
+    squares = [m for m in polynomial if any(e >= 2 and g in radicals for g, e in m)]
+    if not squares:
         return polynomial
-    kept = dict(polynomial)
-    for monomial in high:
-        _add(kept, {monomial: -polynomial[monomial]})
-        _add(kept, _square_replaced(domain, radicals, monomial, polynomial[monomial]))
-    return kept
+    result = dict(polynomial)
+    for monomial in squares:
+        _add(result, {monomial: -polynomial[monomial]})
+        _add(result, _replace_square(domain, radicals, monomial, polynomial[monomial]))
+    return result
 
 
-def _square_replaced(
+def _replace_square(
     domain: Domain, radicals: set[int], monomial: Monomial, coefficient: Fraction
 ) -> Polynomial:
     number, exponent = next((g, e) for g, e in monomial if g in radicals and e >= 2)
@@ -123,3 +139,93 @@ def power(domain: Domain, polynomial: Polynomial, exponent: int) -> Polynomial:
         if exponent:
             square = times(domain, square, square)
     return result
+
+
+# Exact division, to find the common denominator of two forms
+
+
+def quotient(domain: Domain, dividend: Polynomial, divisor: Polynomial) -> Polynomial | None:
+    """Return dividend/divisor where it is a polynomial, else None; no divisor of turns or roots is tried.
+
+    Before each product of turns and roots the dividend must be divisible for itself.
+
+    >>> x, one = ((1, 1),), Fraction(1)
+    >>> quotient(Domain(), {((1, 2),): one, (): -one}, {x: one, (): -one})
+    {((1, 1),): Fraction(1, 1), (): Fraction(1, 1)}
+    """
+    if not divisor or any(not domain.is_free(g) for m in divisor for g, _ in m):
+        return None
+    groups: dict[Monomial, Polynomial] = defaultdict(dict)
+    for monomial, coefficient in dividend.items():
+        special = tuple((g, e) for g, e in monomial if not domain.is_free(g))
+        free = tuple((g, e) for g, e in monomial if domain.is_free(g)) if special else monomial
+        groups[special][free] = coefficient
+    result: Polynomial = {}
+    for special, group in groups.items():
+        part = _free_quotient(domain, group, divisor)
+        if part is None:
+            return None
+        result |= {tuple(sorted((*special, *m))): c for m, c in part.items()}
+    return result
+
+
+def _free_quotient(domain: Domain, dividend: Polynomial, divisor: Polynomial) -> Polynomial | None:
+    """Divide leading term by leading term, in the lexicographic order of exponents.
+
+    Every exponent of the quotient lies between the differences of the lowest and of the highest ones: a
+    term outside ends the search.
+    """
+    numbers = sorted({g for p in (dividend, divisor) for m in p for g, _ in m})
+    rest, by = _rows(dividend, numbers), _rows(divisor, numbers)
+    pairs = zip(_box(rest), _box(by), strict=True)
+    box = [(low - low_, high - high_) for (low, high), (low_, high_) in pairs]
+    if any(low > high for low, high in box):
+        return None
+    lead, result = max(by), dict[Exponents, Fraction]()
+    while rest:
+        first = max(rest)
+        step = tuple(a - b for a, b in zip(first, lead, strict=True))
+        if any(not low <= e <= high for e, (low, high) in zip(step, box, strict=True)):
+            return None
+        result[step] = rest[first] / by[lead]
+        count_work(domain, len(by))
+        rest = _subtract_multiple(rest, by, step, result[step])
+    return {_monomial(numbers, row): c for row, c in result.items()}
+
+
+def _rows(polynomial: Polynomial, numbers: list[int]) -> dict[Exponents, Fraction]:
+    powers = [(dict(monomial), coefficient) for monomial, coefficient in polynomial.items()]
+    return {tuple(exponents.get(g, 0) for g in numbers): coefficient for exponents, coefficient in powers}
+
+
+def _box(rows: dict[Exponents, Fraction]) -> list[tuple[Exponent, Exponent]]:
+    return [(min(column), max(column)) for column in zip(*rows, strict=True)]
+
+
+def _subtract_multiple(
+    rest: dict[Exponents, Fraction], by: dict[Exponents, Fraction], step: Exponents, factor: Fraction
+) -> dict[Exponents, Fraction]:
+    """Return rest - factor step by."""
+    difference = dict(rest)
+    for row, coefficient in by.items():
+        place = tuple(a + b for a, b in zip(row, step, strict=True))
+        difference[place] = difference.get(place, Fraction(0)) - factor * coefficient
+        if not difference[place]:
+            del difference[place]
+    return difference
+
+
+def _monomial(numbers: list[int], row: Exponents) -> Monomial:
+    return tuple((g, plain(e)) for g, e in zip(numbers, row, strict=True) if e)
+
+
+def common_multiple(
+    domain: Domain, left: Polynomial, right: Polynomial
+) -> tuple[Polynomial, Polynomial, Polynomial]:
+    """Return (a, b, c) with c = a left = b right: one of the two where the other divides it."""
+    is_swapped = len(left) < len(right)
+    large, small = (right, left) if is_swapped else (left, right)
+    factor = quotient(domain, large, small)
+    if factor is None:
+        return right, left, times(domain, left, right)
+    return (factor, UNIT, large) if is_swapped else (UNIT, factor, large)

@@ -1,7 +1,8 @@
-"""Square roots of forms, and the unit i: what is left under a root, and what leaves it."""
+"""Square roots of normal forms, and the unit i: which factors stay under a root, and which leave it."""
 
 from __future__ import annotations
 
+from collections import defaultdict
 from fractions import Fraction
 from math import isqrt
 
@@ -13,14 +14,15 @@ from symbalance.notes.algebra.domain import (
     QUARTER,
     TURN,
     Domain,
+    Exponent,
     Monomial,
     Polynomial,
     TooLargeError,
 )
 from symbalance.notes.algebra.forms import Form
-from symbalance.notes.algebra.signs import is_never_negative
 
 LARGEST_FACTORED = 10**12
+"""A root of a larger number raises TooLargeError: its primes are not searched for."""
 
 
 def unit(domain: Domain) -> Form:
@@ -38,11 +40,11 @@ def root(form: Form) -> Form:
     if form.is_polynomial:
         return _root_of_polynomial(domain, form.numerator)
     below, sign = form.denominator, 1
-    if is_never_negative(domain, poly.scaled(below, -1)):
-        below, sign = poly.scaled(below, -1), -1
+    if is_never_negative(domain, poly.scale(below, -1)):
+        below, sign = poly.scale(below, -1), -1
     elif not is_never_negative(domain, below):
         domain.assume_positive(below)
-    product = poly.scaled(poly.times(domain, form.numerator, below), sign)
+    product = poly.scale(poly.times(domain, form.numerator, below), sign)
     return _root_of_polynomial(domain, product).over(Form.of(domain, below))
 
 
@@ -70,13 +72,13 @@ def _leading(domain: Domain, square: Polynomial) -> tuple[Monomial, Fraction]:
     terms = [(m, c) for m, c in square.items() if c > 0 and all(_is_letter(domain, g) for g, _ in m)]
     if len(square) == len(terms) == 1:
         return terms[0]
-    shared = _shared_squares(domain, square)
+    squares = _shared_squares(domain, square)
     if not terms:
-        return shared, Fraction(1)
+        return squares, Fraction(1)
     positive = [term for term in terms if term[0] == _positive_part(domain, term[0])]
     letters = sorted({g for monomial, _ in terms for g, _ in monomial})
     lead, coefficient = max(positive or terms, key=lambda t: [dict(t[0]).get(g, 0) for g in letters])
-    return domain.times(_positive_part(domain, lead), shared)[1], coefficient
+    return domain.times(_positive_part(domain, lead), squares)[1], coefficient
 
 
 def _is_letter(domain: Domain, number: int) -> bool:
@@ -90,12 +92,12 @@ def _positive_part(domain: Domain, monomial: Monomial) -> Monomial:
 def _shared_squares(domain: Domain, square: Polynomial) -> Monomial:
     """Return the largest even powers of letters of unknown sign that divide every term."""
     exponents = [dict(monomial) for monomial in square]
-    shared = []
+    squares = []
     for number in sorted({g for monomial in square for g, _ in monomial}):
         if domain.generators[number].kind == "symbol" and not domain.generators[number].positive:
-            lowest = min(own.get(number, 0) for own in exponents)
-            shared.append((number, lowest // 2 * 2))
-    return tuple((g, e) for g, e in shared if e)
+            lowest = min(powers.get(number, 0) for powers in exponents)
+            squares.append((number, lowest // 2 * 2))
+    return tuple((g, e) for g, e in squares if e)
 
 
 def _assume_not_negative(domain: Domain, monomial: Monomial) -> None:
@@ -108,8 +110,8 @@ def _assume_not_negative(domain: Domain, monomial: Monomial) -> None:
 
 
 def _root_of_term(domain: Domain, monomial: Monomial, coefficient: Fraction) -> Form:
-    _, halved = domain.raised(monomial, HALF)
-    return root_of_rational(domain, coefficient).times(Form.of(domain, {halved: Fraction(1)}))
+    _, half_power = domain.raised(monomial, HALF)
+    return root_of_rational(domain, coefficient).times(Form.of(domain, {half_power: Fraction(1)}))
 
 
 def root_of_rational(domain: Domain, value: Fraction) -> Form:
@@ -137,3 +139,30 @@ def root_of_rational(domain: Domain, value: Fraction) -> Form:
         if count % 2:
             primes.append((domain.prime(prime), HALF))
     return Form.of(domain, {tuple(sorted(primes)): Fraction(outside, value.denominator)})
+
+
+def is_never_negative(domain: Domain, polynomial: Polynomial) -> bool:
+    """Tell whether, before every product of letters, the constant outweighs all waves: 2 + 2 cos 2θ.
+
+    >>> domain = Domain()
+    >>> x = domain.symbol("x")
+    >>> is_never_negative(domain, {((x, 2),): Fraction(1), (): Fraction(1)})
+    True
+    >>> is_never_negative(domain, {((x, 1),): Fraction(1), (): Fraction(1)})
+    False
+    """
+    margins: dict[Monomial, Fraction] = defaultdict(Fraction)
+    for monomial, coefficient in polynomial.items():
+        waves = tuple((g, e) for g, e in monomial if domain.generators[g].kind == "exponential")
+        letters = tuple(pair for pair in monomial if pair not in waves)
+        if not all(_is_positive(domain, g, e) for g, e in letters):
+            return False
+        margins[letters] += -abs(coefficient) if waves else coefficient
+    return all(margin >= 0 for margin in margins.values())
+
+
+def _is_positive(domain: Domain, number: int, exponent: Exponent) -> bool:
+    generator = domain.generators[number]
+    if generator.kind == "symbol" and not generator.positive:
+        return exponent % 2 == 0
+    return generator.kind in ("symbol", "prime", "growth", "radical")

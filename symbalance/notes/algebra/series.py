@@ -1,4 +1,4 @@
-"""Power series of a form in one small letter (ρ, or 1/λ), exact, with the order they go through.
+"""Exact power series of a normal form in one small letter (ρ, or 1/λ), with the order they go through.
 
 A series is a map from exponents to forms together with the exponent through which it is known. A form is
 expanded generator by generator: powers of the letter as they stand, roots by the binomial recurrence,
@@ -16,6 +16,7 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.roots import root, unit
 
 SLACK = 6
+"""Orders computed beyond the one wanted: a quotient whose denominator begins late loses some."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,10 +34,10 @@ class Series:
 
     def cut(self, through: int) -> Series:
         """Return the series known only through a lower order, zeros dropped."""
-        kept = {k: f for k, f in self.terms.items() if k <= through and f.is_zero() is not True}
-        return Series(self.domain, kept, min(through, self.through))
+        terms = {k: f for k, f in self.terms.items() if k <= through and f.is_zero() is not True}
+        return Series(self.domain, terms, min(through, self.through))
 
-    def settled(self) -> Series:
+    def without_zeros(self) -> Series:
         """Return the series without the terms that are zero."""
         return self.cut(self.through)
 
@@ -75,8 +76,8 @@ class Expansion:
     def __init__(self, domain: Domain, letter: str, sign: int, through: int) -> None:
         self.domain, self.sign, self.limit = domain, sign, through + SLACK
         self.number = domain.symbol(letter)
-        self._known: dict[tuple[int, Fraction | int], Series] = {}
-        self._halved: set[int] = set()
+        self._powers: dict[tuple[int, Fraction | int], Series] = {}
+        self._half_powers: set[int] = set()
 
     def of(self, form: Form) -> Series:
         """Return the series of a form; raises NoFormError where there is none in whole powers."""
@@ -103,7 +104,7 @@ class Expansion:
                 shift += exponent * self.sign
             elif self.depends(number):
                 result = result.times(self.power(number, exponent), self.limit)
-                shift -= HALF if number in self._halved else 0
+                shift -= HALF if number in self._half_powers else 0
         return result.shifted(_whole(shift))
 
     def depends(self, number: int) -> bool:
@@ -126,18 +127,19 @@ class Expansion:
         return False
 
     def power(self, number: int, exponent: Fraction | int) -> Series:
-        """Return the series of a generator to a power; of a root in `_halved`, times the letter^(1/2)."""
+        """Return the series of generator^exponent; of one in `_half_powers`, times letter^(1/2)."""
         key = (number, exponent)
-        if key not in self._known:
-            self._known[key] = self._expand(number, exponent)
-        return self._known[key]
+        if key not in self._powers:
+            self._powers[key] = self._expand(number, exponent)
+        return self._powers[key]
 
     def _expand(self, number: int, exponent: Fraction | int) -> Series:
+        """Return the series of a power of one generator."""
         generator = self.domain.generators[number]
         if generator.kind == "radical" and exponent == 1:
-            square = self.polynomial(generator.content).settled()
+            square = self.polynomial(generator.content).without_zeros()
             if square.start % 2:
-                self._halved.add(number)
+                self._half_powers.add(number)
                 square = square.shifted(1)
             return self.root(square)
         if generator.kind in ("exponential", "growth"):
@@ -153,7 +155,7 @@ class Expansion:
             return total
         raise NoFormError("a part that has no power series here")
 
-    def _composed(self, coefficients: list[Fraction], inner: Series) -> Series:
+    def _compose(self, coefficients: list[Fraction], inner: Series) -> Series:
         """Return the sum of coefficients[k] inner^k; `inner` starts at order 1 or higher."""
         if inner.start < 1:
             raise NoFormError("a function expanded where it is not small")
@@ -173,29 +175,30 @@ class Expansion:
         if 0 in inner.terms:
             steady = functions.exponential(inner.terms[0])
             moving = Series(self.domain, {k: f for k, f in inner.terms.items() if k}, inner.through)
-            return self._composed(coefficients, moving).scaled(steady)
-        return self._composed(coefficients, inner)
+            return self._compose(coefficients, moving).scaled(steady)
+        return self._compose(coefficients, inner)
 
     def _function(self, function: str, inner: Series) -> Series:
+        """Return the series of a function of a series: about 0, of ln about 1."""
         size = self.limit + 2
         if function == "over":
             return self.reciprocal(inner)
         if function == "asin":
-            return self._composed(_asin(size), inner)
+            return self._compose(_asin(size), inner)
         if function == "atan":
-            return self._composed(
+            return self._compose(
                 [Fraction((-1) ** (k // 2), k) if k % 2 else Fraction(0) for k in range(size)], inner
             )
         if function == "ln" and 0 in inner.terms and inner.terms[0].rational() == 1:
             rest = Series(self.domain, {k: f for k, f in inner.terms.items() if k}, inner.through)
-            return self._composed(
+            return self._compose(
                 [Fraction(0)] + [Fraction(-((-1) ** k), k) for k in range(1, size)], rest
             )
         raise NoFormError(f"the series of {function}")
 
-    def _normalised(self, series: Series) -> tuple[Form, int, Series]:
+    def _split_leading(self, series: Series) -> tuple[Form, int, Series]:
         """Return (c, k, u) with series = c e^k (1 + u) and u of order 1 or higher."""
-        first = series.settled()
+        first = series.without_zeros()
         if not first.terms:
             raise NoFormError("a series with no leading term")
         start = first.start
@@ -206,21 +209,21 @@ class Expansion:
 
     def reciprocal(self, series: Series) -> Series:
         """Return 1/series."""
-        leading, start, rest = self._normalised(series)
+        leading, start, rest = self._split_leading(series)
         one = Form.number(self.domain, 1)
         signs = [Fraction((-1) ** k) for k in range(self.limit + 2 + 4 * SLACK)]
-        return self._composed(signs, rest).scaled(one.over(leading)).shifted(-start)
+        return self._compose(signs, rest).scaled(one.over(leading)).shifted(-start)
 
     def root(self, series: Series) -> Series:
         """Return the positive square root: the binomial series with exponent 1/2."""
-        leading, start, rest = self._normalised(series)
+        leading, start, rest = self._split_leading(series)
         if start % 2:
             raise NoFormError("a root with half powers")
         coefficients, value = [Fraction(1)], Fraction(1)
         for k in range(1, self.limit + 2):
             value *= (Fraction(1, 2) - (k - 1)) / k
             coefficients.append(value)
-        return self._composed(coefficients, rest).scaled(root(leading)).shifted(start // 2)
+        return self._compose(coefficients, rest).scaled(root(leading)).shifted(start // 2)
 
 
 def _whole(exponent: Fraction | int) -> int:

@@ -1,4 +1,4 @@
-"""Forms in numbers: witnesses of a difference, at random exact points and with many digits."""
+"""Numerical values of normal forms at random exact points: witnesses that two formulas differ."""
 
 from __future__ import annotations
 
@@ -12,35 +12,36 @@ from symbalance.notes.algebra.forms import Form
 from symbalance.text.reals import own_context
 
 DIGITS = 40
+"""Of every value. Half of them decide: what differs beyond 20 digits differs, less is rounding."""
 Point = dict[str, Fraction]
 
 _RANGES = {"lambda": (300, 500), "rho": (15, 40), "theta": (10, 620), "phi": (10, 150), "beta": (5, 40)}
 
 
 def context() -> Any:
-    """Return this thread's own mpmath context: nobody else's precision counts, nor ours for others."""
+    """Return this thread's own mpmath context: the precision of others does not count, nor changes."""
     return own_context(DIGITS)
 
 
 def letters(form: Form) -> list[str]:
     """Return the letters a form depends on, those inside roots, angles and functions included."""
-    found: dict[str, None] = {}
-    _collect(form.domain, form.numerator, found)
-    _collect(form.domain, form.denominator, found)
-    return [name for name in found if name not in ("pi", "e")]
+    names: dict[str, None] = {}
+    _collect(form.domain, form.numerator, names)
+    _collect(form.domain, form.denominator, names)
+    return [name for name in names if name not in ("pi", "e")]
 
 
-def _collect(domain: Domain, polynomial: Polynomial, found: dict[str, None]) -> None:
+def _collect(domain: Domain, polynomial: Polynomial, names: dict[str, None]) -> None:
     for number in sorted({g for monomial in polynomial for g, _ in monomial}):
         generator = domain.generators[number]
         if generator.kind == "symbol":
-            found[generator.content] = None
+            names[generator.content] = None
         elif generator.kind in ("exponential", "growth"):
-            _collect(domain, {generator.content: Fraction(1)}, found)
+            _collect(domain, {generator.content: Fraction(1)}, names)
         elif generator.kind == "radical":
-            _collect(domain, generator.content, found)
+            _collect(domain, generator.content, names)
         elif generator.kind == "opaque":
-            found |= dict.fromkeys(letters(generator.content[1]))
+            names |= dict.fromkeys(letters(generator.content[1]))
 
 
 def random_point(names: list[str], domain: Domain, seed: int) -> Point:
@@ -53,9 +54,9 @@ def random_point(names: list[str], domain: Domain, seed: int) -> Point:
             continue
         low, high = domain.ranges.get(name) or _RANGES.get(name, (50, 300))
         value = Fraction(chance.randint(low, high), 100)
-        signed = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
-        assumed = f"{name} ≥ 0" in domain.assumptions
-        point[name] = -value if signed and not assumed else value
+        may_be_negative = name not in domain.positive and name not in _RANGES and chance.random() < 0.3
+        is_positive = f"{name} ≥ 0" in domain.assumptions
+        point[name] = -value if may_be_negative and not is_positive else value
     return point
 
 
@@ -65,13 +66,13 @@ def value(form: Form, point: Mapping[str, Fraction]) -> Any:
 
 
 class Valuation:
-    """The values of forms at one point, each generator found once."""
+    """The values of forms at one point, each generator evaluated once."""
 
     def __init__(self, domain: Domain, point: Mapping[str, Fraction]) -> None:
         self.domain, self.point, self.mp = domain, point, context()
         self._powers: dict[tuple[int, int | Fraction], Any] = {}
         self._values: dict[int, Any] = {}
-        self._checked = 0
+        self._check_count = 0
 
     def of(self, form: Form) -> Any:
         """Return the value of a form."""
@@ -82,12 +83,12 @@ class Valuation:
         return self.polynomial(form.numerator) / below
 
     def _check_assumptions(self) -> None:
-        waiting = self.domain.positive_polynomials[self._checked :]
-        self._checked += len(waiting)
-        for polynomial in waiting:
-            found: dict[str, None] = {}
-            _collect(self.domain, polynomial, found)
-            if found.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
+        polynomials = self.domain.positive_polynomials[self._check_count :]
+        self._check_count += len(polynomials)
+        for polynomial in polynomials:
+            names: dict[str, None] = {}
+            _collect(self.domain, polynomial, names)
+            if names.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
                 raise NoFormError("a denominator under a root is negative at this point")
 
     def polynomial(self, polynomial: Polynomial) -> Any:
@@ -129,6 +130,7 @@ class Valuation:
         return self._values[number]
 
     def _find_base(self, number: int) -> Any:
+        """Return the value of a letter, prime, root or function; out of its range, raise NoFormError."""
         mp, generator = self.mp, self.domain.generators[number]
         if generator.kind == "symbol":
             if generator.content in ("pi", "e"):
@@ -159,14 +161,14 @@ class Valuation:
 def sample(forms: list[Form], tries: int = 24) -> list[tuple[Point, list[Any]]]:
     """Return up to three points where all forms are defined and real, with their values."""
     names = sorted({name for form in forms for name in letters(form)})
-    found = []
+    samples = []
     for seed in range(tries):
         point = random_point(names, forms[0].domain, seed)
         valuation = Valuation(forms[0].domain, point)
         try:
-            found.append((point, [valuation.of(form) for form in forms]))
+            samples.append((point, [valuation.of(form) for form in forms]))
         except (NoFormError, KeyError, ZeroDivisionError, TypeError, OverflowError):
             continue
-        if len(found) == 3:
+        if len(samples) == 3:
             break
-    return found
+    return samples

@@ -1,4 +1,4 @@
-"""Is a polynomial zero? Decided exactly: the generators are independent, the numbers are cyclotomic.
+"""Exact test whether a polynomial is zero, by independent generators and cyclotomic coefficients.
 
 What stands before each product of letters and exponentials is a number made of rationals, turns
 e^(2 pi i x) and square roots of primes. A root of a prime p is a sum of p-th (or 4p-th) roots of unity
@@ -26,7 +26,7 @@ LARGEST_PRODUCT = 5000
 def is_zero(domain: Domain, polynomial: Polynomial) -> bool | None:
     """Return True (proved zero), False (proved not zero as a polynomial) or None (not decided).
 
-    False is a statement on the polynomial: opaque functions may still satisfy a relation nobody told us.
+    False is a statement on the polynomial: opaque functions may still obey a relation not known here.
     """
     if not polynomial:
         return True
@@ -65,6 +65,7 @@ def _is_clearly_not_zero(domain: Domain, terms: list[tuple[Monomial, Fraction]])
     except OverflowError:
         return False
     size = sum(abs(part) for part in parts)
+    # Floats carry 16 digits and sums here have at most thousands of terms: 1e-9 is no rounding.
     return isfinite(size) and abs(sum(parts)) > 1e-9 * size
 
 

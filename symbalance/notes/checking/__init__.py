@@ -1,7 +1,19 @@
-"""Hand derivations, checked line by line: verdicts, claims, diagnosis and reports."""
+"""The checker of hand derivations: a verdict, a witness and a correction for every relation.
 
-from symbalance.notes.checking.declaring import sidecar_draft as sidecar_draft
+In: a document, a sidecar that says what its letters mean, and somebody who knows engines. Out: `Checked`.
+
+    sidecar, symbol_roles, symbols  what is declared: letters, their roles and what they stand for
+    engines, geometry, quantities   what lines may be bound to: engines' forces, a slider-crank's motion
+    verdicts, descriptions          what is said of a relation
+    constraints, definitions        relations that state something, and letters defined on the way
+    deciding, assertions, judging   is a relation true, is a line what it is bound to, all in order
+    repair                          the smallest change that makes a refuted line true
+    documents, sympy_expressions    `check` of a document, `check_equal` of two SymPy expressions
+    report_document, report_data    the report for readers and for programs
+"""
+
 from symbalance.notes.checking.documents import check as check
-from symbalance.notes.checking.expressions import check_equal as check_equal
+from symbalance.notes.checking.documents import sidecar_draft as sidecar_draft
+from symbalance.notes.checking.sympy_expressions import check_equal as check_equal
 from symbalance.notes.checking.verdicts import Checked as Checked
 from symbalance.notes.checking.verdicts import Verdict as Verdict

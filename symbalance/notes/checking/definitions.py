@@ -1,4 +1,4 @@
-"""What a document has defined so far: letters with their values, each as far as its scope reaches."""
+"""Letters that a document has defined so far, with their values, each as far as its scope reaches."""
 
 from __future__ import annotations
 
@@ -7,19 +7,20 @@ from dataclasses import dataclass, field
 from symbalance.document.formula import Formula, Name, names
 from symbalance.document.text_writer import formula_text
 from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
-from symbalance.notes.algebra.evaluation import Evaluator, Meaning
-from symbalance.notes.algebra.numbers import rational_node
-from symbalance.notes.algebra.trees import letters_behind, sample_trees
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.number_formulas import rational_node
+from symbalance.notes.algebra.tree_values import letters_behind, sample_trees
 from symbalance.notes.algebra.values import letters
+from symbalance.notes.checking.constraints import letter_counts, solve_for
+from symbalance.notes.checking.deciding.equality import Decision, without_dots
 from symbalance.notes.checking.deciding.knowledge import Definition, Knowledge
-from symbalance.notes.checking.deciding.relations import judged
-from symbalance.notes.checking.deciding.steps import Answer, without_dots
-from symbalance.notes.checking.premises import counts, undone
+from symbalance.notes.checking.deciding.relations import decide
 from symbalance.notes.checking.sidecar import Declarations
 from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain, Side
 
 NEARLY = 0.1
+"""Relative difference: a second value closer to the first is a slip, not a new case."""
 
 
 @dataclass
@@ -27,75 +28,79 @@ class Definitions:
     """The letters a document has given values, and those it has used at all."""
 
     declarations: Declarations
-    known: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
-    seen: set[str] = field(default_factory=set)
+    values: dict[str, tuple[Definition, tuple[int, ...]]] = field(default_factory=dict)
+    letters_in_use: set[str] = field(default_factory=set)
     conditions: dict[int, frozenset[str]] = field(default_factory=dict)
     """Lines that set two known quantities equal, with the letters these come down to."""
 
     def at(self, line: int) -> dict[str, Definition]:
         """Return the definitions that reach a line, of the letters as declared there."""
-        here, owner = set(self.declarations.scope_at(line)), self.declarations.owner
+        scopes_here, owner = set(self.declarations.scope_at(line)), self.declarations.owner
         return {
             name: definition
-            for name, (definition, scopes) in self.known.items()
-            if set(scopes) <= here and owner(name, definition.line) == owner(name, line)
+            for name, (definition, scopes) in self.values.items()
+            if set(scopes) <= scopes_here and owner(name, definition.line) == owner(name, line)
         }
 
-    def learn(self, name: str, node: Formula, line: int) -> None:
-        """Keep a letter's value from here on."""
+    def define(self, name: str, node: Formula, line: int) -> None:
+        """Define a letter's value from here on."""
         scopes = self.declarations.scope_at(line)
-        self.known[name] = (Definition(node, line, not names(node)), scopes)
+        self.values[name] = (Definition(node, line, not names(node)), scopes)
 
     def use(self, chain: Chain) -> None:
         """Note the letters of a chain."""
-        self.seen |= {name for side in chain.sides for name in names(side.node)}
+        self.letters_in_use |= {name for side in chain.sides for name in names(side.node)}
 
-    def condition_behind(self, answer: Answer, line: int) -> int | None:
+    def condition_behind(self, decision: Decision, line: int) -> int | None:
         """Return the line of a condition that a refuted relation may rest on: it shares two letters."""
-        if answer.left is None or answer.right is None:
+        if decision.left is None or decision.right is None:
             return None
-        mine = {*letters(answer.left), *letters(answer.right)}
-        found = [n for n, others in self.conditions.items() if n < line and len(mine & others) > 1]
-        return found[-1] if found else None
+        own_letters = {*letters(decision.left), *letters(decision.right)}
+        lines = [
+            n
+            for n, condition_letters in self.conditions.items()
+            if n < line and len(own_letters & condition_letters) > 1
+        ]
+        return lines[-1] if lines else None
 
-    def stated(self, chain: Chain, k: int, knowledge: Knowledge) -> Answer | None:
-        """Return the answer for a relation that gives a letter its value, after learning it."""
-        found = self._letter(chain, k)
-        if found is None or knowledge.assumes(found[0]):
+    def define_by(self, chain: Chain, k: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a relation that gives a letter its value, after defining it."""
+        pair = self._letter_defined(chain, k)
+        if pair is None or knowledge.assumes(pair[0]):
             return None
-        name, value = found
+        name, value = pair
         line = chain.lines[0]
         if name in knowledge.meaning.values:
-            return self._size(name, value, line, knowledge)
+            return self._define_size(name, value, line, knowledge)
         if knowledge.measures(name) and name in _letters_of(value, knowledge):
             return None  # λ = 2l/r: it says something of the geometry, and may be wrong
         if name in knowledge.definitions:
-            return self._again(name, value, chain.relations[k].sign, line, knowledge)
-        self.learn(name, without_dots(value)[0], line)
-        return Answer(DEFINITION)
+            return self._redefine(name, value, chain.relations[k].sign, line, knowledge)
+        self.define(name, without_dots(value)[0], line)
+        return Decision(DEFINITION)
 
-    def _again(
+    def _redefine(
         self, name: str, value: Formula, sign: str, line: int, knowledge: Knowledge
-    ) -> Answer | None:
-        """Return the answer for another value of a defined letter: a new case, a condition, or None."""
+    ) -> Decision | None:
+        """Return the decision on another value of a defined letter: a new case, a condition, or None."""
         earlier = knowledge.definitions[name]
         if not _new_case(earlier, value, sign, knowledge):
             return None
         if isinstance(value, Name) and value.name in knowledge.definitions:
             self.conditions[line] = frozenset(_letters_behind([earlier.node, value], knowledge))
-            return Answer(DEFINITION, "a condition")
-        self.learn(name, without_dots(value)[0], line)
-        return Answer(DEFINITION, f"a new case: line {earlier.line} had another value")
+            return Decision(DEFINITION, "a condition")
+        self.define(name, without_dots(value)[0], line)
+        return Decision(DEFINITION, f"a new case: line {earlier.line} had another value")
 
-    def _size(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> Answer | None:
-        """Return the answer for a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
+    def _define_size(self, name: str, value: Formula, line: int, knowledge: Knowledge) -> Decision | None:
+        """Return the decision on a size that is fixed by itself, such as l = 4r: a case, λ = 4."""
         if knowledge.crank is None or knowledge.crank.small is None or name in knowledge.moving:
             return None
-        base = _solved(knowledge.meaning.values[name], value)
+        base = _solve_for_one_letter(knowledge.meaning.values[name], value)
         if base is not None:
-            self.learn(*base, line)
-            return Answer(DEFINITION)
-        small, evaluator = knowledge.crank.small[0], Evaluator(Domain(), knowledge.meaning)
+            self.define(*base, line)
+            return Decision(DEFINITION)
+        small, evaluator = knowledge.crank.small[0], FormEvaluator(Domain(), knowledge.meaning)
         try:
             ratio = evaluator.letter(name).over(evaluator.form(value))
         except (NoFormError, TooLargeError):
@@ -106,27 +111,27 @@ class Definitions:
         if [abs(exponent) for _, exponent in monomial] != [1]:
             return None
         number = 1 / coefficient if monomial[0][1] > 0 else coefficient
-        self.learn(small, rational_node(number), line)
-        return Answer(DEFINITION, f"a case: {formula_text(Name(small), plain=True)} = {number}")
+        self.define(small, rational_node(number), line)
+        return Decision(DEFINITION, f"a case: {formula_text(Name(small), plain=True)} = {number}")
 
-    def _letter(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
+    def _letter_defined(self, chain: Chain, k: int) -> tuple[str, Formula] | None:
         """Return the letter a relation may define, and its value."""
         left, right = chain.sides[k].node, chain.sides[k + 1].node
         if k == 0 and isinstance(left, Name) and left.name not in names(right):
             return left.name, right
-        if isinstance(right, Name) and right.name not in names(left) | self.seen:
+        if isinstance(right, Name) and right.name not in names(left) | self.letters_in_use:
             return right.name, left
         return None
 
 
-def _solved(node: Formula, value: Formula) -> tuple[str, Formula] | None:
+def _solve_for_one_letter(node: Formula, value: Formula) -> tuple[str, Formula] | None:
     """Return the one letter a size is written in, and its value if the size has a number: s = 2r = 87."""
-    found = counts(node)
-    if names(value) or list(found.values()) != [1]:
+    counts = letter_counts(node)
+    if names(value) or list(counts.values()) != [1]:
         return None
-    (letter,) = found
-    solved = undone(node, value, letter)
-    return None if solved is None else (letter, solved)
+    (letter,) = counts
+    solution = solve_for(node, value, letter)
+    return None if solution is None else (letter, solution)
 
 
 def _letters_behind(nodes: list[Formula], knowledge: Knowledge) -> list[str]:
@@ -146,7 +151,7 @@ def _comes_to_a_number(node: Formula, knowledge: Knowledge) -> bool:
 def _letters_of(value: Formula, knowledge: Knowledge) -> list[str]:
     """Return the letters a formula comes down to by the meanings alone."""
     try:
-        return letters(Evaluator(Domain(), knowledge.meaning).form(value))
+        return letters(FormEvaluator(Domain(), knowledge.meaning).form(value))
     except (NoFormError, TooLargeError):
         return []
 
@@ -157,7 +162,7 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     It does between lone letters or numbers (θ = 0, then θ = π/2), unless two numbers nearly agree.
     """
     old = Side((earlier.node,), (0, 0))
-    if sign == "≈" or judged(old, Side((value,), (0, 0)), sign, knowledge).proved:
+    if sign == "≈" or decide(old, Side((value,), (0, 0)), sign, knowledge).is_proved:
         return False
     if names(earlier.node) and names(value):
         return isinstance(value, Name)
@@ -166,5 +171,5 @@ def _new_case(earlier: Definition, value: Formula, sign: str, knowledge: Knowled
     points = sample_trees([earlier.node, value], Meaning(), 1)
     if not points:
         return True
-    one, other = points[0][1]
-    return abs(one - other) > NEARLY * max(abs(one), abs(other))
+    old_value, new_value = points[0][1]
+    return abs(old_value - new_value) > NEARLY * max(abs(old_value), abs(new_value))

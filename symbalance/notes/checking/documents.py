@@ -1,21 +1,36 @@
-"""A document checked as a whole: from a file or a text, with its sidecar or a mapping of letters."""
+"""Checking of a whole document, a file or a text, with the declarations of its letters.
+
+`sidecar_draft` writes the sidecar a document still needs: its undeclared letters, to be given meanings.
+"""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from symbalance.document.formula import Name
+from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, shown
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
-from symbalance.notes.checking.header import without_header
 from symbalance.notes.checking.judging import Judge
-from symbalance.notes.checking.sidecar import Declarations, declared, parse_sidecar, read_sidecar
+from symbalance.notes.checking.sidecar import (
+    Declarations,
+    declarations_in,
+    parse_sidecar,
+    read_sidecar,
+    without_header,
+)
+from symbalance.notes.checking.symbol_roles import KNOWN
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.notes.reading import read_document
 from symbalance.text.files import STANDARD_INPUT, file_name, read_text
 
 SUFFIXES = (".tex", ".md", ".txt", ".text")
+_UNDECLARED = re.compile(r"letter (\S+) is not declared$")
+MOST_ROUNDS = 60
+"""Each round of reading finds the first undeclared letter of every equation."""
 
 
 def check(
@@ -33,8 +48,8 @@ def check(
     the document. `engines` knows the engines that lines are bound to; without it such a line is refused.
 
         >>> from symbalance.notes.checking import check
-        >>> found = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
-        >>> found.verdicts[0].verdict, found.verdicts[0].fix.text
+        >>> checked = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
+        >>> checked.verdicts[0].verdict, checked.verdicts[0].fix.text
         ('refuted', '(1 - cos 2x)/2')
 
     Raises SymbalanceError for a file or a declaration that cannot be used; an equation that cannot be
@@ -42,31 +57,31 @@ def check(
     """
     text, name, folder = text_of(document)
     declarations, text = declarations_of(document, symbols, text, name)
-    found = read_document(text, name, _remembered(declarations))
+    page = read_document(text, name, _letters_by_line(declarations))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
-    return Judge(found, declarations, Sources(engines or NoEngines(), beside)).checked()
+    return Judge(page, declarations, Sources(engines or NoEngines(), beside)).check()
 
 
 def declarations_of(
     document: str | Path, symbols: Mapping[str, Any] | str | Path | None, text: str, name: str
 ) -> tuple[Declarations, str]:
     """Return what is declared about a document, and its text without a header that declared it."""
-    apart = _declarations(symbols, None if name == "text" else Path(document))
+    declarations = _declarations_apart(symbols, None if name == "text" else Path(document))
     body, header = without_header(text, Path(name).suffix)
-    if apart is not None:
-        return apart, text
+    if declarations is not None:
+        return declarations, text
     return (parse_sidecar(header, name), body) if header else (Declarations(), text)
 
 
-def _remembered(declarations: Declarations) -> Any:
+def _letters_by_line(declarations: Declarations) -> Any:
     """Return the letters declared for a line, each set of scopes looked up once."""
-    known: dict[tuple[int, ...], frozenset[str]] = {}
+    cache: dict[tuple[int, ...], frozenset[str]] = {}
 
     def names_at(line: int) -> frozenset[str]:
         key = declarations.scope_at(line)
-        if key not in known:
-            known[key] = frozenset(declarations.symbols_at(line))
-        return known[key]
+        if key not in cache:
+            cache[key] = frozenset(declarations.symbols_at(line))
+        return cache[key]
 
     return names_at
 
@@ -88,12 +103,12 @@ def is_file_name(document: str) -> bool:
     return document == STANDARD_INPUT or document.endswith(SUFFIXES)
 
 
-def _declarations(
+def _declarations_apart(
     symbols: Mapping[str, Any] | str | Path | None, path: Path | None
 ) -> Declarations | None:
     """Return what is declared apart from the document; None where it may have a header of its own."""
     if isinstance(symbols, Mapping):
-        return declared(symbols)
+        return declarations_in(symbols)
     if symbols is not None:
         return read_sidecar(symbols)
     if path is not None:
@@ -108,3 +123,47 @@ def sidecars_beside(path: Path) -> list[Path]:
         return []
     names = (f"{path.stem}.symbols.toml", f"{path.name}.symbols.toml")
     return [beside for name in names if (beside := path.with_name(name)).exists()]
+
+
+# The sidecar a document still needs
+
+
+def sidecar_draft(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> str:
+    """Return a sidecar with an entry for each undeclared letter, and the line it first stands on.
+
+    `symbols` declares some already, as it does for `check`.
+    """
+    letters = undeclared_letters(document, symbols)
+    lines = ["[symbols]"]
+    for name, line in sorted(letters.items(), key=lambda pair: pair[1]):
+        lines.append(f'"{formula_text(Name(name), plain=True)}" = ""{"":12}# line {line}')
+    meanings = "\n".join(f"#   {meaning}" for meaning in KNOWN)
+    return (
+        "\n".join(lines)
+        + f"\n\n# meanings the checker knows; any other text is just a letter:\n{meanings}\n"
+    )
+
+
+def undeclared_letters(
+    document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None
+) -> dict[str, int]:
+    """Return the letters of a document that are not declared, and where each is first missed.
+
+    >>> undeclared_letters("$$E = m c^2$$")
+    {'m': 1, 'c': 1}
+    """
+    text, name, _ = text_of(document)
+    declarations, text = declarations_of(document, symbols, text, name)
+    letters: dict[str, int] = {}
+
+    def names_at(line: int) -> set[str]:
+        return {*declarations.symbols_at(line), *letters}
+
+    for _ in range(MOST_ROUNDS):
+        page = read_document(text, name, names_at)
+        missing = [(_UNDECLARED.search(u.what), u.line) for u in page.unreadable]
+        new_letters = {m[1]: line for m, line in reversed(missing) if m and m[1] not in letters}
+        if not new_letters:
+            break
+        letters.update(new_letters)
+    return letters

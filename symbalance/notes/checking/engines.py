@@ -1,7 +1,7 @@
-"""What the checker has to be told about engines, and by whom: it knows none of them by itself.
+"""What the checker needs to know of engines, as protocols that its caller implements.
 
-A caller hands in `Engines`; the rest of the room sees no more of an engine than the protocols here say.
-So the room could be a library of its own, for derivations of another field.
+Of itself the checker knows no engine. A caller hands in `Engines`, and the rest of the room sees no more
+of an engine than these protocols: it could be a library of its own, for derivations of another field.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ class KnownEngine(Protocol):
 
 
 class Engines(Protocol):
-    """Who knows about engines: their layouts by name, and the harmonics of one cylinder."""
+    """Knowledge of engines: by name, and of one cylinder's harmonics."""
 
     def engine(self, name: str, folder: Path) -> KnownEngine:
         """Return an engine by its name, or by its file in `folder`; refuse an unknown one."""
@@ -84,7 +84,7 @@ class Engines(Protocol):
 
 
 class NoEngines:
-    """Stands where nobody handed in what is known of engines: refuses every question."""
+    """No knowledge of engines: refuses every question."""
 
     def engine(self, name: str, folder: Path) -> KnownEngine:
         """Refuse."""
@@ -106,7 +106,7 @@ class NoEngines:
 
 @dataclass(frozen=True)
 class Sources:
-    """Where a document's claims are looked up: who knows engines, and the folder their files are in."""
+    """Where a document's engines are looked up: what knows them, and the folder their files are in."""
 
     engines: Engines = field(default_factory=NoEngines)
     folder: Path = Path()

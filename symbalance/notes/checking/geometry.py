@@ -1,6 +1,7 @@
-"""The slider-crank in a document's own letters: one letter of each kind is the base the others are in.
+"""The slider-crank's motion as formulas in a document's own letters.
 
-A document in s and λ = l/s is judged, and corrected, in s and λ.
+One letter of each kind is the base that the others are written in: a document in s and λ = l/s is
+judged, and corrected, in s and λ.
 
     x = r (1 - cos θ) + l (1 - √(1 - (r/l)² sin² θ))     from top dead centre
     v = dx/dt,  a = d²x/dt²,  dθ/dt = ω,  F = m a        F away from the crank
@@ -24,7 +25,7 @@ from symbalance.document.formula import (
     Quotient,
     Sum,
 )
-from symbalance.notes.checking.meanings import by_meaning
+from symbalance.notes.checking.symbol_roles import letters_by_role
 
 
 def two() -> Number:
@@ -102,7 +103,7 @@ class Geometry:
 
 def geometry(symbols: Mapping[str, str], convention: str = "") -> Geometry:
     """Return the slider-crank in the letters of a document; `convention` says what its λ or ρ means."""
-    letters = by_meaning(symbols)
+    letters = letters_by_role(symbols)
 
     def first(*meanings: str) -> Formula | None:
         return next((Name(letters[m][0]) for m in meanings if m in letters), None)
@@ -132,16 +133,16 @@ def _length(
     letters: dict[str, list[str]], radius: Formula, convention: str
 ) -> tuple[Formula, tuple[str, int] | None]:
     """Return l in the document's letters, and the letter that is small or large."""
-    stated = {"l/r": "rod ratio l/r", "l/s": "rod ratio l/s", "r/l": "crank ratio r/l"}
-    if convention and not any(m in letters for m in stated.values()):
+    ratio_meanings = {"l/r": "rod ratio l/r", "l/s": "rod ratio l/s", "r/l": "crank ratio r/l"}
+    if convention and not any(m in letters for m in ratio_meanings.values()):
         name = "rho" if convention == "r/l" else "lambda"
-        return _length_from(stated[convention], name, radius)
-    for meaning in stated.values():
-        if meaning in letters and (not convention or stated[convention] == meaning):
+        return _length_from(ratio_meanings[convention], name, radius)
+    for meaning in ratio_meanings.values():
+        if meaning in letters and (not convention or ratio_meanings[convention] == meaning):
             return _length_from(meaning, letters[meaning][0], radius)
     if convention:
-        names = [n for m in stated.values() for n in letters.get(m, [])]
-        return _length_from(stated[convention], names[0], radius)
+        names = [n for m in ratio_meanings.values() for n in letters.get(m, [])]
+        return _length_from(ratio_meanings[convention], names[0], radius)
     name = letters.get("rod length", ["l"])[0]
     return Name(name), (name, -1)
 

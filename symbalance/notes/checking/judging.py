@@ -1,4 +1,4 @@
-"""A document's chains, judged in order: definitions are kept, steps decided, claims compared."""
+"""Judging of a document's equations in order: letters defined, steps decided, assertions compared."""
 
 from __future__ import annotations
 
@@ -8,18 +8,23 @@ from functools import partial
 
 from symbalance.document.formula import Formula, Name, Span
 from symbalance.errors import SymbalanceError
-from symbalance.notes.checking import claims, premises
-from symbalance.notes.checking.deciding.cases import numbers_put_in, states_a_case, with_ratio_put_in
-from symbalance.notes.checking.deciding.knowledge import Given, Knowledge
-from symbalance.notes.checking.deciding.relations import judged, ordering
-from symbalance.notes.checking.deciding.steps import Answer
+from symbalance.notes.checking import assertions, constraints
+from symbalance.notes.checking.deciding.cases import decide_numeric_case, decide_with_ratio, states_a_case
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Assumption, Knowledge
+from symbalance.notes.checking.deciding.relations import decide, decide_inequality
 from symbalance.notes.checking.definitions import Definitions
-from symbalance.notes.checking.describing import described, unjudged, unreadable, with_fault
+from symbalance.notes.checking.descriptions import (
+    describe,
+    undecided_by_fault,
+    unreadable_verdict,
+    with_fault,
+)
 from symbalance.notes.checking.engines import Sources
-from symbalance.notes.checking.letters import meaning_of
-from symbalance.notes.checking.meanings import MOVING, by_meaning
-from symbalance.notes.checking.repair.mending import mended, repaired
-from symbalance.notes.checking.sidecar import Bind, Declarations
+from symbalance.notes.checking.repair.fixes import add_fix, is_proved_as_far
+from symbalance.notes.checking.sidecar import Binding, Declarations
+from symbalance.notes.checking.symbol_roles import MOVING, letters_by_role
+from symbalance.notes.checking.symbols import meaning_of
 from symbalance.notes.checking.verdicts import DEFINITION, REFUTED, UNDECIDED, Checked, Verdict
 from symbalance.notes.reading import ReadingError, read_equation
 from symbalance.notes.reading.equations import Chain, Document, Side
@@ -39,127 +44,139 @@ UNIVERSAL = (
 
 @dataclass
 class Judge:
-    """Judges one document; what it has learnt so far is its state."""
+    """Judges one document; the letters defined so far are its state."""
 
     document: Document
     declarations: Declarations
     sources: Sources = field(default_factory=Sources)
 
     def __post_init__(self) -> None:
-        self.learnt = Definitions(self.declarations)
+        self.definitions = Definitions(self.declarations)
 
-    def checked(self) -> Checked:
+    def check(self) -> Checked:
         """Return the document with its verdicts."""
-        binds = claims.by_line(self.declarations.binds)
-        found: list[Verdict] = [unreadable(self.document, u) for u in self.document.unreadable]
+        bindings = assertions.by_line(self.declarations.bindings)
+        verdicts: list[Verdict] = [unreadable_verdict(self.document, u) for u in self.document.unreadable]
         for chain in sorted(self.document.chains, key=lambda c: (c.lines[0], not states_a_case(c))):
-            own = [b for line in chain.lines for b in binds.pop(line, [])]
-            found += self.chain(chain, own)
-        for bind in (b for rest in binds.values() for b in rest):
-            if not claims.name_unread(found, self.document, bind):
-                unfound = partial(claims.unfound, self.document, bind)
-                found.append(self.guarded(unfound, (0, 0), bind.line))
-        for bind in self.declarations.binds:
-            if bind.text:
-                found.append(self.guarded(partial(self.piece, bind), (0, 0), bind.line))
-        return Checked(self.document, tuple(numbered(found)))
+            chain_binds = [b for line in chain.lines for b in bindings.pop(line, [])]
+            verdicts += self.chain(chain, chain_binds)
+        for binding in (b for rest in bindings.values() for b in rest):
+            if not assertions.name_unreadable(verdicts, self.document, binding):
+                missing_equation = partial(assertions.missing_equation, self.document, binding)
+                verdicts.append(self.guard(missing_equation, (0, 0), binding.line))
+        for binding in self.declarations.bindings:
+            if binding.text:
+                verdicts.append(self.guard(partial(self.piece, binding), (0, 0), binding.line))
+        return Checked(self.document, tuple(number_verdicts(verdicts)))
 
-    def guarded(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
-        """Return a verdict; a fault of ours leaves its relation undecided, and the report whole."""
+    def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
+        """Return a verdict; a fault of the checker leaves its relation undecided, the report whole."""
         try:
             return verdict()
         except SymbalanceError:
             raise  # a declaration that cannot be used
         except Exception as problem:
-            return unjudged(self.document, span, line or self.document.line_of(span[0]), problem)
+            return undecided_by_fault(
+                self.document, span, line or self.document.line_of(span[0]), problem
+            )
 
-    def piece(self, bind: Bind) -> Verdict:
+    def piece(self, binding: Binding) -> Verdict:
         """Return the verdict on a piece of a line that is bound to a quantity."""
-        span = claims.span_of(self.document, bind)
-        return self.guarded(partial(self._piece, bind), span, bind.line)
+        span = assertions.span_of(self.document, binding)
+        return self.guard(partial(self._piece, binding), span, binding.line)
 
-    def _piece(self, bind: Bind) -> Verdict:
-        known = self.knowledge(bind.line, bind.convention)
-        names_here = frozenset(self.declarations.symbols_at(bind.line))
-        return claims.piece(self.document, bind, known, names_here, self.sources)
+    def _piece(self, binding: Binding) -> Verdict:
+        knowledge = self.knowledge(binding.line, binding.convention)
+        names_here = frozenset(self.declarations.symbols_at(binding.line))
+        return assertions.piece_verdict(self.document, binding, knowledge, names_here, self.sources)
 
     def knowledge(self, line: int, convention: str = "") -> Knowledge:
         """Return what is known at a line."""
         symbols = self.declarations.symbols_at(line)
         meaning, crank = meaning_of(symbols, convention, self.sources.engines)
-        kept = self.learnt.at(line)
-        letters = by_meaning(symbols)
+        definitions = self.definitions.at(line)
+        letters = letters_by_role(symbols)
         universal = frozenset(n for m in UNIVERSAL for n in letters.get(m, ()))
         moving = frozenset(n for m in MOVING for n in letters.get(m, ()))
         angles = frozenset(n for m in ANGLES for n in letters.get(m, ()))
-        declared = frozenset(symbols)
+        letters_declared = frozenset(symbols)
         return Knowledge(
-            meaning, crank, kept, self.given(line, declared), declared, moving, angles, universal
+            meaning,
+            crank,
+            definitions,
+            self.assumptions(line, letters_declared),
+            letters_declared,
+            moving,
+            angles,
+            universal,
         )
 
-    def given(self, line: int, known: frozenset[str]) -> tuple[Given, ...]:
+    def assumptions(self, line: int, letters: frozenset[str]) -> tuple[Assumption, ...]:
         """Return the assumptions at a line, each solved for a letter."""
         return tuple(
-            read_given(text, known, self.declarations.place) for text in self.declarations.given_at(line)
+            read_assumption(text, letters, self.declarations.place)
+            for text in self.declarations.assumptions_at(line)
         )
 
-    def chain(self, chain: Chain, binds: list[Bind]) -> list[Verdict]:
-        """Return the verdicts on a chain's relations, in order; none is lost by a fault of ours."""
-        found: list[Verdict] = []
+    def chain(self, chain: Chain, bindings: list[Binding]) -> list[Verdict]:
+        """Return the verdicts on a chain's relations in order; none is lost by a fault of the checker."""
+        verdicts: list[Verdict] = []
         try:
-            self._judge(chain, binds, found)
+            self._judge(chain, bindings, verdicts)
         except SymbalanceError:
             raise  # a declaration that cannot be used
         except Exception as problem:
-            return with_fault(self.document, chain, found, problem)
-        return found
+            return with_fault(self.document, chain, verdicts, problem)
+        return verdicts
 
-    def _judge(self, chain: Chain, binds: list[Bind], found: list[Verdict]) -> None:
-        """Add the verdicts on a chain's relations, and learn its letters."""
+    def _judge(self, chain: Chain, bindings: list[Binding], verdicts: list[Verdict]) -> None:
+        """Add the verdicts on a chain's relations, and define its letters."""
         sound, bad = 0, False
-        bound = self._bound(chain, binds)
+        bound = self._bound(chain, bindings)
         if not chain.relations:
-            found += [self.claim(chain, 0, b, None) for b in bound.values()]
+            verdicts += [self.assertion(chain, 0, b, None) for b in bound.values()]
             return
         for k, relation in enumerate(chain.relations):
             if k == 0 and 0 in bound:
-                found.append(self.claim(chain, 0, bound[0], None))
+                verdicts.append(self.assertion(chain, 0, bound[0], None))
             span = chain.sides[k + 1].span
-            verdict = self.guarded(partial(self.link, chain, k, sound, bad), span, relation.line)
+            verdict = self.guard(partial(self.link, chain, k, sound, bad), span, relation.line)
             if k + 1 in bound:
-                excused = bad or isinstance(chain.sides[k].node, Name)
-                verdict = self.claim(chain, k + 1, bound[k + 1], verdict, excused)
-            found.append(verdict)
+                is_excused = bad or isinstance(chain.sides[k].node, Name)
+                verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
+            verdicts.append(verdict)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
-        self.learnt.use(chain)
+        self.definitions.use(chain)
 
-    def _bound(self, chain: Chain, binds: list[Bind]) -> dict[int, Bind]:
-        """Return what each side is bound to; two claims for one are refused, as one would go unjudged."""
-        bound: dict[int, Bind] = {}
-        for bind in (b for b in binds if not b.text):
-            other = bound.setdefault(claims.side_of(self.document, chain, bind), bind)
-            if other is not bind:
-                rule = f"is bound twice, as {other.title} and as {bind.title}"
+    def _bound(self, chain: Chain, bindings: list[Binding]) -> dict[int, Binding]:
+        """Return what each side is bound to; two bindings of one are refused: one would go unjudged."""
+        bound: dict[int, Binding] = {}
+        for binding in (b for b in bindings if not b.text):
+            earlier = bound.setdefault(assertions.side_of(self.document, chain, binding), binding)
+            if earlier is not binding:
+                rule = f"is bound twice, as {earlier.title} and as {binding.title}"
                 remedy = "keep one, or bind a piece of the line with text"
-                raise SymbalanceError(f"line = {bind.line}", rule, remedy, f"{bind.place}: bind")
+                raise SymbalanceError(f"line = {binding.line}", rule, remedy, f"{binding.place}: bind")
         return bound
 
-    def claim(
-        self, chain: Chain, index: int, bind: Bind, step: Verdict | None, excused: bool = False
+    def assertion(
+        self, chain: Chain, index: int, binding: Binding, step: Verdict | None, is_excused: bool = False
     ) -> Verdict:
         """Return the verdict on a side that is bound to a quantity; `step` is that of its relation.
 
-        `excused` tells that the side before is known to be wrong, or only a name.
+        `is_excused` tells that the side before is known to be wrong, or only a name.
         """
 
         def verdict() -> Verdict:
-            known = self.knowledge(chain.lines[0], bind.convention)
-            return claims.side(self.document, chain, index, bind, known, self.sources, step, excused)
+            knowledge = self.knowledge(chain.lines[0], binding.convention)
+            return assertions.side_verdict(
+                self.document, chain, index, binding, knowledge, self.sources, step, is_excused
+            )
 
         line = chain.relations[index - 1].line if index else 0
-        return self.guarded(verdict, chain.sides[index].span, line)
+        return self.guard(verdict, chain.sides[index].span, line)
 
     def link(self, chain: Chain, k: int, sound: int, bad: bool) -> Verdict:
         """Return the verdict on the k-th relation of a chain."""
@@ -167,57 +184,61 @@ class Judge:
         relation = chain.relations[k]
         left, right = chain.sides[k], chain.sides[k + 1]
         if relation.sign in ("<", ">", "≤", "≥", "≠"):
-            return described(self.document, chain, k, ordering(chain, k, knowledge))
-        defined = self.learnt.stated(chain, k, knowledge)
-        if defined is not None:
-            return described(self.document, chain, k, defined)
-        answer, against = judged(left, right, relation.sign, knowledge), left
-        if bad and not answer.proved:
-            other = judged(chain.sides[sound], right, relation.sign, knowledge)
-            if other.proved or answer.status == REFUTED:
-                answer, against = other, chain.sides[sound]
+            return describe(self.document, chain, k, decide_inequality(chain, k, knowledge))
+        definition = self.definitions.define_by(chain, k, knowledge)
+        if definition is not None:
+            return describe(self.document, chain, k, definition)
+        decision, against = decide(left, right, relation.sign, knowledge), left
+        if bad and not decision.is_proved:
+            from_sound = decide(chain.sides[sound], right, relation.sign, knowledge)
+            if from_sound.is_proved or decision.status == REFUTED:
+                decision, against = from_sound, chain.sides[sound]
         elif bad:
-            answer = replace(answer, reason=FOLLOWS)
+            decision = replace(decision, reason=FOLLOWS)
         head = chain.sides[0].node
-        valued = k and isinstance(head, Name) and head.name in knowledge.meaning.values
-        if valued and (relation.sign == "≈" or not answer.proved):
-            answer, against = judged(chain.sides[0], right, "≈", knowledge), chain.sides[0]
-        if answer.status in (REFUTED, UNDECIDED):
-            stated = premises.stated(chain, k, self.learnt.seen, knowledge)
-            if stated is not None:
-                self.learnt.learn(stated.name, stated.node, chain.lines[0])
-                reason = f"read as what fixes {stated.name}"
-                return described(self.document, chain, k, Answer(DEFINITION, reason))
-        if answer.status == REFUTED:
-            case = numbers_put_in(chain, k, answer, knowledge)
-            answer = case or with_ratio_put_in(against.node, right.node, knowledge) or answer
-        condition = self.learnt.condition_behind(answer, chain.lines[0])
-        if answer.status == REFUTED and condition is not None:
+        has_value = k and isinstance(head, Name) and head.name in knowledge.meaning.values
+        if has_value and (relation.sign == "≈" or not decision.is_proved):
+            decision, against = decide(chain.sides[0], right, "≈", knowledge), chain.sides[0]
+        if decision.status in (REFUTED, UNDECIDED):
+            constraint = constraints.constraint_of(chain, k, self.definitions.letters_in_use, knowledge)
+            if constraint is not None:
+                self.definitions.define(constraint.name, constraint.node, chain.lines[0])
+                reason = f"read as what fixes {constraint.name}"
+                return describe(self.document, chain, k, Decision(DEFINITION, reason))
+        if decision.status == REFUTED:
+            case = decide_numeric_case(chain, k, decision, knowledge)
+            decision = case or decide_with_ratio(against.node, right.node, knowledge) or decision
+        condition = self.definitions.condition_behind(decision, chain.lines[0])
+        if decision.status == REFUTED and condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
-            answer = replace(answer, status=UNDECIDED, reason=reason)
-        return self.mended(
-            described(self.document, chain, k, answer), chain, k, against, answer, knowledge
+            decision = replace(decision, status=UNDECIDED, reason=reason)
+        return self.add_fix(
+            describe(self.document, chain, k, decision), chain, k, against, decision, knowledge
         )
 
-    def mended(
-        self, verdict: Verdict, chain: Chain, k: int, left: Side, answer: Answer, knowledge: Knowledge
+    def add_fix(
+        self, verdict: Verdict, chain: Chain, k: int, left: Side, decision: Decision, knowledge: Knowledge
     ) -> Verdict:
         """Return the verdict with the change that would make its relation true, on either side."""
         right, sign = chain.sides[k + 1], chain.relations[k].sign
         as_written = "≈" if left is not chain.sides[k] else sign
 
         def proves_right(node: Formula) -> bool:
-            return repaired(judged(left, Side((node,), right.span), as_written, knowledge), answer)
+            return is_proved_as_far(
+                decide(left, Side((node,), right.span), as_written, knowledge), decision
+            )
 
         def proves_left(node: Formula) -> bool:
-            return repaired(judged(Side((node,), left.span), right, as_written, knowledge), answer)
+            return is_proved_as_far(
+                decide(Side((node,), left.span), right, as_written, knowledge), decision
+            )
 
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
-        return mended(verdict, self.document, right, answer, knowledge, proves_right, other)
+        return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
 
 
-def numbered(verdicts: list[Verdict]) -> Iterator[Verdict]:
+def number_verdicts(verdicts: list[Verdict]) -> Iterator[Verdict]:
     """Yield the verdicts in the order of the text; `link` counts those on one line."""
     count, line = 0, 0
     for verdict in sorted(verdicts, key=lambda v: (v.line, bool(v.piece), v.span, v.link)):
@@ -226,16 +247,16 @@ def numbered(verdicts: list[Verdict]) -> Iterator[Verdict]:
         yield replace(verdict, link=count)
 
 
-def read_given(text: str, known: frozenset[str], place: str) -> Given:
+def read_assumption(text: str, letters: frozenset[str], place: str) -> Assumption:
     """Return an assumption of the sidecar, solved for a letter."""
     try:
-        chain = read_equation(text, known)
+        chain = read_equation(text, letters)
     except ReadingError as problem:
         raise SymbalanceError(f"given = {text}", problem.what, problem.remedy, place) from None
     if len(chain.sides) == 2 and chain.relations[0].sign == "=":
-        solved = premises.solved(chain.sides[0].node, chain.sides[1].node)
-        if solved is not None:
-            return Given(text, *solved)
+        solution = constraints.solve(chain.sides[0].node, chain.sides[1].node)
+        if solution is not None:
+            return Assumption(text, *solution)
     raise SymbalanceError(
         f"given = {text}", "must be an equality that fixes a letter", 'write "α = π/6"', place
     )

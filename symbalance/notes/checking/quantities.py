@@ -1,4 +1,4 @@
-"""The quantities a line can be bound to, as formulas in the document's own letters.
+"""Quantities a line can be bound to, as formulas in the document's own letters.
 
 One cylinder: displacement, position, velocity, acceleration, force. An engine: force and couple of an
 order, of the whole engine, of one bank or of one cylinder. The sum over cylinders of
@@ -23,11 +23,11 @@ from symbalance.document.formula import (
     Sum,
 )
 from symbalance.errors import SymbalanceError
-from symbalance.notes.algebra.numbers import rational_node
+from symbalance.notes.algebra.number_formulas import rational_node
 from symbalance.notes.checking.engines import Engines, KnownCylinder, KnownEngine, Sources
 from symbalance.notes.checking.geometry import Geometry
-from symbalance.notes.checking.letters import far_power, series_node
-from symbalance.notes.checking.sidecar import Bind
+from symbalance.notes.checking.sidecar import Binding
+from symbalance.notes.checking.symbols import far_power, series_node
 
 UNITS = ("", "F", "F_n")
 
@@ -48,100 +48,102 @@ OF_AN_ENGINE = (
 QUANTITIES = (*ONE_CYLINDER, *OF_AN_ENGINE[1:], "coefficient", "harmonic", "value")
 
 
-def quantity(bind: Bind, crank: Geometry, sources: Sources, in_numbers: bool) -> Formula:
+def quantity(binding: Binding, crank: Geometry, sources: Sources, in_numbers: bool) -> Formula:
     """Return what a bound line claims to be; `in_numbers` puts in the engine's own rod ratio."""
-    if bind.quantity not in QUANTITIES:
-        raise _refusal(bind, "quantity", bind.quantity, "known are " + ", ".join(QUANTITIES))
-    if bind.unit not in UNITS:
-        raise _refusal(bind, "unit", bind.unit, 'write "F" (m r ω² = 1) or "F_n" (A_n m r ω² = 1)')
-    if bind.quantity == "value":
-        if not bind.scale:
-            raise _refusal(bind, "scale", "", 'add what the line should be: scale = "L sin α"')
+    if binding.quantity not in QUANTITIES:
+        raise _refusal(binding, "quantity", binding.quantity, "known are " + ", ".join(QUANTITIES))
+    if binding.unit not in UNITS:
+        raise _refusal(binding, "unit", binding.unit, 'write "F" (m r ω² = 1) or "F_n" (A_n m r ω² = 1)')
+    if binding.quantity == "value":
+        if not binding.scale:
+            raise _refusal(binding, "scale", "", 'add what the line should be: scale = "L sin α"')
         return Number(Fraction(1))
-    if bind.engine == "" and bind.quantity in ONE_CYLINDER and bind.order is None:
-        return ONE_CYLINDER[bind.quantity](crank)
-    if bind.order is None:
-        raise _refusal(bind, "order", None, "add order = 2")
-    engine = _engine(bind, sources) if bind.engine else None
-    coefficient = _coefficient(bind, crank, engine, in_numbers, sources.engines)
-    if bind.quantity == "coefficient":
+    if binding.engine == "" and binding.quantity in ONE_CYLINDER and binding.order is None:
+        return ONE_CYLINDER[binding.quantity](crank)
+    if binding.order is None:
+        raise _refusal(binding, "order", None, "add order = 2")
+    engine = _engine(binding, sources) if binding.engine else None
+    coefficient = _coefficient(binding, crank, engine, in_numbers, sources.engines)
+    if binding.quantity == "coefficient":
         return coefficient
     if engine is None:
-        raise _refusal(bind, "engine", "", 'add engine = "v12-60"')
-    parts: list[Formula] = [geometry(bind, engine, crank.theta)]
-    if bind.unit != "F_n":
+        raise _refusal(binding, "engine", "", 'add engine = "v12-60"')
+    parts: list[Formula] = [geometry(binding, engine, crank.theta)]
+    if binding.unit != "F_n":
         parts.append(coefficient)
-    if bind.unit == "":
+    if binding.unit == "":
         parts += [crank.mass, crank.radius, Power(crank.omega, Number(Fraction(2)))]
-        parts += [crank.pitch] if bind.quantity.startswith("couple") and crank.pitch is not None else []
+        parts += (
+            [crank.pitch] if binding.quantity.startswith("couple") and crank.pitch is not None else []
+        )
     return Product(tuple(parts))
 
 
-def _refusal(bind: Bind, key: str, value: object, remedy: str) -> SymbalanceError:
-    return SymbalanceError(f"{key} = {value}", "is not usable here", remedy, f"{bind.place}: bind")
+def _refusal(binding: Binding, key: str, value: object, remedy: str) -> SymbalanceError:
+    return SymbalanceError(f"{key} = {value}", "is not usable here", remedy, f"{binding.place}: bind")
 
 
-def _engine(bind: Bind, sources: Sources) -> KnownEngine:
+def _engine(binding: Binding, sources: Sources) -> KnownEngine:
     try:
-        return sources.engines.engine(bind.engine, sources.folder)
+        return sources.engines.engine(binding.engine, sources.folder)
     except SymbalanceError as problem:
-        raise problem.within(f"{bind.place}: bind") from None
+        raise problem.within(f"{binding.place}: bind") from None
 
 
 def _coefficient(
-    bind: Bind, crank: Geometry, engine: KnownEngine | None, in_numbers: bool, engines: Engines
+    binding: Binding, crank: Geometry, engine: KnownEngine | None, in_numbers: bool, engines: Engines
 ) -> Formula:
     """Return A_n as a series in the document's letter, or its value for the engine's rod ratio."""
-    order = bind.order or 1
+    order = binding.order or 1
     if not engines.coefficient_terms(order, order):
         return Number(Fraction(0))  # no ratio and no power makes an order that no slider-crank has
     if in_numbers:
         if engine is None or engine.ratio is None:
-            raise _refusal(bind, "engine", bind.engine, "name an engine with a rod ratio")
+            raise _refusal(binding, "engine", binding.engine, "name an engine with a rod ratio")
         return Number(engines.coefficient_value(order, engine.ratio))
-    power = bind.power if bind.power is not None else far_power(order)
+    power = binding.power if binding.power is not None else far_power(order)
     return series_node(engines.coefficient_terms(order, power), crank.ratio)
 
 
-def geometry(bind: Bind, engine: KnownEngine, theta: Formula) -> Formula:
+def geometry(binding: Binding, engine: KnownEngine, theta: Formula) -> Formula:
     """Return the sum over the bound cylinders of weight cos n(θ + delay)."""
-    kind, component, function = (*bind.quantity.split("."), "", "")[:3]
-    chosen = [c for c in engine.cylinders if _is_meant(bind, c, engine)]
+    kind, component, function = (*binding.quantity.split("."), "", "")[:3]
+    chosen = [c for c in engine.cylinders if _is_meant(binding, c, engine)]
     if not chosen:
-        raise _refusal(bind, "cylinder", bind.cylinder, "name a cylinder or bank the engine has")
-    if not component and bind.cylinder is None and len({c.bank for c in chosen}) > 1:
-        raise _refusal(bind, "quantity", bind.quantity, f"write {kind}.vertical or {kind}.lateral")
-    order, plane = Number(Fraction(bind.order or 1)), engine.mean_station
+        raise _refusal(binding, "cylinder", binding.cylinder, "name a cylinder or bank the engine has")
+    if not component and binding.cylinder is None and len({c.bank for c in chosen}) > 1:
+        raise _refusal(binding, "quantity", binding.quantity, f"write {kind}.vertical or {kind}.lateral")
+    order, plane = Number(Fraction(binding.order or 1)), engine.mean_station
     wave = Product((order, theta))
     if function:  # the coefficient of cos nθ or sin nθ alone
         wave = Number(Fraction(0)) if function == "cos" else Quotient(Constant("pi"), Number(Fraction(2)))
     terms: list[Formula] = []
     for cylinder in chosen:
         weight = cylinder.station - plane if kind == "couple" else Fraction(1)
-        terms.append(_of_cylinder(cylinder, bind.order or 1, weight, component, wave))
+        terms.append(_of_cylinder(cylinder, binding.order or 1, weight, component, wave))
     return Sum(tuple(terms))
 
 
-def _is_meant(bind: Bind, cylinder: KnownCylinder, engine: KnownEngine) -> bool:
-    if bind.cylinder is not None:
-        return cylinder.number == bind.cylinder
-    if bind.bank is not None:
+def _is_meant(binding: Binding, cylinder: KnownCylinder, engine: KnownEngine) -> bool:
+    if binding.cylinder is not None:
+        return cylinder.number == binding.cylinder
+    if binding.bank is not None:
         banks = list(dict.fromkeys(c.bank for c in engine.cylinders))
-        return 1 <= bind.bank <= len(banks) and cylinder.bank == banks[bind.bank - 1]
+        return 1 <= binding.bank <= len(banks) and cylinder.bank == banks[binding.bank - 1]
     return True
 
 
 def _of_cylinder(
     cylinder: KnownCylinder, order: int, weight: Fraction, component: str, wave: Formula
 ) -> Formula:
-    shifted = Call("cos", Sum((wave, _turned(cylinder.delay.turns * order))))
-    parts: list[Formula] = [rational_node(weight), shifted]
+    wave_of_cylinder = Call("cos", Sum((wave, _angle(cylinder.delay.turns * order))))
+    parts: list[Formula] = [rational_node(weight), wave_of_cylinder]
     if component:
         function = "cos" if component == "vertical" else "sin"
-        parts.append(Call(function, _turned(cylinder.bank.turns)))
+        parts.append(Call(function, _angle(cylinder.bank.turns)))
     return Product(tuple(parts))
 
 
-def _turned(turns: Fraction) -> Formula:
+def _angle(turns: Fraction) -> Formula:
     angle = Product((rational_node(abs(turns) * 2), Constant("pi")))
     return Negative(angle) if turns < 0 else angle

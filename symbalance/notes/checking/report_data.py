@@ -1,4 +1,4 @@
-"""Verdicts for programs: an entry for each relation, and one for each line that only continues it."""
+"""Verdicts as plain data for programs: an entry for each relation and each line that continues one."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ def report_data(checked: Checked) -> dict[str, Any]:
     entries = [entry for v in checked.verdicts for entry in (verdict_data(v), *continuations(v))]
     return {
         "document": checked.derivation.name,
-        "seen": checked.seen,
-        "counts": dict.fromkeys(VERDICTS, 0) | checked.counted(),
+        "seen": checked.relation_count,
+        "counts": dict.fromkeys(VERDICTS, 0) | checked.counts(),
         "links": sorted(entries, key=lambda entry: entry["line"]),
     }
 
@@ -57,10 +57,12 @@ def continuations(verdict: Verdict) -> list[dict[str, Any]]:
     wrong = {f.line for f in verdict.fix.faults} if verdict.fix else set()
     entries = []
     for line in verdict.lines[1:]:
-        here = verdict.verdict
-        if here == REFUTED and wrong and line not in wrong:
-            here = HOLDS
-        entries.append({"line": line, "link": verdict.link, "continues": verdict.line, "verdict": here})
+        verdict_here = verdict.verdict
+        if verdict_here == REFUTED and wrong and line not in wrong:
+            verdict_here = HOLDS
+        entries.append(
+            {"line": line, "link": verdict.link, "continues": verdict.line, "verdict": verdict_here}
+        )
     return entries
 
 

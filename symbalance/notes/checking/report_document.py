@@ -1,4 +1,4 @@
-"""What is written of checked notes: how many relations hold, then each with its verdict and reasons."""
+"""The report on a checked derivation: counts, then each relation with its verdict and reasons."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from symbalance.document.fitting import plain_words
 from symbalance.document.formula import Equation, Formula, Name, walk
 from symbalance.document.nodes import Code, Document, Facts, Inline, Source, SourceLine, Words
 from symbalance.document.text_writer import formula_text
-from symbalance.notes.checking.differences import rounded_number
+from symbalance.notes.checking.descriptions import rounded_number
 from symbalance.notes.checking.verdicts import (
     CONDITIONAL,
     DEFINITION,
@@ -82,28 +82,29 @@ def report_summary(checked: Checked) -> str:
 
 def summary(checked: Checked) -> str:
     """Return the counts of the verdicts in one line."""
-    counts = checked.counted()
-    if not checked.seen:
+    counts = checked.counts()
+    if not checked.relation_count:
         return "No relation was seen: nothing is checked."
-    listed = ", ".join(f"{count} {_TITLES[name].lower()}" for name, count in counts.items())
-    return f"{checked.seen} {'relation' if checked.seen == 1 else 'relations'} seen: {listed}."
+    kinds = ", ".join(f"{count} {_TITLES[name].lower()}" for name, count in counts.items())
+    count = checked.relation_count
+    return f"{count} {'relation' if count == 1 else 'relations'} seen: {kinds}."
 
 
 def verdict_summary(verdict: Verdict) -> str:
     """Return a verdict in one line: its place, its word, and the correction or the reason."""
     fix = verdict.fix
-    said = verdict.reason or verdict.source
+    words = verdict.reason or verdict.source
     if fix:
         side = "left side should be" if fix.of_left else "should be"
-        said = f"{side} {formula_text(fix.node, plain=True)} ({fix.kind})"
-    return one_line(f"Verdict on line {place(verdict)}: {verdict_words(verdict)}: {said}", 180)
+        words = f"{side} {formula_text(fix.node, plain=True)} ({fix.kind})"
+    return one_line(f"Verdict on line {place(verdict)}: {verdict_words(verdict)}: {words}", 180)
 
 
 def verdict_words(verdict: Verdict) -> str:
     """Return the verdict as it is read: with its order or its assumption."""
     title = _TITLES[verdict.verdict]
-    named = {HOLDS_TO_ORDER: verdict.order, CONDITIONAL: verdict.assumption}
-    return f"{title} {named[verdict.verdict]}" if verdict.verdict in named else title
+    supplements = {HOLDS_TO_ORDER: verdict.order, CONDITIONAL: verdict.assumption}
+    return f"{title} {supplements[verdict.verdict]}" if verdict.verdict in supplements else title
 
 
 def place(verdict: Verdict) -> str:
@@ -117,8 +118,8 @@ def one_line(source: str, limit: int) -> str:
     >>> one_line("\\displaystyle x\n  = 1 + 2", 7)
     'x = 1 …'
     """
-    joined = " ".join(source.replace("\\displaystyle", " ").split())
-    return joined if len(joined) <= limit else joined[: limit - 1] + "…"
+    line = " ".join(source.replace("\\displaystyle", " ").split())
+    return line if len(line) <= limit else line[: limit - 1] + "…"
 
 
 def _line(verdict: Verdict) -> SourceLine:
@@ -180,12 +181,12 @@ def _formulas(verdict: Verdict) -> tuple[tuple[str, Formula], ...]:
         return ()
     stands, fix = ("stands", verdict.node), verdict.fix
     if fix is None:
-        wanted = (stands, ("exactly", verdict.exact_node))
+        sides = (stands, ("exactly", verdict.exact_node))
     elif fix.of_left:
-        wanted = (("left side should be", fix.node),)
+        sides = (("left side should be", fix.node),)
     else:
-        wanted = (stands, ("should be", fix.node))
-    return tuple((name, node) for name, node in wanted if node is not None and _is_readable(node))
+        sides = (stands, ("should be", fix.node))
+    return tuple((name, node) for name, node in sides if node is not None and _is_readable(node))
 
 
 def _is_readable(node: Formula) -> bool:
@@ -195,9 +196,9 @@ def _is_readable(node: Formula) -> bool:
 
 def _legend(verdicts: tuple[Verdict, ...]) -> Facts:
     """Return what the verdicts that occur mean, and how places and corrections are written."""
-    there = {verdict.verdict for verdict in verdicts}
+    kinds = {verdict.verdict for verdict in verdicts}
     entries: list[tuple[Words, Words]] = [
-        (_TITLES[word], _MEANINGS[word]) for word in VERDICTS if word in there
+        (_TITLES[word], _MEANINGS[word]) for word in VERDICTS if word in kinds
     ]
     second = next((place(verdict) for verdict in verdicts if verdict.link == 2), None)
     if second:

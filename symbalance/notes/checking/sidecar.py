@@ -1,14 +1,25 @@
-"""The sidecar of a document: what its letters mean, where, and what its lines claim to be.
+"""The sidecar file of a document: what its letters mean, where, and what its lines claim to be.
 
     [symbols]                        letter -> meaning or unit
-    [[scope]]                        lines = [a, b] with symbols and given equalities of their own
+    [[scope]]                        lines = [a, b] with symbols and equalities of their own
     [[bind]]                         line, quantity, engine, order, ...: what a line claims to be
 
 Unknown keys are errors; every refusal names the file and the line.
+
+The declarations may stand at the head of the document itself instead, as a comment that comes first:
+
+    <!-- [symbols]                   % [symbols]                    # [symbols]
+    r = "crank radius"               % r = "crank radius"           # r = "crank radius"
+    -->                              (.tex)                         (.txt and others)
+    (.md)
+
+What is read as equations is the rest, at its own lines. A text without a file, typed in or piped, may
+have any of the three.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -66,6 +77,14 @@ SIDECAR = TableKeys(
         Key("bind", BIND, "What lines claim to be", listed=True),
     ),
 )
+_MARKDOWN = re.compile(r"\s*<!--[ \t]*(\[(?:symbols|\[scope\]|\[bind\])\].*?)-->", re.DOTALL)
+_LINES = {mark: re.compile(rf"\s*(?:{mark}[^\n]*(?:\n|$))+") for mark in ("%", "#")}
+_BY_SUFFIX = {
+    ".md": (_MARKDOWN,),
+    ".tex": (_LINES["%"],),
+    "": (_MARKDOWN, _LINES["%"], _LINES["#"]),
+}
+_OPENING = re.compile(r"\s*\[\s*symbols\s*\]|\s*\[\[\s*(?:scope|bind)\s*\]\]")
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +94,7 @@ class Scope:
     first: int
     last: int
     symbols: Mapping[str, str] = field(default_factory=dict)
-    given: tuple[str, ...] = ()
+    assumptions: tuple[str, ...] = ()
 
     def holds(self, line: int) -> bool:
         """Tell whether a line lies in the scope."""
@@ -83,7 +102,7 @@ class Scope:
 
 
 @dataclass(frozen=True, slots=True)
-class Bind:
+class Binding:
     """What a line, or a piece `text` of it, claims to be."""
 
     line: int
@@ -120,20 +139,21 @@ class Declarations:
 
     symbols: Mapping[str, str] = field(default_factory=dict)
     scopes: tuple[Scope, ...] = ()
-    binds: tuple[Bind, ...] = ()
+    bindings: tuple[Binding, ...] = ()
     place: str = "symbols"
 
     def symbols_at(self, line: int) -> dict[str, str]:
         """Return the letters declared for a line; later scopes override earlier ones."""
-        found = dict(self.symbols)
+        symbols = dict(self.symbols)
         for scope in self.scopes:
             if scope.holds(line):
-                found |= scope.symbols
-        return found
+                symbols |= scope.symbols
+        return symbols
 
-    def given_at(self, line: int) -> tuple[str, ...]:
+    def assumptions_at(self, line: int) -> tuple[str, ...]:
         """Return the assumptions that stand at a line."""
-        return tuple(given for scope in self.scopes if scope.holds(line) for given in scope.given)
+        holding = (scope for scope in self.scopes if scope.holds(line))
+        return tuple(text for scope in holding for text in scope.assumptions)
 
     def owner(self, letter: str, line: int) -> int:
         """Return the number of the last scope that declares a letter at a line, -1 for [symbols]."""
@@ -155,7 +175,7 @@ def parse_sidecar(text: str, place: str) -> Declarations:
     return _declarations(read_sections(text, place, SIDECAR, remedy))
 
 
-def declared(symbols: Mapping[str, Any]) -> Declarations:
+def declarations_in(symbols: Mapping[str, Any]) -> Declarations:
     """Return the declarations in a Python mapping: letters to meanings, or a sidecar's whole table."""
     table = dict(symbols)
     if any(isinstance(value, str) for value in table.values()) or not set(table) <= set(SIDECAR.by_name):
@@ -165,8 +185,8 @@ def declared(symbols: Mapping[str, Any]) -> Declarations:
 
 def _declarations(file: Section) -> Declarations:
     scopes = tuple(_scope(table) for table in file.sections("scope"))
-    binds = tuple(Bind(**table.values(), place=table.place()) for table in file.sections("bind"))
-    return Declarations(_symbols(file.section("symbols")), scopes, binds, file.source.place)
+    bindings = tuple(Binding(**table.values(), place=table.place()) for table in file.sections("bind"))
+    return Declarations(_symbols(file.section("symbols")), scopes, bindings, file.source.place)
 
 
 def _symbols(table: Section) -> dict[str, str]:
@@ -187,3 +207,25 @@ def _scope(table: Section) -> Scope:
     if first > last:
         raise table.refusal("lines", "must go upwards", "write lines = [10, 20]")
     return Scope(first, last, _symbols(table.section("symbols")), tuple(table.value("given") or ()))
+
+
+# Declarations at the head of the document itself
+
+
+def without_header(text: str, suffix: str) -> tuple[str, str]:
+    """Return (the document with its header blank, the header's text as TOML); "" if there is none.
+
+    >>> without_header('% [symbols]\\n% r = "crank radius"\\n$r=1$', ".tex")[1]
+    '[symbols]\\nr = "crank radius"\\n'
+    """
+    for pattern in _BY_SUFFIX.get(suffix, (_LINES["#"],)):
+        match = pattern.match(text)
+        if match is None:
+            continue
+        in_lines = pattern is not _MARKDOWN
+        inside = re.sub(r"(?m)^[ \t]*[%#][ \t]?", "", match[0]) if in_lines else match[1]
+        if _OPENING.match(inside):
+            blank = re.sub(r"[^\n]", " ", match[0])
+            before = 0 if in_lines else text[: match.start(1)].count("\n")
+            return blank + text[match.end() :], "\n" * before + inside
+    return text, ""

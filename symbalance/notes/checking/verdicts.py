@@ -1,4 +1,4 @@
-"""Verdicts: what is said of each relation of a document, in one vocabulary."""
+"""Verdicts on the relations of a document, with witnesses, differences and corrections."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ class Fix:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Verdict(Result):
-    """What is said of one relation, or of a piece of a line bound to a quantity."""
+    """The verdict on one relation, or of a piece of a line bound to a quantity."""
 
     kind: ClassVar[str] = "verdict"
 
@@ -98,7 +98,7 @@ class Verdict(Result):
     exact_node: Formula | None = None
     """`exact` as a formula."""
     fault: str = ""
-    """A fault of symbalance that kept the relation from being judged or mended."""
+    """A fault of symbalance that kept the relation from being judged or corrected."""
     traceback: str = ""
 
     @property
@@ -175,11 +175,11 @@ class Checked(Result):
         It does not forgive a document of which nothing could be read: of that nothing was judged.
         """
         failing = BAD if lenient else FAILING
-        judged = any(v.verdict != UNREADABLE for v in self.verdicts)
-        return not judged or any(v.verdict in failing for v in self.verdicts)
+        is_judged = any(v.verdict != UNREADABLE for v in self.verdicts)
+        return not is_judged or any(v.verdict in failing for v in self.verdicts)
 
     @property
-    def seen(self) -> int:
+    def relation_count(self) -> int:
         """The number of relations seen, whatever their verdict."""
         return len(self.verdicts)
 
@@ -188,7 +188,7 @@ class Checked(Result):
         """The verdicts that a fault of symbalance left undecided, or without a correction."""
         return tuple(v for v in self.verdicts if v.fault)
 
-    def counted(self) -> dict[str, int]:
+    def counts(self) -> dict[str, int]:
         """Return how many verdicts of each kind there are, zeros left out."""
         counts = {name: sum(v.verdict == name for v in self.verdicts) for name in VERDICTS}
         return {name: count for name, count in counts.items() if count}

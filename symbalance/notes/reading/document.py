@@ -1,22 +1,28 @@
-"""Reading whole documents, single equations and single expressions."""
+"""Reading of documents, equations and expressions, from their text to chains of formulas.
+
+A chain a = b = c may go over several lines and past a little prose. A letter that stands alone on the
+left of a chain declares itself, and is a letter from there on. What cannot be read is reported with its
+place and a remedy.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import PurePath
 
 from symbalance.document.formula import Formula
-from symbalance.notes.reading.assembly import Assembler
-from symbalance.notes.reading.drafts import Draft, without_aside
+from symbalance.document.letters import TIME_DOTS, is_greek, plain_letter
 from symbalance.notes.reading.equations import Chain, Document, Relation, Side, Unreadable
-from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.items import Item, ItemFinder
-from symbalance.notes.reading.lexer import lex
-from symbalance.notes.reading.masking import narrowed
-from symbalance.notes.reading.readings import read_tokens
-from symbalance.notes.reading.tokens import Token
+from symbalance.notes.reading.failures import ReadingError, UndeclaredError
+from symbalance.notes.reading.lexer import CLOSER, LONGEST_EQUATION, Token, lex
+from symbalance.notes.reading.parser import read_tokens
+from symbalance.notes.reading.segmentation import Item, ItemFinder, has_relation, to_half_width
+from symbalance.notes.reading.signs import relation_at_start
 
-LONGEST_DOCUMENT = 1_000_000
+LONGEST_DOCUMENT = 1_000_000  # characters
+MOST_LINES_OF_PROSE = 2  # that a chain may go past: "= …" further down is an equation of its own
+EQUALITIES = ("=", "≈", "≡")
 
 
 def read_document(text: str, name: str, names_at: Callable[[int], Collection[str]]) -> Document:
@@ -29,18 +35,18 @@ def read_document(text: str, name: str, names_at: Callable[[int], Collection[str
     if len(text) > LONGEST_DOCUMENT:
         what = f"a document of more than {LONGEST_DOCUMENT} characters"
         return Document(name, text, (), (Unreadable(1, 1, what, "split it", (0, 0)),))
-    known: dict[int, frozenset[str]] = {}
+    cache: dict[int, frozenset[str]] = {}
 
     def names(line: int) -> frozenset[str]:
-        if line not in known:
-            known[line] = frozenset(names_at(line))
-        return known[line]
+        if line not in cache:
+            cache[line] = frozenset(names_at(line))
+        return cache[line]
 
     assembler = Assembler(ItemFinder(text, PurePath(name).suffix.lower(), names), names)
     assembler.run()
     chains = sorted(assembler.chains, key=lambda chain: chain.sides[0].span)
-    refused = sorted(assembler.unreadable, key=lambda one: (one.line, one.column))
-    return Document(name, text, tuple(chains), tuple(refused))
+    unreadable = sorted(assembler.unreadable, key=lambda part: (part.line, part.column))
+    return Document(name, text, tuple(chains), tuple(unreadable))
 
 
 def read_expression(text: str, names: Collection[str], offset: int = 0) -> tuple[Formula, ...]:
@@ -59,7 +65,7 @@ def read_equation(text: str, names: Collection[str], offset: int = 0) -> Chain:
     """Return one chain a = b = c; a lone undeclared letter on the left declares itself."""
     item = Item(0, len(text), "display", True, 1, 1 + text.count("\n"))
     draft = Draft(item, set(names))
-    source = narrowed(text)
+    source = to_half_width(text)
     try:
         draft.add(item, without_aside(lex(source, 0, len(text), names)))
         draft.finish_alone()
@@ -70,23 +76,484 @@ def read_equation(text: str, names: Collection[str], offset: int = 0) -> Chain:
 
 
 def _chain(draft: Draft, source: str, names: Collection[str], offset: int) -> Chain:
-    known = frozenset(names) | draft.own_letter()
+    letters = frozenset(names) | draft.own_letter()
     sides: list[Side] = []
     for tokens in draft.sides:
-        moved = [token.moved(offset) for token in tokens]
-        readings, notes = _read(moved, known, offset, "\\" in source)
+        in_place = [token.moved(offset) for token in tokens]
+        readings, notes = _read_side(in_place, letters, offset, "\\" in source)
         draft.notes.extend(note for note in notes if note not in draft.notes)
-        sides.append(Side(readings, (moved[0].start, moved[-1].end)))
+        sides.append(Side(readings, (in_place[0].start, in_place[-1].end)))
     relations = tuple(Relation(t.value, source.count("\n", 0, t.start) + 1) for t in draft.signs)
     lines = tuple(range(1, draft.item.last_line + 1))
     return Chain(tuple(sides), relations, lines, notes=tuple(draft.notes))
 
 
-def _read(
-    tokens: list[Token], known: frozenset[str], offset: int, latex: bool
+def _read_side(
+    tokens: list[Token], letters: frozenset[str], offset: int, latex: bool
 ) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
     try:
-        return read_tokens(tokens, known, tokens[-1].end, latex)
+        return read_tokens(tokens, letters, tokens[-1].end, latex)
     except ReadingError as failure:
         failure.offset -= offset
         raise
+
+
+class Assembler:
+    """Reads the items of a document in order; letters defined on the way are letters from there on."""
+
+    def __init__(self, finder: ItemFinder, names_at: Callable[[int], Collection[str]]) -> None:
+        self.finder, self.names_at = finder, names_at
+        self.text = finder.text
+        self.defined_letters: set[str] = set()
+        self.chains: list[Chain] = []
+        self.unreadable: list[Unreadable] = []
+        self.draft: Draft | None = None
+        self._refused_item: Item | None = None
+
+    def run(self) -> None:
+        """Fill `chains` and `unreadable`."""
+        for item in self.finder.run():
+            self._add_item(item)
+        self._finish_chain()
+        for failure in self.finder.failures:
+            self._report(failure, (failure.offset, failure.offset + 1))
+
+    def _add_item(self, item: Item) -> None:
+        """Add an item to the chain so far, or begin a chain with it."""
+        names = frozenset(self.names_at(item.first_line)) | self.defined_letters
+        if self.draft:
+            names |= self.draft.own_letter()
+        try:
+            tokens = without_aside(lex(self.text, item.start, item.end, names))
+        except ReadingError as failure:
+            self._give_up_item(item, failure)
+            return
+        if not tokens:
+            return
+        if not self._continues(item, tokens):
+            if not self._is_formula(tokens, item, names):
+                return
+            self._finish_chain()
+            tokens = tokens[1:] if self._follows_refused(item, tokens) else tokens
+            self.draft = Draft(item, set(names)) if tokens else None
+        if self.draft:
+            self.draft.names |= names
+            self.draft.add(item, tokens)
+
+    def _follows_refused(self, item: Item, tokens: list[Token]) -> bool:
+        """Tell whether `= c` continues an equation that could not be read; c then starts a chain."""
+        before, self._refused_item = self._refused_item, None
+        return tokens[0].kind == "rel" and before is not None and self._is_near(before, item)
+
+    def _give_up_item(self, item: Item, failure: ReadingError) -> None:
+        source = self.text[item.start : item.end].lstrip(" \n\t&")
+        if self._continues_unreadable(item, source, failure):
+            return
+        lone = item.kind == "inline" and not any(sign in source for sign in "=<>≈≤≥")
+        if not item.strict or lone:
+            return
+        before, self._refused_item = self._refused_item, item
+        goes_on = source[:1] == "=" or self._is_term(source)
+        if not (before and before.block == item.block >= 0 and goes_on):
+            self._finish_chain()
+            self._report(failure, (item.start, item.end))
+
+    def _continues_unreadable(self, item: Item, source: str, failure: ReadingError) -> bool:
+        """Give up a side of the chain above where the line that cannot be read belongs to it."""
+        if self.draft is None or item.kind not in ("display", "bare"):
+            return False
+        relation = relation_at_start(source)
+        if relation and self._is_near(self.draft.last, item):
+            self.draft.add(item, [Token("rel", relation, item.start, item.start + 1)])
+        elif self._is_term(source) and self._is_next(item):
+            self.draft.items.append(item)
+        else:
+            return False
+        self.draft.fail(failure)
+        return True
+
+    def _is_term(self, source: str) -> bool:
+        """Tell whether a line that cannot be read is `+ a` or `- a`, without a relation of its own."""
+        return source[:1] in ("+", "-", "−") and not has_relation(source, 0, len(source))
+
+    def _is_formula(self, tokens: list[Token], item: Item, names: frozenset[str]) -> bool:
+        """Tell whether an item says something: in prose or without LaTeX, not every one does."""
+        if any(token.kind == "rel" for token in tokens) or item.kind == "display":
+            return True
+        if item.kind == "inline":
+            return False
+        if "\\" in self.text[item.start : item.end]:
+            return len(tokens) > 1
+        has_letter = any(token.kind == "name" and token.value in names for token in tokens)
+        return has_letter and any(t.kind in ("function", "sup") or t.is_op("+*/") for t in tokens)
+
+    def _continues(self, item: Item, tokens: list[Token]) -> bool:
+        """Tell whether an item goes on with the chain: by its first sign, or as a side is unfinished."""
+        draft = self.draft
+        if draft is None or item.kind in ("inline", "prose"):
+            return False
+        first = tokens[0]
+        if first.kind == "rel":
+            return self._is_near(draft.last, item)
+        if draft.last.kind in ("inline", "prose") or not self._is_next(item):
+            return False
+        if first.is_op("+-"):
+            is_other_block = -1 not in (item.block, draft.last.block) and item.block != draft.last.block
+            return not is_other_block and not has_own_relation(tokens)
+        if not draft.is_unfinished or item.block != draft.last.block:
+            return False
+        return not (draft.open_brackets and is_equation(tokens))
+
+    def _is_next(self, item: Item) -> bool:
+        """Tell whether an item stands on the line or row right below the chain so far."""
+        last = self.draft.last if self.draft else None
+        if last is None:
+            return False
+        if item.block >= 0 and item.block == last.block:
+            return True
+        return 0 < item.first_line - last.last_line <= 1
+
+    def _is_near(self, last: Item, item: Item) -> bool:
+        """Tell whether no heading and at most two lines of prose stand between."""
+        prose = 0
+        between = range(last.last_line + 1, item.first_line)
+        if len(between) > 40:
+            return False
+        for line in between:
+            if self._line_text(line).strip().strip("$[]\\"):
+                prose += 1
+                if prose > MOST_LINES_OF_PROSE or self._is_heading(line):
+                    return False
+        return True
+
+    def _line_text(self, line: int) -> str:
+        start, end = self.finder.line_span(line)
+        return self.text[start:end]
+
+    def _is_heading(self, line: int) -> bool:
+        words = self._line_text(line).strip()
+        if words.startswith(("#", "\\section", "\\subsection", "\\chapter", "\\paragraph")):
+            return True
+        alone = not self._line_text(line - 1).strip() and not self._line_text(line + 1).strip()
+        return alone and len(words) <= 40 and words[-1:] not in "。.、,:：;"
+
+    def _finish_chain(self) -> None:
+        draft, self.draft = self.draft, None
+        if draft is None:
+            return
+        draft.finish()
+        own_letter = draft.own_letter()
+        names = frozenset(draft.names) | own_letter
+        sides = self._read_sides(draft, names)
+        self._store_chain(draft, sides, names)
+        if sum(side is not None for side in sides) > 1 and sides[0] is not None:
+            self.defined_letters |= own_letter
+
+    def _read_sides(self, draft: Draft, names: frozenset[str]) -> list[Side | None]:
+        """Return the sides of a chain, None for one that cannot be read."""
+        sides: list[Side | None] = []
+        latex = any("\\" in self.text[item.start : item.end] for item in draft.items)
+        for place, tokens in enumerate(draft.sides):
+            sides.append(None)
+            if place in draft.failures:
+                continue
+            try:
+                _refuse_too_long(tokens)
+                readings, notes = read_tokens(tokens, names, tokens[-1].end, latex)
+            except ReadingError as failure:
+                draft.failures[place] = failure
+                continue
+            draft.notes.extend(note for note in notes if note not in draft.notes)
+            sides[-1] = Side(readings, (tokens[0].start, tokens[-1].end))
+        return sides
+
+    def _store_chain(self, draft: Draft, sides: list[Side | None], names: frozenset[str]) -> None:
+        """Store what was read of a chain; a side that was not is reported and skipped."""
+        strict = any(item.strict for item in draft.items)
+        if draft.failures and not strict:
+            if draft.signs:
+                self._report_undeclared(draft, names)
+            return
+        sides_read = _without_gaps(draft, sides)
+        whole = len(sides_read) >= (2 if draft.signs else 1)
+        for failure in list(draft.failures.values())[: None if whole else 1]:
+            self._report(failure, (draft.item.start, draft.last.end))
+        if not whole:
+            return
+        relations = tuple(Relation(sign, self.finder.line_of(at)) for _, sign, at in sides_read[1:])
+        lines = sorted({n for i in draft.items for n in range(i.first_line, i.last_line + 1)})
+        tag = next((item.tag for item in reversed(draft.items) if item.tag), "")
+        inline = draft.item.kind in ("inline", "prose")
+        notes = tuple(dict.fromkeys(draft.notes))
+        chain = Chain(
+            tuple(side for side, _, _ in sides_read), relations, tuple(lines), tag, inline, notes
+        )
+        if draft.signs or len(draft.sides[0]) > 1:
+            self.chains.append(chain)
+
+    def _report_undeclared(self, draft: Draft, names: frozenset[str]) -> None:
+        """Report prose with a relation only where one undeclared letter is all that is wrong."""
+        wrong = list(draft.failures.values())
+        letters = {failure.letter for failure in wrong if isinstance(failure, UndeclaredError)}
+        if len(letters) != 1 or not all(isinstance(failure, UndeclaredError) for failure in wrong):
+            return
+        has_known_letter = any(
+            t.kind == "name" and t.value in names for side in draft.sides for t in side
+        )
+        try:
+            for tokens in draft.sides:
+                read_tokens(tokens, names | letters, tokens[-1].end)
+        except ReadingError:
+            return
+        if has_known_letter:
+            self._report(wrong[0], (draft.item.start, draft.last.end))
+
+    def _report(self, failure: ReadingError, span: tuple[int, int]) -> None:
+        offset = min(max(failure.offset, 0), len(self.text))
+        line = self.finder.line_of(offset)
+        column = offset - self.finder.line_span(line)[0] + 1
+        self.unreadable.append(Unreadable(line, column, failure.what, failure.remedy, span))
+
+
+def _refuse_too_long(tokens: list[Token]) -> None:
+    if len(tokens) > LONGEST_EQUATION or tokens[-1].end - tokens[0].start > 4 * LONGEST_EQUATION:
+        what = f"an equation of more than {LONGEST_EQUATION} characters"
+        raise ReadingError(tokens[0].start, what, "write it in parts")
+
+
+def _without_gaps(draft: Draft, sides: list[Side | None]) -> list[tuple[Side, str, int]]:
+    """Return the sides read, each with the relation before it; a gap leaves an equality an equality."""
+    sides_read: list[tuple[Side, str, int]] = []
+    weakest = "="
+    for place, side in enumerate(sides):
+        sign = draft.signs[place - 1] if place else None
+        if sign is not None:
+            if sign.value not in EQUALITIES and None in sides:
+                break
+            weakest = "≈" if "≈" in (weakest, sign.value) and sides[place - 1] is None else sign.value
+        if side is not None:
+            sides_read.append((side, weakest, sign.start if sign else 0))
+    return sides_read
+
+
+@dataclass(slots=True)
+class Draft:
+    """A chain while its lines are being gathered."""
+
+    item: Item
+    names: set[str]
+    sides: list[list[Token]] = field(default_factory=lambda: [[]])
+    signs: list[Token] = field(default_factory=list)
+    items: list[Item] = field(default_factory=list)
+    open_brackets: list[Token] = field(default_factory=list)
+    failures: dict[int, ReadingError] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    function_letters: list[str] = field(default_factory=list)
+
+    @property
+    def last(self) -> Item:
+        """The item added last."""
+        return self.items[-1]
+
+    @property
+    def is_unfinished(self) -> bool:
+        """Tell whether the last side wants more: an open bracket, an operator or relation at its end."""
+        side = self.sides[-1]
+        return bool(self.open_brackets) or not side or side[-1].kind == "op"
+
+    def add(self, item: Item, tokens: list[Token]) -> None:
+        """Take the tokens of one more item."""
+        self.items.append(item)
+        if tokens and tokens[0].kind == "rel" and self.open_brackets:
+            self._leave_open()
+        for place, token in enumerate(tokens):
+            if token.kind == "rel" and not self.open_brackets:
+                self.signs.append(token)
+                self.sides.append([])
+            elif self._fits(token, place == len(tokens) - 1):
+                self.sides[-1].append(token)
+        if self.signs:
+            self._without_argument(0)
+
+    def _without_argument(self, place: int) -> None:
+        """Read x(θ), all of the left side, as x, and refuse x(0); x is so called on later sides too."""
+        side = self.sides[place]
+        if place in self.failures or not (parts := head_and_argument(side)):
+            return
+        head, inside = parts
+        name = "".join(token.value for token in head)
+        if place and name not in self.function_letters:
+            return
+        if is_variable(inside):
+            self.sides[place], note = letter_without_argument(head, inside, side[-1])
+            self.notes += [note] if note not in self.notes else []
+        elif is_value(inside):
+            self.failures[place] = value_refusal(head, inside)
+        else:
+            return
+        self.function_letters.append(name)
+
+    def own_letter(self) -> frozenset[str]:
+        """Return the undeclared letter that stands alone on the left: it declares itself."""
+        if not self.signs or self.signs[0].value not in EQUALITIES or len(self.sides[0]) != 1:
+            return frozenset()
+        token = self.sides[0][0]
+        unknown = token.kind == "name" and token.value not in self.names and token.value != "pi"
+        return frozenset({token.value} if unknown else ())
+
+    def finish_alone(self) -> None:
+        """Finish a chain of its own and raise the first failure."""
+        self.finish()
+        for failure in self.failures.values():
+            raise failure
+
+    def _leave_open(self) -> None:
+        opener = self.open_brackets[-1]
+        self.fail(ReadingError(opener.start, f"bracket {opener.value} is never closed", "close it"))
+        self.open_brackets.clear()
+
+    def fail(self, error: ReadingError) -> None:
+        """Give up the last side."""
+        self.failures.setdefault(len(self.sides) - 1, error)
+
+    def _fits(self, token: Token, last: bool) -> bool:
+        if token.kind == "open":
+            self.open_brackets.append(token)
+        elif token.kind == "close" and not self.open_brackets:
+            if last and token.value != "}":
+                self.notes.append(f"stray {token.value} dropped")
+            else:
+                what = f"bracket {token.value} was never opened"
+                self.fail(ReadingError(token.start, what, "open it or remove it"))
+            return False
+        elif token.kind == "close":
+            self._close(token)
+        return True
+
+    def _close(self, token: Token) -> None:
+        opener = self.open_brackets.pop()
+        if CLOSER[opener.value] != token.value:
+            what = f"bracket {opener.value} is closed by {token.value}"
+            self.fail(ReadingError(token.start, what, "make them a pair"))
+
+    def finish(self) -> None:
+        """Note what is missing at the end."""
+        if self.open_brackets:
+            self._leave_open()
+        for place, side in enumerate(self.sides):
+            if not side and place not in self.failures:
+                self.failures[place] = self._missing(place)
+            elif place:
+                self._without_argument(place)
+
+    def _missing(self, place: int) -> ReadingError:
+        if not self.signs:
+            return ReadingError(self.item.start, "an empty formula", "write one")
+        sign = self.signs[place - 1] if place else self.signs[0]
+        what = f"nothing stands {'right' if place else 'left'} of {sign.value}"
+        return ReadingError(sign.start, what, "complete the equation")
+
+
+def has_own_relation(tokens: list[Token]) -> bool:
+    """Tell whether a relation stands outside the brackets opened among the tokens."""
+    depth = 0
+    for token in tokens:
+        depth += {"open": 1, "close": -1}.get(token.kind, 0)
+        if depth < 0 or (token.kind == "rel" and depth == 0):
+            return depth == 0
+    return False
+
+
+def is_equation(tokens: list[Token]) -> bool:
+    """Tell whether tokens hold a relation outside brackets and all brackets are paired."""
+    depth, holds_relation = 0, False
+    for token in tokens:
+        depth += {"open": 1, "close": -1}.get(token.kind, 0)
+        holds_relation = holds_relation or (token.kind == "rel" and depth == 0)
+        if depth < 0:
+            return False
+    return holds_relation and depth == 0
+
+
+def without_aside(tokens: list[Token]) -> list[Token]:
+    """Read `m (= n/2)` as m = n/2: drop the brackets around a relation at the end."""
+    last = tokens[-1] if tokens else None
+    if last is None or last.kind != "close" or last.value != ")":
+        return tokens
+    for place, token in enumerate(tokens[1:-2], 1):
+        if token.kind == "open" and token.value == "(" and tokens[place + 1].kind == "rel":
+            aside = tokens[place + 1 : -1]
+            return [*tokens[:place], *aside] if is_equation(aside) else tokens
+    return tokens
+
+
+# A letter written as a function, x(θ), on the left of a relation
+
+
+def head_and_argument(side: Sequence[Token]) -> tuple[list[Token], list[Token]] | None:
+    """Return a letter, perhaps with dots above, and what stands in the brackets right after it."""
+    place = next((n for n, token in enumerate(side) if token.kind == "open" and token.value == "("), 0)
+    is_closed = bool(side) and side[-1].kind == "close" and side[-1].value == ")"
+    head, inside = list(side[:place]), list(side[place + 1 : -1])
+    if not is_closed or not inside or not _is_letter(head) or _has_outer_closer(inside):
+        return None
+    return head, inside
+
+
+def _has_outer_closer(tokens: Sequence[Token]) -> bool:
+    """Tell whether a bracket closes that was not opened among the tokens."""
+    depth = 0
+    for token in tokens:
+        depth += {"open": 1, "close": -1}.get(token.kind, 0)
+        if depth < 0:
+            return True
+    return False
+
+
+def _is_letter(head: Sequence[Token]) -> bool:
+    letters = [token for token in head if token.kind == "name"]
+    if len(letters) != 1 or letters[0].value == "pi":
+        return False
+    has_dots = head[0].is_cmd(*TIME_DOTS)
+    rest = [token for token in head[has_dots:] if token.kind != "name"]
+    return not rest or (has_dots and [t.value for t in rest] == ["{", "}"])
+
+
+def is_variable(inside: Sequence[Token]) -> bool:
+    """Tell whether brackets hold one angle, or time: x(θ) is x."""
+    return len(inside) == 1 and inside[0].kind == "name" and _is_running(inside[0].value)
+
+
+def _is_running(name: str) -> bool:
+    return name == "t" or is_greek(name)
+
+
+def is_value(inside: Sequence[Token]) -> bool:
+    """Tell whether brackets hold a number or an angle in π or degrees: x(0) is a value of x."""
+    if len(inside) == 1 and inside[0].kind in ("number", "vulgar"):
+        return True
+    letters = [token.value for token in inside if token.kind == "name"]
+    angle = "pi" in letters or any(token.kind == "degree" for token in inside)
+    has_call = any(token.kind == "function" for token in inside)
+    return angle and not has_call and all(name == "pi" or _is_running(name) for name in letters)
+
+
+def letter_without_argument(
+    head: list[Token], inside: Sequence[Token], last: Token
+) -> tuple[list[Token], str]:
+    """Return x for x(θ), in the place of the whole, and the remark."""
+    name = tokens_text(head)
+    return [*head[:-1], replace(head[-1], end=last.end)], f"{name}({tokens_text(inside)}) read as {name}"
+
+
+def value_refusal(head: Sequence[Token], inside: Sequence[Token]) -> ReadingError:
+    """Return the refusal of x(π)."""
+    what = f"a value of a function: {tokens_text(head)}({tokens_text(inside)})"
+    return ReadingError(head[0].start, what, "write out what is meant")
+
+
+def tokens_text(tokens: Sequence[Token]) -> str:
+    """Return tokens as text: names by their signs, commands by name."""
+    signs = {"cmd": lambda word: f"\\{word} ", "name": plain_letter}
+    pieces = (signs.get(token.kind, str)(token.value) for token in tokens)
+    return "".join(pieces).replace(" {", "{")

@@ -1,4 +1,4 @@
-"""What the reader finds in a document: chains of relations, and what it could not read."""
+"""What reading a document yields: chains of relations, and the equations that could not be read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Why a formula cannot be read: where, what, and what to do about it."""
+"""Errors of the reader: where a formula cannot be read, why, and what to do about it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class ReadingError(PicklableError):
 
 
 class UndeclaredError(ReadingError):
-    """A letter of which nobody has said what it means."""
+    """A letter that is not declared."""
 
     def __init__(self, offset: int, letter: str) -> None:
         self.letter = letter

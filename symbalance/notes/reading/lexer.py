@@ -1,20 +1,43 @@
-"""A formula's text, LaTeX or plain, to tokens."""
+"""The lexer of hand-written formulas, LaTeX or plain text: one formula cut into tokens.
+
+Letters are looked up among the declared ones, so that `mr` may be two letters and `Lh` one.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import lru_cache
 
-from symbalance.document.letters import DOTTED, NAME_OF_SIGN, RAISED
+from symbalance.document.letters import (
+    ACCENTS,
+    DOTTED,
+    FONTS,
+    FUNCTION_WORDS,
+    GREEK_SIGN,
+    LOWERED,
+    NAME_OF_SIGN,
+    RAISED,
+    TIME_DOTS,
+)
 from symbalance.notes.reading import signs
 from symbalance.notes.reading.failures import ReadingError
-from symbalance.notes.reading.lexer_commands import CommandScanner
-from symbalance.notes.reading.naming import subscript_at
-from symbalance.notes.reading.numerals import VULGAR, read_number
-from symbalance.notes.reading.tokens import Token
+from symbalance.notes.reading.letter_names import matching_brace, subscript_at, with_scripts
+from symbalance.notes.reading.units import (
+    Scale,
+    bracketed_unit_at,
+    is_set_apart,
+    plain_unit_at,
+    scale_of,
+    unit_fraction_at,
+    unit_set_at,
+)
 
 LONGEST_EQUATION = 20_000
+"""Characters of one equation: text that is no derivation must not cost minutes."""
+
 _DEGREE = re.compile(r"\^\s*(?:\{\s*\\circ\s*\}|\\circ(?![A-Za-z]))|[°˚º]|度|\\degree(?![A-Za-z])")
 _SPACE = re.compile(
     r"(?:\\[,;:> \t\n]|\\(?:q?quad|enspace|enskip|thinspace|medspace|thickspace|hspace)(?![A-Za-z])|~)"
@@ -22,10 +45,73 @@ _SPACE = re.compile(
 _ARROW = re.compile(r"-+>|=+>|<-+|<=+>")
 _RELATION = re.compile(r"==|:=|<=|>=|!=")
 _TWO_SIGNS = {"==": "=", ":=": "=", "<=": "≤", ">=": "≥", "!=": "≠"}
+_DIGITS = re.compile(r"[0-9]+")
+_LONGEST_ANNOTATED = 2000  # characters under one \underbrace
+_COMMAND = re.compile(r"\\([A-Za-z]+)\*?")
+_FONT_WORD = re.compile(r"\s*\{\s*([A-Za-z0-9]+)\s*\}")
+_LEFT_RIGHT = re.compile(r"\\(left|right|[bB]igg?[lr])\s*(\\[{}|]|\\[lr]?vert(?![A-Za-z])|[|.])")
+_SIZED_BRACKET = re.compile(r"\\(?:left|right|[bB]igg?[lrm]?)\s*([()\[\]])")
+_ARGUMENT = re.compile(r"\s*\{[^{}]*\}")
+_ENVIRONMENT = re.compile(r"\s*\{([A-Za-z]+)\*?\}(?:\s*\{\s*[0-9]+\s*\}|\[[a-z]\])?")
+_WORD_FONTS = ("text", "textrm", "mbox")
+_UNIT_COMMANDS = ("mathrm", "unit", "si", *_WORD_FONTS)
+
+VULGAR = {
+    "½": (1, 2), "⅓": (1, 3), "⅔": (2, 3), "¼": (1, 4), "¾": (3, 4), "⅕": (1, 5), "⅖": (2, 5),
+    "⅗": (3, 5), "⅘": (4, 5), "⅙": (1, 6),
+    "⅚": (5, 6), "⅛": (1, 8), "⅜": (3, 8), "⅝": (5, 8), "⅞": (7, 8),
+}  # fmt: skip
+"""Fractions of one sign, as numerator and denominator."""
 
 
-class Lexer(CommandScanner):
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A piece of a formula from `start` to `end` (offsets in the document).
+
+    Kinds: number, name, function, op (+ - * /), rel, open, close, bar, sup, sub, under, cmd, sep,
+    dots, degree. `sub` carries a subscript that follows something other than a letter; `under` is a
+    bare underscore after a sum sign or a function. `spaced` tells of a space typed as such before it.
+    """
+
+    kind: str
+    value: str
+    start: int
+    end: int
+    number: Fraction = Fraction(0)
+    place: Fraction | None = None
+    spaced: bool = False
+
+    def moved(self, offset: int) -> Token:
+        """Return the token so many characters further on."""
+        return replace(self, start=self.start + offset, end=self.end + offset)
+
+    def is_op(self, signs: str) -> bool:
+        """Tell whether this is one of the operators."""
+        return self.kind == "op" and self.value in signs
+
+    def is_cmd(self, *names: str) -> bool:
+        """Tell whether this is one of the commands."""
+        return self.kind == "cmd" and self.value in names
+
+
+CLOSER = {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "<": ">", "|": "|"}
+"""The bracket that closes each bracket."""
+
+
+def lex(text: str, start: int, end: int, names: Collection[str]) -> list[Token]:
+    """Return the tokens of text[start:end]."""
+    return Lexer(text, start, end, names).run()
+
+
+class Lexer:
     """Cuts one formula into tokens; every offset is one of the whole document."""
+
+    def __init__(self, text: str, start: int, end: int, names: Collection[str]) -> None:
+        self.text, self.place, self.end = text, start, end
+        self.words = vocabulary(names)
+        self.tokens: list[Token] = []
+        self.skips: dict[int, int] = {}  # where words under a brace begin -> where they end
+        self.latex = "\\" in text[start:end]
 
     def run(self) -> list[Token]:
         """Return all tokens."""
@@ -34,16 +120,17 @@ class Lexer(CommandScanner):
             raise ReadingError(self.place, what, "write it in parts")
         spaced = False
         while self.place < self.end:
-            known, space = len(self.tokens), _SPACE.match(self.text, self.place, self.end)
-            self._one()
-            if len(self.tokens) == known:
+            count, space = len(self.tokens), _SPACE.match(self.text, self.place, self.end)
+            self._next_token()
+            if len(self.tokens) == count:
                 spaced = spaced or space is not None
             elif spaced:
-                self.tokens[known] = replace(self.tokens[known], spaced=True)
+                self.tokens[count] = replace(self.tokens[count], spaced=True)
                 spaced = False
         return _with_three_dots(_without_braces(self.tokens))
 
-    def _one(self) -> None:
+    def _next_token(self) -> None:
+        """Add the token that begins at the place, or go past what is none."""
         sign = self.text[self.place]
         if sign in " [" and self.plain_unit(sign):
             return
@@ -51,8 +138,8 @@ class Lexer(CommandScanner):
             self.place = self.skips.pop(self.place)
         elif sign.isspace() or sign == "&" or not sign.isprintable():
             self.place += 1
-        elif found := _DEGREE.match(self.text, self.place, self.end):
-            self._add("degree", "°", found.end())
+        elif match := _DEGREE.match(self.text, self.place, self.end):
+            self._add("degree", "°", match.end())
         elif sign == "\\":
             self._backslash()
         elif sign.isascii() and sign.isalpha():
@@ -63,11 +150,12 @@ class Lexer(CommandScanner):
             self._sign(sign)
 
     def _sign(self, sign: str) -> None:
+        """Add the token of a sign: relation, dots, operator, bracket."""
         arrow = _ARROW.match(self.text, self.place, self.end)
         if arrow and arrow.group() != "<=":
             raise ReadingError(self.place, *signs.REFUSED["to"])
-        if found := _RELATION.match(self.text, self.place, self.end):
-            self._add("rel", _TWO_SIGNS[found.group()], found.end())
+        if match := _RELATION.match(self.text, self.place, self.end):
+            self._add("rel", _TWO_SIGNS[match.group()], match.end())
         elif dots := next((d for d in signs.DOTS_SIGNS if self.text.startswith(d, self.place)), None):
             self._add("dots", "…", self.place + len(dots))
         elif sign in signs.RELATION_SIGNS:
@@ -88,13 +176,14 @@ class Lexer(CommandScanner):
             self._add("op", signs.OPERATOR_SIGNS[sign], self.place + 1)
 
     def _rare_sign(self, sign: str) -> None:
+        """Add the token of a sign that is none of the usual ones."""
         simple = {"^": "sup", "|": "bar", ",": "sep", ";": "sep"}
         if sign in simple:
             self._add(simple[sign], sign, self.place + 1)
         elif sign == "_":
             self._underscore()
         elif sign in RAISED:
-            self._raised()
+            self._superscript()
         elif sign in VULGAR:
             self._vulgar(sign)
         elif sign in ("√", "∂", "∞", "Σ", "∑"):
@@ -132,15 +221,15 @@ class Lexer(CommandScanner):
             return
         raise ReadingError(self.place, "a subscript without its letter", "write the letter before it")
 
-    def _raised(self) -> None:
+    def _superscript(self) -> None:
         first = self.place
         self._add("sup", "^", first)
         self._add("open", "{", first)
         while self.place < self.end and (plain := RAISED.get(self.text[self.place])):
-            self._raised_sign(plain)
+            self._superscript_sign(plain)
         self._add("close", "}", self.place)
 
-    def _raised_sign(self, plain: str) -> None:
+    def _superscript_sign(self, plain: str) -> None:
         if plain.isdecimal():
             stop = self.place
             while stop < self.end and RAISED.get(self.text[stop], " ").isdecimal():
@@ -175,32 +264,402 @@ class Lexer(CommandScanner):
         else:
             raise ReadingError(self.place, "~ is not read here", "write ≈")
 
+    # Numbers and letters
+
+    def _add(self, kind: str, value: str, stop: int) -> None:
+        self.tokens.append(Token(kind, value, self.place, stop))
+        self.place = stop
+
+    def _decimal_point(self, sign: str) -> bool:
+        return sign == "." and self.text[self.place + 1 : min(self.place + 2, self.end)].isdecimal()
+
+    def _number(self) -> None:
+        scientific = "e" not in self.words.names
+        if not (token := read_number(self.text, self.place, self.end, scientific)):
+            raise ReadingError(self.place, "a digit that is not read", "write it as 0 to 9")
+        self.tokens.append(token)
+        self.place = token.end
+
+    def _word(self) -> None:
+        entry = self.words.longest(self.text, self.place, self.end)
+        if entry and entry[0] != "name":
+            kind, word = entry
+            value = FUNCTION_WORDS.get(word, word)
+            self._add("name" if kind == "constant" else kind, value, self.place + len(word))
+            return
+        word = entry[1] if entry else self.text[self.place]
+        digits = self._touching_digits(self.place + len(word))
+        word += "" if self._is_imaginary(word, word + digits) else digits
+        self._letter(word, self.place + len(word))
+
+    def _touching_digits(self, place: int) -> str:
+        """Return digits that touch a letter: M2 is a letter of its own, x 2 a product."""
+        digits = _DIGITS.match(self.text, place, self.end)
+        return "" if digits is None or self._expects_argument() else digits.group()
+
+    def _is_imaginary(self, word: str, whole: str) -> bool:
+        """Tell whether i2 is i times 2: in a power of e, where neither i nor i2 is a letter."""
+        if word not in ("i", "j") or word in self.words.names or whole in self.words.names:
+            return False
+        return any(token.value in ("e", "exp") for token in self.tokens[-40:])
+
+    def _expects_argument(self) -> bool:
+        last = self.tokens[-1] if self.tokens else None
+        return last is not None and (last.kind in ("sup", "under") or last.is_cmd("frac", "sqrt"))
+
+    def _letter(self, base: str, stop: int) -> None:
+        names = self.words.names
+        name, stop = (base, stop) if "_" in base else with_scripts(self.text, base, stop, self.end, names)
+        if "_" in base:
+            while stop < self.end and self.text[stop] in "'′’":
+                name, stop = name + "'", stop + 1
+        if name in ("Delta", "delta") and (after := self._difference(name, stop)):
+            name, stop = after
+        self._add("name", name, stop)
+
+    def _difference(self, name: str, stop: int) -> tuple[str, int] | None:
+        match = re.compile(r"\s*([A-Za-z])").match(self.text, stop, self.end)
+        if match and f"{name}_{match.group(1)}" in self.words.names and name not in self.words.names:
+            return f"{name}_{match.group(1)}", match.end()
+        return None
+
+    # What begins with a backslash
+
+    def _backslash(self) -> None:
+        if bracket := _SIZED_BRACKET.match(self.text, self.place, self.end):
+            kind = "open" if bracket.group(1) in "([" else "close"
+            self._add(kind, bracket.group(1), bracket.end())
+        elif match := _LEFT_RIGHT.match(self.text, self.place, self.end):
+            self._sized_bracket(match)
+        elif match := _COMMAND.match(self.text, self.place, self.end):
+            self._command(match.group(1), match.end())
+        else:
+            self._escape(self.text[self.place + 1 : self.place + 2])
+
+    def _sized_bracket(self, match: re.Match[str]) -> None:
+        side, delimiter = match.group(1), match.group(2)
+        if delimiter == ".":
+            raise ReadingError(self.place, "a bracket with one side only", "write both sides")
+        if "|" in delimiter or "vert" in delimiter:
+            self._add("open" if side in ("left",) or side[-1] == "l" else "close", "|", match.end())
+        else:
+            self._add("open" if delimiter == "\\{" else "close", delimiter, match.end())
+
+    def _escape(self, sign: str) -> None:
+        if sign in ("{", "}"):
+            self._add("open" if sign == "{" else "close", "\\" + sign, self.place + 2)
+        elif sign == "|":
+            self._add("bar", "|", self.place + 2)
+        elif sign == "%":
+            raise ReadingError(self.place, *signs.REFUSED_SIGNS["%"])
+        elif not sign or sign in ",;:!> \t\r\n/\\":
+            self.place += 2
+        else:
+            raise ReadingError(self.place, f"unknown command \\{sign}", "write it without")
+
+    def _command(self, name: str, stop: int) -> None:
+        """Add what a command stands for: a unit, a letter, a function, a sign."""
+        if self.text[stop - 1] == "*":
+            stop -= 1
+        if self.set_unit(name):
+            return
+        if name in GREEK_SIGN:
+            self._greek(name, stop)
+        elif name in FUNCTION_WORDS and name != "sqrt":
+            self._add("function", FUNCTION_WORDS[name], stop)
+        elif name in signs.RELATION_COMMANDS:
+            self._add("rel", signs.RELATION_COMMANDS[name], stop)
+        elif name in signs.OPERATOR_COMMANDS:
+            self._add("op", signs.OPERATOR_COMMANDS[name], stop)
+        elif name in signs.DOTS_COMMANDS:
+            self._add("dots", "…", stop)
+        elif name in signs.BRACKET_COMMANDS:
+            self._add(*signs.BRACKET_COMMANDS[name], stop)
+        else:
+            self._other_command(name, stop)
+
+    def _other_command(self, name: str, stop: int) -> None:
+        """Add a command of structure, skip one of layout, refuse one that is not read."""
+        if name in signs.STRUCTURE or name in ACCENTS or name in TIME_DOTS:
+            self._add("cmd", "frac" if name.endswith("frac") else name, stop)
+        elif name in FONTS:
+            self._font(name, stop)
+        elif name in signs.SPACE_COMMANDS:
+            self.place = stop
+        elif name in ("underbrace", "overbrace"):
+            self._annotated_brace(stop)
+        elif name in signs.SPACE_WITH_ARGUMENT:
+            argument = _ARGUMENT.match(self.text, stop, self.end)
+            self.place = argument.end() if argument else stop
+        elif name in signs.REFUSED:
+            raise ReadingError(self.place, *signs.REFUSED[name])
+        elif name in ("begin", "end"):
+            self._environment(stop)
+        else:
+            raise ReadingError(self.place, f"unknown command \\{name}", "write what it stands for")
+
+    def _annotated_brace(self, stop: int) -> None:
+        """\\underbrace{X}_{words} is X: the words will be skipped."""
+        sign = "_" if self.text.startswith("\\under", self.place) else "^"
+        after = matching_brace(self.text, stop, self.end, _LONGEST_ANNOTATED)
+        match = re.compile(rf"\s*\{sign}\s*(?=\{{)").match(self.text, after, self.end)
+        if match:
+            self.skips[after] = matching_brace(self.text, match.end(), self.end, _LONGEST_ANNOTATED)
+        self.place = stop
+
+    def _environment(self, stop: int) -> None:
+        match = _ENVIRONMENT.match(self.text, stop, self.end)
+        if not match or match.group(1) not in signs.ENVIRONMENTS:
+            what = "cases, arrays and matrices are not read"
+            raise ReadingError(self.place, what, "write each row as an equation")
+        self.place = match.end()
+
+    def _greek(self, name: str, stop: int) -> None:
+        if name == "pi" and "pi" not in self.words.names:
+            full_name, after = with_scripts(self.text, name, stop, self.end, self.words.names)
+            self._add("name", full_name, after if full_name != name else stop)
+        else:
+            self._letter(name, stop)
+
+    def _font(self, name: str, stop: int) -> None:
+        """\\mathrm{Lh} is the run Lh, \\operatorname{sin} the function; the rest stays as it is."""
+        match = _FONT_WORD.match(self.text, stop, self.end)
+        if match and match.group(1) in FUNCTION_WORDS and match.group(1) not in self.words.names:
+            self._add("function", FUNCTION_WORDS[match.group(1)], match.end())
+        elif match and match.group(1)[0].isalpha() and self._is_one_letter(match.group(1)):
+            self._letter(match.group(1), match.end())
+        elif match and name == "operatorname":
+            raise ReadingError(
+                self.place, f"unknown function {match.group(1)}", "write what it stands for"
+            )
+        else:
+            self.place = stop
+
+    def _is_one_letter(self, word: str) -> bool:
+        return len(word) == 1 or word in self.words.names or word[1:].isdecimal()
+
+    # Units: behind a number they multiply it, behind a letter only those of factor 1 are clear
+
+    def set_unit(self, command: str) -> bool:
+        """Read \\mathrm{mm} behind a number; tell whether it was a unit."""
+        if command.endswith("frac") and self.is_behind_number():
+            unit_span = unit_fraction_at(self.text, self.place, self.end)
+        else:
+            unit_span = (
+                unit_set_at(self.text, self.place, self.end) if command in _UNIT_COMMANDS else None
+            )
+        if unit_span is None:
+            return False
+        unit, stop = unit_span
+        bare, scale = unit.strip("{} ~"), scale_of(unit)
+        if len(bare) == 1 and self._is_factor_of_product(bare, stop):
+            return False
+        is_unit = command not in ("mathrm", *_WORD_FONTS) or self._may_be_unit(
+            command, bare, scale is not None
+        )
+        if not is_unit:
+            return False
+        if scale is None:
+            raise ReadingError(self.place, f"unit {bare} is not read", "leave it out of the formula")
+        self.add_factor(bare, scale, stop)
+        return True
+
+    def _is_factor_of_product(self, letter: str, stop: int) -> bool:
+        """Tell whether \\frac12\\mathrm{m}v^2 goes on after a declared letter: it is no unit there."""
+        after = self.text[stop : min(stop + 8, self.end)].lstrip()
+        goes_on = after[:1].isalnum() or after[:1] == "(" or after.startswith(("\\left", "\\frac"))
+        is_apart = is_set_apart(self.text, self.place)
+        return letter in self.words.names and goes_on and not is_apart
+
+    def _may_be_unit(self, command: str, word: str, is_known_unit: bool) -> bool:
+        """Tell whether upright letters are a unit: behind a number; behind a letter if set apart."""
+        names = frozenset() if command in _WORD_FONTS else self.words.names
+        is_apart = is_set_apart(self.text, self.place)
+        if word in FUNCTION_WORDS or (word in names and (len(word) > 1 or not self.is_behind_number())):
+            return False
+        if self.is_behind_number():
+            foreign = word.isalpha() and len(word) > 1 and word[0] != "d"
+            return is_known_unit or (foreign and (is_apart or not all(sign in names for sign in word)))
+        return (
+            is_known_unit
+            and bool(self.tokens)
+            and (command in _WORD_FONTS or (is_apart and len(word) > 1))
+        )
+
+    def is_behind_number(self) -> bool:
+        """Tell whether a number, π or a bracket stands before the place."""
+        if not self.tokens:
+            return False
+        last, pi = self.tokens[-1], "pi" not in self.words.names
+        is_exponent = last.kind == "number" and len(self.tokens) > 1 and self.tokens[-2].kind == "sup"
+        if is_exponent and not is_set_apart(self.text, self.place):
+            return False
+        return last.kind in ("number", "close", "vulgar") or (pi and last.value == "pi")
+
+    def add_factor(self, unit: str, scale: tuple[Fraction, bool], stop: int) -> None:
+        """Multiply by a unit's factor; behind a letter only a unit of factor 1 is clear."""
+        if not self.is_behind_number() and scale != (1, False):
+            what = f"unit {unit} behind a letter"
+            raise ReadingError(self.place, what, "leave it out of the formula")
+        self.tokens += factor_tokens(scale, self.place, stop)
+        self.place = stop
+
+    def plain_unit(self, sign: str) -> bool:
+        """Read ` mm` or `[mm]` behind a number; tell whether it was a unit."""
+        number = bool(self.tokens) and self.tokens[-1].kind == "number"
+        if sign == " ":
+            plain = number and not self.latex
+            unit_span = (
+                plain_unit_at(self.text, self.place, self.end, self.words.names) if plain else None
+            )
+        else:
+            unit_span = bracketed_unit_at(self.text, self.place, self.end)
+        scale = scale_of(unit_span[0]) if unit_span else None
+        if not unit_span or not scale or not (number or self._is_last(unit_span[1])):
+            return False
+        self.add_factor(unit_span[0], scale, unit_span[1])
+        return True
+
+    def _is_last(self, stop: int) -> bool:
+        """Tell whether a side ends at a place."""
+        after = self.text[stop : self.end].lstrip()
+        return self.tokens != [] and (not after or signs.relation_at_start(after) != "")
+
 
 def _without_braces(tokens: list[Token]) -> list[Token]:
     """{\\cos}^2 is \\cos^2."""
-    kept: list[Token] = []
+    result: list[Token] = []
     for token in tokens:
-        kept.append(token)
-        kinds = [one.kind for one in kept[-3:]]
+        result.append(token)
+        kinds = [last.kind for last in result[-3:]]
         if kinds == ["open", "function", "close"] and token.value == "}":
-            kept[-3:] = [replace(kept[-2], start=kept[-3].start, end=token.end)]
-    return kept
+            result[-3:] = [replace(result[-2], start=result[-3].start, end=token.end)]
+    return result
 
 
 def _with_three_dots(tokens: list[Token]) -> list[Token]:
     """\\cdot \\cdot \\cdot is three dots."""
-    joined: list[Token] = []
+    result: list[Token] = []
     place = 0
     while place < len(tokens):
         if all(t.is_op("*") for t in tokens[place : place + 3]) and len(tokens) >= place + 3:
-            joined.append(Token("dots", "…", tokens[place].start, tokens[place + 2].end))
+            result.append(Token("dots", "…", tokens[place].start, tokens[place + 2].end))
             place += 3
         else:
-            joined.append(tokens[place])
+            result.append(tokens[place])
             place += 1
-    return joined
+    return result
 
 
-def lex(text: str, start: int, end: int, names: Collection[str]) -> list[Token]:
-    """Return the tokens of text[start:end]."""
-    return Lexer(text, start, end, names).run()
+def factor_tokens(scale: Scale, start: int, end: int) -> list[Token]:
+    """Return a bracket that holds the factor, nothing where it is 1."""
+    size, pi = scale
+    if size == 1 and not pi:
+        return []
+    inside = [Token("number", str(size), start, end, size)]
+    if pi:
+        top = [Token("name", "pi", start, end)]
+        if size.numerator != 1:
+            top.insert(0, Token("number", str(size.numerator), start, end, Fraction(size.numerator)))
+        below = Token("number", str(size.denominator), start, end, Fraction(size.denominator))
+        inside = [*top, *([Token("op", "/", start, end), below] if size.denominator > 1 else [])]
+    return [Token("open", "{", start, end), *inside, Token("close", "}", start, end)]
+
+
+MOST_DIGITS = 400
+"""Digits, and the largest power of ten: exact arithmetic with more of them would take over."""
+
+_THOUSANDS = re.compile(r"[0-9]{1,3}(?:(?:\\,|\{,\}|\u2009|\u202f)[0-9]{3})+(?![0-9])(?:\.[0-9]+)?")
+_DECIMAL_COMMA = re.compile(r"[0-9]+\{,\}[0-9]+")
+_PLAIN_NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)")
+_EXPONENT = re.compile(r"[eE]([+-]?[0-9]+)(?![A-Za-z0-9])")
+_GROUPING = re.compile(r"\\,|\{,\}|\u2009|\u202f")
+
+
+def read_number(text: str, start: int, end: int, scientific: bool = True) -> Token | None:
+    """Return the number that begins at `start`, or None.
+
+    >>> read_number("4.02", 0, 4).number, read_number("4.02", 0, 4).place
+    (Fraction(201, 50), Fraction(1, 100))
+    >>> read_number("1\\\\,024", 0, 6).number
+    Fraction(1024, 1)
+    """
+    if match := _THOUSANDS.match(text, start, end):
+        digits, exponent = _GROUPING.sub("", match.group()), None
+    elif match := _DECIMAL_COMMA.match(text, start, end):
+        digits, exponent = match.group().replace("{,}", "."), None
+    elif match := _PLAIN_NUMBER.match(text, start, end):
+        digits = match.group()
+        exponent = _EXPONENT.match(text, match.end(), end) if scientific else None
+    else:
+        return None
+    return _number_token(digits, exponent, start, match.end())
+
+
+def _number_token(digits: str, exponent: re.Match[str] | None, start: int, stop: int) -> Token:
+    if len(digits) > MOST_DIGITS:
+        raise ReadingError(start, f"a number of more than {MOST_DIGITS} digits", "write fewer digits")
+    value = Fraction(digits)
+    decimals = len(digits.partition(".")[2])
+    place = Fraction(1, 10**decimals) if decimals else None
+    if exponent:
+        scale = _power_of_ten(exponent, start)
+        value, stop = value * scale, exponent.end()
+        place = place * scale if place else None
+    return Token("number", digits, start, stop, value, place)
+
+
+def _power_of_ten(exponent: re.Match[str], start: int) -> Fraction:
+    digits = exponent.group(1)
+    if len(digits) > 4 or abs(int(digits)) > MOST_DIGITS:
+        raise ReadingError(start, "a power of ten out of all proportion", "check the exponent")
+    return Fraction(10) ** int(digits)
+
+
+class Vocabulary:
+    """Finds the longest declared letter or function that begins at a place.
+
+    >>> Vocabulary(frozenset({"L", "Lh"})).longest("Lh cos", 0, 6)
+    ('name', 'Lh')
+    >>> Vocabulary(frozenset()).longest("cosh x", 0, 6)
+    ('function', 'cosh')
+    """
+
+    def __init__(self, names: frozenset[str]) -> None:
+        self.names = names
+        words = {name for name in names if name.isascii() and name[:1].isalpha()}
+        words |= {name.split("_")[0].rstrip("'") for name in words}
+        self._by_letter: dict[str, list[tuple[int, str, str]]] = {}
+        functions = set(FUNCTION_WORDS) - names
+        functions -= {"asin", "acos", "atan"} if "a" in names else set()
+        for kind, group in (("name", words), ("function", functions), ("constant", {"pi"} - names)):
+            for word in group:
+                self._by_letter.setdefault(word[:1], []).append((-len(word), kind, word))
+        for entries in self._by_letter.values():
+            entries.sort()
+
+    def longest(self, text: str, start: int, end: int) -> tuple[str, str] | None:
+        """Return kind and word of the longest entry at `start`; a base counts where a script follows."""
+        for _, kind, word in self._by_letter.get(text[start], ()):
+            stop = start + len(word)
+            if stop <= end and text.startswith(word, start) and self._fits(text, word, stop, end, kind):
+                return kind, word
+        return None
+
+    def _fits(self, text: str, word: str, stop: int, end: int, kind: str) -> bool:
+        after = text[stop] if stop < end else " "
+        if kind != "name":
+            return True
+        if word[-1].isdigit() and after.isdigit():
+            return False
+        return word in self.names or (len(word) > 1 and (after in "_'′" or after in LOWERED))
+
+
+@lru_cache(maxsize=256)
+def _vocabulary(names: frozenset[str]) -> Vocabulary:
+    return Vocabulary(names)
+
+
+def vocabulary(names: Collection[str]) -> Vocabulary:
+    """Return the vocabulary of some names; equal sets share one."""
+    return _vocabulary(names if isinstance(names, frozenset) else frozenset(names))

@@ -1,4 +1,4 @@
-"""Equations within prose: where a line's mathematics begins and ends."""
+"""Where mathematics begins and ends in a line of prose."""
 
 from __future__ import annotations
 
@@ -21,9 +21,8 @@ from symbalance.document.letters import (
 )
 from symbalance.document.wordlists import word_set
 from symbalance.notes.reading import signs
-from symbalance.notes.reading.numerals import VULGAR
+from symbalance.notes.reading.lexer import VULGAR, Vocabulary
 from symbalance.notes.reading.units import follows_number, plain_unit_at, scale_of, unit_set_at
-from symbalance.notes.reading.vocabulary import Vocabulary
 
 _UNIT = (
     r"(?P<unit>(?<=[0-9])\s[A-Za-zµμ]+[A-Za-z0-9^/²³⁻¹-]*"
@@ -62,7 +61,7 @@ _ARTICLE_LAST = re.compile(r"\s(a|I|A)$")
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class LineRules:
     """What decides about the words of a line: its letters, and how freely runs of them are taken.
 
     `longest` is how many single letters may stand side by side without being a word: in a line of
@@ -80,49 +79,49 @@ class Line:
         return is_letters(word, self.words, self.longest)
 
 
-def line_rules(text: str, start: int, end: int, words: Vocabulary, lenient: bool) -> Line:
+def line_rules(text: str, start: int, end: int, words: Vocabulary, lenient: bool) -> LineRules:
     """Return the rules for a line: stricter where it holds words written in these letters."""
-    long_words = (found.group() for found in _LONG_WORD.finditer(text, start, end))
+    long_words = (match.group() for match in _LONG_WORD.finditer(text, start, end))
     english = not lenient and any(not is_letters(word, words, 3) for word in long_words)
-    return Line(words, lenient, 2 if english else 3)
+    return LineRules(words, lenient, 2 if english else 3)
 
 
-def segments(text: str, start: int, end: int, line: Line) -> list[tuple[int, int]]:
+def segments(text: str, start: int, end: int, line: LineRules) -> list[tuple[int, int]]:
     """Return the stretches of a line without prose."""
-    found: list[tuple[int, int]] = []
+    spans: list[tuple[int, int]] = []
     first = start
     for piece in _pieces(text, start, end, line):
         if _is_mathematical(piece, text, end, line):
             continue
         if text[first : piece.start()].strip():
-            found.append((first, piece.start()))
+            spans.append((first, piece.start()))
         first = piece.end()
     if text[first:end].strip():
-        found.append((first, end))
-    return found
+        spans.append((first, end))
+    return spans
 
 
-def _pieces(text: str, start: int, end: int, line: Line) -> Iterator[re.Match[str]]:
+def _pieces(text: str, start: int, end: int, line: LineRules) -> Iterator[re.Match[str]]:
     """Yield the pieces of a line; what only looks like a unit is taken apart."""
-    while found := _PIECE.match(text, start, end):
-        if found.lastgroup == "unit" and not _is_unit(found, text, end, line):
-            found = _PIECE_BUT_UNITS.match(text, start, end)
-            assert found
-        yield found
-        start = found.end()
+    while piece := _PIECE.match(text, start, end):
+        if piece.lastgroup == "unit" and not _is_unit(piece, text, end, line):
+            piece = _PIECE_BUT_UNITS.match(text, start, end)
+            assert piece
+        yield piece
+        start = piece.end()
 
 
-def _is_unit(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
+def _is_unit(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     if piece.group()[0] == "[":
         before = text[max(piece.start() - 2, 0) : piece.start()].rstrip()[-1:]
         if not before or not (before in ")]}" or (before.isascii() and before.isalnum())):
             return False
         return scale_of(piece.group()[1:-1]) is not None
-    found = plain_unit_at(text, piece.start(), end, line.words.names)
-    return found is not None and found[1] == piece.end()
+    unit = plain_unit_at(text, piece.start(), end, line.words.names)
+    return unit is not None and unit[1] == piece.end()
 
 
-def _is_mathematical(piece: re.Match[str], text: str, end: int, line: Line) -> bool:
+def _is_mathematical(piece: re.Match[str], text: str, end: int, line: LineRules) -> bool:
     kind, sign = piece.lastgroup, piece.group()
     if kind == "word":
         return line.is_mathematical(sign)
@@ -159,19 +158,19 @@ def is_letters(word: str, words: Vocabulary, longest: int) -> bool:
         return True
     if word.lower() in _PLAIN_WORDS or len(word) > 20:
         return False
-    return word[1:].isdecimal() or _made_of_letters(word, words, longest)
+    return word[1:].isdecimal() or _consists_of_letters(word, words, longest)
 
 
-def _made_of_letters(word: str, words: Vocabulary, longest: int) -> bool:
+def _consists_of_letters(word: str, words: Vocabulary, longest: int) -> bool:
     place, unknown, whole = 0, 0, False
     while place < len(word):
-        found = words.longest(word, place, len(word))
-        known = len(found[1]) if found else 0
-        whole = whole or known > 1
+        entry = words.longest(word, place, len(word))
+        length = len(entry[1]) if entry else 0
+        whole = whole or length > 1
         unknown += not (
-            known or word[place].isdecimal() or word[place] == "i" or (word[0] == "d" and not place)
+            length or word[place].isdecimal() or word[place] == "i" or (word[0] == "d" and not place)
         )
-        place += known or 1
+        place += length or 1
     if unknown:
         return unknown == 1 and _is_factor_before_function(word)
     return whole or len(word) <= longest
@@ -182,21 +181,21 @@ def _is_factor_before_function(word: str) -> bool:
     return word[1:] in FUNCTION_WORDS and word not in FUNCTION_WORDS
 
 
-def trimmed_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[int, int]:
+def trim_segment(text: str, start: int, end: int, words: Vocabulary) -> tuple[int, int]:
     """Return a segment without articles, bullets and brackets that belong to the prose around it."""
     while start < end and (text[start].isspace() or text[start] in ",;.'′~&"):
         start += 1
-    if (found := _ARTICLE_FIRST.match(text, start, end)) and found.group(1) not in words.names:
-        start = found.end()
+    if (match := _ARTICLE_FIRST.match(text, start, end)) and match.group(1) not in words.names:
+        start = match.end()
     while start < end and text[start] in "*-+/•·" and text[start + 1 : start + 2].isspace():
         start += 1
         while start < end and text[start].isspace():
             start += 1
     while start < end and (text[end - 1].isspace() or text[end - 1] in ",;'~&"):
         end -= 1
-    found = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
-    if found and found.group(1) not in words.names:
-        end -= len(found.group())
+    match = _ARTICLE_LAST.search(text[max(start, end - 4) : end])
+    if match and match.group(1) not in words.names:
+        end -= len(match.group())
     return _within_brackets(text, start, end)
 
 
@@ -226,17 +225,17 @@ def _longest_between(places: Collection[int], start: int, end: int) -> tuple[int
 
 
 def _lone_brackets(text: str, start: int, end: int) -> set[int]:
-    opened: list[int] = []
+    open_brackets: list[int] = []
     lone: set[int] = set()
     for place in range(start, end):
         if text[place] in "([{":
-            opened.append(place)
+            open_brackets.append(place)
         elif text[place] in ")]}":
-            if opened:
-                opened.pop()
+            if open_brackets:
+                open_brackets.pop()
             else:
                 lone.add(place)
-    return lone | set(opened)
+    return lone | set(open_brackets)
 
 
 def _is_enclosed(text: str, start: int, end: int) -> bool:

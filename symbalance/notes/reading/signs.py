@@ -1,6 +1,8 @@
-"""What each command and sign of a formula stands for."""
+"""Tables of what each sign and LaTeX command of a formula stands for."""
 
 from __future__ import annotations
+
+import re
 
 from symbalance.document.wordlists import listed, word_set
 
@@ -76,3 +78,24 @@ BRACKET_COMMANDS = {
     "lparen": ("open", "("), "rparen": ("close", ")"), "langle": ("open", "<"), "rangle": ("close", ">"),
     "lvert": ("open", "|"), "rvert": ("close", "|"), "vert": ("bar", "|"), "mid": ("bar", "|"),
 }  # fmt: skip
+
+ENVIRONMENTS = word_set(
+    "equation align aligned gather gathered eqnarray multline split displaymath flalign alignat alignedat"
+    " math dmath"
+)
+"""LaTeX environments that hold equations, without the star."""
+
+RELATION = re.compile(
+    r"\\(?:" + "|".join(sorted(RELATION_COMMANDS, key=len, reverse=True)) + r")(?![A-Za-z])|["
+    + re.escape("".join(set(RELATION_SIGNS) - set("=<>"))) + r"]|=(?!>)|<(?!-)|(?<![-=])>|(?<=\s)~(?=\s)"
+)  # fmt: skip
+"""A relation wherever it may stand; arrows such as => and -> are none, and ~ is one between spaces."""
+
+
+def relation_at_start(text: str) -> str:
+    """Return the relation a text begins with, "" if none."""
+    match = RELATION.match(text)
+    if not match:
+        return ""
+    sign = match.group()
+    return RELATION_COMMANDS[sign[1:]] if sign[0] == "\\" else RELATION_SIGNS.get(sign, "≈")

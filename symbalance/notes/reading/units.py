@@ -1,4 +1,4 @@
-"""Units behind numbers: 40 mm is 40·(1/1000), 6000 rpm is 6000·(π/30), 3 N is 3."""
+"""Units behind numbers, read as factors: 40 mm is 40·(1/1000), 6000 rpm is 6000·(π/30), 3 N is 3."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from collections.abc import Collection
 from fractions import Fraction
 
 from symbalance.document.wordlists import listed, word_set
-from symbalance.notes.reading.tokens import Token
 
 Scale = tuple[Fraction, bool]
 """The factor to the unit without prefix, and whether π multiplies it."""
@@ -59,12 +58,12 @@ def scale_of(unit: str) -> Scale | None:
         return _TURNS[plain], True
     scale, place, power = Fraction(1), 0, 1
     while place < len(plain):
-        found = _PART.match(plain, place)
-        size = found and (Fraction(1) if found.group(1) == "1" else _UNITS.get(found.group(1)))
-        if not found or not size:
+        match = _PART.match(plain, place)
+        size = match and (Fraction(1) if match.group(1) == "1" else _UNITS.get(match.group(1)))
+        if not match or not size:
             return None
-        scale *= size ** (power * int(found.group(2) or 1))
-        place = found.end()
+        scale *= size ** (power * int(match.group(2) or 1))
+        place = match.end()
         sign = plain[place : place + 1]
         if sign and sign not in " /":
             return None
@@ -75,7 +74,7 @@ def scale_of(unit: str) -> Scale | None:
 def _plain(unit: str) -> str:
     """Return a unit without LaTeX: one space between the parts of a product."""
     text = re.sub(r"\\mu\s*", "u", _INNER_FONT.sub("", unit))
-    text = _RAISED_RUN.sub(lambda found: "^" + found.group(), text)
+    text = _RAISED_RUN.sub(lambda match: "^" + match.group(), text)
     text = _SEPARATOR.sub(" ", text.translate(_RAISED))
     text = text.replace("{", "").replace("}", "")
     return re.sub(r"\s*([/^-])\s*", r"\1", re.sub(r"\s+", " ", text)).strip()
@@ -83,10 +82,10 @@ def _plain(unit: str) -> str:
 
 def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     """Return the unit in \\mathrm{ } and its kin at a place, and where it ends; None if none begins."""
-    found = _SET.match(text, place, end)
-    if not found:
+    match = _SET.match(text, place, end)
+    if not match:
         return None
-    stop = found.end()
+    stop = match.end()
     for _ in range(_MOST_PARTS):
         more = _MORE.match(text, stop, end)
         if not more or not scale_of(more.group("word")):
@@ -97,9 +96,9 @@ def unit_set_at(text: str, place: int, end: int) -> tuple[str, int] | None:
 
 def unit_fraction_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     """Return the unit \\frac{\\mathrm{m}}{\\mathrm{s}^2} at a place as m/s^2, and where it ends."""
-    found = _FRACTION.match(text, place, end)
-    unit = f"{_bare(found.group(1))}/{_bare(found.group(2))}" if found else ""
-    return (unit, found.end()) if found and scale_of(unit) else None
+    match = _FRACTION.match(text, place, end)
+    unit = f"{_bare(match.group(1))}/{_bare(match.group(2))}" if match else ""
+    return (unit, match.end()) if match and scale_of(unit) else None
 
 
 def _bare(unit: str) -> str:
@@ -108,24 +107,24 @@ def _bare(unit: str) -> str:
 
 def bracketed_unit_at(text: str, place: int, end: int) -> tuple[str, int] | None:
     """Return the unit in [mm] at a place, and where the brackets end; None if it is no unit."""
-    found = _BRACKETED.match(text, place, end)
-    if not found:
+    match = _BRACKETED.match(text, place, end)
+    if not match:
         return None
-    unit = _bare(found.group()[1:-1])
-    return (unit, found.end()) if scale_of(unit) else None
+    unit = _bare(match.group()[1:-1])
+    return (unit, match.end()) if scale_of(unit) else None
 
 
 def plain_unit_at(text: str, place: int, end: int, names: Collection[str]) -> tuple[str, int] | None:
     """Return the unit in `40 mm` whose space is at a place; letters declared one by one are letters."""
-    found = PLAIN.match(text, place, end)
-    if not found or not scale_of(found.group("plain")):
+    match = PLAIN.match(text, place, end)
+    if not match or not scale_of(match.group("plain")):
         return None
-    word = found.group("plain")
+    word = match.group("plain")
     words = re.findall("[A-Za-z]+", word)
-    if any(one in names for one in words) or len(word) == 1 or words[0] == "us":
+    if any(word_part in names for word_part in words) or len(word) == 1 or words[0] == "us":
         return None
     sure = words[0] in _PLAIN_SURE or not all(letter in names for letter in words[0])
-    return (word, found.end()) if sure else None
+    return (word, match.end()) if sure else None
 
 
 def follows_number(text: str, start: int, place: int) -> bool:
@@ -138,18 +137,3 @@ def follows_number(text: str, start: int, place: int) -> bool:
 def is_set_apart(text: str, place: int) -> bool:
     """Tell whether a space typed as such, \\, or ~, stands before a place."""
     return re.search(r"(?:~|\\[,;: ])\s*$", text[max(0, place - 20) : place]) is not None
-
-
-def factor_tokens(scale: Scale, start: int, end: int) -> list[Token]:
-    """Return a bracket that holds the factor, nothing where it is 1."""
-    size, pi = scale
-    if size == 1 and not pi:
-        return []
-    inside = [Token("number", str(size), start, end, size)]
-    if pi:
-        top = [Token("name", "pi", start, end)]
-        if size.numerator != 1:
-            top.insert(0, Token("number", str(size.numerator), start, end, Fraction(size.numerator)))
-        below = Token("number", str(size.denominator), start, end, Fraction(size.denominator))
-        inside = [*top, *([Token("op", "/", start, end), below] if size.denominator > 1 else [])]
-    return [Token("open", "{", start, end), *inside, Token("close", "}", start, end)]

@@ -1,1 +1,1 @@
-"""Is a relation true, by what is known at its line? Exactly, through an order, or to the digits."""
+"""Decisions whether a relation is true: exactly, through an order, or to the digits printed."""

@@ -1,4 +1,6 @@
-"""Cases: numbers put in for letters, and conditions on an angle. They state something, and accuse nobody.
+"""Relations that state a special case: numbers put in for letters, and conditions on an angle.
+
+They are definitions, and no line is refuted for them.
 
 F = m r ω² = 0.5·0.04·628² = 7888       the second = puts numbers in, the third is arithmetic
 cos θ = 0,  2θ = 180°                   a condition
@@ -14,32 +16,35 @@ from symbalance.notes.algebra.domain import NoFormError, TooLargeError
 from symbalance.notes.algebra.harmonics import polynomial_node
 from symbalance.notes.algebra.series import Expansion
 from symbalance.notes.algebra.values import letters
-from symbalance.notes.checking.deciding.changing import substituted
+from symbalance.notes.checking.deciding.equality import PROVED, Decision, decide_equality
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.orders import Small, summed
-from symbalance.notes.checking.deciding.steps import PROVED, Answer, equal
+from symbalance.notes.checking.deciding.order_agreement import SmallLetter, truncated_sum
+from symbalance.notes.checking.deciding.substitution import substitute
 from symbalance.notes.checking.verdicts import DEFINITION
 from symbalance.notes.reading.equations import Chain
 
-HIGHEST = 8
+HIGHEST_ORDER = 8
+"""Of the rod ratio's powers that a line with numbers may have been cut off at."""
 
 
-def numbers_put_in(chain: Chain, k: int, refuted: Answer, knowledge: Knowledge) -> Answer | None:
-    """Return the answer for a refuted relation that only puts numbers in, or states a condition."""
+def decide_numeric_case(
+    chain: Chain, k: int, refutation: Decision, knowledge: Knowledge
+) -> Decision | None:
+    """Return the decision on a refuted relation that only puts numbers in, or states a condition."""
     left, right = chain.sides[k].node, chain.sides[k + 1].node
-    if names(right) or not names(left) or refuted.left is None:
+    if names(right) or not names(left) or refutation.left is None:
         return None
-    free = set(letters(refuted.left))
+    free = set(letters(refutation.left))
     if not free:
         return None
     if free & knowledge.angles:
         alone = k == 0 and len(chain.relations) == 1
         simple = alone and (is_simple(left) or _is_product(left, right, knowledge))
-        return Answer(DEFINITION, "a condition") if simple else None
+        return Decision(DEFINITION, "a condition") if simple else None
     if right == Number(Fraction(0)):
         return None
-    known = {n for n, d in knowledge.definitions.items() if d.numeric}
-    return None if names(left) <= known else Answer(DEFINITION, "numbers put in")
+    numeric_letters = {n for n, d in knowledge.definitions.items() if d.numeric}
+    return None if names(left) <= numeric_letters else Decision(DEFINITION, "numbers put in")
 
 
 def states_a_case(chain: Chain) -> bool:
@@ -53,26 +58,30 @@ def states_a_case(chain: Chain) -> bool:
     return isinstance(left, Name) or (isinstance(left, Call) and isinstance(left.argument, Name))
 
 
-def with_ratio_put_in(left: Formula, right: Formula, knowledge: Knowledge) -> Answer | None:
-    """Return the answer for a ≈ r ω²(cos θ + ¼ cos 2θ) after λ = 4: cut off at an order, then put in.
+def decide_with_ratio(left: Formula, right: Formula, knowledge: Knowledge) -> Decision | None:
+    """Return the decision on a ≈ r ω²(cos θ + ¼ cos 2θ) after λ = 4: cut off at an order, then put in.
 
     None unless the ratio has a number, does not stand on the right, and some order agrees.
     """
     small = knowledge.crank.small if knowledge.crank else None
-    known = knowledge.definitions.get(small[0]) if small else None
-    if small is None or known is None or not known.numeric or small[0] in names(right):
+    definition = knowledge.definitions.get(small[0]) if small else None
+    if small is None or definition is None or not definition.numeric or small[0] in names(right):
         return None
     level = list(knowledge.levels(left, right))[-1]
     evaluator = knowledge.evaluator(level)
     try:
-        exact = Expansion(evaluator.domain, *small, HIGHEST).of(evaluator.form(left))
-        for order in range(HIGHEST + 1):
-            cut_off = summed(exact.cut(order), Small(*small, order))
-            node = substituted(polynomial_node(evaluator.domain, cut_off.numerator), small[0], known.node)
-            if equal(node, right, knowledge).proved:
-                name = Small(*small, order).text
-                return Answer(
-                    PROVED, f"with {formula_text(Name(small[0]), plain=True)} of line {known.line}", name
+        exact = Expansion(evaluator.domain, *small, HIGHEST_ORDER).of(evaluator.form(left))
+        for order in range(HIGHEST_ORDER + 1):
+            cut_off = truncated_sum(exact.cut(order), SmallLetter(*small, order))
+            node = substitute(
+                polynomial_node(evaluator.domain, cut_off.numerator), small[0], definition.node
+            )
+            if decide_equality(node, right, knowledge).is_proved:
+                name = SmallLetter(*small, order).text
+                return Decision(
+                    PROVED,
+                    f"with {formula_text(Name(small[0]), plain=True)} of line {definition.line}",
+                    order=name,
                 )
     except (NoFormError, TooLargeError):
         return None

@@ -1,4 +1,4 @@
-"""What is known at a line: meanings, the document's own definitions, and what is given."""
+"""What a step may use at its line: meanings of letters, the document's definitions, and assumptions."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from symbalance.document.formula import Formula, names
-from symbalance.notes.algebra.evaluation import Evaluator, Meaning
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
 from symbalance.notes.checking.geometry import Geometry
 
 
@@ -20,7 +20,7 @@ class Definition:
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
+class Assumption:
     """An assumption of the sidecar, solved for a letter."""
 
     text: str
@@ -43,7 +43,7 @@ class Knowledge:
     meaning: Meaning = field(default_factory=Meaning)
     crank: Geometry | None = None
     definitions: Mapping[str, Definition] = field(default_factory=dict)
-    given: tuple[Given, ...] = ()
+    assumptions: tuple[Assumption, ...] = ()
     letters: frozenset[str] = frozenset()
     moving: frozenset[str] = frozenset()
     """Letters whose meaning is a motion or a force: left alone where a step holds without."""
@@ -55,29 +55,29 @@ class Knowledge:
         """Yield what may be used, least first: nothing, meanings and definitions, then assumptions."""
         yield Level({})
         number = any(not names(node) for node in nodes)
-        own = {
+        defined_values = {
             name: d.node
             for name, d in self.definitions.items()
             if not (d.numeric and name in self.universal and not number)
         }
-        values = {**own, **self.meaning.values}
+        values = {**defined_values, **self.meaning.values}
         if number:  # a numeric example: the numbers of the letters in which the geometry is written
             values |= {name: d.node for name, d in self.definitions.items() if d.numeric}
         light = {name: node for name, node in values.items() if name not in self.moving}
-        if own and len(light) < len(values):
+        if defined_values and len(light) < len(values):
             yield Level(light)
         if values:
             yield Level(values)
-        for given in self.given:
-            yield Level({**values, given.name: given.node}, (given.text,))
-        if len(self.given) > 1:
-            together = {given.name: given.node for given in self.given}
-            yield Level({**values, **together}, tuple(g.text for g in self.given))
+        for assumption in self.assumptions:
+            yield Level({**values, assumption.name: assumption.node}, (assumption.text,))
+        if len(self.assumptions) > 1:
+            all_values = {assumption.name: assumption.node for assumption in self.assumptions}
+            yield Level({**values, **all_values}, tuple(a.text for a in self.assumptions))
 
-    def evaluator(self, level: Level) -> Evaluator:
+    def evaluator(self, level: Level) -> FormEvaluator:
         """Return an evaluator in a fresh domain for a level."""
         meaning = replace(self.meaning, values=level.values)
-        return Evaluator(meaning.domain(), meaning)
+        return FormEvaluator(meaning.domain(), meaning)
 
     def knows(self, name: str) -> bool:
         """Tell whether a letter has a value."""
@@ -85,7 +85,7 @@ class Knowledge:
 
     def assumes(self, name: str) -> bool:
         """Tell whether an assumption gives a letter its value."""
-        return any(given.name == name for given in self.given)
+        return any(assumption.name == name for assumption in self.assumptions)
 
     def has_meaning(self, name: str) -> bool:
         """Tell whether a letter has a value, or a meaning that relates it to others."""

@@ -1,4 +1,4 @@
-"""Rounded numbers: does a printed decimal agree with what it stands for, to the digits it shows?
+"""Agreement of printed decimals with exact values, to the digits they show.
 
 A lone decimal is the result of what stands on the other side, whose own numbers count as exact. Among
 letters every coefficient is compared for itself, and may be off by what half a unit in the last place of
@@ -17,7 +17,7 @@ from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.forms import Form
 from symbalance.notes.algebra.harmonics import Components, components
 from symbalance.notes.algebra.values import Valuation, context, letters
-from symbalance.notes.checking.deciding.changing import replaced
+from symbalance.notes.checking.deciding.substitution import replace_part
 
 LONG = 3
 """A decimal of this many digits on the way to a result may itself be rounded."""
@@ -42,15 +42,15 @@ def agrees_as_printed(
         return False
     first, second = form_of(left), form_of(right)
     if not letters(first) and not letters(second):
-        for node, value, exact, other in (
+        for node, value, exact, other_side in (
             (right, second, first, left),
             (left, first, second, right),
         ):
-            lone = _lone(node, generous) if decimals(node) or decimals(other) else None
+            lone = _lone_decimal(node, generous) if decimals(node) or decimals(other_side) else None
             if lone is not None:
                 numbers = _number(value), _number(exact)
                 unit = _unit(node, lone, numbers[0], form_of)
-                return _is_rounded(lone, unit, *numbers, decimals(other), generous)
+                return _is_rounded(lone, unit, *numbers, decimals(other_side), generous)
     return _coefficients_agree(left, right, first, second, form_of)
 
 
@@ -63,16 +63,16 @@ def _as_printed(number: Number, generous: bool) -> Number | None:
     return Number(number.value, Fraction(10**zeros))
 
 
-def _lone(node: Formula, generous: bool) -> Number | None:
+def _lone_decimal(node: Formula, generous: bool) -> Number | None:
     """Return the decimal a side consists of, up to its sign and a factor without decimals."""
     if isinstance(node, Negative):
-        return _lone(node.operand, generous)
+        return _lone_decimal(node.operand, generous)
     if isinstance(node, Number):
         return node if node.last_place is not None else _as_printed(node, generous)
-    found = decimals(node)
-    if not isinstance(node, formula.Product) or len(found) != 1 or formula.names(node):
+    numbers = decimals(node)
+    if not isinstance(node, formula.Product) or len(numbers) != 1 or formula.names(node):
         return None
-    return found[0] if found[0] in node.factors else None
+    return numbers[0] if numbers[0] in node.factors else None
 
 
 def _number(form: Form) -> Any:
@@ -84,16 +84,16 @@ def _unit(node: Formula, lone: Number, value: Any, form_of: Callable[[Formula], 
     assert lone.last_place is not None
     if lone.value:
         return abs(value) * float(lone.last_place / abs(lone.value))
-    return abs(_number(form_of(replaced(node, lone, Number(lone.last_place)))))
+    return abs(_number(form_of(replace_part(node, lone, Number(lone.last_place)))))
 
 
 def _is_rounded(
     lone: Number, unit: Any, value: Any, exact: Any, others: list[Number], generous: bool
 ) -> bool:
     """Tell whether a value is the exact one, rounded; a printed 0.000 stands for half a unit at most."""
-    wide = any(significant(number) >= LONG for number in others)
-    wide = wide or (generous and abs(value) <= abs(exact))
-    return abs(value - exact) <= unit * (1 if wide and lone.value else 0.5) * (1 + 1e-12)
+    is_loose = any(significant(number) >= LONG for number in others)
+    is_loose = is_loose or (generous and abs(value) <= abs(exact))
+    return abs(value - exact) <= unit * (1 if is_loose and lone.value else 0.5) * (1 + 1e-12)
 
 
 def significant(number: Number) -> int:
@@ -109,22 +109,26 @@ def significant(number: Number) -> int:
 def _coefficients_agree(
     left: Formula, right: Formula, first: Form, second: Form, form_of: Callable[[Formula], Form]
 ) -> bool:
+    """Tell whether no coefficient is off by more than half a unit in each decimal's last place brings."""
     if not (first.is_polynomial and second.is_polynomial):
         return False
     domain = first.domain
-    exact, claimed = _parts(first), _parts(second)
-    room: dict[Any, Any] = {}
-    for side, own in ((left, exact), (right, claimed)):
+    left_parts, right_parts = _parts(first), _parts(second)
+    margins: dict[Any, Any] = {}
+    for side, parts in ((left, left_parts), (right, right_parts)):
         for number in decimals(side):
             assert number.last_place is not None
-            moved = Number(number.value + number.last_place / 2, number.last_place)
-            shifted = _parts(form_of(replaced(side, number, moved)))
-            for place in {*own, *shifted}:
-                change = poly.minus(shifted.get(place, {}), own.get(place, {}))
-                room[place] = room.get(place, 0) + abs(Valuation(domain, {}).polynomial(change))
-    for place in {*exact, *claimed}:
-        apart = poly.minus(exact.get(place, {}), claimed.get(place, {}))
-        if abs(Valuation(domain, {}).polynomial(apart)) > room.get(place, 0) * (1 + 1e-12) + _tiny():
+            off_by_half = Number(number.value + number.last_place / 2, number.last_place)
+            parts_off = _parts(form_of(replace_part(side, number, off_by_half)))
+            for key in {*parts, *parts_off}:
+                change = poly.minus(parts_off.get(key, {}), parts.get(key, {}))
+                margins[key] = margins.get(key, 0) + abs(Valuation(domain, {}).polynomial(change))
+    for key in {*left_parts, *right_parts}:
+        difference = poly.minus(left_parts.get(key, {}), right_parts.get(key, {}))
+        if (
+            abs(Valuation(domain, {}).polynomial(difference))
+            > margins.get(key, 0) * (1 + 1e-12) + _tiny()
+        ):
             return False
     return True
 

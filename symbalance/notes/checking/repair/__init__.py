@@ -1,1 +1,1 @@
-"""The smallest change that makes a refuted line true: looked for, proved, and pointed at."""
+"""Corrections of refuted lines: the smallest change that makes a line true, proved and pointed at."""

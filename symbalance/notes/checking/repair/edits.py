@@ -1,12 +1,13 @@
-"""Single changes to a formula, from the slips people make; each with its kind and its cost.
+"""Single changes to a formula that undo the slips people make, each with its kind and its cost.
 
 A change names the part it replaces, so that the report can point at it. Nothing here is proved:
-`diagnosis` keeps a change only if the changed line is.
+`fixes` reports a change only if the changed line is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.document import formula
@@ -23,9 +24,9 @@ from symbalance.document.formula import (
     Quotient,
     Sum,
 )
-from symbalance.notes.algebra.numbers import rational_node
-from symbalance.notes.checking.repair.angle_slips import multiples, phases
-from symbalance.notes.checking.repair.change import Edit, parts
+from symbalance.notes.algebra.domain import Domain, NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator
+from symbalance.notes.algebra.number_formulas import rational_node
 
 _SWAPS = {
     "sin": ("cos", "tan"),
@@ -35,20 +36,74 @@ _SWAPS = {
     "acos": ("asin",),
 }
 MOST_LETTERS = 24
+"""That are put in for others: the number of changes grows with it times the formula's parts."""
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """The part `old` of a formula replaced by `new`; `cost` ranks changes of equal effect."""
+
+    kind: str
+    cost: float
+    old: Formula
+    new: Formula
+
+    def applied(self, parents: dict[int, Formula]) -> Formula:
+        """Return the whole formula changed; `parents` leads from each part to what it is a part of."""
+        old, new = self.old, self.new
+        while id(old) in parents:
+            outer = parents[id(old)]
+            new = formula.with_children(
+                outer, tuple(new if p is old else p for p in formula.children(outer))
+            )
+            old = outer
+        return new
+
+
+def parents_of(node: Formula) -> dict[int, Formula]:
+    """Return, for each part of a formula, the part it stands in."""
+    result: dict[int, Formula] = {}
+    for outer in formula.walk(node):
+        for part in formula.children(outer):
+            result[id(part)] = outer
+    return result
+
+
+def parts(node: Formula, role: str = "side") -> Iterator[tuple[Formula, str]]:
+    """Yield every part with its role: side, term, factor, exponent, argument or operand."""
+    yield node, role
+    for part in formula.children(node):
+        if isinstance(part, formula.Dots):
+            continue
+        yield from parts(part, _role(node, part, role))
+
+
+def _role(node: Formula, part: Formula, role: str) -> str:
+    outer_role = role if role in ("argument", "angle term", "phase", "exponent") else ""
+    if isinstance(node, Sum):
+        angle = "angle term" if formula.names(part) else "phase"
+        return angle if outer_role else "term"
+    if isinstance(node, Power):
+        return "exponent" if part is node.exponent else outer_role or "operand"
+    if isinstance(node, Call):
+        return "argument"
+    if outer_role:
+        return outer_role
+    return "factor" if isinstance(node, Product | Quotient) else "operand"
 
 
 def edits(node: Formula, letters: Iterable[str], variables: Iterable[str]) -> Iterator[Edit]:
     """Yield the single changes of a formula; `letters` may be put in, `variables` differentiated by."""
-    known = list(letters)[:MOST_LETTERS]
+    known_letters = list(letters)[:MOST_LETTERS]
     yield from _all_functions(node)
     for part, role in parts(node):
         yield from _signs(part, role)
         yield from _functions(part)
         yield from _exponents(part, role)
-        yield from _letters(part, known)
+        yield from _letters(part, known_letters)
         yield from phases(part)
         yield from multiples(part, role)
-        yield from _missing(part, role, known)
+        yield from _missing(part, role, known_letters)
         if isinstance(part, Derivative):
             for name in variables:
                 if name != part.variable.name:
@@ -84,13 +139,13 @@ def _functions(part: Formula) -> Iterator[Edit]:
 
 
 def _all_functions(node: Formula) -> Iterator[Edit]:
-    swapped = _swapped(node)
-    if swapped != node:
-        yield Edit("sine and cosine exchanged", 1.05, node, swapped)
+    swapped_node = _with_functions_swapped(node)
+    if swapped_node != node:
+        yield Edit("sine and cosine exchanged", 1.05, node, swapped_node)
 
 
-def _swapped(node: Formula) -> Formula:
-    parts_ = tuple(_swapped(part) for part in formula.children(node))
+def _with_functions_swapped(node: Formula) -> Formula:
+    parts_ = tuple(_with_functions_swapped(part) for part in formula.children(node))
     if isinstance(node, Call) and node.function in ("sin", "cos"):
         return Call("cos" if node.function == "sin" else "sin", parts_[0])
     return formula.with_children(node, parts_) if parts_ else node
@@ -161,3 +216,85 @@ def _product(part: Formula, factor: Formula) -> Formula:
         return Product((factor, *part.factors))
     one = part == Number(Fraction(1))
     return factor if one else Product((factor, part))
+
+
+# Slips inside cos and sin: a phase not multiplied by the order, another order, another multiple of π
+
+
+def phases(part: Formula) -> Iterator[Edit]:
+    """A phase inside cos(nθ - φ) that was not multiplied by n, or was."""
+    if not (
+        isinstance(part, Call) and isinstance(part.argument, Sum) and part.function in ("sin", "cos")
+    ):
+        return
+    multiple = _multiple(part.argument.terms[0])
+    for term in part.argument.terms[1:]:
+        for factor in dict.fromkeys(
+            [
+                multiple,
+                1 / multiple if multiple else None,
+                Fraction(2),
+                Fraction(1, 2),
+                Fraction(3),
+                Fraction(4),
+            ]
+        ):
+            if factor and factor != 1:
+                times = f"times the order {multiple}" if factor == multiple else f"times {factor}"
+                yield Edit(
+                    f"phase not multiplied ({times})",
+                    1.0 if factor == multiple else 1.15,
+                    term,
+                    _times(factor, term),
+                )
+
+
+def _multiple(term: Formula) -> Fraction | None:
+    factors = term.factors if isinstance(term, Product) else (term,)
+    numbers = [f.value for f in factors if isinstance(f, Number)]
+    return numbers[0] if numbers else None
+
+
+def _times(factor: Fraction, term: Formula) -> Formula:
+    """Return factor times a phase, as one fraction of π where it is one.
+
+    >>> from symbalance.document.text_writer import formula_text
+    >>> from symbalance.document.formula import Quotient
+    >>> third = Quotient(rational_node(Fraction(1)), rational_node(Fraction(3)))
+    >>> formula_text(_times(Fraction(6), Product((third, Constant("pi")))), plain=True)
+    '2 π'
+    """
+    evaluator = FormEvaluator(Domain())
+    try:
+        of_pi = evaluator.form(term).over(evaluator.form(Constant("pi"))).rational()
+    except (NoFormError, TooLargeError):
+        of_pi = None
+    if of_pi:
+        phase = Product((rational_node(abs(of_pi * factor)), Constant("pi")))
+        return Negative(phase) if of_pi * factor < 0 else phase
+    if isinstance(term, Negative):
+        return Negative(_times(factor, term.operand))
+    return Product((rational_node(factor), term))
+
+
+def multiples(part: Formula, role: str) -> Iterator[Edit]:
+    """The order inside cos nθ: another whole number."""
+    kind = "phase" if role == "phase" else "order"
+    if role in ("argument", "angle term", "phase"):
+        if isinstance(part, Number) and part.value.denominator == 1 and part.last_place is None:
+            for value in range(1, 13):
+                if value != part.value:
+                    yield Edit(
+                        kind,
+                        1.1 + abs(value - float(part.value)) / 100,
+                        part,
+                        rational_node(Fraction(value)),
+                    )
+        elif isinstance(part, Name):
+            for value in (2, 3, 4, 6):
+                yield Edit(
+                    "order", 1.15 + value / 100, part, Product((rational_node(Fraction(value)), part))
+                )
+        elif isinstance(part, Constant) and part.name == "pi":
+            for factor in (Fraction(2), Fraction(1, 2)):
+                yield Edit("phase", 1.3, part, Product((rational_node(factor), part)))

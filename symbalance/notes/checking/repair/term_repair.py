@@ -1,4 +1,4 @@
-"""Wrong terms by their exact values: the difference of two sides, handed out to its terms."""
+"""Correction of a sum's wrong terms: the difference of two sides shared out among its terms."""
 
 from __future__ import annotations
 
@@ -9,15 +9,16 @@ from symbalance.document import formula
 from symbalance.document.formula import Formula, Negative, Number, Product, Quotient, Sum
 from symbalance.notes.algebra import polynomials as poly
 from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
-from symbalance.notes.algebra.evaluation import Evaluator
+from symbalance.notes.algebra.evaluation import FormEvaluator
 from symbalance.notes.algebra.forms import Form
-from symbalance.notes.algebra.harmonics import Components, Place, components, polynomial_node
-from symbalance.notes.checking.deciding.changing import replaced
+from symbalance.notes.algebra.harmonics import Components, HarmonicKey, components, polynomial_node
+from symbalance.notes.checking.deciding.equality import Decision
 from symbalance.notes.checking.deciding.knowledge import Knowledge
-from symbalance.notes.checking.deciding.steps import Answer
+from symbalance.notes.checking.deciding.substitution import replace_part
 
 Changes = tuple[tuple[Formula, Formula], ...]
 MOST_TERMS = 80
+"""Of a side; each part of the difference is compared with each of them."""
 
 
 @dataclass
@@ -26,14 +27,16 @@ class Leaf:
 
     node: Formula
     multiplier: Form
-    places: Components
+    components_by_key: Components
     missing: Polynomial = field(default_factory=dict)
     own: Form | None = None
 
 
-def repaired(node: Formula, answer: Answer, knowledge: Knowledge) -> tuple[Formula, Changes] | None:
+def correct_terms(
+    node: Formula, decision: Decision, knowledge: Knowledge
+) -> tuple[Formula, Changes] | None:
     """Return the side with its wrong terms corrected, and the pairs (old, new), or None."""
-    left, right, level = answer.left, answer.right, answer.level
+    left, right, level = decision.left, decision.right, decision.level
     if left is None or right is None or level is None:
         return None
     difference = left.minus(right)
@@ -45,11 +48,11 @@ def repaired(node: Formula, answer: Answer, knowledge: Knowledge) -> tuple[Formu
     if not 0 < len(leaves) <= MOST_TERMS:
         return None
     usual = knowledge.crank.small if knowledge.crank else None
-    extra = _handed_out(difference, leaves, left.domain.symbol(usual[0]) if usual else None)
-    return _rebuilt(node, leaves, extra, left)
+    extra = _assign_difference(difference, leaves, left.domain.symbol(usual[0]) if usual else None)
+    return _rebuild(node, leaves, extra, left)
 
 
-def _leaves(node: Formula, multiplier: Form, evaluator: Evaluator) -> list[Leaf]:
+def _leaves(node: Formula, multiplier: Form, evaluator: FormEvaluator) -> list[Leaf]:
     """Return the terms of a side: sums are entered, also inside a product, a quotient or a sign."""
     if isinstance(node, Sum):
         terms = [t for t in node.terms if not isinstance(t, formula.Dots)]
@@ -66,11 +69,11 @@ def _leaves(node: Formula, multiplier: Form, evaluator: Evaluator) -> list[Leaf]
 
 def _one_sum(node: Formula) -> tuple[Formula | None, Formula | None]:
     """Return (the sum within a term, what multiplies it) if the term holds one sum as a factor."""
-    one = Number(Fraction(1))
+    unity = Number(Fraction(1))
     if isinstance(node, Negative) and _holds_sum(node.operand):
-        return node.operand, Negative(one)
+        return node.operand, Negative(unity)
     if isinstance(node, Quotient) and _holds_sum(node.numerator):
-        return node.numerator, Quotient(one, node.denominator)
+        return node.numerator, Quotient(unity, node.denominator)
     if isinstance(node, Product):
         sums = [f for f in node.factors if _holds_sum(f)]
         if len(sums) == 1:
@@ -83,82 +86,90 @@ def _holds_sum(node: Formula) -> bool:
     return isinstance(node, Sum) or _one_sum(node)[0] is not None
 
 
-def _handed_out(difference: Form, leaves: list[Leaf], small: int | None) -> Polynomial:
+def _assign_difference(difference: Form, leaves: list[Leaf], small: int | None) -> Polynomial:
     """Give each part of the difference to the term it belongs to; return what belongs to none."""
     domain = difference.domain
     extra: Polynomial = {}
-    for place, number in components(domain, difference.numerator).items():
-        part = _as_polynomial(difference, place, number)
-        leaf = max(leaves, key=lambda one: _likeness(place, one, small))
-        if _likeness(place, leaf, small) > 0:
+    for key, number in components(domain, difference.numerator).items():
+        part = _as_polynomial(difference, key, number)
+        leaf = max(leaves, key=lambda leaf: _likeness(key, leaf, small))
+        if _likeness(key, leaf, small) > 0:
             leaf.missing = poly.plus(leaf.missing, part)
         else:
             extra = poly.plus(extra, part)
     return extra
 
 
-def _likeness(place: Place, leaf: Leaf, small: int | None) -> float:
-    """Return how well a place fits a term: same harmonic and letters best, 0 where nothing fits."""
+def _likeness(key: HarmonicKey, leaf: Leaf, small: int | None) -> float:
+    """Return how well a harmonic fits a term: same angle and letters best, 0 where nothing fits.
+
+    The numbers only rank: all the same (8), sine for cosine (6), the same angle with some letters shared
+    (3 to 6.5, more with the same power of the small letter), only the letters the same (2).
+    """
     best = 0.0
-    for own in leaf.places:
-        same = (own.function == place.function, own.angle == place.angle, own.letters == place.letters)
-        shared = len({*own.letters} & {*place.letters}) / (1 + len({*own.letters} | {*place.letters}))
-        if all(same):
+    for term in leaf.components_by_key:
+        same_function, same_angle = term.function == key.function, term.angle == key.angle
+        same_letters = term.letters == key.letters
+        shared, either = {*term.letters} & {*key.letters}, {*term.letters} | {*key.letters}
+        overlap = len(shared) / (1 + len(either))
+        if same_function and same_angle and same_letters:
             best = max(best, 8.0)
-        elif same[1] and same[2]:
+        elif same_angle and same_letters:
             best = max(best, 6.0)
-        elif same[1] and shared > 0:
-            power = small is not None and dict(own.letters).get(small, 0) == dict(place.letters).get(
-                small, 0
-            )
-            best = max(best, 3.0 + shared + same[0] + 1.5 * power)
-        elif same[2] and place.letters and place.angle and own.angle:
+        elif same_angle and overlap > 0:
+            own_powers, powers = dict(term.letters), dict(key.letters)
+            same_power = small is not None and own_powers.get(small, 0) == powers.get(small, 0)
+            best = max(best, 3.0 + overlap + same_function + 1.5 * same_power)
+        elif same_letters and key.letters and key.angle and term.angle:
             best = max(best, 2.0)
-    return best / (1 + 0.05 * (len(leaf.places) - 1))
+    # A term of many harmonics is one that anything would fit.
+    return best / (1 + 0.05 * (len(leaf.components_by_key) - 1))
 
 
-def _as_polynomial(form: Form, place: Place, number: Polynomial) -> Polynomial:
-    """Return number times place as a polynomial again."""
+def _as_polynomial(form: Form, key: HarmonicKey, number: Polynomial) -> Polynomial:
+    """Return number times harmonic as a polynomial again."""
     domain = form.domain
-    letters: Polynomial = {place.letters: Fraction(1)}
-    if place.function == "1":
+    letters: Polynomial = {key.letters: Fraction(1)}
+    if key.function == "1":
         return poly.times(domain, number, letters)
-    back = tuple((g, -e) for g, e in place.angle)
+    back = tuple((g, -e) for g, e in key.angle)
     half = Fraction(1, 2)
-    if place.function == "cos":
-        wave: Polynomial = {place.angle: half, back: half}
+    if key.function == "cos":
+        wave: Polynomial = {key.angle: half, back: half}
     else:  # sin x = -i/2 e^(ix) + i/2 e^(-ix)
         unit: Polynomial = {((0, Fraction(1, 4)),): half}
         wave = poly.plus(
-            poly.times(domain, unit, {place.angle: Fraction(-1)}),
+            poly.times(domain, unit, {key.angle: Fraction(-1)}),
             poly.times(domain, unit, {back: Fraction(1)}),
         )
     return poly.times(domain, poly.times(domain, number, letters), wave)
 
 
-def _rebuilt(
+def _rebuild(
     node: Formula, leaves: list[Leaf], extra: Polynomial, left: Form
 ) -> tuple[Formula, Changes] | None:
+    """Return the side with each wrong term put right, and at its end what belongs to no term."""
     changes: list[tuple[Formula, Formula]] = []
     for leaf in leaves:
         if leaf.missing:
-            old = Form.of(left.domain, _all_places(leaf, left))
+            old = Form.of(left.domain, _sum_of_components(leaf, left))
             right_value = old.plus(Form.of(left.domain, leaf.missing)).over(leaf.multiplier)
             if not right_value.is_polynomial:
                 right_value = _in_proportion(leaf, old, left)
             if right_value is None:
                 return None
             changes.append((leaf.node, polynomial_node(left.domain, right_value.numerator)))
-    changed = node
+    result = node
     for old_node, new_node in changes:
-        changed = replaced(changed, old_node, new_node)
-    changed = _without_zeros(changed)
+        result = replace_part(result, old_node, new_node)
+    result = _without_zeros(result)
     if extra:
-        added = polynomial_node(left.domain, extra)
-        own = changed.terms if isinstance(changed, Sum) else (changed,)
-        changed = Sum((*own, *(added.terms if isinstance(added, Sum) else (added,))), span=node.span)
-        changes.append((Number(Fraction(0)), added))
-    return (changed, tuple(changes)) if changes else None
+        extra_node = polynomial_node(left.domain, extra)
+        terms = result.terms if isinstance(result, Sum) else (result,)
+        extra_terms = extra_node.terms if isinstance(extra_node, Sum) else (extra_node,)
+        result = Sum((*terms, *extra_terms), span=node.span)
+        changes.append((Number(Fraction(0)), extra_node))
+    return (result, tuple(changes)) if changes else None
 
 
 def _ratio(old: Polynomial, new: Polynomial) -> Fraction | None:
@@ -167,25 +178,25 @@ def _ratio(old: Polynomial, new: Polynomial) -> Fraction | None:
     if first is None or first not in new:
         return None
     ratio = new[first] / old[first]
-    return None if poly.minus(new, poly.scaled(old, ratio)) else ratio
+    return None if poly.minus(new, poly.scale(old, ratio)) else ratio
 
 
-def kinds(changes: Changes) -> str:
+def slip_kinds(changes: Changes) -> str:
     """Return in words what kinds of slip a set of changed terms is.
 
     >>> from symbalance.document.formula import Name
-    >>> kinds(((Name("s"), Negative(Name("s"))), (Number(Fraction(0)), Name("r"))))
+    >>> slip_kinds(((Name("s"), Negative(Name("s"))), (Number(Fraction(0)), Name("r"))))
     'sign; term missing'
     """
-    return "; ".join(dict.fromkeys(kind(old, new) for old, new in changes))
+    return "; ".join(dict.fromkeys(slip_kind(old, new) for old, new in changes))
 
 
-def kind(old: Formula, new: Formula) -> str:
+def slip_kind(old: Formula, new: Formula) -> str:
     """Return what kind of slip one changed term is."""
     zero = Number(Fraction(0))
     if zero in (old, new):
         return "term missing" if old == zero else "term too many"
-    evaluator = Evaluator(Domain())
+    evaluator = FormEvaluator(Domain())
     try:
         ratio = _ratio(evaluator.form(old).numerator, evaluator.form(new).numerator)
     except (NoFormError, TooLargeError):
@@ -202,8 +213,8 @@ def _without_zeros(node: Formula) -> Formula:
     """Return a formula whose sums have no terms 0."""
     parts = tuple(_without_zeros(part) for part in formula.children(node))
     if isinstance(node, Sum):
-        kept = tuple(p for p in parts if p != Number(Fraction(0)))
-        return kept[0] if len(kept) == 1 else Sum(kept or parts[:1], span=node.span)
+        terms = tuple(p for p in parts if p != Number(Fraction(0)))
+        return terms[0] if len(terms) == 1 else Sum(terms or parts[:1], span=node.span)
     same = all(a is b for a, b in zip(parts, formula.children(node), strict=True))
     return node if same else formula.with_children(node, parts)
 
@@ -214,8 +225,8 @@ def _in_proportion(leaf: Leaf, old: Form, left: Form) -> Form | None:
     return None if ratio is None or leaf.own is None else leaf.own.scaled(1 + ratio)
 
 
-def _all_places(leaf: Leaf, left: Form) -> Polynomial:
+def _sum_of_components(leaf: Leaf, left: Form) -> Polynomial:
     total: Polynomial = {}
-    for place, number in leaf.places.items():
-        total = poly.plus(total, _as_polynomial(left, place, number))
+    for key, number in leaf.components_by_key.items():
+        total = poly.plus(total, _as_polynomial(left, key, number))
     return total

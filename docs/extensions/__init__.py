@@ -1,0 +1,1 @@
+"""Sphinx extensions that make the site's pages: formulas, API, commands, derivations."""

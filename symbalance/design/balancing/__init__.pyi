@@ -1,0 +1,15 @@
+from symbalance.design.balancing.designs import Claim as Claim
+from symbalance.design.balancing.designs import Design as Design
+from symbalance.design.balancing.designs import design_balance as design_balance
+from symbalance.design.balancing.devices import Device as Device
+from symbalance.design.balancing.ellipses import Ellipse as Ellipse
+from symbalance.design.balancing.ellipses import ellipse as ellipse
+from symbalance.design.balancing.overbalance import best_forward as best_forward
+from symbalance.design.balancing.overbalance import best_overbalance as best_overbalance
+from symbalance.design.balancing.overbalance import overbalanced as overbalanced
+from symbalance.design.balancing.planes import in_planes as in_planes
+from symbalance.design.balancing.rotating_balance import RotatingBalance as RotatingBalance
+from symbalance.design.balancing.rotating_balance import balanced_weights as balanced_weights
+from symbalance.design.balancing.rotating_balance import rotating_unbalance as rotating_unbalance
+from symbalance.design.balancing.rotating_balance import rotating_weights as rotating_weights
+from symbalance.design.balancing.rotating_balance import throw_unbalance as throw_unbalance

@@ -1,0 +1,166 @@
+"""Numerical values of formulas straight from their trees, where a normal form is missing or too large."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document import formula
+from symbalance.document.formula import Formula
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.values import DIGITS, Point, Valuation, context, random_point
+
+DEEPEST = 40
+"""Definitions that use definitions, one in the other."""
+MOST_TERMS = 2000
+"""Of all sums of one formula together, nested ones too."""
+
+
+def letters_behind(node: Formula, values: Mapping[str, Formula]) -> list[str]:
+    """Return the letters a formula comes down to once all that have values are replaced."""
+    letters: dict[str, None] = {}
+    names: set[str] = set()
+    waiting = [node]
+    while waiting:
+        for name in sorted(formula.names(waiting.pop())):
+            if name in values and name not in names:
+                waiting.append(values[name])
+            elif name not in values:
+                letters[name] = None
+            names.add(name)
+    return list(letters)
+
+
+def sample_trees(
+    nodes: list[Formula], meaning: Meaning, count: int = 3, tries: int = 24
+) -> list[tuple[Point, list[Any]]]:
+    """Return up to three points where all formulas are real, with their values to `DIGITS` digits."""
+    names = sorted({name for node in nodes for name in letters_behind(node, meaning.values)})
+    samples: list[tuple[Point, list[Any]]] = []
+    for seed in range(tries):
+        point = random_point(names, meaning.domain(), seed)
+        at = TreeValues(meaning, point)
+        try:
+            row = [at.value(node) for node in nodes]
+        except (
+            NoFormError,
+            TooLargeError,
+            ZeroDivisionError,
+            ValueError,
+            KeyError,
+            OverflowError,
+            TypeError,
+        ):
+            continue
+        if all(abs(v.imag) <= abs(v) * context().mpf(10) ** (-DIGITS // 2) for v in row):
+            samples.append((point, row))
+        if len(samples) == count:
+            break
+    return samples
+
+
+class TreeValues:
+    """The values of formulas at one point."""
+
+    def __init__(self, meaning: Meaning, point: Point) -> None:
+        self.meaning, self.point, self.mp = meaning, point, context()
+        self._values: dict[str, Any] = {}
+        self._depth = 0
+        self.terms = 0
+
+    def value(self, node: Formula) -> Any:
+        """Return a formula's value; what has none raises NoFormError or ZeroDivisionError."""
+        return self.mp.mpc(_RULES[type(node)](self, node))
+
+    def letter(self, name: str) -> Any:
+        """Return a letter's value."""
+        if name not in self._values:
+            if name in self.meaning.values:
+                self._depth += 1
+                if self._depth > DEEPEST:
+                    raise NoFormError("definitions nested too deep")
+                self._values[name] = self.value(self.meaning.values[name])
+                self._depth -= 1
+            else:
+                exact = self.point[name]
+                self._values[name] = self.mp.mpf(exact.numerator) / exact.denominator
+        return self._values[name]
+
+    def derivative(self, node: Formula) -> Any:
+        """Return the value of a derivative, by way of its form."""
+        evaluator = FormEvaluator(self.meaning.domain(), self.meaning)
+        return Valuation(evaluator.domain, self.point).of(evaluator.form(node))
+
+
+def _number(at: TreeValues, node: formula.Number) -> Any:
+    return at.mp.mpf(node.value.numerator) / node.value.denominator
+
+
+def _constant(at: TreeValues, node: formula.Constant) -> Any:
+    if node.name == "infinity":
+        raise NoFormError("infinity")
+    return 1j if node.name == "i" else +getattr(at.mp, node.name)
+
+
+def _sum(at: TreeValues, node: formula.Sum) -> Any:
+    terms = [t for t in node.terms if not isinstance(t, formula.Dots)]
+    return at.mp.fsum(at.value(t) for t in terms or node.terms)  # of dots alone: not the number 0
+
+
+def _product(at: TreeValues, node: formula.Product) -> Any:
+    return at.mp.fprod(at.value(f) for f in node.factors)
+
+
+def _power(at: TreeValues, node: formula.Power) -> Any:
+    exponent = at.value(node.exponent)
+    if abs(exponent) > 10_000:
+        raise NoFormError("a power beyond all bounds")
+    whole = exponent.real == int(exponent.real) and not exponent.imag
+    return at.value(node.base) ** (int(exponent.real) if whole else exponent)
+
+
+def _call(at: TreeValues, node: formula.Call) -> Any:
+    argument, mp = at.value(node.argument), at.mp
+    if abs(argument) > 10**9:
+        raise NoFormError("a function of a huge number")
+    if node.function == "abs":
+        return abs(argument)
+    return getattr(mp, {"ln": "log"}.get(node.function, node.function))(argument)
+
+
+def _summation(at: TreeValues, node: formula.Summation) -> Any:
+    if node.index is None or node.lower is None or node.upper is None:
+        raise NoFormError("a sum without bounds")
+    lower, upper = (int(at.value(bound).real) for bound in (node.lower, node.upper))
+    at.terms += max(upper - lower, 0)
+    if at.terms > MOST_TERMS:
+        raise NoFormError("a long sum")
+    total = at.mp.mpc(0)
+    for k in range(lower, upper + 1):
+        inner = TreeValues(at.meaning, {**at.point, node.index.name: Fraction(k)})
+        inner.terms = at.terms
+        total += inner.value(node.body)
+        at.terms = inner.terms
+    return total
+
+
+def _dots(at: TreeValues, node: formula.Dots) -> Any:
+    raise NoFormError("dots")
+
+
+_RULES: dict[type, Callable[[TreeValues, Any], Any]] = {
+    formula.Number: _number,
+    formula.Name: lambda at, node: at.letter(node.name),
+    formula.Constant: _constant,
+    formula.Sum: _sum,
+    formula.Product: _product,
+    formula.Quotient: lambda at, node: at.value(node.numerator) / at.value(node.denominator),
+    formula.Negative: lambda at, node: -at.value(node.operand),
+    formula.Power: _power,
+    formula.Call: _call,
+    formula.Derivative: lambda at, node: at.derivative(node),
+    formula.Summation: _summation,
+    formula.Dots: _dots,
+}

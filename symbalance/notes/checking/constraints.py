@@ -1,0 +1,184 @@
+"""Relations that state something rather than follow, such as l sin β = r sin θ, solved for a letter.
+
+A relation fixes a letter if the letter is new in the document, stands in it once, and can be reached by
+undoing sums, products, powers and functions. Both sides must hold letters of their own: in
+r sin²θ + r cos²θ = 2r nothing is stated, it is just false.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document import formula
+from symbalance.document.formula import (
+    Call,
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+)
+from symbalance.notes.algebra.evaluation import derivative_name
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.reading.equations import Chain
+
+_INVERSE = {
+    "sin": "asin",
+    "cos": "acos",
+    "tan": "atan",
+    "asin": "sin",
+    "acos": "cos",
+    "atan": "tan",
+    "exp": "ln",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """A letter and the formula that a relation gives it."""
+
+    name: str
+    node: Formula
+
+
+def letter_counts(node: Formula) -> Counter[str]:
+    """Return how often each letter stands in a formula."""
+    return Counter(part.name for part in formula.walk(node) if isinstance(part, Name))
+
+
+def constraint_of(
+    chain: Chain, k: int, letters_in_use: set[str], knowledge: Knowledge
+) -> Constraint | None:
+    """Return what the k-th relation of a chain states, or None where it must be a step."""
+    left, right = chain.sides[k].node, chain.sides[k + 1].node
+    if k == 0 and isinstance(left, Name) and knowledge.knows(left.name):
+        return None
+    if chain.relations[k].sign != "=" or any(isinstance(p, formula.Dots) for p in _parts(left, right)):
+        return None
+    first, second = letter_counts(left), letter_counts(right)
+    earlier = letters_in_use | {n for side in chain.sides[:k] for n in formula.names(side.node)}
+    if right == Number(Fraction(0)):
+        pairs = [(_apart_from_others(left), left, right)] if k == 0 else []
+    elif set(first) - set(second) and set(second) - set(first):
+        splits = [(set(first) - set(second), left, right), (set(second) - set(first), right, left)]
+        pairs = splits if k == 0 else splits[:1]
+    elif k == 0 and not second and len(first) == 1:
+        pairs = [(set(first), left, right)]  # tan δ = 1/3
+    else:
+        return None
+    for own_letters, node, other_side in pairs:
+        for name in sorted(own_letters):
+            is_new = not (name in earlier or knowledge.has_meaning(name))
+            if is_new and (first + second)[name] == 1 and not _inside_derivative(node, name):
+                value = solve_for(node, other_side, name)
+                if value is not None:
+                    return Constraint(name, value)
+    derivative = _lone_derivative(left, right, knowledge)
+    return Constraint(derivative, right) if derivative else None
+
+
+def _parts(*nodes: Formula) -> Iterator[Formula]:
+    for node in nodes:
+        yield from formula.walk(node)
+
+
+def _apart_from_others(node: Formula) -> set[str]:
+    """Return the letters of F_1 + F_2 = 0: each in a term of its own beside terms with other letters."""
+    terms = node.terms if isinstance(node, Sum) else (node,)
+    letters = [formula.names(term) for term in terms]
+    if len(letters) < 2:
+        return set()
+    return {
+        n
+        for k, own in enumerate(letters)
+        for n in own
+        if all(own - o and o - own for o in letters[:k] + letters[k + 1 :])
+    }
+
+
+def _inside_derivative(node: Formula, name: str) -> bool:
+    return any(isinstance(p, Derivative) and name in formula.names(p) for p in formula.walk(node))
+
+
+def _lone_derivative(left: Formula, right: Formula, knowledge: Knowledge) -> str:
+    """Return a name for the derivative of an unknown letter, which a relation states."""
+    if not (isinstance(left, Derivative) and isinstance(left.expression, Name)):
+        return ""
+    name = left.expression.name
+    is_known = knowledge.has_meaning(name) or name in formula.names(right)
+    return "" if is_known else derivative_name(left)
+
+
+def solve(left: Formula, right: Formula) -> tuple[str, Formula] | None:
+    """Return (letter, formula) from an equality, the left side's letters first."""
+    for node, other in ((left, right), (right, left)):
+        for name, count in letter_counts(node).items():
+            if count == 1 and name not in formula.names(other):
+                value = solve_for(node, other, name)
+                if value is not None:
+                    return name, value
+    return None
+
+
+def solve_for(node: Formula, other: Formula, name: str) -> Formula | None:
+    """Return what `name` equals if node = other, where it stands once in node; None if not reachable."""
+    if isinstance(node, Name):
+        return other
+    parts = [p for p in formula.children(node) if name in formula.names(p)]
+    if len(parts) != 1:
+        return None
+    inner = parts[0]
+    outside = _outside(node, inner, other)
+    return None if outside is None else solve_for(inner, outside, name)
+
+
+def _outside(node: Formula, inner: Formula, other: Formula) -> Formula | None:
+    """Return what the part `inner` of `node` equals if node = other."""
+    rule = _RULES.get(type(node))
+    return None if rule is None else rule(node, inner, other)
+
+
+def _solve_sum(node: Sum, inner: Formula, other: Formula) -> Formula | None:
+    if any(isinstance(t, formula.Dots) for t in node.terms):
+        return None
+    return Sum((other, *(Negative(t) for t in node.terms if t is not inner)))
+
+
+def _solve_product(node: Product, inner: Formula, other: Formula) -> Formula | None:
+    rest = tuple(f for f in node.factors if f is not inner)
+    return Quotient(other, rest[0] if len(rest) == 1 else Product(rest))
+
+
+def _solve_quotient(node: Quotient, inner: Formula, other: Formula) -> Formula | None:
+    return (
+        Product((other, node.denominator)) if inner is node.numerator else Quotient(node.numerator, other)
+    )
+
+
+def _solve_call(node: Call, inner: Formula, other: Formula) -> Formula | None:
+    if node.function == "sqrt":
+        return Power(other, Number(Fraction(2)))
+    return Call(_INVERSE[node.function], other) if node.function in _INVERSE else None
+
+
+def _solve_power(node: Power, inner: Formula, other: Formula) -> Formula | None:
+    square = inner is node.base and node.exponent == Number(Fraction(2))
+    return Call("sqrt", other) if square else None
+
+
+_RULES: dict[type[Formula], Callable[[Any, Formula, Formula], Formula | None]] = {
+    Negative: lambda node, inner, other: Negative(other),
+    Sum: _solve_sum,
+    Product: _solve_product,
+    Quotient: _solve_quotient,
+    Call: _solve_call,
+    Power: _solve_power,
+}

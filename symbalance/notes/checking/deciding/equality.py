@@ -1,0 +1,209 @@
+"""Decisions whether two formulas are equal: proved, refuted with a witness, or undecided."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any
+
+from symbalance.document import formula
+from symbalance.document.formula import Formula
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra import values
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator, Meaning
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.tree_values import sample_trees
+from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
+
+PROVED, REFUTED, UNDECIDED = "proved", "refuted", "undecided"
+
+
+@dataclass(frozen=True)
+class Decision:
+    """What is known of a step, and on what it rests."""
+
+    status: str
+    reason: str = ""
+    order: str = ""
+    assumptions: tuple[str, ...] = ()
+    level: Level | None = None
+    left: Form | None = None
+    right: Form | None = None
+    witness: Mapping[str, str] = field(default_factory=dict)
+    through: int | None = None
+    """The order through which two sides were compared, None for an exact comparison."""
+    further: tuple[Form, ...] = ()
+    """The exact side cut off one and two orders later: what a repaired side may come to."""
+
+    @property
+    def is_proved(self) -> bool:
+        """Tell whether the step is proved."""
+        return self.status == PROVED
+
+
+def decide_equality(left: Formula, right: Formula, knowledge: Knowledge) -> Decision:
+    """Decide left = right exactly, with as little knowledge as it takes."""
+    last = Decision(UNDECIDED, "nothing to compare")
+    levels = list(knowledge.levels(left, right))
+    for level in levels:
+        if level is not levels[-1] and _differs_clearly(left, right, knowledge, level):
+            continue
+        last = _at_level(left, right, knowledge, level)
+        if last.is_proved:
+            return last
+    return last
+
+
+def _differs_clearly(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> bool:
+    """Tell at one point, quickly, that two sides differ by more than any rounding: no proof is tried."""
+    meaning = replace(knowledge.meaning, values=level.values)
+    if any(not number.value for number in (*decimals(left), *decimals(right))):
+        return False  # beside a printed 0.000 every value is far off, measured by the larger of the two
+    points = sample_trees([left, right], meaning, 1)
+    if not points:
+        return False
+    first, second = points[0][1]
+    return abs(abs(first) - abs(second)) > 0.2 * max(abs(first), abs(second)) or (
+        not decimals(left) and not decimals(right) and not _close(abs(first), abs(second))
+    )
+
+
+def _at_level(left: Formula, right: Formula, knowledge: Knowledge, level: Level) -> Decision:
+    evaluator = knowledge.evaluator(level)
+    try:
+        first, second = evaluator.form(left), evaluator.form(right)
+        if first.equals(second):
+            assumptions = tuple(evaluator.domain.assumptions)
+            return Decision(
+                PROVED, assumptions=level.assumptions + assumptions, level=level, left=first, right=second
+            )
+        return _by_numbers(left, right, evaluator, (first, second), level)
+    except NoFormError as problem:
+        return _by_trees(left, right, evaluator.meaning, level, f"no normal form: {problem}")
+    except TooLargeError as problem:
+        return _by_trees(left, right, evaluator.meaning, level, f"too large for a normal form: {problem}")
+
+
+def _by_trees(left: Formula, right: Formula, meaning: Meaning, level: Level, reason: str) -> Decision:
+    """Return what points in numbers say of two formulas that have no forms: refuted or undecided."""
+    points = sample_trees([left, right], meaning)
+    for point, pair in points:
+        if not _close(*pair):
+            return Decision(REFUTED, reason, level=level, witness=_witness(point, pair))
+    if points:
+        return Decision(UNDECIDED, f"equal at {len(points)} points tried; {reason}", level=level)
+    return Decision(UNDECIDED, reason, level=level)
+
+
+def _by_numbers(
+    left: Formula, right: Formula, evaluator: FormEvaluator, forms: tuple[Form, Form], level: Level
+) -> Decision:
+    """Return what points in numbers say of two forms that are not identical."""
+    first, second = forms
+    points = values.sample([first, second])
+    if not points:
+        return Decision(
+            UNDECIDED,
+            "no point where both sides are real",
+            assumptions=level.assumptions,
+            level=level,
+            left=first,
+            right=second,
+        )
+    same = [_close(*pair) for _, pair in points]
+    if all(same) and (assumptions := _same_square(left, right, first, second)) is not None:
+        return Decision(
+            PROVED, assumptions=(*level.assumptions, *assumptions), level=level, left=first, right=second
+        )
+    if agrees_as_printed(left, right, evaluator.form):
+        order = "the digits printed"
+        return Decision(
+            PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second
+        )
+    if all(same):
+        return Decision(
+            UNDECIDED, "equal at the points tried, not proved", level=level, left=first, right=second
+        )
+    assumption = _up_to_sign(left, right, first, second) if any(same) else ""
+    if assumption:
+        return Decision(
+            PROVED, assumptions=(*level.assumptions, assumption), level=level, left=first, right=second
+        )
+    point, pair = points[same.index(False)]
+    witness = _witness(point, pair)
+    return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
+
+
+def _close(left: Any, right: Any) -> bool:
+    scale = max(abs(left), abs(right), 1e-300)
+    return abs(left - right) <= scale * values.context().mpf(10) ** -25
+
+
+def _witness(point: values.Point, pair: list[Any]) -> dict[str, str]:
+    coordinates = {name: decimal_text(value) for name, value in point.items()}
+    return coordinates | {"left": digits(pair[0]), "right": digits(pair[1])}
+
+
+def decimal_text(value: Fraction) -> str:
+    """Return a sample's coordinate as a short decimal."""
+    return str(value.numerator) if value.denominator == 1 else f"{float(value):.6g}"
+
+
+def digits(value: Any, count: int = 12) -> str:
+    """Return an mpmath number with a few digits, its imaginary part only where there is one."""
+    mp = values.context()
+    if abs(value.imag) <= abs(value) * mp.mpf(10) ** -20:
+        return mp.nstr(value.real, count)
+    return mp.nstr(value, count)
+
+
+def _same_square(left: Formula, right: Formula, first: Form, second: Form) -> tuple[str, ...] | None:
+    """Return the assumptions under which two sides of equal squares are equal, as at the points tried.
+
+    None if their squares are not proved equal. Two numbers need none, nor do two roots.
+    """
+    try:
+        if not first.times(first).equals(second.times(second)):
+            return None
+    except (NoFormError, TooLargeError):
+        return None
+    numbers = not values.letters(first) and not values.letters(second)
+    bare = [node for node in (left, right) if not _is_root(node)]
+    if numbers or not bare:
+        return ()
+    return (f"{formula_text(bare[0], plain=True)} ≥ 0",)
+
+
+def _is_root(node: Formula) -> bool:
+    """Tell whether a formula is a square root or an absolute value, perhaps times a positive number."""
+    if isinstance(node, formula.Product | formula.Quotient):
+        parts = formula.children(node)
+        roots = [part for part in parts if _is_root(part)]
+        return bool(roots) and all(p in roots or isinstance(p, formula.Number) for p in parts)
+    return isinstance(node, formula.Call) and node.function in ("sqrt", "abs")
+
+
+def _up_to_sign(left: Formula, right: Formula, first: Form, second: Form) -> str:
+    """Return the assumption under which a root equals the other side, or nothing."""
+    for node, other in ((right, left), (left, right)):
+        if _is_root(node) and first.times(first).equals(second.times(second)):
+            return f"{formula_text(other, plain=True)} ≥ 0"
+    return ""
+
+
+def without_dots(node: Formula) -> tuple[Formula, bool]:
+    """Return a formula without the dots at the end of its sums, and whether there were any."""
+    if isinstance(node, formula.Sum):
+        terms = tuple(t for t in node.terms if not isinstance(t, formula.Dots))
+        if not terms and node.terms:  # dots alone are no number: a sum of no terms would be 0
+            return node.terms[0], True
+        parts = [without_dots(t) for t in terms]
+        is_cut = len(terms) < len(node.terms) or any(is_cut for _, is_cut in parts)
+        return replace(node, terms=tuple(p for p, _ in parts)), is_cut
+    pairs = [without_dots(part) for part in formula.children(node)]
+    if not any(is_cut for _, is_cut in pairs):
+        return node, False
+    return formula.with_children(node, tuple(p for p, _ in pairs)), True

@@ -1,0 +1,260 @@
+"""Decisions whether two sides agree through an order, as ≈ and dots at the end of a sum state.
+
+The small letter is the rod ratio where it occurs (ρ small, λ large), else a letter in which the line is
+a polynomial. The order a line keeps is the highest power of it there; both sides must agree through it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from symbalance.document.formula import Formula, Name
+from symbalance.document.letters import raised
+from symbalance.document.text_writer import formula_text
+from symbalance.notes.algebra import values
+from symbalance.notes.algebra.domain import NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.evaluation import FormEvaluator
+from symbalance.notes.algebra.forms import Form
+from symbalance.notes.algebra.harmonics import components
+from symbalance.notes.algebra.series import Expansion, Series
+from symbalance.notes.checking.deciding.equality import (
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Decision,
+    decide_equality,
+    decimal_text,
+    digits,
+    without_dots,
+)
+from symbalance.notes.checking.deciding.knowledge import Knowledge, Level
+from symbalance.notes.checking.deciding.rounding import agrees_as_printed, decimals
+
+HIGHEST_ORDER = 40
+"""Through which two sides are compared; a series beyond it is left undecided."""
+HIGHEST_NAMED = 26
+"""An order beyond it says only that all powers written agree."""
+NO_LETTER = "no letter in which one side is a cut-off series"
+ROUGH = Fraction(1, 20)
+"""Relative error that ≈ between two numbers without decimals may have."""
+
+
+@dataclass(frozen=True, slots=True)
+class SmallLetter:
+    """A letter to expand in: `sign` -1 where it is large, and the order a line keeps of it."""
+
+    letter: str
+    sign: int
+    order: int
+
+    @property
+    def text(self) -> str:
+        """The order kept, as a power of the letter."""
+        if not self.order:
+            return "leading term"
+        if self.order > HIGHEST_NAMED:
+            return "all powers written"
+        return formula_text(Name(self.letter), plain=True) + raised(
+            str(self.sign * self.order).replace("-", "−")
+        )
+
+
+def decide_agreement(
+    left: Formula,
+    right: Formula,
+    knowledge: Knowledge,
+    *,
+    through: int | None = None,
+    loose: bool = False,
+) -> Decision:
+    """Decide whether two sides agree through the order the right one keeps.
+
+    `through` overrides that order. `loose` leaves out harmonics above the highest that the right side
+    has: what dots after the last harmonic stand for.
+    """
+    left, left_is_cut = without_dots(left)
+    right, right_is_cut = without_dots(right)
+    exact = decide_equality(left, right, knowledge)
+    if exact.is_proved and through is None:
+        return exact
+    best = exact
+    for level in knowledge.levels(left, right):
+        decision = _at_level(left, right, knowledge, level, through, loose or right_is_cut or left_is_cut)
+        if decision.is_proved:
+            return decision
+        best = decision
+    return exact if best.reason == NO_LETTER and exact.status == REFUTED else best
+
+
+def _at_level(
+    left: Formula, right: Formula, knowledge: Knowledge, level: Level, through: int | None, loose: bool
+) -> Decision:
+    """Decide with what one level knows, in the first small letter that proves it."""
+    evaluator = knowledge.evaluator(level)
+    try:
+        first, second = evaluator.form(left), evaluator.form(right)
+        if not values.letters(first) and not values.letters(second):
+            return _as_numbers(left, right, evaluator, (first, second), level)
+    except (NoFormError, TooLargeError) as problem:
+        return Decision(UNDECIDED, f"no normal form: {problem}", level=level)
+    best = Decision(
+        UNDECIDED,
+        NO_LETTER,
+        level=level,
+        left=first,
+        right=second,
+    )
+    for small in _candidates(first, second, knowledge, through):
+        try:
+            decision = _through(first, second, small, level, loose)
+        except (NoFormError, TooLargeError) as problem:
+            decision = Decision(UNDECIDED, f"no power series in {small.letter}: {problem}", level=level)
+        if decision.is_proved:
+            return decision
+        best = decision if best.status != REFUTED else best
+    return best
+
+
+def _as_numbers(
+    left: Formula, right: Formula, evaluator: FormEvaluator, forms: tuple[Form, Form], level: Level
+) -> Decision:
+    """Compare two numbers: to the digits printed where there are any, else saying how closely."""
+    first, second = forms
+    points = values.sample([first, second])
+    if not points:
+        return Decision(UNDECIDED, "no value", level=level)
+    left_value, right_value = points[0][1]
+    relative_error = abs(left_value - right_value) / max(
+        abs(left_value), abs(right_value), values.context().mpf(10) ** -300
+    )
+    if decimals(left) or decimals(right):
+        fits, order = agrees_as_printed(left, right, evaluator.form, generous=True), "the digits printed"
+    else:
+        fits, order = relative_error <= float(ROUGH), f"relative error {digits(relative_error, 2)}"
+    if fits:
+        return Decision(
+            PROVED, order=order, assumptions=level.assumptions, level=level, left=first, right=second
+        )
+    witness = {"left": digits(left_value), "right": digits(right_value)}
+    return Decision(REFUTED, level=level, left=first, right=second, witness=witness)
+
+
+def _candidates(
+    first: Form, second: Form, knowledge: Knowledge, through: int | None
+) -> Iterator[SmallLetter]:
+    letters = values.letters(first) + values.letters(second)
+    usual = knowledge.crank.small if knowledge.crank else None
+    if usual is not None and usual[0] in letters:
+        order = _order_kept(first, second, *usual)
+        if order is not None or through is not None:
+            yield SmallLetter(*usual, order if through is None else through)  # type: ignore[arg-type]
+    for letter in dict.fromkeys(letters):
+        for sign in (1, -1):
+            order = _order_kept(first, second, letter, sign)
+            if order and (usual is None or letter != usual[0]):
+                yield SmallLetter(letter, sign, order)
+
+
+def _order_kept(first: Form, second: Form, letter: str, sign: int) -> int | None:
+    """Return the order kept: the degree of the side that is a polynomial in the letter."""
+    degrees = [degree(form, letter, sign) for form in (first, second) if form.numerator]
+    whole_degrees = [d for d in degrees if d is not None]
+    return min(whole_degrees) if whole_degrees and min(whole_degrees) <= HIGHEST_ORDER else None
+
+
+def degree(form: Form, letter: str, sign: int) -> int | None:
+    """Return the highest power of letter^sign in a form that is a polynomial in it, else None."""
+    if not form.is_polynomial:
+        return None
+    number = form.domain.symbol(letter)
+    series = Expansion(form.domain, letter, sign, 0)
+    exponents = [Fraction(0)]
+    for monomial in form.numerator:
+        for generator, exponent in monomial:
+            if generator == number:
+                exponents.append(Fraction(exponent * sign))
+            elif series.depends(generator):
+                return None
+    top = max(exponents)
+    return int(top) if top.denominator == 1 else None
+
+
+def _through(first: Form, second: Form, small: SmallLetter, level: Level, loose: bool) -> Decision:
+    """Decide by the series of both sides in one letter, through the order that is kept of it."""
+    expansion = Expansion(first.domain, small.letter, small.sign, small.order)
+    left = expansion.of(first).cut(small.order)
+    right = expansion.of(second).cut(small.order)
+    if min(left.through, right.through) < small.order:
+        raise NoFormError("the series does not reach that order")
+    if not left.terms and not right.terms:
+        raise NoFormError("nothing of either side is kept")
+    difference = left.plus(right.scaled(Form.number(first.domain, -1)))
+    if not difference.terms:
+        return Decision(
+            PROVED,
+            order=small.text,
+            assumptions=level.assumptions,
+            level=level,
+            left=first,
+            right=second,
+            through=small.order,
+        )
+    left_form, right_form = truncated_sum(left, small), truncated_sum(right, small)
+    if loose and _only_higher(left_form, right_form):
+        order = f"{small.text}, harmonics to {_highest(right_form)}"
+        return Decision(
+            PROVED,
+            order=order,
+            assumptions=level.assumptions,
+            level=level,
+            left=left_form,
+            right=right_form,
+            through=small.order,
+        )
+    order = f"{small.text}"
+    points = values.sample([left_form, right_form])
+    witness: dict[str, str] = {}
+    if points:
+        point, pair = points[0]
+        witness = {n: decimal_text(v) for n, v in point.items()}
+        witness |= {"left": digits(pair[0]), "right": digits(pair[1])}
+    further = tuple(truncated_sum(expansion.of(first).cut(small.order + n), small) for n in (1, 2))
+    return Decision(
+        REFUTED,
+        order=order,
+        level=level,
+        left=left_form,
+        right=right_form,
+        witness=witness,
+        through=small.order,
+        further=further,
+    )
+
+
+def truncated_sum(series: Series, small: SmallLetter) -> Form:
+    """Return a series as a form again, cut off at its order."""
+    number = series.domain.symbol(small.letter)
+    total = Form.number(series.domain, 0)
+    for k, form in series.terms.items():
+        power: Polynomial = {((number, k * small.sign),): Fraction(1)} if k else {(): Fraction(1)}
+        total = total.plus(form.times(Form.of(series.domain, power)))
+    return total
+
+
+def _only_higher(left: Form, right: Form) -> bool:
+    """Tell whether two polynomials differ only in harmonics above the highest of the right one."""
+    difference = left.minus(right)
+    if not difference.is_polynomial or not right.is_polynomial:
+        return False
+    top = _highest(right)
+    if not top:
+        return False
+    keys = components(left.domain, difference.numerator)
+    return all(max((abs(e) for _, e in key.angle), default=0) > top for key in keys)
+
+
+def _highest(form: Form) -> Fraction:
+    keys = components(form.domain, form.numerator) if form.is_polynomial else {}
+    return max((Fraction(abs(e)) for key in keys for _, e in key.angle), default=Fraction(0))

@@ -1,0 +1,210 @@
+"""Verdicts made from decisions: the word, the place, and the texts that go with it.
+
+Where two sides differ, the difference is given coefficient by coefficient: of which term, what is
+claimed, what is exact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from traceback import format_exception
+
+from symbalance.document.formula import Decimal, Formula, Number, Quotient, Span, Upright, walk
+from symbalance.document.text_writer import formula_text
+from symbalance.errors import fault_of
+from symbalance.notes.algebra import polynomials as poly
+from symbalance.notes.algebra.domain import Domain, NoFormError, Polynomial, TooLargeError
+from symbalance.notes.algebra.harmonics import components, key_node, polynomial_node, sort_keys
+from symbalance.notes.algebra.number_formulas import number_node
+from symbalance.notes.algebra.values import Valuation
+from symbalance.notes.algebra.zero import is_zero
+from symbalance.notes.checking.deciding.equality import Decision, digits
+from symbalance.notes.checking.verdicts import (
+    CONDITIONAL,
+    DEFINITION,
+    HOLDS,
+    HOLDS_TO_ORDER,
+    REFUTED,
+    UNDECIDED,
+    UNREADABLE,
+    Difference,
+    Verdict,
+)
+from symbalance.notes.reading.equations import Chain, Document, Side, Unreadable
+
+MOST_DIFFERENCES = 12
+LONGEST_VALUE = 600
+"""Characters of an exact value; a longer one is left out of the report."""
+
+
+def describe(document: Document, chain: Chain, k: int, decision: Decision) -> Verdict:
+    """Return the verdict on a relation with its place, texts and differences; `link` is left at 1."""
+    side = chain.sides[k + 1]
+    line = chain.relations[k].line
+    word = word_for(decision)
+    bad = word in (REFUTED, UNDECIDED)
+    exact, exact_node = exact_value(decision) if bad else ("", None)
+    return Verdict(
+        line=line,
+        link=1,
+        source=document.source(side.span).strip(),
+        verdict=word,
+        reason=decision.reason,
+        order=decision.order if word != REFUTED else "",
+        assumption=", ".join(decision.assumptions) if word == CONDITIONAL else "",
+        claimed=formula_text(side.node, plain=True),
+        exact=exact,
+        exact_node=exact_node,
+        witness=decision.witness if bad else {},
+        differences=differences(decision) if word == REFUTED else (),
+        lines=lines_of(document, side, line),
+        column=document.column_of(side.span[0]),
+        inline=chain.inline,
+        notes=chain.notes,
+        tag=chain.tag,
+        span=side.span,
+        node=side.node,
+    )
+
+
+def word_for(decision: Decision) -> str:
+    """Return the verdict's word."""
+    if decision.status == DEFINITION:
+        return DEFINITION
+    if not decision.is_proved:
+        return decision.status
+    if decision.assumptions:
+        return CONDITIONAL
+    return HOLDS_TO_ORDER if decision.order else HOLDS
+
+
+def lines_of(document: Document, side: Side, line: int) -> tuple[int, ...]:
+    """Return the lines a relation's right side stands on."""
+    last = document.line_of(max(side.span[1] - 1, side.span[0]))
+    return tuple(range(line, max(last, line) + 1))
+
+
+def undecided_by_fault(
+    document: Document, span: Span, line: int, problem: Exception, lines: tuple[int, ...] = ()
+) -> Verdict:
+    """Return the verdict on a relation whose judging failed, by a fault that is not the document's."""
+    return Verdict(
+        line,
+        1,
+        document.source(span).strip(),
+        UNDECIDED,
+        f"not judged, by a fault of symbalance: {fault_of(problem)}; please report it",
+        lines=lines or (line,),
+        column=document.column_of(span[0]),
+        span=span,
+        fault=fault_of(problem),
+        traceback="".join(format_exception(problem)),
+    )
+
+
+def with_fault(
+    document: Document, chain: Chain, verdicts: list[Verdict], problem: Exception
+) -> list[Verdict]:
+    """Return a chain's verdicts where judging broke off: what is judged stays, the rest is undecided."""
+    judged_spans = {verdict.span for verdict in verdicts}
+    places = [(chain.sides[k + 1].span, relation.line) for k, relation in enumerate(chain.relations)]
+    places = places or [(chain.sides[-1].span, chain.lines[0])]
+    rest = [place for place in places if place[0] not in judged_spans]
+    if rest:
+        return [*verdicts, *(undecided_by_fault(document, span, line, problem) for span, line in rest)]
+    fault, last = fault_of(problem), verdicts[-1]
+    note = f"what follows may lack its letters, by a fault of symbalance: {fault}; please report it"
+    traceback = last.traceback + "".join(format_exception(problem))
+    return [*verdicts[:-1], replace(last, notes=(*last.notes, note), fault=fault, traceback=traceback)]
+
+
+def unreadable_verdict(document: Document, part: Unreadable) -> Verdict:
+    """Return the verdict on what could not be read."""
+    source = document.source(part.span).strip()
+    reason = f"column {part.column}: {part.what}; {part.remedy}"
+    return Verdict(
+        part.line,
+        1,
+        source,
+        UNREADABLE,
+        reason,
+        lines=(part.line,),
+        column=part.column,
+        span=part.span,
+    )
+
+
+# Where two sides differ
+
+
+def exact_value(decision: Decision) -> tuple[str, Formula | None]:
+    """Return the left side of a decision as a sum of harmonics, as text and as a formula.
+
+    ("", None) if it has no normal form or is too long to be read.
+    """
+    form = decision.left
+    if form is None or len(form.numerator) > 60:
+        return "", None
+    try:
+        above = polynomial_node(form.domain, form.numerator)
+        text, node = formula_text(above, plain=True), above
+        if not form.is_polynomial:
+            below = polynomial_node(form.domain, form.denominator)
+            text, node = f"({text})/({formula_text(below, plain=True)})", Quotient(above, below)
+    except (NoFormError, TooLargeError):
+        return "", None
+    return (text, node) if len(text) <= LONGEST_VALUE else ("", None)
+
+
+def differences(decision: Decision) -> tuple[Difference, ...]:
+    """Return the coefficients in which the claimed (right) side differs from the exact (left) one."""
+    left, right = decision.left, decision.right
+    if left is None or right is None or not (left.is_polynomial and right.is_polynomial):
+        return ()
+    if max(len(left.numerator), len(right.numerator)) > 400:
+        return ()
+    if left.rational() is not None and right.rational() is not None:
+        return ()  # two numbers: the witness says it
+    domain = left.domain
+    exact_numbers, claimed_numbers = (
+        components(domain, left.numerator),
+        components(domain, right.numerator),
+    )
+    result: list[Difference] = []
+    for key in sort_keys({**exact_numbers, **claimed_numbers}):
+        exact_number, claimed_number = exact_numbers.get(key, {}), claimed_numbers.get(key, {})
+        if is_zero(domain, poly.minus(exact_number, claimed_number)) is not True:
+            node = key_node(domain, key)
+            term = "constant" if node is None else formula_text(node, plain=True)
+            (claimed_text, claimed_node), (exact_text, exact_node) = (
+                number_text(domain, number) for number in (claimed_number, exact_number)
+            )
+            result.append(Difference(term, claimed_text, exact_text, node, claimed_node, exact_node))
+    return tuple(result[:MOST_DIFFERENCES])
+
+
+def number_text(domain: Domain, number: Polynomial) -> tuple[str, Formula]:
+    """Return a number as text and as a formula: exact where it is short, else with 12 digits."""
+    node = number_node(domain, number)
+    long = any(
+        isinstance(part, Number) and max(part.value.numerator, part.value.denominator) > 10**9
+        for part in walk(node)
+    )
+    text = formula_text(node, plain=True)
+    if long or (len(text) > 40 and not poly.is_rational(number)):
+        text = digits(Valuation(domain, {}).polynomial(number))
+        return text, rounded_number(text)
+    return text, node
+
+
+def rounded_number(text: str) -> Formula:
+    """Return a number printed in decimals as a formula; a complex one stays as it is printed.
+
+    >>> rounded_number("0.25").text, type(rounded_number("(1.0 + 2.0j)")).__name__
+    ('0.25', 'Upright')
+    """
+    try:
+        float(text)
+    except ValueError:
+        return Upright(text)
+    return Decimal(text)

@@ -1,0 +1,324 @@
+"""Search for the smallest change that makes a refuted line true, with a proof and its place in the text.
+
+First single changes of what is written (`edits`), filtered in floats and proved exactly, cheapest first;
+then integers solved for; then a common factor; then every wrong term by its exact value. A change that is
+not proved is not reported.
+"""
+
+from __future__ import annotations
+
+import math
+from cmath import isfinite
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from traceback import format_exception
+
+from symbalance.document import formula
+from symbalance.document.formula import Formula, Name, Number, Product, Quotient
+from symbalance.document.text_writer import formula_text
+from symbalance.errors import SymbalanceError, fault_of
+from symbalance.notes.algebra import values
+from symbalance.notes.algebra.domain import NoFormError, TooLargeError
+from symbalance.notes.algebra.harmonics import polynomial_node
+from symbalance.notes.algebra.number_formulas import rational_node
+from symbalance.notes.checking.constraints import letter_counts
+from symbalance.notes.checking.deciding.equality import Decision
+from symbalance.notes.checking.deciding.knowledge import Knowledge
+from symbalance.notes.checking.deciding.substitution import substitute, without_stacked_fractions
+from symbalance.notes.checking.repair.edits import Edit, edits, parents_of, parts
+from symbalance.notes.checking.repair.numeric_filter import (
+    Case,
+    NoValueError,
+    NumericFilter,
+    Values,
+    filter_of,
+    fits,
+    letters_of,
+)
+from symbalance.notes.checking.repair.term_repair import correct_terms, slip_kind, slip_kinds
+from symbalance.notes.checking.verdicts import REFUTED, Fault, Fix, Verdict
+from symbalance.notes.reading.equations import Document, Side
+
+OTHER_SIDE = 0.2
+"""How much cheaper a change of the left side must be: the slip is usually on the right."""
+MOST_OTHER = 2.0
+"""What costs this much rewrites a side (a factor, several terms): of the left side it is not proposed."""
+MOST_PROOFS = 8
+"""Changes that fit in floats and are tried by proof, cheapest first: a proof may cost a second."""
+LARGEST = 10**7
+"""Of a whole number put for a printed one."""
+
+
+def add_fix(
+    verdict: Verdict,
+    document: Document,
+    side: Side,
+    decision: Decision,
+    knowledge: Knowledge,
+    proves: Callable[[Formula], bool],
+    other: tuple[Side, Callable[[Formula], bool]] | None = None,
+) -> Verdict:
+    """Return a refuted verdict with the change that makes its line true, if one is found.
+
+    `other` is the left side and how a changed one is proved: it may hold the slip just as well.
+    """
+    if verdict.verdict != REFUTED or decision.left is None:
+        return verdict
+    try:
+        return _with_fix(verdict, document, side, decision, knowledge, proves, other)
+    except SymbalanceError:
+        raise  # a declaration that cannot be used
+    except Exception as problem:  # refuted all the same: only its correction is lost
+        fault = fault_of(problem)
+        note = f"no correction was found, by a fault of symbalance: {fault}; please report it"
+        notes = (*verdict.notes, note)
+        return replace(verdict, notes=notes, fault=fault, traceback="".join(format_exception(problem)))
+
+
+def _with_fix(
+    verdict: Verdict,
+    document: Document,
+    side: Side,
+    decision: Decision,
+    knowledge: Knowledge,
+    proves: Callable[[Formula], bool],
+    other: tuple[Side, Callable[[Formula], bool]] | None,
+) -> Verdict:
+    """Return the verdict with the cheapest fix of the right side, or a clearly cheaper left one."""
+    repair = diagnose(Case(side.node, decision, knowledge, proves))
+    where, title = side, ""
+    if other is not None and (repair is None or repair.cost > 1.0 + OTHER_SIDE):
+        exchange = replace(decision, left=decision.right, right=decision.left)
+        rival = diagnose(Case(other[0].node, exchange, knowledge, other[1]))
+        if (
+            rival is not None
+            and rival.cost < MOST_OTHER
+            and (repair is None or rival.cost + OTHER_SIDE < repair.cost)
+        ):
+            repair, where, title = rival, other[0], "left side: "
+    if repair is None:
+        return verdict
+    return replace(verdict, fix=fix_of(repair, document, where, title))
+
+
+def is_proved_as_far(decision: Decision, refutation: Decision) -> bool:
+    """Tell whether a changed line is proved, and as much as it was to say: through no lower an order."""
+    if not decision.is_proved:
+        return False
+    if refutation.through is None:
+        return decision.through is None
+    return decision.through is None or decision.through >= refutation.through
+
+
+def fix_of(repair: Repair, document: Document, side: Side, title: str = "") -> Fix:
+    """Return what the report says of a repair."""
+    several = len(repair.changes) > 1
+    faults = tuple(
+        _fault(old, new, document, side, slip_kind(old, new) if several else repair.kind)
+        for old, new in repair.changes
+    )
+    text = title + formula_text(repair.node, plain=True)
+    return Fix(repair.kind, text, repair.node, faults, of_left=bool(title))
+
+
+def _fault(old: Formula, new: Formula, document: Document, side: Side, kind_of: str) -> Fault:
+    span = old.span if old.span != (0, 0) else (side.span[1], side.span[1])
+    source = document.source(span).strip()
+    return Fault(
+        document.line_of(span[0]),
+        document.column_of(span[0]),
+        source,
+        formula_text(new, plain=True),
+        kind_of,
+        new,
+    )
+
+
+# The change itself
+
+
+@dataclass(frozen=True, slots=True)
+class Repair:
+    """A changed formula that is proved right: kind, the parts replaced and what replaces them."""
+
+    kind: str
+    node: Formula
+    changes: tuple[tuple[Formula, Formula], ...]
+    cost: float
+
+
+def diagnose(case: Case) -> Repair | None:
+    """Return the cheapest change that is proved, or None."""
+    rounding = _round_exact_value(case)
+    if rounding is not None:
+        return rounding
+    target_and_filter = filter_of(case)
+    if target_and_filter is not None:
+        targets, numeric = target_and_filter
+        for edit in _edits_that_fit(case, numeric, targets):
+            node = edit.applied(parents_of(case.node))
+            if case.proves(node):
+                return Repair(edit.kind, node, ((edit.old, edit.new),), edit.cost)
+    return _by_factor(case) or _by_terms(case)
+
+
+def _round_exact_value(case: Case) -> Repair | None:
+    """Return the exact value rounded as the side is, where that is one decimal number."""
+    place = case.node.last_place if isinstance(case.node, Number) else None
+    points = values.sample([case.decision.left]) if place and case.decision.left is not None else []
+    if not place or not points or points[0][0]:
+        return None
+    if not values.context().isfinite(points[0][1][0]):
+        return None  # ln 0
+    exact = Fraction(str(points[0][1][0].real))
+    while exact and abs(exact) < 10 * place:  # at least two digits
+        place /= 10
+    number = Number(round(exact / place) * place, place)
+    return Repair("value", number, ((case.node, number),), 1.0) if case.proves(number) else None
+
+
+def _edits_that_fit(case: Case, numeric: NumericFilter, targets: list[Values]) -> list[Edit]:
+    """Return the changes whose values fit, cheapest first."""
+    parents = parents_of(case.node)
+    passing: list[Edit] = list(_integers(case, numeric, targets, parents))
+    variables = (
+        [case.knowledge.crank.time, *formula.names(case.knowledge.crank.theta)]
+        if case.knowledge.crank
+        else []
+    )
+    for edit in edits(case.node, letters_of(case), variables):
+        if isinstance(edit.new, formula.Derivative):
+            passing.append(edit)
+            continue
+        if fits(edit.applied(parents), numeric, targets):
+            passing.append(edit)
+    passing += _conventions(case, numeric, targets)
+    return sorted(passing, key=lambda e: e.cost)[:MOST_PROOFS]
+
+
+def _integers(
+    case: Case, numeric: NumericFilter, targets: list[Values], parents: dict[int, Formula]
+) -> Iterator[Edit]:
+    """Yield the whole numbers and fractions that, put for a printed number, give the right values.
+
+    The side is taken as a + b y, or a + b/y, in that number y; two trial values give a and b.
+    """
+    for part, role in parts(case.node):
+        if (
+            not isinstance(part, Number)
+            or part.value == 0
+            or role in ("exponent", "argument", "angle term", "phase")
+        ):
+            continue
+        try:
+            value_now = numeric.values(case.node)
+            value_doubled = numeric.values(
+                Edit("", 0, part, rational_node(part.value * 2)).applied(parents)
+            )
+        except NoValueError:
+            continue
+        for value, inverse in _solutions(value_now[0], value_doubled[0], targets[0][0], part.value):
+            if value != part.value and abs(value) <= LARGEST:
+                new = rational_node(Fraction(value))
+                if fits(Edit("", 0, part, new).applied(parents), numeric, targets):
+                    simple = value.denominator == 1
+                    swap = f"{value} for {part.value}"
+                    kind = f"number misprinted ({swap})" if abs(value) != abs(part.value) else "sign"
+                    penalty = 0.6 if value.denominator > 12 or abs(value) > 20 * abs(part.value) else 0
+                    cost = (1.1 if simple else 1.4) + (0.05 if inverse else 0) + penalty
+                    yield Edit(kind, cost, part, new)
+
+
+def _solutions(
+    value_now: complex, value_doubled: complex, target: complex, value: Fraction
+) -> Iterator[tuple[Fraction, bool]]:
+    """Yield the numbers for which a + b y, or a + b/y (True), gives the target: simple ones only."""
+    for inverse in (False, True):
+        step = value_doubled - value_now if not inverse else -2 * (value_doubled - value_now)
+        if abs(step) < 1e-14 * max(abs(value_now), 1e-30):
+            continue
+        ratio = 1 + (target - value_now) / step
+        if not isfinite(ratio):
+            continue
+        if abs(ratio.imag) > 1e-7 * max(1, abs(ratio.real)) or abs(ratio) < 1e-9:
+            continue
+        exact = float(value) * ratio.real if not inverse else float(value) / ratio.real
+        if not math.isfinite(exact):
+            continue  # the number itself, or what it would be, is beyond a double
+        if round(exact) and abs(exact - round(exact)) < 1e-6:
+            yield Fraction(round(exact)), inverse
+            continue
+        guess = Fraction(ratio.real).limit_denominator(10_000)
+        if guess.denominator > 64 or abs(guess.numerator) > 64:
+            continue
+        if guess and abs(float(guess) - ratio.real) < 1e-7 * max(1, abs(ratio.real)):
+            result = value * guess if not inverse else value / guess
+            yield result, inverse
+
+
+def _conventions(case: Case, numeric: NumericFilter, targets: list[Values]) -> Iterator[Edit]:
+    """Yield the side with λ doubled or halved throughout: l/r put for l/s, or the reverse."""
+    small = case.knowledge.crank.small if case.knowledge.crank else None
+    if small is None or small[0] not in formula.names(case.node):
+        return
+    letter = Name(small[0])
+    for title, new in (
+        ("rod ratio inverted (l/r for r/l)", Quotient(rational_node(Fraction(1)), letter)),
+        (
+            "rod ratio of the other convention (l/r, not l/s)",
+            Product((rational_node(Fraction(2)), letter)),
+        ),
+        (
+            "rod ratio of the other convention (l/s, not l/r)",
+            Quotient(letter, rational_node(Fraction(2))),
+        ),
+    ):
+        try:
+            node = without_stacked_fractions(substitute(case.node, small[0], new))
+        except NoFormError:  # a derivative by it
+            continue
+        if fits(node, numeric, targets):
+            once = letter_counts(case.node)[small[0]] == 1 and "inverted" not in title
+            yield Edit(title, 1.15 if once else 0.95, case.node, node)
+
+
+def _by_factor(case: Case) -> Repair | None:
+    """Return the side times a factor of one term, where exact/claimed is one."""
+    left, right = case.decision.left, case.decision.right
+    if left is None or right is None or not (left.is_polynomial and right.is_polynomial):
+        return None
+    if max(len(left.numerator), len(right.numerator)) > 60:
+        return None
+    try:
+        ratio = left.over(right)
+        if not ratio.is_polynomial or len(ratio.numerator) != 1 or right.is_zero() is not False:
+            return None
+        (coefficient,) = ratio.numerator.values()
+        if not (_is_simple(coefficient.numerator) and _is_simple(coefficient.denominator)):
+            return None
+        factor = polynomial_node(ratio.domain, ratio.numerator)
+    except (NoFormError, TooLargeError):
+        return None
+    node = Product((factor, case.node))
+    return Repair("factor", node, ((case.node, node),), 2.0) if case.proves(node) else None
+
+
+def _is_simple(number: int) -> bool:
+    """Tell whether a whole number is small, or a power of two: what a slip may have put in."""
+    number = abs(number)
+    return number <= 64 or (number & (number - 1) == 0 and number < 2**24)
+
+
+def _by_terms(case: Case) -> Repair | None:
+    """Return the side with each wrong term replaced by its exact value."""
+    try:
+        pair = correct_terms(case.node, case.decision, case.knowledge)
+    except (NoFormError, TooLargeError):
+        return None
+    if pair is None:
+        return None
+    node, changes = pair
+    if not case.proves(node):
+        return None
+    return Repair(slip_kinds(changes), node, changes, 2.0 + len(changes))

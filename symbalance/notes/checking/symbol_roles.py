@@ -1,0 +1,102 @@
+"""Roles a letter may be declared with, such as crank radius, and the ways they may be written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+FROM_TOP = "displacement from top dead centre"
+FROM_PIN = "piston position"
+FROM_MIDDLE = "piston position from mid-stroke"
+
+ALIASES = {
+    "displacement from tdc": FROM_TOP,
+    "piston displacement from top dead centre": FROM_TOP,
+    "piston displacement from tdc": FROM_TOP,
+    "displacement from top dead center": FROM_TOP,
+    "connecting rod length": "rod length",
+    "crank speed": "angular speed",
+    "angular velocity": "angular speed",
+    "rod ratio (l/r)": "rod ratio l/r",
+    "rod ratio (l/s)": "rod ratio l/s",
+    "crank ratio (r/l)": "crank ratio r/l",
+}
+
+KNOWN = (
+    "crank angle",
+    "rod angle",
+    "crank radius",
+    "stroke",
+    "rod length",
+    "rod ratio l/r",
+    "rod ratio l/s",
+    "crank ratio r/l",
+    "angular speed",
+    "engine speed rpm",
+    "time",
+    "reciprocating mass",
+    FROM_TOP,
+    FROM_PIN,
+    FROM_MIDDLE,
+    "piston velocity",
+    "piston acceleration",
+    "inertia force",
+    "cylinder pitch",
+    "integer",
+    "positive",
+    "variable",
+)
+
+MOVING = (FROM_TOP, FROM_PIN, FROM_MIDDLE, "piston velocity", "piston acceleration", "inertia force")
+POSITIVE = {
+    *("crank radius", "stroke", "rod length", "rod ratio l/r", "rod ratio l/s", "crank ratio r/l"),
+    *("angular speed", "engine speed rpm", "reciprocating mass", "cylinder pitch", "positive"),
+}
+HARMONIC = re.compile(r"A_\d{1,3}$")
+RANGES = {
+    "crank angle": (10, 620),
+    "rod ratio l/r": (300, 500),
+    "rod ratio l/s": (150, 250),
+    "crank ratio r/l": (15, 40),
+    "rod length": (300, 500),
+    "crank radius": (60, 100),
+    "stroke": (120, 200),
+}
+"""Ranges of values at random points, in hundredths: such that a rod is longer than its crank."""
+UNITS = (
+    "m",
+    "mm",
+    "kg",
+    "g",
+    "s",
+    "rpm",
+    "rad/s",
+    "N",
+    "m/s",
+    "m/s^2",
+    "m/s²",
+    "kg m",
+    "N m",
+    "bar",
+    "Pa",
+)
+
+
+def role_of(text: str) -> str:
+    """Return the known meaning a declaration states, or its text.
+
+    >>> role_of("Crank radius, half the stroke")
+    'crank radius'
+    """
+    head = text.split(",", maxsplit=1)[0].strip()
+    role = " ".join(head.lower().split())
+    role = ALIASES.get(role, role)
+    return role if role in KNOWN else head
+
+
+def letters_by_role(symbols: Mapping[str, str]) -> dict[str, list[str]]:
+    """Return the letters of each meaning."""
+    letters: dict[str, list[str]] = {}
+    for name, text in symbols.items():
+        letters.setdefault(role_of(text), []).append(name)
+    return letters

@@ -1,0 +1,164 @@
+"""One canonical name for each letter, however it is written: θ, \\theta and theta are `theta`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+
+from symbalance.document.letters import ACCENTS, FONTS, GREEK_SIGN, LOWERED, NAME_OF_SIGN, WORDS
+from symbalance.notes.reading.failures import ReadingError
+
+_COMMAND = re.compile(r"\\([A-Za-z]+)\s*")
+_WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*")
+_CANONICAL = re.compile(r"[A-Za-z][A-Za-z0-9]*(?:_[A-Za-z0-9]+)+'*")
+_PRIMES = re.compile(r"(?:['′’″]|\^\s*\{?\s*(?:\\prime\s*)+\}?)+")
+LONGEST_SUBSCRIPT = 80
+"""Longer runs of letters are no subscript; the limit keeps the search for a declared one short."""
+
+
+def canonical_name(text: str) -> str:
+    r"""Return the canonical name of a letter written in LaTeX, Unicode or plain text.
+
+    >>> canonical_name(r"m_{\mathrm{rec}}"), canonical_name("m₁"), canonical_name(r"\bar{x}'")
+    ('m_rec', 'm_1', "bar_x'")
+    """
+    bare = text.strip().strip("$").strip()
+    if _CANONICAL.fullmatch(bare):
+        return bare
+    base, stop = _base(bare)
+    name, stop = with_scripts(bare, base, stop, len(bare))
+    if not bare or stop != len(bare):
+        raise _junk(text)
+    return name
+
+
+def _junk(text: str) -> ReadingError:
+    quotation = text if len(text) <= 40 else text[:37] + "..."
+    return ReadingError(
+        0, f"{quotation!r} is not a letter", "write a letter such as \\lambda, λ, m_1 or Lh"
+    )
+
+
+def _base(text: str) -> tuple[str, int]:
+    if match := _WORD.match(text):
+        return match.group(), match.end()
+    if text[:1] in NAME_OF_SIGN:
+        return _differential(text, NAME_OF_SIGN[text[0]], 1)
+    if match := _COMMAND.match(text):
+        return _command_base(text, match)
+    raise _junk(text)
+
+
+def _command_base(text: str, match: re.Match[str]) -> tuple[str, int]:
+    command = match.group(1)
+    if command in GREEK_SIGN:
+        plain_end = match.start() + len(command) + 1
+        return _differential(text, command, plain_end)
+    if command in FONTS or command in WORDS or command in ACCENTS:
+        inner, stop = _argument(text, match.end())
+        name = canonical_name(inner)
+        return (f"{ACCENTS[command]}_{name}" if command in ACCENTS else name), stop
+    raise _junk(text)
+
+
+def _differential(text: str, name: str, stop: int) -> tuple[str, int]:
+    """Δx is one letter, Delta_x."""
+    if name in ("Delta", "delta") and (match := re.compile(r"\s*([A-Za-z])$").match(text, stop)):
+        return f"{name}_{match.group(1)}", match.end()
+    return name, stop
+
+
+def _argument(text: str, start: int) -> tuple[str, int]:
+    if text[start : start + 1] != "{":
+        match = _COMMAND.match(text, start)
+        stop = match.end() if match else start + 1
+        return text[start:stop], stop
+    stop = matching_brace(text, start, len(text))
+    return text[start + 1 : stop - 1], stop
+
+
+def matching_brace(text: str, start: int, end: int, longest: int = 4 * LONGEST_SUBSCRIPT) -> int:
+    """Return the offset after the brace that closes the one at `start`."""
+    depth = 0
+    for place in range(start, min(end, start + longest)):
+        depth += {"{": 1, "}": -1}.get(text[place], 0)
+        if depth == 0:
+            return place + 1
+    raise ReadingError(start, "bracket { is never closed", "close it")
+
+
+def with_scripts(
+    text: str, base: str, start: int, end: int, names: Collection[str] | None = None
+) -> tuple[str, int]:
+    """Return a letter's name with the subscript and primes that follow, and where they end.
+
+    `names` settles what of an unbraced subscript belongs to it: `m_pr` is m_p r where m_p is declared.
+    """
+    subscript, primes, stop = "", 0, start
+    while True:
+        if match := _PRIMES.match(text, stop, end):
+            primes += len(re.findall(r"\\prime|['′’]", match.group())) + 2 * match.group().count("″")
+            stop = match.end()
+        elif not subscript and (after := subscript_at(text, stop, end, base, names)):
+            subscript, stop = after
+        else:
+            break
+    return base + (f"_{subscript}" if subscript else "") + "'" * primes, stop
+
+
+def subscript_at(
+    text: str, start: int, end: int, base: str = "", names: Collection[str] | None = None
+) -> tuple[str, int] | None:
+    """Return the subscript that begins at `start` (spaces allowed) and where it ends, or None."""
+    stop_ = start
+    while stop_ < end and text[stop_] in LOWERED:
+        stop_ += 1
+    if stop_ > start:
+        return "".join(LOWERED[c] for c in text[start:stop_]), stop_
+    match = re.compile(r"\s*_\s*").match(text, start, end)
+    if not match or match.end() >= end:
+        return None
+    if text[match.end()] == "{":
+        stop = matching_brace(text, match.end(), end)
+        return subscript_name(text[match.end() + 1 : stop - 1], match.end()), stop
+    return _bare_subscript(text, match.end(), end, base, names)
+
+
+def _bare_subscript(
+    text: str, start: int, end: int, base: str, names: Collection[str] | None
+) -> tuple[str, int]:
+    """Return a subscript without braces: a command's, the longest declared one, or a single sign."""
+    if match := _COMMAND.match(text, start, end):
+        if match.group(1) in FONTS | WORDS:
+            inner, stop = _argument(text, match.end())
+            return subscript_name(inner, start), stop
+        return subscript_name(match.group(), start), start + len(match.group(1)) + 1
+    if match := re.compile(r"[0-9]+|[A-Za-z][A-Za-z0-9]*").match(text, start, end):
+        run = match.group()[:LONGEST_SUBSCRIPT]
+        lengths = range(len(run), 0, -1) if names is not None else ()
+        whole = (n for n in lengths if not (run[n - 1 : n].isdecimal() and run[n : n + 1].isdecimal()))
+        length = next((n for n in whole if f"{base}_{run[:n]}" in (names or ())), len(run))
+        return run[:length], start + length
+    return subscript_name(text[start], start), start + 1
+
+
+def subscript_name(text: str, offset: int) -> str:
+    r"""Return a subscript in plain letters.
+
+    >>> subscript_name(r"\mathrm{rec},\theta", 0)
+    'rec,theta'
+    """
+    pieces: list[str] = []
+    for match in re.finditer(r"\\([A-Za-z]+)|\\[,;: !]|(.)", text, re.DOTALL):
+        command, sign = match.group(1), match.group(2)
+        if command in GREEK_SIGN or command in ("max", "min", "sup", "inf", "lim"):
+            pieces.append(command)
+        elif command in FONTS or command in WORDS or (sign and sign in "{} \n"):
+            continue
+        elif sign and (sign.isalnum() or sign in ",.+-*"):
+            pieces.append(NAME_OF_SIGN.get(sign, sign))
+        elif sign or command:
+            raise ReadingError(offset, f"subscript {text!r} is not read", "use letters and digits")
+    if not pieces:
+        raise ReadingError(offset, "empty subscript", "name the letter's subscript")
+    return "".join(pieces)

@@ -1,0 +1,964 @@
+"""The recursive-descent parser of hand-written formulas: tokens to every tree they may mean.
+
+The argument of a function without brackets is the product that follows: sin 2θ cos θ = sin(2θ)·cos θ,
+cos n(θ + h) = cos(n(θ + h)). After a whole angle such as θ a bracket or fraction stands outside. A sum
+sign sums as far as the next + or -. Where d is itself a declared letter, a derivative may be a quotient.
+
+Where usage differs (`1/2λ`, `cos θ/2`) the parser asks `choose`, which follows a list of decisions;
+`read_tokens` parses again with other decisions and returns every tree that comes out, the usual first.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from fractions import Fraction
+
+from symbalance.document.formula import (
+    Call,
+    Constant,
+    Derivative,
+    Dots,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Span,
+    Sum,
+    Summation,
+    children,
+    names,
+    walk,
+)
+from symbalance.document.letters import ACCENTS, TIME_DOTS, is_greek
+from symbalance.notes.reading.failures import ReadingError, UndeclaredError
+from symbalance.notes.reading.lexer import CLOSER, VULGAR, Token
+
+# A formula with n doubtful places has 2^n readings: the number kept and the number tried are limited.
+MOST_READINGS = 8
+_MOST_TRIALS = 24
+# The parser and what works on trees later recurse: depth stays well below Python's own limit.
+DEEPEST_BRACKETS = 60
+DEEPEST_TREE = 100
+MOST_SLASHES = 20
+HIGHEST_DERIVATIVE = 20
+_INDICES = ("i", "j", "k", "n", "N")
+_INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
+_STARTS = frozenset({"number", "name", "function", "vulgar"})
+
+
+def read_tokens(
+    tokens: Sequence[Token], names: Collection[str], end: int, latex: bool = False
+) -> tuple[tuple[Formula, ...], tuple[str, ...]]:
+    """Return the readings of one expression and the remarks on the usual one."""
+    first, readings, refusal = _parse(tokens, names, (), latex, end)
+    waiting, trials, notes = deque(_other_decisions(first, ())), 0, first.notes
+    while waiting and len(readings) < MOST_READINGS and trials < _MOST_TRIALS:
+        decisions = waiting.popleft()
+        trials += 1
+        parser, trees, _ = _parse(tokens, names, decisions, latex, end)
+        notes = notes if readings else parser.notes
+        readings.extend(node for node in trees if node not in readings)
+        if len(waiting) < _MOST_TRIALS:
+            waiting.extend(_other_decisions(parser, decisions))
+    if refusal and not readings:
+        raise refusal
+    return tuple(readings), tuple(notes)
+
+
+def _parse(
+    tokens: Sequence[Token], names: Collection[str], decisions: Sequence[int], latex: bool, end: int
+) -> tuple[Parser, list[Formula], ReadingError | None]:
+    """Return the tree that a list of decisions leads to, in a list that is empty on a refusal."""
+    parser = Parser(tokens, names, decisions, latex, end)
+    try:
+        node = parser.contents()
+        if parser.current is not None:
+            raise parser.unexpected_token()
+        if _is_too_deep(node):
+            raise ReadingError(node.span[0], "a formula nested too deeply", "write it in parts")
+    except ReadingError as refusal:
+        return parser, [], refusal
+    return parser, [node], None
+
+
+def _other_decisions(parser: Parser, decisions: Sequence[int]) -> list[tuple[int, ...]]:
+    """Return the lists of decisions that differ from the one followed at one later place."""
+    options = [option for option, _ in parser.choices[: len(decisions) + _MOST_TRIALS]]
+    result: list[tuple[int, ...]] = []
+    for site in range(len(decisions), len(options)):
+        others = range(1, parser.choices[site][1])
+        result.extend((*options[:site], other) for other in others)
+    return result
+
+
+def _is_too_deep(node: Formula) -> bool:
+    level = [node]
+    for _ in range(DEEPEST_TREE):
+        level = [part for parent in level for part in children(parent)]
+        if not level:
+            return False
+    return True
+
+
+class Parser:
+    """Reads one formula from its tokens, each method one kind of part."""
+
+    def __init__(
+        self,
+        tokens: Sequence[Token],
+        names: Collection[str],
+        decisions: Sequence[int],
+        latex: bool,
+        end: int,
+    ) -> None:
+        self.tokens, self.names, self.decisions = list(tokens), names, decisions
+        self.latex, self.end = latex, end
+        self.place = 0
+        self.choices: list[tuple[int, int]] = []
+        self.notes: list[str] = []
+        self.bound: list[str] = []
+        self.exponentials = 0
+        self.open_bars = 0
+        self._depth = 0
+
+    def choose(self, options: int = 2) -> int:
+        """Return the way to read what follows, among so many; 0 is the usual way."""
+        site = len(self.choices)
+        option = self.decisions[site] if site < len(self.decisions) else 0
+        self.choices.append((option, options))
+        return option
+
+    def note(self, remark: str) -> None:
+        """Keep a remark on something read generously, once."""
+        if remark not in self.notes:
+            self.notes.append(remark)
+
+    @contextmanager
+    def nested(self) -> Iterator[None]:
+        """Go one level into brackets, scripts or arguments."""
+        self._depth += 1
+        if self._depth > DEEPEST_BRACKETS:
+            raise ReadingError(
+                self.offset, f"more than {DEEPEST_BRACKETS} levels of brackets", "write it in parts"
+            )
+        try:
+            yield
+        finally:
+            self._depth -= 1
+
+    @property
+    def current(self) -> Token | None:
+        """The token at the place, None at the end."""
+        return self.tokens[self.place] if self.place < len(self.tokens) else None
+
+    def peek(self, steps: int) -> Token | None:
+        """Return the token so many steps on."""
+        place = self.place + steps
+        return self.tokens[place] if 0 <= place < len(self.tokens) else None
+
+    @property
+    def offset(self) -> int:
+        """Where the token at the place begins, in the document."""
+        return self.current.start if self.current else self.end
+
+    def take(self) -> Token:
+        """Return the token at the place and go past it."""
+        token = self.current
+        if token is None:
+            raise ReadingError(self.end, "the formula ends too early", "complete it")
+        self.place += 1
+        return token
+
+    def at(self, kind: str, *values: str) -> bool:
+        """Tell whether the token at the place is of a kind, and one of the values if any are given."""
+        token = self.current
+        return token is not None and token.kind == kind and (not values or token.value in values)
+
+    def is_tight(self, steps: int = 0) -> bool:
+        """Tell whether no space stands before the token so many steps on."""
+        before, token = self.peek(steps - 1), self.peek(steps)
+        return before is not None and token is not None and before.end == token.start
+
+    def expect_close(self, opener: Token) -> Token:
+        """Go past the bracket that closes `opener`."""
+        token = self.current
+        if token is None:
+            raise ReadingError(opener.start, f"bracket {opener.value} is never closed", "close it")
+        if token.kind not in ("close", "bar") or token.value != CLOSER[opener.value]:
+            raise self.unexpected_token()
+        return self.take()
+
+    def unexpected_token(self) -> ReadingError:
+        """Return the refusal of the token at the place."""
+        token = self.current
+        if token is None:
+            return ReadingError(self.end, "the formula ends too early", "complete it")
+        if token.kind == "sep":
+            return ReadingError(token.start, f"{token.value} within a formula", "write two equations")
+        if token.kind == "rel":
+            return ReadingError(token.start, "a relation within brackets", "write it as an equation")
+        if token.kind == "close":
+            return ReadingError(
+                token.start, f"bracket {token.value} was never opened", "open it or remove it"
+            )
+        return ReadingError(
+            token.start, f"{token_text(token)} is not expected here", "check what stands before it"
+        )
+
+    def span_since(self, place: int) -> Span:
+        """Return the span from the token at `place` to the last one taken."""
+        last = max(self.place - 1, 0)
+        return (self.tokens[place].start, self.tokens[last].end) if self.tokens else (self.end, self.end)
+
+    def letter(self, name: str, span: Span) -> Formula:
+        """Return a letter's node: a declared or bound name, π, the imaginary i, j in an exponential."""
+        if name in self.names or name in self.bound:
+            return Name(name, span=span)
+        if name == "pi":
+            return Constant("pi", span=span)
+        if name == "i" or (name == "j" and self.exponentials):
+            return Constant("i", span=span)
+        raise UndeclaredError(span[0], name)
+
+    # Sums, products and slashes
+
+    def expression(self) -> Formula:
+        """Read a sum; three dots are a term, with or without a sign before them."""
+        first = self.place
+        terms = [self._first_term()]
+        while (token := self.current) is not None:
+            if token.kind == "dots":
+                terms.append(self._dots())
+            elif token.is_op("+-"):
+                terms.append(self._signed_term())
+            elif isinstance(terms[-1], Dots) and self.starts_factor():
+                terms.append(self.product())
+            else:
+                break
+        return terms[0] if len(terms) == 1 else Sum(tuple(terms), span=self.span_since(first))
+
+    def _first_term(self) -> Formula:
+        if self.at("dots"):
+            return self._dots()
+        if self.current is not None and self.current.is_op("+-"):
+            return self._signed_term()
+        return self.product()
+
+    def _dots(self) -> Formula:
+        token = self.take()
+        return Dots(span=(token.start, token.end))
+
+    def _signed_term(self) -> Formula:
+        first = self.place
+        minus = self._sign_run()
+        term = self._dots() if self.at("dots") else self._big_o() or self.product()
+        if isinstance(term, Dots):
+            return term
+        for _ in range(minus):
+            term = Negative(term, span=self.span_since(first))
+        return term
+
+    def _big_o(self) -> Dots | None:
+        """Read O(x^7) at the end of a sum: what is left out."""
+        following = self.peek(1)
+        if not self.at("name", "O") or "O" in self.names or not following or following.value != "(":
+            return None
+        depth, steps = 1, 2
+        while depth and (token := self.peek(steps)):
+            depth += {"open": 1, "close": -1}.get(token.kind, 0)
+            steps += 1
+        after = self.peek(steps)
+        if depth or not (after is None or after.kind == "close"):
+            return None
+        first = self.place
+        self.place += steps
+        return Dots(span=self.span_since(first))
+
+    def _sign_run(self) -> int:
+        """Take signs and return how many are minus."""
+        signs = [self.take()]
+        while self.current is not None and self.current.is_op("+-"):
+            signs.append(self.take())
+        if len(signs) > 3:
+            raise ReadingError(signs[0].start, "more than three signs in a row", "write one")
+        if [sign.value for sign in signs] == ["+", "+"]:
+            self.note("+ + read as +")
+        if self.current is None:
+            raise ReadingError(signs[-1].start, f"nothing stands after {signs[-1].value}", "complete it")
+        return sum(sign.value == "-" for sign in signs)
+
+    def product(self) -> Formula:
+        """Read runs of factors joined by · or ×."""
+        factors: list[Formula] = []
+        self._join(factors, self.run_of_factors())
+        while (token := self.current) is not None and token.is_op("*"):
+            self.take()
+            if self.at("dots"):
+                raise ReadingError(self.offset, "dots within a product are not read", "write the factors")
+            self._join(factors, self._signed_run(token))
+        return product_of(factors)
+
+    def _join(self, factors: list[Formula], run: Formula) -> None:
+        is_bracketed = self.tokens[self.place - 1].kind == "close" and run.span[1] == self._last_end()
+        whole = isinstance(run, Product) and not (is_bracketed and self._opens(run))
+        if whole and isinstance(run, Product) and not self._is_degrees(run):
+            factors.extend(run.factors)
+        else:
+            factors.append(run)
+
+    def _opens(self, run: Product) -> bool:
+        return run.span[0] != run.factors[0].span[0]
+
+    def _last_end(self) -> int:
+        return self.tokens[self.place - 1].end
+
+    def _is_degrees(self, run: Product) -> bool:
+        last = run.factors[-1]
+        return isinstance(last, Quotient) and last.numerator.span == last.denominator.span
+
+    def _signed_run(self, operator: Token) -> Formula:
+        if self.current is None:
+            raise ReadingError(
+                operator.start, "nothing stands after the multiplication sign", "complete it"
+            )
+        if not self.current.is_op("+-"):
+            return self.run_of_factors()
+        first, sign = self.place, self.take()
+        run = self.run_of_factors()
+        return Negative(run, span=self.span_since(first)) if sign.value == "-" else run
+
+    def run_of_factors(self) -> Formula:
+        """Read factors side by side; a slash divides all of the run before it by one factor."""
+        if not self.starts_factor():
+            raise self.unexpected_token()
+        factors: list[Formula] = [self.factor()]
+        slashes = 0
+        while self.current is not None:
+            if self.current.is_op("/"):
+                slashes += 1
+                if slashes > MOST_SLASHES:
+                    raise ReadingError(self.offset, "too many slashes", "write brackets")
+                top = product_of(factors)
+                bottom = self._denominator()
+                factors = [Quotient(top, bottom, span=(top.span[0], bottom.span[1]))]
+            elif self.starts_factor():
+                self._refuse_two_numbers(factors[-1])
+                factors.append(self.factor())
+            else:
+                break
+        return product_of(factors)
+
+    def _refuse_two_numbers(self, last: Formula) -> None:
+        if (
+            self.at("number")
+            and isinstance(last, Number)
+            and self.tokens[self.place - 1].kind == "number"
+        ):
+            raise ReadingError(self.offset, "two numbers side by side", "write · between them")
+
+    def _denominator(self) -> Formula:
+        """Read what follows a slash: one factor, or digits with the letters that touch them (1/2λ)."""
+        slash, first = self.take(), self.place
+        if self.current is None:
+            raise ReadingError(slash.start, "nothing stands after the slash", "complete it")
+        if self.current.is_op("+-"):
+            sign = self.take()
+            bottom = self.factor()
+            return Negative(bottom, span=self.span_since(first)) if sign.value == "-" else bottom
+        if not self.starts_factor():
+            raise self.unexpected_token()
+        digits = self.at("number")
+        factors = [self.factor()]
+        if self.place != first + 1 and isinstance(factors[0], Number):
+            return factors[0]
+        touching = self.is_tight() and (self.at("name") or (digits and self.at("open", "(", "[")))
+        if not touching:
+            return factors[0]
+        usual_inside = digits and self.at("name")
+        inside = usual_inside if self.choose() == 0 else not usual_inside
+        while inside and self.is_tight() and (self.at("name") or (len(factors) == 1 and self.at("open"))):
+            factors.append(self.factor())
+        return product_of(factors)
+
+    # Single factors: numbers, letters, brackets, fractions, roots, accents, and their powers
+
+    def starts_factor(self) -> bool:
+        """Tell whether a factor begins at the place."""
+        token = self.current
+        if token is None:
+            return False
+        if token.kind == "cmd":
+            return token.value != "over"
+        if token.kind == "bar":
+            return not self.open_bars
+        return token.kind in _STARTS or token.kind == "open"
+
+    def factor(self) -> Formula:
+        """Read an atom with what is attached to it: powers, degrees."""
+        first = self.place
+        node = self.atom()
+        powers = 0
+        while self.current is not None:
+            if self.at("degree"):
+                self.take()
+                node = _degrees(node, self.span_since(first))
+            elif self.at("sup"):
+                powers += 1
+                if powers > 1:
+                    raise ReadingError(
+                        self.offset, "two exponents on one base", "put the base in brackets"
+                    )
+                self.take()
+                node = Power(node, self.exponent(), span=self.span_since(first))
+            elif self.at("under") or self.at("sub"):
+                raise ReadingError(
+                    self.offset, "a subscript that is not a letter's", "write the letter itself"
+                )
+            else:
+                break
+        return node
+
+    def atom(self) -> Formula:
+        """Read one number, letter, bracket or command."""
+        token = self.current
+        if token is None:
+            raise self.unexpected_token()
+        if token.kind == "number":
+            return self.number(self.take())
+        if token.kind == "vulgar":
+            return self._vulgar(self.take())
+        if token.kind == "name":
+            return self._name(token)
+        if token.kind == "function":
+            return self.call()
+        if token.kind == "cmd":
+            return self._command(token)
+        return self._bracket()
+
+    def _vulgar(self, token: Token) -> Formula:
+        span = (token.start, token.end)
+        top, bottom = (Number(Fraction(n), span=span) for n in VULGAR[token.value])
+        return Quotient(top, bottom, span=span)
+
+    def _bracket(self) -> Formula:
+        if self.at("open"):
+            return self.group()
+        if self.at("bar"):
+            self.open_bars += 1
+            opener = self.take()
+            with self.nested():
+                inside = self.contents()
+            if not (self.at("bar") or self.at("close", "|")):
+                raise ReadingError(opener.start, "bracket | is never closed", "close it")
+            last = self.take()
+            self.open_bars -= 1
+            return Call("abs", inside, span=(opener.start, last.end))
+        raise self.unexpected_token()
+
+    def _name(self, token: Token) -> Formula:
+        if (derivative := self.derivative_in_line()) is not None:
+            return derivative
+        following = self.peek(1)
+        if token.value == "e" and "e" not in self.names and following and following.kind == "sup":
+            return self._exponential()
+        self.take()
+        return self.letter(token.value, (token.start, token.end))
+
+    def _exponential(self) -> Formula:
+        first = self.place
+        self.place += 2
+        self.exponentials += 1
+        power = self.exponent()
+        self.exponentials -= 1
+        return Call("exp", power, span=self.span_since(first))
+
+    def _command(self, token: Token) -> Formula:
+        readers = {
+            "frac": self._fraction,
+            "sqrt": self._root,
+            "surd": self._root,
+            "sum": self.summation,
+            "infty": self._infinity,
+            "boxed": self._box,
+        }
+        readers |= dict.fromkeys(TIME_DOTS, self._time_derivative) | dict.fromkeys(ACCENTS, self._accent)
+        return readers.get(token.value, self._operator)()
+
+    def _operator(self) -> Formula:
+        if (derivative := self.derivative_in_line()) is not None:
+            return derivative
+        raise self.unexpected_token()
+
+    def _infinity(self) -> Formula:
+        token = self.take()
+        return Constant("infinity", span=(token.start, token.end))
+
+    def _box(self) -> Formula:
+        self.take()
+        if not self.at("open"):
+            raise self.unexpected_token()
+        return self.group()
+
+    def _fraction(self) -> Formula:
+        if (derivative := self.derivative_fraction()) is not None:
+            return derivative
+        first = self.place
+        self.take()
+        top = self.argument()
+        bottom = self.argument()
+        return Quotient(top, bottom, span=self.span_since(first))
+
+    def _root(self) -> Formula:
+        first = self.place
+        self.take()
+        if self.at("open", "[") and self.tokens[first].value == "sqrt" and self._has_index():
+            index = self.group()
+            return self._indexed_root(index, self.argument(True), self.span_since(first))
+        if self.at("open", "(") and self.tokens[first].value == "sqrt":
+            self.note("\\sqrt( ) read as the root of the bracket")
+        return Call("sqrt", self.argument(True), span=self.span_since(first))
+
+    def _has_index(self) -> bool:
+        """Tell whether [n] is followed by something to take the root of."""
+        steps = 1
+        while (token := self.peek(steps)) and token.kind != "close":
+            steps += 1
+        after = self.peek(steps + 1)
+        return after is not None and (after.kind in _STARTS or after.kind in ("open", "cmd"))
+
+    def _indexed_root(self, index: Formula, inside: Formula, span: Span) -> Formula:
+        span = (span[0], inside.span[1])
+        if index == Number(Fraction(2)):
+            return Call("sqrt", inside, span=span)
+        return Power(
+            inside, Quotient(Number(Fraction(1), span=index.span), index, span=index.span), span=span
+        )
+
+    def _time_derivative(self) -> Formula:
+        first = self.place
+        order = TIME_DOTS[self.take().value]
+        name = self._bare_name()
+        span = self.span_since(first)
+        return Derivative(self.letter(name, span), Name("t", span=span), order, span=span)
+
+    def _accent(self) -> Formula:
+        first = self.place
+        accent = ACCENTS[self.take().value]
+        bare = self._bare_name()
+        name = f"{accent}_{bare}"
+        if accent == "vec" and name not in self.names and bare in self.names:
+            name = bare
+            self.note(f"vector {bare} read as {bare}")
+        return self.letter(name, self.span_since(first))
+
+    def _bare_name(self) -> str:
+        """Read the letter under an accent and the subscript that follows the accent."""
+        token = self.take()
+        is_braced = token.kind == "open" and token.value == "{"
+        inner = self.take() if is_braced else token
+        if inner.kind != "name" or (is_braced and not self.at("close", "}")):
+            raise ReadingError(
+                inner.start, "an accent over more than one letter", "write one letter under it"
+            )
+        if is_braced:
+            self.take()
+        scripts = self.take().value if self.at("sub") else ""
+        return f"{inner.value}_{scripts}" if scripts else inner.value
+
+    # Functions, and how far their argument goes when no bracket says so
+
+    def call(self) -> Formula:
+        """Read sin x, sin^2 x, sin^{-1} x, sqrt(x), exp(x)."""
+        first = self.place
+        function = self.take()
+        power = self._function_power(function.value)
+        if self.at("under"):
+            raise ReadingError(self.offset, "a logarithm's base is not read", "write log x / log b")
+        self.exponentials += function.value == "exp"
+        argument = self.call_argument(function.value)
+        self.exponentials -= function.value == "exp"
+        name = function.value
+        if power is not None and _is_minus_one(power):
+            name, power = self._inverse(name), None
+        node = Call(name, argument, span=self.span_since(first))
+        return node if power is None else Power(node, power, span=node.span)
+
+    def _function_power(self, function: str) -> Formula | None:
+        if not self.at("sup"):
+            return None
+        if function in ("sqrt", "exp", "abs"):
+            raise ReadingError(self.offset, f"an exponent on {function}", "put the whole in brackets")
+        self.take()
+        if self.current is not None and self._is_power_and_multiple(self.current):
+            self.split_digit(self.current)
+        return self.exponent()
+
+    def _is_power_and_multiple(self, token: Token) -> bool:
+        """Tell sin^22θ, which is sin²(2θ), from sin^10θ and sin^22 θ."""
+        following = self.peek(1)
+        touches_letter = following is not None and following.kind == "name" and self.is_tight(1)
+        digits = token.kind == "number" and token.value.isdecimal() and len(token.value) > 1
+        return digits and touches_letter and token.value[0] in "23456789" and token.value[1] != "0"
+
+    def _inverse(self, function: str) -> str:
+        if function not in _INVERSE:
+            what = f"the inverse of {function} is not read"
+            raise ReadingError(self.offset, what, "write it with asin, acos or atan")
+        return _INVERSE[function]
+
+    def call_argument(self, function: str) -> Formula:
+        """Read the argument: the bracket that follows at once, else the product that follows."""
+        with self.nested():
+            if self.at("open") or (self.at("bar") and not self.open_bars):
+                return self._bracket()
+            if function in ("sqrt", "abs"):
+                return self.argument(whole_number=True)
+            if self.current and self.current.is_op("+-"):
+                first, sign = self.place, self.take()
+                inside = self._open_argument()
+                return Negative(inside, span=self.span_since(first)) if sign.value == "-" else inside
+            return self._open_argument()
+
+    def _open_argument(self) -> Formula:
+        if self.at("function"):
+            return self.call()
+        if not self.starts_factor():
+            raise ReadingError(self.offset, "a function without an argument", "write its argument")
+        factors = [self.factor()]
+        while self._belongs_to_argument(factors):
+            factors.append(self.factor())
+        inside = product_of(factors)
+        if self._tight_slash() and self.choose() == 1:
+            self.take()
+            bottom = self.factor()
+            return Quotient(inside, bottom, span=(inside.span[0], bottom.span[1]))
+        return inside
+
+    def _tight_slash(self) -> bool:
+        return (
+            self.current is not None and self.current.is_op("/") and self.is_tight() and self.is_tight(1)
+        )
+
+    def _belongs_to_argument(self, factors: list[Formula]) -> bool:
+        """Tell whether the factor at the place belongs to the argument too."""
+        token = self.current
+        if token is None or not self.starts_factor() or self._ends_argument(token):
+            return False
+        whole = any(map(_is_whole_angle, factors))
+        if whole and (self._leaves_angle(token) or self._may_leave_angle(token, factors)):
+            return not self._leaves_angle(token) and self.choose() == 1
+        if not (token.kind in ("open", "vulgar", "bar") or token.is_cmd("frac", "sqrt", "surd")):
+            return True
+        if token.kind == "open" and not whole:
+            return True
+        if token.kind == "open" and not any(map(names, factors)):
+            return False  # cos 45° [...]: an angle in numbers is complete
+        return whole == bool(self.choose())
+
+    def _leaves_angle(self, token: Token) -> bool:
+        """Tell whether a factor after a whole angle is outside: \\cos\\phi\\,r, \\cos\\phi\\dot\\phi."""
+        if _is_time(token):
+            return False
+        degrees = self.tokens[self.place - 1].kind == "degree"
+        latin = _is_latin(token) and (degrees or not (self.latex or self.is_tight()))
+        return token.spaced or latin or token.is_cmd(*TIME_DOTS)
+
+    def _may_leave_angle(self, token: Token, factors: list[Formula]) -> bool:
+        """Tell whether a Latin letter follows a Greek angle, \\cos\\theta r: usually it is outside."""
+        greek = any(is_greek(name) for factor in factors for name in names(factor))
+        return greek and _is_latin(token) and not _is_time(token)
+
+    def _ends_argument(self, token: Token) -> bool:
+        """Tell whether a factor can never belong to an argument already begun."""
+        power_of_e = token.kind == "name" and token.value == "e" and "e" not in self.names
+        return token.kind in ("function", "number") or token.is_cmd("sum") or power_of_e
+
+    # Derivatives: with a bar, in line, and as the operator d/dθ before a bracket
+
+    def derivative_fraction(self) -> Formula | None:
+        """Read \\frac{d^n f}{d x^n} if the fraction at the place is one."""
+        top, bottom = self._fraction_parts()
+        if not (_is_d(top) and _is_d(bottom)) or ("d" in self.names and self.choose() == 1):
+            return None
+        first = self.place
+        self.place += 2
+        order, body = self._top_of_derivative("{")
+        if not self.at("close", "}"):
+            raise self.unexpected_token()
+        self.place += 2
+        variable = self._bottom_of_derivative(order)
+        if not self.at("close", "}"):
+            raise self.unexpected_token()
+        self.take()
+        return self._derivative_of(first, order, body, variable)
+
+    def _fraction_parts(self) -> tuple[Token | None, Token | None]:
+        """Return the first tokens within the two braces of \\frac{…}{…}."""
+        if not (opener := self.peek(1)) or opener.kind != "open":
+            return None, None
+        depth, steps = 1, 2
+        while depth and (token := self.peek(steps)):
+            depth += {"open": 1, "close": -1}.get(token.kind, 0)
+            steps += 1
+        after = self.peek(steps)
+        is_braced = after is not None and after.kind == "open" and after.value == "{"
+        variable = self.peek(steps + 2)
+        has_letter = is_braced and variable is not None and variable.kind in ("name", "cmd")
+        return self.peek(2), self.peek(steps + 1) if has_letter else None
+
+    def derivative_in_line(self) -> Formula | None:
+        """Read dx/dt, d^2x/dt^2 or d/dt if it begins at the place, without spaces."""
+        if (
+            not _is_d(self.current)
+            or not self._is_derivative_in_line()
+            or ("d" in self.names and self.choose() == 1)
+        ):
+            return None
+        first = self.place
+        order, body = self._top_of_derivative("/")
+        self.take()
+        variable = self._bottom_of_derivative(order)
+        return self._derivative_of(first, order, body, variable)
+
+    def _is_derivative_in_line(self) -> bool:
+        """Tell whether the tokens are d [^n] [letter] / d letter, tight."""
+        steps = 1
+        if (token := self.peek(steps)) and token.kind == "sup":
+            steps += self._power_length(steps)
+        if (token := self.peek(steps)) and token.kind == "name":
+            steps += 1
+        slash = self.peek(steps)
+        letter = self.peek(steps + 2)
+        if slash is None or not (slash.is_op("/") or slash.is_cmd("over")):
+            return False
+        has_letter = _is_d(self.peek(steps + 1)) and letter is not None and letter.kind == "name"
+        return has_letter and (slash.is_cmd("over") or self._all_tight(steps + 2))
+
+    def _all_tight(self, steps: int) -> bool:
+        return all(self.is_tight(step) for step in range(1, steps + 1))
+
+    def _power_length(self, steps: int) -> int:
+        following = self.peek(steps + 1)
+        return 4 if following is not None and following.kind == "open" else 2
+
+    def _top_of_derivative(self, stop: str) -> tuple[int, Formula | None]:
+        """Read d^n f; f may be missing."""
+        self.take()
+        order = self._derivative_order()
+        is_at_end = (
+            self.at("close", "}")
+            if stop == "{"
+            else bool(self.current and (self.current.is_op("/") or self.current.is_cmd("over")))
+        )
+        if is_at_end:
+            return order, None
+        if stop == "/":
+            token = self.take()
+            return order, self.letter(token.value, (token.start, token.end))
+        return order, self.product()
+
+    def _derivative_order(self) -> int:
+        if not self.at("sup"):
+            return 1
+        self.take()
+        place = self.offset
+        power = self.exponent()
+        value = getattr(power, "value", None)
+        if value is None or value.denominator != 1 or not 1 <= value <= HIGHEST_DERIVATIVE:
+            raise ReadingError(place, "a derivative of an order that is not read", "write a whole number")
+        return int(value)
+
+    def _bottom_of_derivative(self, order: int) -> Name:
+        """Read d x^n, with the same n."""
+        self.take()
+        variable = self._variable_below()
+        place = self.offset
+        if self._derivative_order() != order:
+            raise ReadingError(place, "two different orders in one derivative", "make them equal")
+        return variable
+
+    def _variable_below(self) -> Name:
+        """Read the letter under the bar; time needs no declaration."""
+        token = self.current
+        if token is not None and token.kind == "name" and token.value == "t":
+            self.take()
+            return Name("t", span=(token.start, token.end))
+        place = self.offset
+        variable = self.atom()
+        if not isinstance(variable, Name):
+            raise ReadingError(place, "a derivative by something that is no letter", "name the variable")
+        return variable
+
+    def _derivative_of(self, first: int, order: int, body: Formula | None, variable: Name) -> Formula:
+        if body is None:
+            with self.nested():
+                bracket = self.at("open", "(", "[", "{", "\\{")
+                body = self.group() if bracket else self.run_of_factors()
+        return Derivative(body, variable, order, span=self.span_since(first))
+
+    # Sum signs, with and without bounds
+
+    def summation(self) -> Formula:
+        """Read \\sum_{k=0}^{N-1} body."""
+        first = self.place
+        self.take()
+        index, lower = self._lower_bound() if self.at("under") else (None, None)
+        upper = self._upper_bound() if self.at("sup") else None
+        if index is None and self.at("under"):
+            index, lower = self._lower_bound()
+        if upper is not None and lower is None:
+            raise ReadingError(self.offset, "a sum with an end but no beginning", "write \\sum_{k=0}^{n}")
+        self.bound.append(index.name if index else "")
+        with self.nested():
+            body = self.product()
+        self.bound.pop()
+        return Summation(body, index, lower, upper, span=self.span_since(first))
+
+    def _lower_bound(self) -> tuple[Name, Formula | None]:
+        """Read _{k=0} or _k: the index, and where it begins."""
+        self.take()
+        is_braced = self.at("open", "{")
+        opener = self.take() if is_braced else None
+        token = self.take()
+        if token.kind != "name":
+            raise ReadingError(token.start, "a sum without an index", "write \\sum_{k=0}^{n}")
+        index = Name(token.value, span=(token.start, token.end))
+        lower = None
+        if opener is not None:
+            if self.at("rel", "="):
+                self.take()
+                lower = self.expression()
+            self.expect_close(opener)
+        return index, lower
+
+    def _upper_bound(self) -> Formula:
+        self.take()
+        return self.exponent()
+
+    # Brackets, exponents and the arguments of LaTeX commands
+
+    def group(self) -> Formula:
+        """Read ( … ), [ … ], { … } or | … |, the last as an absolute value."""
+        opener = self.take()
+        closer = CLOSER[opener.value]
+        with self.nested():
+            if self.at("close", closer):
+                raise ReadingError(opener.start, "empty brackets", "write what stands in them")
+            inside = self.contents()
+        last = self.expect_close(opener)
+        span = (opener.start, last.end)
+        return Call("abs", inside, span=span) if opener.value == "|" else replace(inside, span=span)
+
+    def contents(self) -> Formula:
+        """Read a sum, or `a \\over b`."""
+        first = self.place
+        top = self.expression()
+        if not self.at("cmd", "over"):
+            return top
+        self.take()
+        return Quotient(top, self.expression(), span=self.span_since(first))
+
+    def number(self, token: Token) -> Number:
+        """Return a number's node."""
+        return Number(token.number, token.place, span=(token.start, token.end))
+
+    def exponent(self) -> Formula:
+        """Read what follows ^: a group, a number or a letter, with a sign."""
+        with self.nested():
+            if self.current and self.current.is_op("+-"):
+                first, sign = self.place, self.take()
+                power = self.exponent()
+                return Negative(power, span=self.span_since(first)) if sign.value == "-" else power
+            power = self.argument(whole_number=True)
+            if self.at("sup") and self.tokens[self.place - 1].kind != "close":
+                self.take()
+                higher = self.exponent()
+                return Power(power, higher, span=(power.span[0], higher.span[1]))
+            return power
+
+    def argument(self, whole_number: bool = False) -> Formula:
+        """Read the argument of a command: a group, or the one sign that follows.
+
+        `\\frac12` is a half: unless `whole_number`, only one digit is taken.
+        """
+        token = self.current
+        if token is None:
+            raise self.unexpected_token()
+        if token.kind == "open":
+            return self.group()
+        if token.kind == "number":
+            if not whole_number or (self.latex and self.tokens[self.place - 1].kind == "sup"):
+                self.split_digit(token)
+            return self.number(self.take())
+        if token.kind == "name":
+            self.take()
+            return self.letter(token.value, (token.start, token.end))
+        if token.kind in ("cmd", "vulgar", "function"):
+            with self.nested():
+                return self.factor()
+        raise self.unexpected_token()
+
+    def split_digit(self, token: Token) -> None:
+        """Cut a run of digits after its first, as TeX does."""
+        if len(token.value) < 2 or not token.value.isdecimal():
+            return
+        cut = token.start + 1
+        first, rest = token.value[0], token.value[1:]
+        pieces = [
+            Token("number", first, token.start, cut, type(token.number)(int(first))),
+            Token("number", rest, cut, token.end, type(token.number)(int(rest))),
+        ]
+        self.tokens[self.place : self.place + 1] = pieces
+
+
+def token_text(token: Token) -> str:
+    """Return a token as a refusal names it."""
+    return f"\\{token.value}" if token.kind == "cmd" else token.value
+
+
+def product_of(factors: Sequence[Formula]) -> Formula:
+    """Return the product of factors, the factor itself if there is one."""
+    if len(factors) == 1:
+        return factors[0]
+    return Product(tuple(factors), span=(factors[0].span[0], factors[-1].span[1]))
+
+
+def _is_whole_angle(factor: Formula) -> bool:
+    """Tell whether a factor is an angle already: it holds a Greek letter, or is a part of π."""
+    letters = names(factor)
+    pi = any(isinstance(part, Constant) and part.name == "pi" for part in walk(factor))
+    return any(map(is_greek, letters)) or (pi and not letters)
+
+
+def _is_latin(token: Token) -> bool:
+    """Tell whether a token is a Latin letter that counts nothing; n and k are multipliers."""
+    greek = is_greek(token.value) or token.value == "pi"
+    return token.kind == "name" and not greek and token.value not in _INDICES
+
+
+def _is_time(token: Token) -> bool:
+    return token.kind == "name" and token.value.split("_")[0] == "t"
+
+
+def _is_minus_one(power: Formula) -> bool:
+    return power in (Negative(Number(Fraction(1))), Number(Fraction(-1)))
+
+
+def _is_d(token: Token | None) -> bool:
+    return token is not None and (
+        token.is_cmd("partial") or (token.kind == "name" and token.value == "d")
+    )
+
+
+def _degrees(node: Formula, span: Span) -> Formula:
+    """30° is 30 π/180."""
+    place = (span[1] - 1, span[1])
+    half_turn = Number(Fraction(180), span=place)
+    unit = Quotient(Constant("pi", span=place), half_turn, span=place)
+    return Product((replace(node), unit), span=span)

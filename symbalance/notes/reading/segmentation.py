@@ -1,0 +1,615 @@
+"""The stretches of a document that may be equations, in order.
+
+What is no mathematics (comments, code, addresses) is blanked, so that every offset stays that of the
+document. Then delimited mathematics ($ $, \\( \\), \\[ \\], environments) is cut into rows and these at
+separators, and the lines outside are searched for equations in prose (`prose`).
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass
+from itertools import islice
+
+from symbalance.document.letters import WORDS
+from symbalance.document.wordlists import word_set
+from symbalance.notes.reading.failures import ReadingError
+from symbalance.notes.reading.lexer import Vocabulary, vocabulary
+from symbalance.notes.reading.prose import line_rules, segments, trim_segment
+from symbalance.notes.reading.signs import ENVIRONMENTS, RELATION
+from symbalance.notes.reading.units import follows_number, scale_of, unit_set_at
+
+_COMMAND = re.compile(r"\\[A-Za-z]+")
+_BULLET = re.compile(r"\s*(?:\(?[0-9]{1,3}[.)](?=\s))?\s*")
+_MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-*+]\s+|[0-9]{1,3}[.)]\s+)?\s*")
+_DASH = re.compile(r"[-*•]\s+(?=[^\s=])")
+_LONG_WORD = re.compile(r"(?<!\\)\b(?<!\\)[A-Za-z]{4,}")
+_CJK = re.compile("[\u2e80-\u9fff\uac00-\ud7af\uf900-\ufaff]")
+_RULE = re.compile(r"\s*([-=_*~#+])\1{2,}\s*")
+# Limits for text that is no derivation, so that its cost stays in proportion to its length.
+LONGEST_LINE = 20_000
+MOST_ITEMS = 20_000
+_MARGIN = 200  # characters searched for the ends of the line that a formula may stand alone on
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """A stretch that may be an equation: display, inline (in $ $), bare (a line) or prose (in a line).
+
+    `block` numbers the display it belongs to; `strict` tells that a refusal is to be reported.
+    """
+
+    start: int
+    end: int
+    kind: str
+    strict: bool
+    first_line: int
+    last_line: int
+    tag: str = ""
+    block: int = -1
+
+
+class ItemFinder:
+    """Finds the items of one document."""
+
+    def __init__(self, text: str, suffix: str, names_at: Callable[[int], Collection[str]]) -> None:
+        self.suffix, self.names_at = suffix, names_at
+        self.fences: list[tuple[int, int]] = []
+        narrow = to_half_width(text)
+        if suffix == ".tex":
+            self.text = mask_tex(narrow)
+        elif suffix == ".md":
+            self.text, self.fences = mask_markdown(narrow)
+        else:
+            self.text = mask_plain(narrow)
+        self.breaks = [place for place, sign in enumerate(self.text) if sign == "\n"]
+        self.failures: list[ReadingError] = []
+
+    def line_of(self, offset: int) -> int:
+        """Return the line, from 1, of an offset."""
+        return bisect_right(self.breaks, offset - 1) + 1
+
+    def line_span(self, line: int) -> tuple[int, int]:
+        """Return where a line begins and ends."""
+        start = self.breaks[line - 2] + 1 if line > 1 else 0
+        return start, self.breaks[line - 1] if line <= len(self.breaks) else len(self.text)
+
+    def run(self) -> list[Item]:
+        """Return the items, in order."""
+        finder = RegionFinder(self.text, self.suffix == ".tex")
+        finder.run()
+        self.failures += finder.failures
+        regions = [region for region in finder.regions if not self._in_fence(region)]
+        regions += [Region(a, a, b, b, True) for a, b in self.fences]
+        regions.sort(key=lambda region: region.first)
+        items = list(islice(self._items(regions), MOST_ITEMS + 1))
+        if len(items) > MOST_ITEMS:
+            what = f"more than {MOST_ITEMS} stretches of mathematics"
+            self.failures.append(ReadingError(items.pop().start, what, "split the document"))
+        return sorted(items, key=lambda item: item.start)
+
+    def _items(self, regions: list[Region]) -> Iterator[Item]:
+        for number, region in enumerate(regions):
+            if region.start < region.end:
+                yield from self._items_of_region(region, number)
+        if self.suffix != ".tex":
+            yield from self._items_outside(regions)
+
+    def _in_fence(self, region: Region) -> bool:
+        return any(
+            a < region.first < b or (a == region.first and region.start > a) for a, b in self.fences
+        )
+
+    def _items_of_region(self, region: Region, block: int) -> Iterator[Item]:
+        alone = region.display or self._is_alone(region)
+        if not alone and not has_any_relation(self.text, region.start, region.end):
+            return
+        kind = "display" if alone else "inline"
+        for piece in pieces_of(self.text, region.start, region.end, region.environment):
+            lines = self.line_of(piece.start), self.line_of(piece.end - 1)
+            yield Item(piece.start, piece.end, kind, True, *lines, piece.tag, block)
+
+    def _is_alone(self, region: Region) -> bool:
+        before = self.text[max(0, region.first - _MARGIN) : region.first].rpartition("\n")
+        after = self.text[region.last : region.last + _MARGIN].partition("\n")
+        edges = (before[1] or region.first < _MARGIN) and (
+            after[1] or region.last + _MARGIN > len(self.text)
+        )
+        return bool(edges) and not (before[2] + after[0]).strip(" \t.,;。、")
+
+    def _items_outside(self, regions: list[Region]) -> Iterator[Item]:
+        """Yield the items of lines and parts of lines outside delimiters."""
+        place = 0
+        for region in [*regions, None]:
+            stop = region.first if region else len(self.text)
+            if place < stop:
+                yield from self._items_of_stretch(place, stop)
+            place = max(place, region.last) if region else stop
+
+    def _items_of_stretch(self, start: int, stop: int) -> Iterator[Item]:
+        line = self.line_of(start)
+        while start < stop:
+            first, last = self.line_span(line)
+            end = min(last, stop)
+            whole = start == first and end == last
+            if self.text[start:end].strip():
+                yield from self._items_of_line(start, end, line, whole)
+            start, line = last + 1, line + 1
+
+    def _items_of_line(self, start: int, end: int, line: int, whole: bool) -> Iterator[Item]:
+        """Yield the items of a line, or of a part of it, outside delimiters."""
+        source = self.text[start:end]
+        if self.suffix == ".md" and source.lstrip().startswith(("#", "|")):
+            return
+        if _RULE.fullmatch(source):
+            return
+        words = vocabulary(self.names_at(line))
+        if whole:
+            start = self._after_bullet(start, end)
+        command = _COMMAND.search(self.text, start, end)
+        lenient = self._is_lenient(start, end)
+        spans = segments(self.text, start, end, line_rules(self.text, start, end, words, lenient))
+        is_display = self.text.startswith("\\displaystyle", start) and not _CJK.search(
+            self.text, start, end
+        )
+        if whole and (is_display or (len(spans) == 1 and self._covers(spans[0], start, end))):
+            yield from self._items_of_bare_line(start, end, line, command is not None)
+            return
+        for span in spans:
+            if not self._is_argument_of_word(span[0], start):
+                yield from self._items_of_segment(span, line, lenient, words)
+
+    def _after_bullet(self, start: int, end: int) -> int:
+        """Return where a line begins after its number or bullet; `- a` alone may be a term."""
+        bullet = _MARKDOWN_BULLET if self.suffix == ".md" else _BULLET
+        match = bullet.match(self.text, start, end)
+        start = match.end() if match else start
+        dash = _DASH.match(self.text, start, end)
+        closing = self.text.count(")", start, end) > self.text.count("(", start, end)
+        plain = "\\" not in self.text[start:end] and has_relation(self.text, start, end) and not closing
+        return dash.end() if dash and plain else start
+
+    def _is_lenient(self, start: int, end: int) -> bool:
+        if self.text.find("\\displaystyle", start, end) >= 0:
+            return True
+        source = self.text[start:end]
+        if not _COMMAND.search(source) or _CJK.search(source):
+            return False
+        return not _LONG_WORD.search(_COMMAND.sub(" ", source))
+
+    def _covers(self, span: tuple[int, int], start: int, end: int) -> bool:
+        around = self.text[start : span[0]] + self.text[span[1] : end]
+        return not around.strip(" \t.,;∴⇒")
+
+    def _items_of_bare_line(self, start: int, end: int, line: int, command: bool) -> Iterator[Item]:
+        if end - start > LONGEST_LINE:
+            yield Item(start, end, "bare", command, line, line)
+            return
+        for piece in pieces_of(self.text, start, end):
+            strict = command or has_relation(self.text, piece.start, piece.end)
+            yield Item(piece.start, piece.end, "bare", strict, line, line, piece.tag)
+
+    def _is_argument_of_word(self, place: int, start: int) -> bool:
+        """Tell f(x) with a word for f from brackets after a word and a space."""
+        before = self.text[place - 1] if place > start else " "
+        return self.text[place] in "([" and before.isascii() and before.isalnum()
+
+    def _items_of_segment(
+        self, span: tuple[int, int], line: int, lenient: bool, words: Vocabulary
+    ) -> Iterator[Item]:
+        """Yield the equations in a stretch of a line without prose."""
+        if span[1] - span[0] > LONGEST_LINE or not has_any_relation(self.text, *span):
+            return
+        display = self.text.find("\\displaystyle", *span)
+        if display >= 0:
+            span = (display, span[1])
+        start, end = trim_segment(self.text, *span, words)
+        if not has_relation(self.text, start, end):
+            return
+        for piece in pieces_of(self.text, start, end):
+            if has_relation(self.text, piece.start, piece.end):
+                inner = trim_segment(self.text, piece.start, piece.end, words)
+                yield Item(*inner, "prose", display >= 0, line, line, piece.tag)
+
+
+# What is not to be read as mathematics: blanked
+
+_WIDE = {0xFF01 + k: 0x21 + k for k in range(94)} | {0x3000: 0x20, 0x0D: 0x20, 0xA0: 0x20}
+_WIDE |= dict.fromkeys(
+    (*range(9), 0x0B, 0x0C, *range(0x0E, 0x20), 0x7F, 0xFEFF, 0x200B, 0x200C, 0x200D, 0x2060), 0x20
+)
+_COMMENT = re.compile(r"(?<!\\)(?:\\\\)*(%[^\n]*)")
+_VERBATIM = re.compile(r"\\begin\s*\{(verbatim\*?|lstlisting|minted|comment|Verbatim)\}")
+_VERB = re.compile(r"\\verb\*?([^A-Za-z\s*])[^\n]{0,400}?\1")
+_ADDRESS = re.compile(
+    r"[A-Za-z][A-Za-z0-9+.-]{1,20}://[^\s<>\"「」、。]+|[\w.+-]{1,64}@[\w-]{1,64}(?:\.[\w-]{1,64})+"
+)
+_FENCE = re.compile(r"[ ]{0,3}(`{3,}|~{3,})\s*([A-Za-z]*)")
+_BOLD = re.compile(r"(?<![\w)*])\*\*(?=[^\s*])([^*\n]{1,300})(?<=\S)\*\*(?![\w(*])")
+_CODE = re.compile(r"(`+)(?!`)[^`\n]{1,400}\1(?!`)")
+
+
+def blank(text: str) -> str:
+    """Return as many spaces, with the line ends where they were."""
+    return "".join("\n" if c == "\n" else " " for c in text) if "\n" in text else " " * len(text)
+
+
+def to_half_width(text: str) -> str:
+    """Return the text with full-width signs as plain ones, of the same length."""
+    return text.translate(_WIDE)
+
+
+def mask_tex(text: str) -> str:
+    """Blank comments, verbatim, the preamble and what follows the end."""
+    text = _COMMENT.sub(lambda m: m.group()[: m.start(1) - m.start()] + blank(m.group(1)), text)
+    text = _without_environments(text)
+    text = _VERB.sub(lambda m: blank(m.group()), text)
+    begin = text.find("\\begin{document}")
+    if begin >= 0:
+        begin += len("\\begin{document}")
+        text = blank(text[:begin]) + text[begin:]
+    end = text.find("\\end{document}")
+    return text if end < 0 else text[:end] + blank(text[end:])
+
+
+def _without_environments(text: str) -> str:
+    pieces: list[str] = []
+    place = 0
+    while match := _VERBATIM.search(text, place):
+        closer = f"\\end{{{match.group(1)}}}"
+        end = text.find(closer, match.end())
+        end = len(text) if end < 0 else end + len(closer)
+        pieces += [text[place : match.start()], blank(text[match.start() : end])]
+        place = end
+    return "".join([*pieces, text[place:]])
+
+
+def mask_plain(text: str) -> str:
+    """Blank addresses of the net and of mail."""
+    return _ADDRESS.sub(lambda m: blank(m.group()), text)
+
+
+def mask_markdown(text: str) -> tuple[str, list[tuple[int, int]]]:
+    """Blank code and comments; return the text and the spans of ```math blocks."""
+    text = _without_comments(text)
+    spans: list[tuple[int, int]] = []
+    lines: list[str] = []
+    fence, language, begin = "", "", 0
+    for offset, line in _lines(text):
+        match = _FENCE.match(line)
+        if fence:
+            is_closing = match is not None and match.group(1).startswith(fence)
+            if is_closing and language == "math":
+                spans.append((begin, offset))
+            lines.append(blank(line) if is_closing or language != "math" else line)
+            fence = "" if is_closing else fence
+        elif match:
+            fence, language, begin = match.group(1), match.group(2).lower(), offset + len(line)
+            lines.append(blank(line))
+        else:
+            without = _CODE.sub(lambda m: blank(m.group()), line)
+            lines.append(_BOLD.sub(lambda m: f"  {m.group(1)}  ", without))
+    return mask_plain("".join(lines)), spans
+
+
+def _lines(text: str) -> Iterator[tuple[int, str]]:
+    place = 0
+    while place < len(text):
+        end = text.find("\n", place)
+        end = len(text) if end < 0 else end + 1
+        yield place, text[place:end]
+        place = end
+
+
+def _without_comments(text: str) -> str:
+    pieces: list[str] = []
+    place = 0
+    while (start := text.find("<!--", place)) >= 0:
+        end = text.find("-->", start)
+        end = len(text) if end < 0 else end + 3
+        pieces += [text[place:start], blank(text[start:end])]
+        place = end
+    return "".join([*pieces, text[place:]])
+
+
+# Delimited mathematics
+
+_NAMES = "|".join(sorted(ENVIRONMENTS | {"cases", "array", "dcases"}, key=len, reverse=True))
+_OPENER = re.compile(rf"\\\\|\\\$|\$\$|\$|\\\(|\\\[|\\begin\s*\{{((?:{_NAMES})\*?)\}}")
+_COLUMNS = re.compile(r"\s*\{\s*[0-9]+\s*\}")
+_IN_BRACES = re.compile(r"\\[A-Za-z]+|\{[^{}]*\}")
+_WORD_OF_PROSE = re.compile(r"[A-Za-z]{4,}")
+_DOLLAR = re.compile(r"(?<!\\)\$")
+
+
+@dataclass(frozen=True, slots=True)
+class Region:
+    """Mathematics from `start` to `end`; with its delimiters from `first` to `last`."""
+
+    first: int
+    start: int
+    end: int
+    last: int
+    display: bool
+    environment: str = ""
+
+
+class RegionFinder:
+    """Finds delimited mathematics; `tex` takes every dollar as a delimiter."""
+
+    def __init__(self, text: str, tex: bool) -> None:
+        self.text, self.tex = text, tex
+        self.regions: list[Region] = []
+        self.failures: list[ReadingError] = []
+        self._missing: set[str] = set()
+
+    def run(self) -> None:
+        """Fill `regions` and `failures`."""
+        place = 0
+        while match := _OPENER.search(self.text, place):
+            place = self._region_from(match)
+
+    def _region_from(self, match: re.Match[str]) -> int:
+        """Add the region that an opener begins; return where to go on."""
+        opener = match.group()
+        if opener in ("\\\\", "\\$"):
+            return match.end()
+        if opener == "$":
+            return self._region_from_dollar(match)
+        environment = match.group(1) or ""
+        closer = {"$$": "$$", "\\(": "\\)", "\\[": "\\]"}.get(opener) or f"\\end{{{environment}}}"
+        end = -1 if closer in self._missing else self.text.find(closer, match.end())
+        if end < 0:
+            self._note_unclosed(match, closer)
+            return match.end()
+        whole = environment.rstrip("*") in ("cases", "array", "dcases")
+        columns = _COLUMNS.match(self.text, match.end()) if "alignat" in environment else None
+        start, stop = (columns.end() if columns else match.end()), end
+        if whole:
+            start, stop = match.start(), end + len(closer)
+        display = opener != "\\("
+        last = end + len(closer)
+        self.regions.append(Region(match.start(), start, stop, last, display, environment.rstrip("*")))
+        return last
+
+    def _note_unclosed(self, match: re.Match[str], closer: str) -> None:
+        if closer not in self._missing:
+            what = f"{match.group()} without {closer}"
+            self.failures.append(ReadingError(match.start(), what, "close the mathematics"))
+        self._missing.add(closer)
+
+    def _region_from_dollar(self, match: re.Match[str]) -> int:
+        """A dollar opens where a dollar closes before the next empty line; elsewhere it is money."""
+        start = match.end()
+        closing = _DOLLAR.search(self.text, start) if "$" not in self._missing else None
+        if closing is None:
+            if self.tex:
+                self._note_unclosed(match, "$")
+            self._missing.add("$")
+            return start
+        inside = self.text[start : closing.start()]
+        if "\n\n" in inside or (not self.tex and not _is_mathematics(inside, self.text, closing.end())):
+            if self.tex:
+                self._note_unclosed(match, "$")
+            return start
+        self.regions.append(Region(match.start(), start, closing.start(), closing.end(), False))
+        return closing.end()
+
+
+def _is_mathematics(inside: str, text: str, after: int) -> bool:
+    """Tell dollars around mathematics from two sums of money."""
+    if not inside.strip() or "\n" in inside.strip("\n"):
+        return inside.count("\n") <= 3 and bool(inside.strip())
+    if text[after : after + 1].isdecimal() or inside[0].isspace() != inside[-1].isspace():
+        return False
+    return len(_WORD_OF_PROSE.findall(_IN_BRACES.sub(" ", inside))) < 2
+
+
+# A stretch of mathematics to single equations: rows, separators, tags, punctuation
+
+_WORDS = "|".join(sorted(WORDS | {"intertext", "shortintertext"}, key=len, reverse=True))
+_ROW = re.compile(
+    r"\\(begin|end)\s*\{([A-Za-z]*)\*?\}|\\\\(?:\*?[ \t]*\[[^\]\n]{0,20}\])?|\\.|[{}&]", re.DOTALL
+)
+_PIECE = re.compile(
+    rf"\\(?:{_WORDS})\s*(?=\{{)|\\q?quad(?![A-Za-z])|\\[A-Za-z]+|\\.|[{{}}()\[\],;、，∴⇒]", re.DOTALL
+)
+_ARROWS = ("\\therefore", "\\Rightarrow", "\\implies", "\\Longrightarrow", "∴", "⇒")
+_SCAN = re.compile(rf"{RELATION.pattern}|\\[A-Za-z]+|\\.|[{{}}()\[\]]", re.DOTALL)
+_TAG = re.compile(
+    r"(?:\\tag\*?\s*\{([^{}]{1,20})\}|\\(?:l|r)?eqno\s*\(([^()]{1,12})\)"
+    r"|(?P<lead>\\q?quad|\\hfill|\\hspace\*?\{[^{}]*\}|\\cdots|\\dots|\\ldots|…+|\.{3,}|[・･]{3,}|⋯|\s{2,}|\t)"
+    r"\s*(?:\\q?quad\s*)*[-–—−]?\s*\((?P<tag>[0-9A-Za-z.\-']{1,8})\))\s*$"
+)
+_TRAILING = re.compile(
+    r"(?:\s|[.,;。、&]|\\end\s*\{[A-Za-z]*\*?\}|\\[,;:! ]|\\q?quad|\\nonumber|\\notag"
+    r"|\\label\s*\{[^{}]*\}|\\\\|\\hfill)$"
+)
+_BOXED = re.compile(r"\\(?:boxed|fbox|framebox)\s*\{")
+_ALIGNED = word_set("align aligned alignat alignedat flalign")
+_BRACKETS = {"{": 1, "(": 1, "[": 1, "}": -1, ")": -1, "]": -1}
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """One equation, or a part of one, from `start` to `end`; `row` counts the rows of its display."""
+
+    start: int
+    end: int
+    tag: str = ""
+    row: int = 0
+
+
+def pieces_of(text: str, start: int, end: int, environment: str = "") -> list[Piece]:
+    """Cut a stretch of mathematics into rows and these at separators."""
+    pieces: list[Piece] = []
+    for row, (first, end_of_row) in enumerate(_rows(text, start, end, environment)):
+        last, tag = without_tag(text, first, end_of_row)
+        spans = [_without_box(text, *trim(text, *span)) for span in _separate(text, first, last)]
+        spans = [span for span in spans if span[0] < span[1]]
+        if len(spans) > 1:
+            spans = [span for span in spans if has_any_relation(text, *span)] or spans[:1]
+        for place, (begin, stop) in enumerate(spans):
+            pieces.append(Piece(begin, stop, tag if place == len(spans) - 1 else "", row))
+    return pieces
+
+
+def _without_box(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return what stands in a frame, \\boxed{...}, where that is the whole span."""
+    match = _BOXED.match(text, start, end)
+    if not match or text[end - 1] != "}" or _after_words(text, match.end() - 1, end) != end:
+        return start, end
+    return trim(text, match.end(), end - 1)
+
+
+def _rows(text: str, start: int, end: int, environment: str) -> list[tuple[int, int]]:
+    """Return the rows of a display, cut at \\\\ outside inner environments; an aligned row by columns."""
+    rows: list[tuple[int, int]] = []
+    cells, first, depth = [start], start, 0
+    is_aligned = environment in _ALIGNED
+    for match in [*_ROW.finditer(text, start, end), None]:
+        sign = match.group() if match else "\\\\"
+        if sign.startswith("\\\\") and (depth <= 0 or not match):
+            stop = match.start() if match else end
+            rows.extend(_cells(cells, stop) if is_aligned else [(first, stop)])
+            first = match.end() if match else end
+            cells, depth = [first], 0
+        elif sign == "&" and depth <= 0 and match:
+            cells.append(match.end())
+        elif match and match.group(1):
+            is_transparent = match.group(2) in ENVIRONMENTS
+            is_aligned = is_aligned or match.group(2) in _ALIGNED
+            depth += 0 if is_transparent else (1 if match.group(1) == "begin" else -1)
+        else:
+            depth += {"{": 1, "}": -1}.get(sign, 0)
+    return rows
+
+
+def _cells(cells: list[int], stop: int) -> list[tuple[int, int]]:
+    """Join the columns of an aligned row in pairs: left and right of an alignment point."""
+    starts = cells[::2] if len(cells) > 2 else cells[:1]
+    return list(zip(starts, [*starts[1:], stop], strict=True))
+
+
+def _separate(text: str, start: int, end: int) -> list[tuple[int, int]]:
+    """Cut at prose, and at commas and wide spaces where an equation of its own follows."""
+    cuts: list[tuple[int, int, bool]] = []
+    depth, place = 0, start
+    while match := _PIECE.search(text, place, end):
+        sign, place = match.group(), match.end()
+        depth = max(depth + _BRACKETS.get(sign, 0), 0)
+        if depth:
+            continue
+        if unit := _unit_at(text, start, match.start(), end):
+            place = unit
+        elif sign.rstrip().lstrip("\\") in WORDS | {"intertext", "shortintertext"}:
+            place = _after_words(text, place, end)
+            cuts.append((match.start(), place, True))
+        elif sign in (",", ";", "、", "，", "\\quad", "\\qquad") or sign in _ARROWS:
+            last = cuts[-1] if cuts else (start, start, True)
+            introduces = sign in _ARROWS and last[2] and not text[last[1] : match.start()].strip(" \t\n&")
+            cuts.append((match.start(), match.end(), introduces))
+    return _join_spans(text, start, end, cuts)
+
+
+def _unit_at(text: str, start: int, place: int, end: int) -> int:
+    """Return where a unit such as \\text{mm} behind a number ends, 0 where it is none."""
+    if text[place] != "\\" or not follows_number(text, start, place):
+        return 0
+    unit = unit_set_at(text, place, end)
+    return unit[1] if unit and scale_of(unit[0]) else 0
+
+
+def _after_words(text: str, place: int, end: int) -> int:
+    depth = 0
+    for at in range(place, end):
+        depth += {"{": 1, "}": -1}.get(text[at], 0)
+        if depth == 0:
+            return at + 1
+    return end
+
+
+def _join_spans(
+    text: str, start: int, end: int, cuts: list[tuple[int, int, bool]]
+) -> list[tuple[int, int]]:
+    """Cut where what follows is an equation of its own; a label before a wide space is dropped."""
+    spans: list[tuple[int, int]] = []
+    first, before, cut = start, start, start
+    for at, after, prose in [*cuts, (end, end, True)]:
+        if before > first and _stands_alone(text, before, at):
+            if has_relation(text, first, cut):
+                spans.append((first, cut))
+                first = before
+            elif text[cut] == "\\":
+                first = before
+        if prose:
+            spans.append((first, at))
+            first = after
+        before, cut = after, at
+    return spans
+
+
+def _stands_alone(text: str, start: int, end: int) -> bool:
+    begin = text[start:end].lstrip()
+    if not begin or begin[0] in "+-−=<>" or RELATION.match(begin):
+        return False
+    return has_relation(text, start, end)
+
+
+def has_any_relation(text: str, start: int, end: int) -> bool:
+    """Tell whether a relation stands anywhere."""
+    return RELATION.search(text, start, end) is not None
+
+
+def has_relation(text: str, start: int, end: int) -> bool:
+    """Tell whether a relation stands outside all brackets."""
+    depth = 0
+    for match in _SCAN.finditer(text, start, end):
+        sign = match.group()
+        if sign in _BRACKETS:
+            depth += _BRACKETS[sign]
+        elif depth <= 0 and RELATION.fullmatch(sign):
+            return True
+    return False
+
+
+def without_tag(text: str, start: int, end: int) -> tuple[int, str]:
+    """Return where an equation ends before its number, and the number.
+
+    >>> without_tag(r"a = b \\quad - (1)", 0, 17)
+    (6, '1')
+    """
+    while start < end and text[end - 1] in " \t\n,.;" and text[max(start, end - 3) : end] != "...":
+        end -= 1
+    offset = max(start, end - 120)
+    match = _TAG.search(text[offset:end])
+    if not match:
+        return end, ""
+    stop = offset + match.start()
+    tag = match.group(1) or match.group(2) or match.group("tag")
+    lead = match.group("lead") or ""
+    if lead.strip() and not lead.startswith(("\\q", "\\h")):
+        before = text[start:stop].rstrip()
+        if before[-1:] in "+-−·*/=" or not before:
+            stop += len(lead)
+    elif (
+        lead and not lead.strip() and not tag.rstrip("abc'").replace(".", "").replace("-", "").isdecimal()
+    ):
+        return end, ""
+    return stop, tag
+
+
+def trim(text: str, start: int, end: int) -> tuple[int, int]:
+    """Return a span without the space and punctuation at its edges."""
+    while start < end and (text[start].isspace() or text[start] in "、。,;"):
+        start += 1
+    while start < end:
+        if text[max(start, end - 3) : end] == "..." or text[end - 1] == "…":
+            break
+        match = _TRAILING.search(text[max(start, end - 80) : end])
+        if not match:
+            break
+        end -= len(match.group())
+    return start, end

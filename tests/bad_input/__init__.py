@@ -1,0 +1,1 @@
+"""What is refused and how, and files and streams that fail."""

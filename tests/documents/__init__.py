@@ -1,0 +1,1 @@
+"""What is printed: results in every medium, golden files, derivations, README."""

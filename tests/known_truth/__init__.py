@@ -1,0 +1,1 @@
+"""Hand derivations and single lines whose truth was worked out beforehand."""

@@ -1,0 +1,1 @@
+"""What SymPy, mpmath and other libraries are relied on for."""

@@ -1,0 +1,1 @@
+"""Against published values: books, papers, data sheets of engines and rotors."""
