@@ -36,7 +36,7 @@ COUNTS = (2, 4, 6, 8, 12, 16, 24)
 
 @dataclass
 class Crossover:
-    """One wave on one target: its candidates by the number of harmonics, 0 being the closed form."""
+    """One harmonic sum on one target: candidates by the number of harmonics, 0 being the closed form."""
 
     case: EvaluatedOutput
     target: str
@@ -78,7 +78,7 @@ class Crossover:
 def crossovers(
     cases: Sequence[EvaluatedOutput], targets: Sequence[str], counts: Sequence[int]
 ) -> list[Crossover]:
-    """Measure both forms of some waves on every target, in passes over all of them."""
+    """Measure both forms of some harmonic sums on every target, in passes over all of them."""
     rows = [_crossover(case, target, counts) for case in cases for target in targets]
     theta, out = angles(COUNT), np.ones(COUNT)
     for _ in range(PASSES):
@@ -89,22 +89,25 @@ def crossovers(
 
 def _crossover(case: EvaluatedOutput, target: str, counts: Sequence[int]) -> Crossover:
     progress(f"closed form: {case.engine} at lambda = {case.rod_ratio}, {target}")
-    wave, ratio = case.wave, case.rod_ratio
-    step = int(wave.terms[-1].order - wave.terms[-2].order)
-    most = step * (max(*counts, len(wave.terms)) + 1)
-    longer = EvaluatedOutput(case.engine, case.output, most, ratio).wave.terms
-    waves = {0: replace(wave, terms=())}
-    waves |= {n: replace(wave, terms=longer[:n], closed_form=None) for n in (*counts, len(wave.terms))}
-    candidates = {n: from_plan(choose_plan([one], ratio, target), target) for n, one in waves.items()}
-    judge, places = Judge.of(case, 150), len(wave.closed_form.places) if wave.closed_form else 0
-    every = len(wave.terms)
-    is_closed = choose_plan([wave], ratio, target).outputs[0].uses_closed_form
+    whole, ratio = case.harmonic_sum, case.rod_ratio
+    step = int(whole.terms[-1].order - whole.terms[-2].order)
+    most = step * (max(*counts, len(whole.terms)) + 1)
+    longer = EvaluatedOutput(case.engine, case.output, most, ratio).harmonic_sum.terms
+    sums = {0: replace(whole, terms=())}
+    sums |= {n: replace(whole, terms=longer[:n], closed_form=None) for n in (*counts, len(whole.terms))}
+    candidates = {n: from_plan(choose_plan([one], ratio, target), target) for n, one in sums.items()}
+    judge, places = (
+        Judge.of(case, 150),
+        len(whole.closed_form.places) if whole.closed_form else 0,
+    )
+    every = len(whole.terms)
+    is_closed = choose_plan([whole], ratio, target).outputs[0].uses_closed_form
     errors = judge.error(candidates[0]).in_u, judge.error(candidates[every]).in_u
     return Crossover(case, target, places, candidates, every, is_closed, *errors)
 
 
 def crossover_table(rows: Sequence[Crossover]) -> str:
-    """Return a line for each wave and target."""
+    """Return a line for each sum and target."""
     counts = sorted(set.intersection(*(set(row.polynomials) for row in rows)))
     heads = "".join(f"{n:>6}" for n in counts)
     lines = [f"{'harmonics':<28}{heads}{'all':>12}{'closed':>8}{'places':>7}{'from':>6}  rule"]

@@ -177,10 +177,10 @@ class ErrorSweep:
     def _of(self, engine: str, output: str, ratio: Fraction, targets: Sequence[str]) -> Iterator[_Entry]:
         progress(f"{engine} {output} at rho = {1 / float(ratio):.3g}")
         judge = Judge.of(EvaluatedOutput(engine, output, None, ratio), self.comparisons)
-        showing = EvaluatedOutput(engine, output, None, ratio).wave.through
+        showing = EvaluatedOutput(engine, output, None, ratio).harmonic_sum.through
         for order in self.orders:
             case = EvaluatedOutput(engine, output, order, ratio)
-            if case.wave.terms and (order is None or order <= showing):
+            if case.harmonic_sum.terms and (order is None or order <= showing):
                 yield _entry(case, targets, judge)
 
 

@@ -95,7 +95,7 @@ class EvaluatedOutput:
         return plan_for(self.balance, None, self.output, target, self.tolerance)
 
     @cached_property
-    def wave(self) -> HarmonicSum:
+    def harmonic_sum(self) -> HarmonicSum:
         """The output's surviving harmonics, exact in lambda."""
         return self.plan("numpy").outputs[0].harmonic_sum
 
@@ -103,7 +103,8 @@ class EvaluatedOutput:
     def harmonics(self) -> tuple[Harmonic, ...]:
         """The cancelled sum, each harmonic one cosine."""
         return tuple(
-            _harmonic(float(term.order), float(term.cos), float(term.sin)) for term in self.wave.terms
+            _harmonic(float(term.order), float(term.cos), float(term.sin))
+            for term in self.harmonic_sum.terms
         )
 
 
