@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from symbalance.bench.integrating.four import CYCLE, Case, full_system
+from symbalance.bench.inline_four import CYCLE, Case, full_system
 from symbalance.crankshaft.bearings.series import equivalent_coefficients
 
 BEARING = 2

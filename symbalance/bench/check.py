@@ -1,8 +1,8 @@
-"""`symbalance bench check`: what judging a hand derivation costs, how often it is right, what it catches.
+"""`symbalance bench check`: time and rightness of the checker of derivations, and the faults it catches.
 
-Measured on a page of our own (`page.md`: 116 relations, a dozen of them wrong), beside
-`sympy.simplify(lhs - rhs)` on the same relations (`simplifying` says how that is kept fair), and on
-faults planted by program in the page put right.
+Measured on a page of hand mathematics (`page.md`: 116 relations, a dozen of them wrong), beside SymPy's
+`simplify` and `equals` on the same relations (`sympy_decisions` says how that is fair), and on faults
+planted by program in the corrected page.
 """
 
 from __future__ import annotations
@@ -19,57 +19,84 @@ from time import perf_counter
 
 import sympy
 
-from symbalance.bench.check_page import PAGE, Page, blocks, context, masked, page, place_of
-from symbalance.bench.planting import DEFINITION, LOWERED, NO_FAULT, STEP, UNREAD, Fault, Planter, tally
-from symbalance.bench.simplifying import LIMIT, UNDECIDED, Outcome, links, simplified
+from symbalance.bench.check_page import (
+    PAGE,
+    Page,
+    bench_page,
+    blocks,
+    context,
+    place_of,
+    with_blocks_alone,
+)
+from symbalance.bench.planted_faults import (
+    DEFINITION,
+    LOWERED,
+    NO_FAULT,
+    STEP,
+    UNREAD,
+    Fault,
+    Planter,
+    tally,
+)
+from symbalance.bench.sympy_decisions import (
+    EQUALS,
+    LIMIT,
+    SIMPLIFY,
+    UNDECIDED,
+    Outcome,
+    decide_links,
+    links,
+)
 from symbalance.bench.timing import Measurement, Report, best, progress
 from symbalance.notes.checking.verdicts import REFUTED, Checked
 
 WHOLE_PROCESS = 5.0
-FASTER = 4
+FASTER = {SIMPLIFY: 4, EQUALS: 2}
+"""Targets: seconds for the whole command; how many times as long SymPy takes, at least, by its way."""
 POSITIVE = ("holds", "holds_to_order", "conditional", "definition")
-EVERY_WITH_SIMPLIFY, EACH = 4, 30
-EACH_QUICKLY = 6
-MOST_SHOWN = 20
+EACH, EACH_QUICKLY, EVERY_QUICKLY = 30, 6, 4
+"""Faults of each kind; quickly fewer, and only every fourth relation for SymPy."""
+MOST_LISTED = 20
 
 
 @dataclass(frozen=True)
 class CheckReport:
     """Times and rightness, as for every topic, and the table of planted faults below them."""
 
-    timed: Report
+    times: Report
     faults: Sequence[Fault]
     notes: Sequence[str]
 
     def text(self) -> str:
         """Return the report as it is printed."""
-        return f"{self.timed.text()}\n{fault_table(self.faults, self.notes)}\n"
+        return f"{self.times.text()}\n{fault_table(self.faults, self.notes)}\n"
 
-    def missed(self) -> list[Measurement]:
-        """Return what did not reach the target stated for it."""
-        return self.timed.missed()
+    def missed_targets(self) -> list[Measurement]:
+        """Return the measurements that miss their target."""
+        return self.times.missed_targets()
 
 
 def report(quick: bool = False) -> CheckReport:
-    """Return all measurements; `quick` asks SymPy for every fourth relation, and plants fewer faults."""
-    here = page()
+    """Return all measurements; `quick` gives SymPy every fourth relation, and plants fewer faults."""
+    page = bench_page()
     parts = [
-        ("A page of hand mathematics", [whole_process(3 if quick else 5), *in_process(here)]),
-        ("The same relations by SymPy", against_simplify(here, EVERY_WITH_SIMPLIFY if quick else 1)),
+        ("A page of hand mathematics", [whole_process(3 if quick else 5), *in_process(page)]),
+        ("The same relations by SymPy", beside_sympy(page, EVERY_QUICKLY if quick else 1)),
     ]
     progress("planted faults")
-    planter = Planter(here)
-    faults = list(planter.planted(EACH_QUICKLY if quick else EACH))
+    planter = Planter(page)
+    faults = list(planter.plant(EACH_QUICKLY if quick else EACH))
     head = f"Python {platform.python_version()}, SymPy {sympy.__version__}, {platform.machine()}"
     return CheckReport(Report(head, parts), faults, notes_on(planter))
 
 
 def notes_on(planter: Planter) -> list[str]:
-    """Return what else is to be said: the page's known errors, and alarms where there are none."""
-    refuted, fixed = planter.known_errors()
+    """Return notes below the table: on the page's known errors, and on alarms where there are none."""
+    refutations, fixes = planter.known_errors()
     return [
-        f"known errors of the page: {len(planter.page.errors)}, refuted {refuted}, fixed rightly {fixed}",
-        f"false alarms on the page put right: {len(planter.false_alarms)}",
+        f"known errors of the page: {len(planter.page.errors)}, refuted {refutations}, "
+        f"fixed rightly {fixes}",
+        f"false alarms on the corrected page: {len(planter.false_alarms)}",
     ]
 
 
@@ -78,14 +105,14 @@ def whole_process(runs: int = 5) -> Measurement:
     progress("whole processes")
     with as_file(PAGE) as path:
         command = [sys.executable, "-m", "symbalance", "check", str(path)]
-        taken = median(_timed(command) for _ in range(runs))
+        seconds = median(_process(command) for _ in range(runs))
     limit = f"under {WHOLE_PROCESS:g} s"
     return Measurement(
-        "symbalance check page.md, whole process", taken, wanted=limit, met=taken < WHOLE_PROCESS
+        "symbalance check page.md, whole process", seconds, target=limit, is_met=seconds < WHOLE_PROCESS
     )
 
 
-def _timed(command: Sequence[str]) -> float:
+def _process(command: Sequence[str]) -> float:
     start = perf_counter()
     done = subprocess.run(command, check=False, stdout=subprocess.DEVNULL)
     if done.returncode not in (0, 1):
@@ -93,72 +120,74 @@ def _timed(command: Sequence[str]) -> float:
     return perf_counter() - start
 
 
-def in_process(here: Page) -> list[Measurement]:
+def in_process(page: Page) -> list[Measurement]:
     """Measure reading, judging and diagnosing the page, and count what is judged rightly."""
     progress("judging the page")
-    taken = best(lambda: here.check(here.text), budget=1)
-    checked = here.check(here.text)
-    count = len(checked.verdicts)
-    false, total = wrongly_judged(here, checked), len(truth(here))
+    seconds = best(lambda: page.check(page.text), budget=1)
+    judgement = page.check(page.text)
+    count = len(judgement.verdicts)
+    false, total = misjudgements(page, judgement), len(truth(page))
     name = f"a verdict, of {count} (reading and diagnosis included)"
     rightly = f"the page, {total - len(false)} of {total} relations judged rightly"
     return [
-        Measurement(name, taken / count),
-        Measurement(rightly, taken, wanted="all of them" + _listed(false), met=not false),
+        Measurement(name, seconds / count),
+        Measurement(rightly, seconds, target="all of them" + _list(false), is_met=not false),
     ]
 
 
-def truth(here: Page) -> dict[tuple[int, int], bool]:
+def truth(page: Page) -> dict[tuple[int, int], bool]:
     """Return for every relation of the page, by line and number on it, whether it is right."""
-    wrong = {(error.line, error.link) for error in here.errors}
+    wrong = {(error.line, error.link) for error in page.errors}
     places = [
-        place_of(chain, k) for chain in here.read(here.text).chains for k in range(len(chain.relations))
+        place_of(chain, k) for chain in page.read(page.text).chains for k in range(len(chain.relations))
     ]
     return {place: place not in wrong for place in places}
 
 
-def wrongly_judged(here: Page, checked: Checked) -> list[tuple[int, int]]:
+def misjudgements(page: Page, judgement: Checked) -> list[tuple[int, int]]:
     """Return the relations whose verdict is not the truth."""
-    said = {(v.line, v.link): v.verdict for v in checked.verdicts}
+    verdicts = {(v.line, v.link): v.verdict for v in judgement.verdicts}
     return [
         place
-        for place, right in truth(here).items()
-        if not (said.get(place) in POSITIVE if right else said.get(place) == REFUTED)
+        for place, right in truth(page).items()
+        if not (verdicts.get(place) in POSITIVE if right else verdicts.get(place) == REFUTED)
     ]
 
 
-def _listed(places: Sequence[tuple[int, int]]) -> str:
+def _list(places: Sequence[tuple[int, int]]) -> str:
     return "".join(f"\n    not line {line}, relation {link}" for line, link in places)
 
 
-def against_simplify(here: Page, every: int) -> list[Measurement]:
-    """Measure the relations beside SymPy's simplify, ours as a page that holds nothing else."""
-    chosen = links(here)[::every]
-    progress(f"simplify on {len(chosen)} relations")
-    outcomes = list(simplified(chosen))
-    lines = {link.line for link in chosen}
-    document = here.read(here.text)
-    every_block = blocks(here, document)
-    kept = context([b for b in every_block if lines & set(b.lines)], every_block)
-    text, kept_lines = masked(here.text, kept), {line for b in kept for line in b.lines}
-    ours = best(lambda: here.check(text, kept_lines), budget=1)
-    false = set(wrongly_judged(here, here.check(here.text)))
-    right = sum((link.line, link.link) not in false for link in chosen)
-    total = sum(outcome.seconds for outcome in outcomes)
-    return [
-        Measurement(
-            f"{len(chosen)} relations, {right} decided rightly",
-            ours,
-            f"sympy simplify(lhs - rhs): {_summary(outcomes)}",
-            total,
-            f"at least {FASTER} times, and no fewer decided rightly",
-            total / ours >= FASTER and right >= sum(o.is_right for o in outcomes),
+def beside_sympy(page: Page, every: int) -> list[Measurement]:
+    """Measure the relations beside SymPy's ways, the checker on a page that holds nothing else."""
+    relations = links(page)[::every]
+    lines = {link.line for link in relations}
+    every_block = blocks(page, page.read(page.text))
+    paragraphs = context([b for b in every_block if lines & set(b.lines)], every_block)
+    text, their_lines = with_blocks_alone(page.text, paragraphs), {n for b in paragraphs for n in b.lines}
+    seconds = best(lambda: page.check(text, their_lines), budget=1)
+    false = set(misjudgements(page, page.check(page.text)))
+    right = sum((link.line, link.link) not in false for link in relations)
+    rows = []
+    for way, times in FASTER.items():
+        progress(f"{way} on {len(relations)} relations")
+        outcomes = list(decide_links(relations, way))
+        other = sum(outcome.seconds for outcome in outcomes)
+        rows.append(
+            Measurement(
+                f"{len(relations)} relations, {right} decided rightly",
+                seconds,
+                f"sympy {way}: {_summary(outcomes)}",
+                other,
+                f"at least {times} times as long, with no more decided rightly",
+                other >= times * seconds and right >= sum(o.is_right for o in outcomes),
+            )
         )
-    ]
+    return rows
 
 
 def _summary(outcomes: Sequence[Outcome]) -> str:
-    count = Counter(o.said if o.is_right or o.said == UNDECIDED else "wrong" for o in outcomes)
+    count = Counter(o.answer if o.is_right or o.answer == UNDECIDED else "wrong" for o in outcomes)
     late = sum(o.seconds >= LIMIT for o in outcomes)
     parts = [f"{sum(o.is_right for o in outcomes)} rightly", f"{count[UNDECIDED]} undecided"]
     parts += [f"{late} after {LIMIT:g} s"] if late else []
@@ -166,8 +195,8 @@ def _summary(outcomes: Sequence[Outcome]) -> str:
 
 
 def fault_table(faults: Sequence[Fault], notes: Sequence[str]) -> str:
-    """Return what was planted and what the checker made of it, kind by kind, and what it missed."""
-    title = "Faults planted in the page put right, one at a time"
+    """Return the faults planted, caught and fixed, kind by kind, and those that were missed."""
+    title = "Faults planted in the corrected page, one at a time"
     columns = ("planted", "caught", "fixed", "rightly", "other side")
     rows = tally(faults)
     steps = sum((row for kind, row in rows.items() if kind != DEFINITION), Counter[str]())
@@ -175,19 +204,19 @@ def fault_table(faults: Sequence[Fault], notes: Sequence[str]) -> str:
     for kind, row in {**rows, "all but definitions": steps}.items():
         name = "in a definition" if kind == DEFINITION else kind
         lines.append(f"{name:<24}" + "".join(f"{row[c]:>11}" for c in columns))
-    drawn = Counter(fault.where for fault in faults)
+    kinds = Counter(fault.where for fault in faults)
     lines += [
         "rightly: the fix has the value the side had; other side: it changes the other to fit the fault",
         "in a definition: contradicted only where a later line says otherwise",
-        f"drawn, but no faults: {drawn[NO_FAULT]} of the same value, {drawn[LOWERED]} true to a lower"
-        f" order, {drawn[UNREAD]} no formula any more",
+        f"drawn, but no faults: {kinds[NO_FAULT]} of the same value, {kinds[LOWERED]} true to a lower"
+        f" order, {kinds[UNREAD]} no formula any more",
         *notes,
     ]
-    missed = [fault for fault in faults if fault.where == STEP and not fault.caught]
-    lines += [f"missed: {len(missed)}", *map(_shown, missed[:MOST_SHOWN])]
+    misses = [fault for fault in faults if fault.where == STEP and not fault.is_caught]
+    lines += [f"missed: {len(misses)}", *map(_line, misses[:MOST_LISTED])]
     return "\n".join(lines)
 
 
-def _shown(fault: Fault) -> str:
-    said = ", ".join(fault.verdicts)
-    return f"  line {fault.line}, {fault.kind} ({said}): {fault.before} → {fault.after}"
+def _line(fault: Fault) -> str:
+    verdicts = ", ".join(fault.verdicts)
+    return f"  line {fault.line}, {fault.kind} ({verdicts}): {fault.before} → {fault.after}"

@@ -1,8 +1,7 @@
-"""The page `symbalance bench check` measures with: a derivation of our own, and the truth about it.
+"""The hand derivation that `symbalance bench check` measures with, and the truth about its errors.
 
 `page.md` is read with `page.symbols.toml`, as a user's notes are; `page.truth.toml` lists its known
-errors by line, with what belongs there, and says what its letters are worth, for values found without
-the checker.
+errors by line, with what belongs there, and the values of its letters, for numbers that need no checker.
 """
 
 from __future__ import annotations
@@ -15,20 +14,18 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-from symbalance.bench.in_sympy import InSympy
 from symbalance.checking import check
 from symbalance.document.formula import names
 from symbalance.notes.checking.verdicts import Checked
-from symbalance.notes.reading import canonical_name, read_document, read_expression
-from symbalance.notes.reading.equations import Chain, Document
+from symbalance.notes.reading import canonical_name, read_document
+from symbalance.notes.reading.equations import Chain, ReadNotes
 
-POSITIVE = frozenset({"r", "l", "lambda", "omega", "m", "b", "U", "q"})
 PAGE = files("symbalance.bench") / "page.md"
 
 
 @dataclass(frozen=True)
-class Error:
-    """A known error: its line, the number of its relation there, what it says and what belongs."""
+class KnownError:
+    """A known error: its line, the number of its relation there, the wrong text and the right one."""
 
     line: int
     wrong: str
@@ -42,7 +39,7 @@ class Page:
 
     text: str
     sidecar: Mapping[str, Any]
-    errors: tuple[Error, ...]
+    errors: tuple[KnownError, ...]
     values: Mapping[str, str]
     definitions: Mapping[str, int]
 
@@ -66,17 +63,9 @@ class Page:
         """The letters declared, by their canonical names."""
         return frozenset(canonical_name(letter) for letter in self.sidecar["symbols"])
 
-    def read(self, text: str) -> Document:
+    def read(self, text: str) -> ReadNotes:
         """Return the equations of a text in the letters of this page."""
         return read_document(text, "page.md", lambda _: self.letters)
-
-    def in_sympy(self) -> InSympy:
-        """Return a converter that knows what the letters of the page are worth."""
-        values = {
-            canonical_name(letter): read_expression(text, self.letters)[0]
-            for letter, text in self.values.items()
-        }
-        return InSympy(values, POSITIVE, frozenset({"n"}))
 
     def check(self, text: str, lines: Collection[int] | None = None) -> Checked:
         """Return the verdicts on a text in this page's letters; binds only of `lines`, if given."""
@@ -85,14 +74,14 @@ class Page:
 
 
 @cache
-def page() -> Page:
+def bench_page() -> Page:
     """Return the page that comes with the package."""
     folder = files("symbalance.bench")
     truth = tomllib.loads((folder / "page.truth.toml").read_text(encoding="utf-8"))
     return Page(
         PAGE.read_text(encoding="utf-8"),
         tomllib.loads((folder / "page.symbols.toml").read_text(encoding="utf-8")),
-        tuple(Error(**error) for error in truth["error"]),
+        tuple(KnownError(**error) for error in truth["error"]),
         truth["values"],
         {canonical_name(letter): line for letter, line in truth["definitions"].items()},
     )
@@ -107,36 +96,36 @@ class Block:
     defines: frozenset[str]
 
 
-def blocks(page: Page, document: Document) -> list[Block]:
+def blocks(page: Page, document: ReadNotes) -> list[Block]:
     """Return the paragraphs of a document of this page that hold relations."""
-    found = []
+    paragraphs = []
     for match in re.finditer(r"(?:[^\n]+\n?)+", document.text):
         first = document.line_of(match.start())
         lines = range(first, document.line_of(match.end() - 2) + 1)
         inside = [c for c in document.chains if c.relations and c.lines[0] in lines]
         if inside:
             letters = frozenset().union(*(names(side.node) for c in inside for side in c.sides))
-            own = frozenset(name for name, line in page.definitions.items() if line in lines)
-            found.append(Block(lines, letters, own))
-    return found
+            defines = frozenset(name for name, line in page.definitions.items() if line in lines)
+            paragraphs.append(Block(lines, letters, defines))
+    return paragraphs
 
 
-def context(chosen: Iterable[Block], every: Iterable[Block], follow: bool = False) -> list[Block]:
+def context(selection: Iterable[Block], every: Iterable[Block], follow: bool = False) -> list[Block]:
     """Return paragraphs with those before them that define their letters.
 
-    With `follow` also the later ones that use the letters which the chosen paragraphs define.
+    With `follow` also the later ones that use the letters which the selected paragraphs define.
     """
-    every, kept = list(every), list(chosen)
+    every, needed = list(every), list(selection)
     if follow:
-        made = frozenset().union(*(block.defines for block in kept))
-        kept += [block for block in every if block.letters & made and block not in kept]
-    for block in kept:
-        kept += [
+        letters = frozenset().union(*(block.defines for block in needed))
+        needed += [block for block in every if block.letters & letters and block not in needed]
+    for block in needed:  # grows while it is read: a definition may need another
+        needed += [
             b
             for b in every
-            if b.defines & block.letters and b.lines[0] < block.lines[0] and b not in kept
+            if b.defines & block.letters and b.lines[0] < block.lines[0] and b not in needed
         ]
-    return sorted(kept, key=lambda block: block.lines[0])
+    return sorted(needed, key=lambda block: block.lines[0])
 
 
 def place_of(chain: Chain, k: int) -> tuple[int, int]:
@@ -145,13 +134,13 @@ def place_of(chain: Chain, k: int) -> tuple[int, int]:
     return line, 1 + sum(relation.line == line for relation in chain.relations[:k])
 
 
-def masked(text: str, kept: Iterable[Block], seen: Iterable[str] = ()) -> str:
-    """Return a text with everything but some paragraphs blank; what is left keeps its lines.
+def with_blocks_alone(text: str, selection: Iterable[Block], earlier: Iterable[str] = ()) -> str:
+    """Return a text with everything but some paragraphs blank; what remains keeps its lines.
 
-    The first line is given to the letters `seen` in what is left out, for the checker takes a relation
+    The first line is given to the `earlier` letters of what is blank, for the checker takes a relation
     that holds a letter for the first time as one that may fix it.
     """
-    lines = {line for block in kept for line in block.lines}
-    shown = [row if n in lines else "" for n, row in enumerate(text.split("\n"), 1)]
-    letters = " ".join(rf"\{name}" if len(name) > 1 else name for name in sorted(seen))
-    return "\n".join([f"$$ {letters} = {letters} $$" if letters else shown[0], *shown[1:]])
+    lines = {line for block in selection for line in block.lines}
+    rows = [row if n in lines else "" for n, row in enumerate(text.split("\n"), 1)]
+    letters = " ".join(rf"\{name}" if len(name) > 1 else name for name in sorted(earlier))
+    return "\n".join([f"$$ {letters} = {letters} $$" if letters else rows[0], *rows[1:]])

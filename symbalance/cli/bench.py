@@ -1,4 +1,4 @@
-"""`symbalance bench`: measurements on this machine."""
+"""The command `symbalance bench`: runs a topic of `symbalance.bench` and writes its report."""
 
 from __future__ import annotations
 
@@ -34,20 +34,20 @@ def add(commands: argparse._SubParsersAction) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure a topic; progress goes to stderr, the table to stdout; 1 if a stated target is missed.
 
-    A topic with more than a table to give, points and pictures, names the files that go with it.
+    A topic that has points and pictures beside its table names the files that go with it.
     """
     topic = import_module(f"symbalance.bench.{options.topic}")
     output = None if options.output == "-" else options.output
-    pictured = output is not None and hasattr(topic, "check_files")
+    has_pictures = output is not None and hasattr(topic, "check_files")
     if output is not None:
         _check_folder(output)
-    if pictured:
+    if has_pictures:
         topic.check_files()
     report = topic.report(quick=options.quick)
-    write(report.text(), None if pictured else output)
-    if pictured:
+    write(report.text(), None if has_pictures else output)
+    if has_pictures:
         write_all({f"{output}{ending}": content for ending, content in report.files().items()})
-    return 1 if report.missed() else 0
+    return 1 if report.missed_targets() else 0
 
 
 def _check_folder(output: str) -> None:

@@ -12,39 +12,51 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-from symbalance.bench import accuracy
+from symbalance.bench import accuracy, error_sweep, evaluated_outputs, speed
+from symbalance.bench import accuracy_alternatives as alternatives
 from symbalance.bench.accuracy import AccuracyReport
-from symbalance.bench.evaluating import alternatives, candidates, coefficients, speed, sweep
-from symbalance.bench.evaluating.alternatives import ALTERNATIVES, alternative, lacking, present
-from symbalance.bench.evaluating.candidates import TARGETS, Candidate, from_module, ours, standing
-from symbalance.bench.evaluating.cases import Case
-from symbalance.bench.evaluating.crossover import crossover_table, crossovers
-from symbalance.bench.evaluating.picture import drawn
-from symbalance.bench.evaluating.rounds import Times, in_turn
-from symbalance.bench.evaluating.sweep import Point, Sweep, as_csv, sweep_table
-from symbalance.bench.evaluating.truth import UNIT, chosen, truth
-from symbalance.bench.timing import Measurement, Report
+from symbalance.bench.accuracy_alternatives import ALTERNATIVES, alternative, lacking, present
+from symbalance.bench.crossover import crossover_table, crossovers
+from symbalance.bench.error_sweep import (
+    ErrorSweep,
+    Judge,
+    Point,
+    comparison_angles,
+    draw_points,
+    points_csv,
+    points_table,
+)
+from symbalance.bench.evaluated_outputs import (
+    TARGETS,
+    Candidate,
+    EvaluatedOutput,
+    available_targets,
+    candidate,
+    from_module,
+)
+from symbalance.bench.timing import Measurement, Report, Times, in_turn
+from symbalance.bench.true_values import U
 from symbalance.cli import run
 from symbalance.kinematics.slider_crank import acceleration_floats
 from tests.kinematics import Place, planar
 
-SIX = Case("inline-6", "force.vertical")
-FIVE = Case("inline-5", "couple.vertical", None, Fraction(4))
+SIX = EvaluatedOutput("inline-6", "force.vertical")
+FIVE = EvaluatedOutput("inline-5", "couple.vertical", None, Fraction(4))
 
 
 @pytest.fixture(scope="module")
 def points() -> list[Point]:
-    small = Sweep(
+    small = ErrorSweep(
         engines=(("inline-4", "force.vertical"), ("v8-90", "force.vertical")),
         ratios=(Fraction(4),),
         orders=(2, None),
         count=64,
-        known=30,
+        comparisons=30,
         rounds=1,
         passes=2,
         budget=0.0,
     )
-    return small.points(standing().targets)
+    return small.points(available_targets().targets)
 
 
 @pytest.fixture
@@ -52,19 +64,25 @@ def tiny(points: list[Point], monkeypatch: pytest.MonkeyPatch) -> AccuracyReport
     """A report that is there at once: `symbalance bench accuracy` answers with it."""
     met = Measurement("one", 1.0, "other", 2.0, "twice", True)
     made = AccuracyReport(
-        "head", [("Sweep", sweep_table(points))], Report("wanted", [("A", [met])]), points
+        "head", [("Sweep", points_table(points))], Report("wanted", [("A", [met])]), points
     )
     monkeypatch.setattr(accuracy, "report", lambda quick: made)
     return made
 
 
-@pytest.mark.parametrize("case", [FIVE, Case("v8-90", "couple.lateral", None, Fraction(10, 9))])
+@pytest.mark.parametrize(
+    "case", [FIVE, EvaluatedOutput("v8-90", "couple.lateral", None, Fraction(10, 9))]
+)
 def test_the_truth_is_that_of_the_tests_own_kinematics(case):
-    known = truth(case, 12)
-    places = [Place(c.throw.in_degrees(), c.bank.in_degrees(), c.station) for c in case.engine.cylinders]
+    known = Judge.of(case, 12)
+    places = [
+        Place(c.throw.in_degrees(), c.bank.in_degrees(), c.station) for c in case.preset_engine.cylinders
+    ]
     with mp.workdps(50):
-        function = planar(places, case.known_ratio, arms=True)
-        for theta, value in zip(known.angles, known.values, strict=True):
+        function = planar(places, case.rod_ratio, arms=True)
+        pairs = zip(known.true_values.high, known.true_values.low, strict=True)
+        values = [mp.mpf(float(high)) + mp.mpf(float(low)) for high, low in pairs]
+        for theta, value in zip(known.angles, values, strict=True):
             both = function(mp.mpf(float(theta)))
             part = both.real if case.output.endswith("vertical") else both.imag
             assert abs(part - value) < 1e-30
@@ -72,7 +90,7 @@ def test_the_truth_is_that_of_the_tests_own_kinematics(case):
 
 
 def test_angles_reach_a_million_radians_and_dead_centres():
-    angles = chosen(300)
+    angles = comparison_angles(300)
     assert np.abs(angles).max() == 1e6
     to_centre = np.abs(angles / np.pi - np.rint(angles / np.pi))
     assert ((to_centre > 0) & (to_centre < 1e-6)).any()
@@ -82,53 +100,54 @@ def test_angles_reach_a_million_radians_and_dead_centres():
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [*TARGETS, *present()])
 def test_everyone_is_held_to_the_same_truth(name):
-    one = ours(FIVE, name) if name in TARGETS else alternative(FIVE, name)
-    error = truth(FIVE, 60).error(one)
-    assert 0 < error.near < 64 * UNIT
-    assert error.near <= error.largest < (64 * UNIT if name in TARGETS else 1e-8)
+    one = candidate(FIVE, name) if name in TARGETS else alternative(FIVE, name)
+    error = Judge.of(FIVE, 60).error(one)
+    assert 0 < error.near < 64 * U
+    assert error.near <= error.largest < (64 * U if name in TARGETS else 1e-8)
 
 
 def test_a_wrong_coefficient_shows():
-    case = Case("inline-4", "force.vertical", None)
+    case = EvaluatedOutput("inline-4", "force.vertical", None)
     source = case.evaluator("numpy").source
     line = next(x for x in source.splitlines() if x.startswith("FORCE_VERTICAL_") and "e-" not in x)
     name, value = line.split("#")[0].split(" = ")
     wrong = source.replace(line, f"{name} = {float(value) * (1 + 2.0**-30)!r}")
     assert wrong != source
-    known = truth(case, 60)
+    known = Judge.of(case, 60)
     assert known.error(from_module("numpy", source)).in_u < 16
     assert known.error(from_module("numpy", wrong)).in_u > 1e5
 
 
 def test_a_value_that_is_none_shows():
     lost = Candidate("lost", lambda theta, out: np.where(theta > 1e5, np.nan, theta))
-    assert np.isnan(truth(FIVE, 12).error(lost).largest)
+    assert np.isnan(Judge.of(FIVE, 12).error(lost).largest)
 
 
 @pytest.mark.slow
 def test_the_table_has_all_candidates():
-    row = speed.timed(SIX, TARGETS, 100, 2, 0.0)
+    row = speed.time_case(SIX, TARGETS, 100, 2, 0.0)
     assert set(row.times) == {
         speed.COPY,
         *TARGETS,
         *(target + speed.NEW for target in TARGETS),
         *present(),
     }
-    table = speed.speed_table([row, speed.timed(SIX, ("numpy",), 100, 2, 0.0)][:1])
+    table = speed.speed_table([row, speed.time_case(SIX, ("numpy",), 100, 2, 0.0)][:1])
     assert all(name in table for name in row.times)
-    judged = speed.against_alternatives(row)
-    assert len(judged) == 5
-    assert all(m.met is not None for m in judged)
-    assert [m.met for m in speed.against_copy(row)] == [None, None]  # wanted of long arrays only
+    judged = speed.beside_alternatives(row)
+    others = [*speed.NUMPY_TIMES, *speed.NUMPY_AT_MOST, *speed.NUMBA_TIMES, alternatives.PER_CYLINDER]
+    assert len(judged) == sum(name in present() for name in others)
+    assert all(m.is_met is not None for m in judged)
+    assert [m.is_met for m in speed.beside_copy(row)] == [None, None]  # wanted of long arrays only
 
 
 @pytest.mark.slow
 def test_small_calls_and_memory(monkeypatch):
     monkeypatch.setattr(speed, "REPEAT", dict.fromkeys(speed.SMALL, 1))
-    table = speed.small_table(speed.small(SIX, ("numpy",), 2))
+    table = speed.small_table(speed.time_small_calls(SIX, ("numpy",), 2))
     assert "1000 angles" in table
     used = speed.memory(SIX, 10**6)
-    assert used.met, used.wanted
+    assert used.is_met, used.target
 
 
 def test_who_has_spent_the_budget_sits_out():
@@ -145,10 +164,10 @@ def test_who_has_spent_the_budget_sits_out():
 
 
 def test_what_is_lacking_is_said(monkeypatch):
-    monkeypatch.setattr(candidates, "find_spec", lambda name: None)
+    monkeypatch.setattr(evaluated_outputs, "find_spec", lambda name: None)
     monkeypatch.setattr(alternatives, "find_spec", lambda name: None)
-    monkeypatch.setattr(candidates.shutil, "which", lambda name: None)
-    here = standing()
+    monkeypatch.setattr(evaluated_outputs.shutil, "which", lambda name: None)
+    here = available_targets()
     assert here.targets == ("numpy",)
     assert "numba: not installed (pip install numba)" in here.notes
     assert any("no C compiler" in note for note in here.notes)
@@ -159,13 +178,17 @@ def test_what_is_lacking_is_said(monkeypatch):
 
 @pytest.mark.slow
 def test_csv_and_table_agree(points):
-    rows = list(csv.DictReader(io.StringIO(as_csv(points))))
+    rows = list(csv.DictReader(io.StringIO(points_csv(points))))
     assert [Point(**_read(row)) for row in rows] == points
     assert {row["order"] for row in rows} == {"2", "all"}
     assert not any(row["engine"] == "v8-90" and row["order"] == "2" for row in rows)  # it vanishes
-    table = sweep_table(points)
+    table = points_table(points)
     assert all(f"{p.ns_per_point:.3g}  {p.error_relative:.0e}" in table for p in points)
-    assert {p.target for p in points} >= {*TARGETS, *sweep.CANCELLED, alternatives.PER_CYLINDER}
+    assert {p.target for p in points} >= {
+        *TARGETS,
+        *({*error_sweep.CANCELLED} & {*present()}),
+        alternatives.PER_CYLINDER,
+    }
 
 
 def _read(row: dict[str, str]) -> dict[str, object]:
@@ -175,7 +198,7 @@ def _read(row: dict[str, str]) -> dict[str, object]:
 
 @pytest.mark.slow
 def test_pictures_are_whole(points):
-    found = drawn(points)
+    found = draw_points(points)
     assert found[".png"].startswith(b"\x89PNG")
     assert found[".png"].endswith(b"IEND\xaeB`\x82")
     assert found[".pdf"].startswith(b"%PDF")
@@ -183,8 +206,8 @@ def test_pictures_are_whole(points):
 
 
 def test_both_forms_of_one_wave(monkeypatch):
-    monkeypatch.setattr(import_module("symbalance.bench.evaluating.crossover"), "COUNT", 64)
-    (row,) = crossovers([Case("inline-4", "force.vertical", None)], ["numpy"], (2, 4))
+    monkeypatch.setattr(import_module("symbalance.bench.crossover"), "COUNT", 64)
+    (row,) = crossovers([EvaluatedOutput("inline-4", "force.vertical", None)], ["numpy"], (2, 4))
     assert {2, 4} < set(row.polynomials)
     assert row.places == 1
     assert max(row.closed_u, row.polynomial_u) < 16
@@ -192,10 +215,10 @@ def test_both_forms_of_one_wave(monkeypatch):
 
 
 def test_coefficients_are_held_to_mpmath():
-    ratio = coefficients.RATIOS["0.9"]
-    values = acceleration_floats(coefficients.HIGHEST, ratio)
-    assert coefficients.worst(values, ratio) < 0.51
-    assert coefficients.worst(values | {8: values[8] * (1 + 2.0**-48)}, ratio) > 10
+    ratio = accuracy.RHOS["0.9"]
+    values = acceleration_floats(accuracy.HIGHEST, ratio)
+    assert accuracy.worst_ulp(values, ratio) < 0.51
+    assert accuracy.worst_ulp(values | {8: values[8] * (1 + 2.0**-48)}, ratio) > 10
 
 
 @pytest.mark.slow
@@ -204,7 +227,7 @@ def test_command_writes_points_and_pictures(tiny, tmp_path, capsys):
     assert run(["bench", "accuracy", "--quick", "-o", str(name)]) == 0
     assert capsys.readouterr().out == tiny.text()
     assert sorted(p.name for p in tmp_path.iterdir()) == ["here.csv", "here.pdf", "here.png"]
-    assert name.with_suffix(".csv").read_text(encoding="utf-8") == as_csv(tiny.points)
+    assert name.with_suffix(".csv").read_text(encoding="utf-8") == points_csv(tiny.points)
 
 
 @pytest.mark.slow

@@ -6,25 +6,24 @@ import mpmath
 import pytest
 import sympy
 
-from symbalance.bench.check import POSITIVE, fault_table, report, truth, wrongly_judged
-from symbalance.bench.check_page import page, place_of
-from symbalance.bench.faults import KINDS
-from symbalance.bench.in_sympy import InSympy
-from symbalance.bench.planting import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
-from symbalance.bench.simplifying import (
+from symbalance.bench.check import POSITIVE, fault_table, misjudgements, report, truth
+from symbalance.bench.check_page import bench_page, place_of
+from symbalance.bench.fault_kinds import KINDS
+from symbalance.bench.planted_faults import DEFINITION, LOWERED, NO_FAULT, STEP, Planter, tally
+from symbalance.bench.sympy_decisions import (
     DIFFERENT,
+    EQUALS,
     PROVED,
     UNDECIDED,
     Relation,
-    decided,
+    SympyConverter,
+    decide,
+    decide_links,
     links,
-    simplified,
 )
 from symbalance.notes.reading import read_expression
 
-pytestmark = pytest.mark.slow
-
-HERE = page()
+HERE = bench_page()
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +37,7 @@ def checked():
 
 
 def test_the_page_is_judged_as_its_truth_says(checked):
-    assert wrongly_judged(HERE, checked) == []
+    assert misjudgements(HERE, checked) == []
     assert len(truth(HERE)) == len(checked.verdicts) >= 90
     assert sum(not right for right in truth(HERE).values()) == len(HERE.errors) == 12
 
@@ -54,7 +53,7 @@ def test_every_known_error_is_found_and_put_right(planter):
 
 def test_the_page_put_right_raises_no_alarm(planter):
     assert planter.false_alarms == []
-    assert all(v.verdict in POSITIVE for v in planter.checked.verdicts)
+    assert all(v.verdict in POSITIVE for v in planter.judgement.verdicts)
 
 
 def test_the_truth_by_numbers_alone(planter):
@@ -75,9 +74,9 @@ def test_the_truth_by_numbers_alone(planter):
 
 
 def test_planted_faults_are_caught(planter):
-    faults = [f for f in planter.planted(5, seed=7) if f.where == STEP]
+    faults = [f for f in planter.plant(5, seed=7) if f.where == STEP]
     assert len(faults) == 5 * len(KINDS)
-    missed = [f for f in faults if not f.caught]
+    missed = [f for f in faults if not f.is_caught]
     assert len(missed) <= 0.05 * len(faults), missed
     rows = tally(faults)
     assert sum(row["rightly"] for row in rows.values()) >= 0.6 * len(faults)
@@ -91,12 +90,12 @@ def _place(planter: Planter, line: int, side: int):
 
 def test_what_is_no_fault_is_told_apart(planter):
     place = _place(planter, 42, 1)  # sin² θ = (1 − cos 2θ)/2
-    assert planter.one("", place, r"\frac{2 - 2 \cos 2\theta}{4}").where == NO_FAULT
-    wrong = planter.one("", place, r"\frac{1 + \cos 2\theta}{2}")
-    assert (wrong.where, wrong.caught, wrong.rightly) == (STEP, True, True)
+    assert planter.judge("", place, r"\frac{2 - 2 \cos 2\theta}{4}").where == NO_FAULT
+    wrong = planter.judge("", place, r"\frac{1 + \cos 2\theta}{2}")
+    assert (wrong.where, wrong.is_caught, wrong.is_right) == (STEP, True, True)
     place = _place(planter, 106, 1)  # v ≈ r ω (sin θ + sin 2θ/(2λ))
-    assert planter.one("", place, r"r \omega \sin\theta").where == LOWERED
-    assert planter.one("", place, r"r \omega \cos\theta").where == STEP
+    assert planter.judge("", place, r"r \omega \sin\theta").where == LOWERED
+    assert planter.judge("", place, r"r \omega \cos\theta").where == STEP
 
 
 def test_every_kind_of_fault_finds_places(planter):
@@ -118,13 +117,13 @@ def test_every_kind_of_fault_finds_places(planter):
 def test_converter(text, expected):
     node = read_expression(text, {"x", "k"})[0]
     x = sympy.Symbol("x", real=True)
-    assert sympy.simplify(InSympy().of(node) - sympy.sympify(expected, {"x": x})) == 0
+    assert sympy.simplify(SympyConverter().of(node) - sympy.sympify(expected, {"x": x})) == 0
 
 
 def test_converter_differentiates_by_the_crank_angle_and_by_time():
     names = {"theta", "omega", "t", "x"}
     position = read_expression(r"\cos 2\theta", names)[0]
-    convert = InSympy({"x": position})
+    convert = SympyConverter({"x": position})
     theta, omega = convert.symbol("theta"), convert.symbol("omega")
     assert convert.of(read_expression(r"\frac{dx}{d\theta}", names)[0]) == -2 * sympy.sin(2 * theta)
     twice = convert.of(read_expression(r"\frac{d^2 x}{dt^2}", names)[0])
@@ -143,10 +142,10 @@ def test_values_are_those_of_the_motion(planter):
 
 def test_simplify_is_asked_fairly():
     asked = {(link.line, link.link): link for link in links(HERE)}
-    assert decided(asked[42, 1]) == PROVED
-    assert decided(asked[56, 1]) == DIFFERENT
-    assert decided(asked[106, 1]) == PROVED
-    assert asked[106, 1].kept == 1
+    assert decide(asked[42, 1]) == decide(asked[42, 1], EQUALS) == PROVED
+    assert decide(asked[56, 1]) == decide(asked[56, 1], EQUALS) == DIFFERENT
+    assert decide(asked[106, 1]) == PROVED
+    assert asked[106, 1].highest == 1
     assert (170, 1) not in asked  # a definition
 
 
@@ -154,9 +153,9 @@ def test_simplify_is_ended_at_its_limit():
     x = sympy.Symbol("x")
     hard = sympy.Add(*(sympy.cos(x + 2 * sympy.pi * k / 61) ** 7 for k in range(61)))
     quick = Relation(1, 1, sympy.sin(x) ** 2 + sympy.cos(x) ** 2 - 1, True)
-    slow, after = simplified([Relation(2, 1, hard, True), quick], limit=2.0)
-    assert (slow.said, slow.is_right) == (UNDECIDED, False)
-    assert (after.said, after.is_right) == (PROVED, True)
+    slow, after = decide_links([Relation(2, 1, hard, True), quick], limit=2.0)
+    assert (slow.answer, slow.is_right) == (UNDECIDED, False)
+    assert (after.answer, after.is_right) == (PROVED, True)
 
 
 def test_the_bench_has_its_report():

@@ -8,7 +8,7 @@ from mpmath import mp
 
 pytest.importorskip("scipy")
 
-from symbalance.bench.integrating.four import CYCLE
+from symbalance.bench.inline_four import CYCLE
 from symbalance.crankshaft.bearings.film_tables import film_from_tables, read_film, trigonometric_film
 from symbalance.crankshaft.bearings.orbits import bearing_films, journal_orbit
 from symbalance.crankshaft.bearings.series import equivalent_coefficients, equivalent_system

@@ -251,7 +251,7 @@ def test_the_tail_of_a_link_rod_is_bounded():
 
 def test_sizes_said_one_by_one_cost_nothing():
     """The function of a four whose cylinders each say that they are not offset is the plain one."""
-    from symbalance.bench.unused import functions, stripped, whole
+    from symbalance.bench.ideal_engine import functions, stripped, whole
 
     own, plain = functions()
     assert np.array_equal(own(), plain())

@@ -11,8 +11,8 @@ pytest.importorskip("scipy")
 
 from scipy.integrate import solve_ivp
 
-from symbalance.bench.integrating.four import Case, full_system, spin
-from symbalance.bench.integrating.runs import Reference, kinds
+from symbalance.bench.inline_four import Case, full_system, spin
+from symbalance.bench.integrator_runs import Reference, kinds
 from symbalance.crankshaft.bearings.film_tables import trigonometric_film
 from symbalance.crankshaft.frames import QUARTER_TURN, rotation
 from symbalance.crankshaft.harmonic_balance import harmonic_state

@@ -1,8 +1,8 @@
-"""True values for the bench of stability, from the kinematics alone: mpmath and whole numbers.
+"""True values of forces, couples, motions and coefficients, to 60 digits and more, from kinematics alone.
 
 Nothing here rests on `symbalance.codegen` or on the exact phasors. cos theta and sin theta come from
 mpmath; a cylinder's own angle, powers of e^(i theta) and square roots are then taken in whole numbers
-of 2^-BITS, which is as exact and much faster. A true value is kept as a double and what that leaves out.
+of 2^-BITS, which is as exact and much faster. A true value is held as a double and what that leaves out.
 """
 
 from __future__ import annotations
@@ -15,24 +15,28 @@ from math import isqrt
 from typing import Any
 
 import numpy as np
+from mpmath.ctx_mp import MPContext
 
-from symbalance.bench.judge import Number, mp
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 
 Array = Any
+Number = Any
+"""A number of mpmath."""
+mp: Any = MPContext()
+"""mpmath as the bench's judge, in a context of its own: it heeds nobody's settings, and changes none."""
 BITS, DIGITS = 256, 100
 """Fraction bits of the whole numbers, and mpmath's digits: above BITS, and enough for theta = 10^15."""
-NOTHING = mp.mpf(10) ** -60
+CANCELLED = mp.mpf(10) ** -60
 """Sums of unit vectors smaller than this cancel."""
-SLOW = Fraction(5, 4)
-"""Below this rod ratio Gauss's function takes many terms."""
+SMALL_RATIO = Fraction(5, 4)
+"""Below this rod ratio Gauss's function takes many terms, for its argument nears 1."""
 ROOT = np.frompyfunc(isqrt, 1, 1)
 U = 2.0**-53
 
 
 @dataclass(frozen=True)
-class Truth:
+class TrueValues:
     """True values, each as the nearest double and the rest."""
 
     high: Array
@@ -54,7 +58,7 @@ class Term:
 
 @dataclass(frozen=True)
 class Points:
-    """Crank angles (doubles, taken as exact) and what is known of them."""
+    """Crank angles (doubles, taken as exact), with their cosines, sines and powers as far as needed."""
 
     theta: Array
     _powers: dict[int, tuple[Array, Array]] = field(default_factory=dict, repr=False)
@@ -66,7 +70,7 @@ class Points:
             pairs = [mp.cos_sin(mp.mpf(float(angle))) for angle in self.theta]
             return _objects(whole(c) for c, _ in pairs), _objects(whole(s) for _, s in pairs)
 
-    def turned(self, turns: Fraction) -> tuple[Array, Array]:
+    def rotated(self, turns: Fraction) -> tuple[Array, Array]:
         """Return cosine and sine of theta + 2 pi turns."""
         with mp.workdps(DIGITS):
             angle = 2 * mp.mpf(turns.numerator) / turns.denominator
@@ -96,53 +100,53 @@ def _objects(values: Iterable[int]) -> Array:
     return np.array(list(values), dtype=object)
 
 
-def _truth(values: Array, scale: int = 0) -> Truth:
+def _true_values(values: Array, scale: int = 0) -> TrueValues:
     """Return whole numbers, times 2^scale, as doubles and the rest."""
     one = 1 << BITS
     high = np.array([v / one for v in values])
     back = _objects(int(np.ldexp(h, BITS)) for h in high)
     low = np.array([v / one for v in values - back])
-    return Truth(np.ldexp(high, scale), np.ldexp(low, scale))
+    return TrueValues(np.ldexp(high, scale), np.ldexp(low, scale))
 
 
-def weights(layout: Engine, name: str) -> list[tuple[Number, Fraction]]:
-    """Return what every cylinder's force counts in an output, and by how many turns it leads.
+def weights(engine: Engine, name: str) -> list[tuple[Number, Fraction]]:
+    """Return the weight of every cylinder's force in an output, and by how many turns it leads.
 
     Vertical or lateral: cos or sin of the bank, times the arm in a couple; the piston's own: 1.
     """
     kind, _, part = name.partition(".")
     if kind == "piston":
-        return [(mp.mpf(1), layout.first.delay.turns)]
+        return [(mp.mpf(1), engine.first.delay.turns)]
     onto = mp.cospi if part == "vertical" else mp.sinpi
     with mp.workdps(DIGITS):
         return [
-            (_number(_arm(layout, c, kind)) * onto(2 * _number(c.bank.turns)), c.delay.turns)
-            for c in layout.cylinders
+            (_number(_arm(engine, c, kind)) * onto(2 * _number(c.bank.turns)), c.delay.turns)
+            for c in engine.cylinders
         ]
 
 
-def terms(layout: Engine, name: str, order: int, ratio: Fraction) -> list[Term]:
-    """Return an output's harmonics to an order; what is smaller than NOTHING of its parts is zero."""
+def terms(engine: Engine, name: str, order: int, ratio: Fraction) -> list[Term]:
+    """Return an output's harmonics to an order; what is smaller than CANCELLED is zero."""
     with mp.workdps(DIGITS):
-        vectors = ((n, a, _vector(layout, name, n)) for n, a in coefficients(order, ratio).items())
-        return [Term(n, a * z.real, -a * z.imag) for n, a, z in vectors if abs(z) > NOTHING]
+        vectors = ((n, a, _vector(engine, name, n)) for n, a in true_coefficients(order, ratio).items())
+        return [Term(n, a * z.real, -a * z.imag) for n, a, z in vectors if abs(z) > CANCELLED]
 
 
-def _vector(layout: Engine, name: str, n: int) -> Number:
+def _vector(engine: Engine, name: str, n: int) -> Number:
     """Return z with the output's part in order n = A_n Re(z e^(i n theta)), from every cylinder."""
     kind, _, part = name.partition(".")
     if part in ("forward", "backward"):
         sign = 1 if part == "forward" else -1
-        turned = (
-            _number(_arm(layout, c, kind)) * _turn(sign * c.bank.turns + n * c.delay.turns)
-            for c in layout.cylinders
+        vectors = (
+            _number(_arm(engine, c, kind)) * _turn(sign * c.bank.turns + n * c.delay.turns)
+            for c in engine.cylinders
         )
-        return mp.fsum(turned) / 2
-    return mp.fsum(w * _turn(n * turns) for w, turns in weights(layout, name))
+        return mp.fsum(vectors) / 2
+    return mp.fsum(w * _turn(n * turns) for w, turns in weights(engine, name))
 
 
-def _arm(layout: Engine, cylinder: Cylinder, kind: str) -> Fraction:
-    return cylinder.station - layout.mean_station if kind == "couple" else Fraction(1)
+def _arm(engine: Engine, cylinder: Cylinder, kind: str) -> Fraction:
+    return cylinder.station - engine.mean_station if kind == "couple" else Fraction(1)
 
 
 def _turn(turns: Fraction) -> Number:
@@ -154,13 +158,13 @@ def _number(value: Fraction) -> Number:
 
 
 @lru_cache(maxsize=64)
-def coefficients(order: int, ratio: Fraction) -> dict[int, Number]:
+def true_coefficients(order: int, ratio: Fraction) -> dict[int, Number]:
     """Return A_1 and every even A_n to an order, exact in lambda: A_2k = 4 k^2 c_k/rho.
 
     The c_k are the cosine coefficients of sqrt(1 - rho^2 sin^2 theta): Gauss's function where it
     converges fast, else upward from the elliptic integrals, with the digits that takes.
     """
-    if ratio >= SLOW:
+    if ratio >= SMALL_RATIO:
         return {1: mp.mpf(1)} | {n: gauss(n, ratio) for n in range(2, order + 1, 2)}
     with mp.workdps(DIGITS + 2 * order):
         rho = 1 / _number(ratio)
@@ -168,12 +172,12 @@ def coefficients(order: int, ratio: Fraction) -> dict[int, Number]:
         second, first = mp.ellipe(rho**2), mp.ellipk(rho**2)
         below = 4 * second / mp.pi
         here = 4 * ((2 - rho**2) * second - 2 * (1 - rho**2) * first) / (3 * mp.pi * rho**2)
-        found = {1: mp.mpf(1)}
+        values = {1: mp.mpf(1)}
         for k in range(1, order // 2 + 1):
-            found[2 * k] = 4 * k * k * here / rho
+            values[2 * k] = 4 * k * k * here / rho
             above = (1 + q * q) * k * here + q * (k - mp.mpf(1.5)) * below
             below, here = here, -above / (q * (k + mp.mpf(1.5)))
-        return found
+        return values
 
 
 def gauss(n: int, ratio: Fraction) -> Number:
@@ -187,7 +191,7 @@ def gauss(n: int, ratio: Fraction) -> Number:
         return 4 * k * k / rho * (1 + root) * mp.binomial(mp.mpf(0.5), k) * q**k * tail
 
 
-def harmonics_at(points: Points, sums: Sequence[Term]) -> Truth:
+def harmonics_at(points: Points, sums: Sequence[Term]) -> TrueValues:
     """Return the sum of harmonics; computed relative to the largest, however small that is."""
     with mp.workdps(DIGITS):
         scale = max(int(mp.frexp(mp.hypot(t.cos, t.sin))[1]) for t in sums)
@@ -195,35 +199,37 @@ def harmonics_at(points: Points, sums: Sequence[Term]) -> Truth:
         for term in sums:
             c, s = points.power(term.order)
             total = total + c * whole(mp.ldexp(term.cos, -scale)) + s * whole(mp.ldexp(term.sin, -scale))
-    return _truth(total >> BITS, scale)
+    return _true_values(total >> BITS, scale)
 
 
-def accelerations_at(points: Points, places: Sequence[tuple[Number, Fraction]], ratio: Fraction) -> Truth:
+def accelerations_at(
+    points: Points, places: Sequence[tuple[Number, Fraction]], ratio: Fraction
+) -> TrueValues:
     """Return the sum of weight times a piston's whole acceleration at theta + 2 pi turns.
 
     With c, s of the piston's own angle and R^2 = lambda^2 - s^2: c + (c^2 - s^2)/R + s^2 c^2/R^3.
     """
     with mp.workdps(DIGITS):
         square = whole(_number(ratio * ratio))
-        rows = [(whole(weight), points.turned(turns)) for weight, turns in places]
+        rows = [(whole(weight), points.rotated(turns)) for weight, turns in places]
     total = _objects(0 for _ in points.theta)
     for weight, (c, s) in rows:
         cc, ss = c * c >> BITS, s * s >> BITS
-        left = square - ss
-        root = ROOT(left << BITS)
-        own = c + (((cc - ss) + (cc * ss // left)) << BITS) // root
+        rest = square - ss
+        root = ROOT(rest << BITS)
+        own = c + (((cc - ss) + (cc * ss // rest)) << BITS) // root
         total = total + (own * weight >> BITS)
-    return _truth(total)
+    return _true_values(total)
 
 
-def piston_at(points: Points, part: str, layout: Engine, ratio: Fraction) -> Truth:
+def piston_at(points: Points, part: str, engine: Engine, ratio: Fraction) -> TrueValues:
     """Return a piston's displacement or velocity; relative digits are kept near dead centres."""
     one: Callable[[Number, Number], Number] = {"displacement": _displacement, "velocity": _velocity}[part]
     with mp.workdps(DIGITS):
-        lead = 2 * mp.pi * _number(layout.first.delay.turns)
+        lead = 2 * mp.pi * _number(engine.first.delay.turns)
         values = [one(mp.mpf(float(angle)) + lead, _number(ratio)) for angle in points.theta]
         high = np.array([float(v) for v in values])
-        return Truth(high, np.array([float(v - h) for v, h in zip(values, high, strict=True)]))
+        return TrueValues(high, np.array([float(v - h) for v, h in zip(values, high, strict=True)]))
 
 
 def _displacement(p: Number, lam: Number) -> Number:

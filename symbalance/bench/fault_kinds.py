@@ -1,4 +1,4 @@
-"""Slips planted by program in the text of a formula, one at a time: the kinds of error people make.
+"""The kinds of error people make in a formula, each as a program that plants it in the text.
 
 Each kind is a function from the text of one side (LaTeX, as in the bench's page) to changed copies of it.
 Only the text is looked at; whether a change changes the value is for `planting` to find out.
@@ -38,8 +38,8 @@ def signs(text: str) -> Iterator[str]:
     >>> list(signs("1 - x"))
     ['1 + x', '-1 - x']
     """
-    for found in re.finditer(r"[+-]", text):
-        yield _put(text, found, "-" if found[0] == "+" else "+")
+    for match in re.finditer(r"[+-]", text):
+        yield _put(text, match, "-" if match[0] == "+" else "+")
     if not text.startswith(("-", "0", r"\left")):
         yield "-" + text
 
@@ -50,18 +50,18 @@ def coefficients(text: str) -> Iterator[str]:
     >>> list(coefficients("3 x^2"))
     ['6 x^2', '9 x^2', '30 x^2', '4 x^2', '2 x^2']
     """
-    taken = [range(*found.span()) for found in _BOUNDS.finditer(text)]
-    for found in _NUMBER.finditer(text):
-        before, after = text[: found.start()], text[found.end() :]
+    bounds = [range(*match.span()) for match in _BOUNDS.finditer(text)]
+    for match in _NUMBER.finditer(text):
+        before, after = text[: match.start()], text[match.end() :]
         if _NOT_A_COEFFICIENT.match(after) or _IN_PHASE.search(before) or before.endswith(r"\sqrt"):
             continue
-        if any(found.start() in bounds for bounds in taken):
+        if any(match.start() in span for span in bounds):
             continue
-        if "." in found[0]:
-            yield _put(text, found, _misprinted(found[0]))
+        if "." in match[0]:
+            yield _put(text, match, _misprint(match[0]))
         else:
-            for value in _other_integers(int(found[0])):
-                yield _put(text, found, str(value))
+            for value in _other_integers(int(match[0])):
+                yield _put(text, match, str(value))
     if not text[0].isdigit() and text[0] != "-" and not text.startswith((r"\left", r"\sum")):
         yield from (f"{factor} {text}" for factor in (2, 3, r"\frac{1}{2}"))
 
@@ -70,7 +70,7 @@ def _other_integers(value: int) -> list[int]:
     return [n for n in (2 * value, 3 * value, 10 * value, value + 1, value - 1) if n and n != value]
 
 
-def _misprinted(number: str) -> str:
+def _misprint(number: str) -> str:
     place = number.index(".") + 2
     return number[:place] + str((int(number[place]) + 3) % 10) + number[place + 1 :]
 
@@ -81,14 +81,14 @@ def orders(text: str) -> Iterator[str]:
     >>> list(orders(r"\cos 2\theta"))
     ['\\cos 3\\theta', '\\cos 4\\theta', '\\cos 1\\theta']
     """
-    for found in _ORDER.finditer(text):
-        value = int(found[0])
+    for match in _ORDER.finditer(text):
+        value = int(match[0])
         for other in (value + 1, 2 * value, value - 1):
             if other and other != value:
-                yield _put(text, found, str(other))
-    for found in _BARE.finditer(text):
+                yield _put(text, match, str(other))
+    for match in _BARE.finditer(text):
         for order in (2, 3):
-            yield _put(text, found, f"{found[1] or ''} {order}")
+            yield _put(text, match, f"{match[1] or ''} {order}")
 
 
 def phases(text: str) -> Iterator[str]:
@@ -97,18 +97,18 @@ def phases(text: str) -> Iterator[str]:
     >>> list(phases(r"\cos 3(\theta + 120^\circ)"))[-1]
     '\\cos(3\\theta + 120^\\circ)'
     """
-    for found in _DEGREES.finditer(text):
+    for match in _DEGREES.finditer(text):
         for factor in (2, 0.5, 1 / 3):
-            yield _put(text, found, f"{factor * int(found[0]):g}")
-    for found in _PI.finditer(text):
-        top = int(found[1] or found[3] or 1)
-        bottom = int(found[2] or 1)
+            yield _put(text, match, f"{factor * int(match[0]):g}")
+    for match in _PI.finditer(text):
+        top = int(match[1] or match[3] or 1)
+        bottom = int(match[2] or 1)
         for above, below in ((2 * top, bottom), (top, 2 * bottom), (top, bottom + 1)):
-            yield _put(text, found, rf"\frac{{{above}\pi}}{{{below}}}")
-    for found in _STEP.finditer(text):
-        yield _put(text, found, r"k \cdot")
-    for found in _UNMULTIPLIED.finditer(text):
-        yield _put(text, found, rf"\cos({found[1]}\theta {found[2]})")
+            yield _put(text, match, rf"\frac{{{above}\pi}}{{{below}}}")
+    for match in _STEP.finditer(text):
+        yield _put(text, match, r"k \cdot")
+    for match in _UNMULTIPLIED.finditer(text):
+        yield _put(text, match, rf"\cos({match[1]}\theta {match[2]})")
 
 
 def functions(text: str) -> Iterator[str]:
@@ -117,8 +117,8 @@ def functions(text: str) -> Iterator[str]:
     >>> list(functions(r"\sin\theta"))
     ['\\cos\\theta']
     """
-    for found in re.finditer(r"\\(sin|cos)\b", text):
-        yield _put(text, found, r"\cos" if found[1] == "sin" else r"\sin")
+    for match in re.finditer(r"\\(sin|cos)\b", text):
+        yield _put(text, match, r"\cos" if match[1] == "sin" else r"\sin")
 
 
 def exponents(text: str) -> Iterator[str]:
@@ -127,17 +127,17 @@ def exponents(text: str) -> Iterator[str]:
     >>> list(exponents("x^2"))
     ['x^{3}', 'x^{1}', 'x']
     """
-    for found in _EXPONENT.finditer(text):
-        if text[: found.start()].endswith("}"):  # the upper bound of a sum
+    for match in _EXPONENT.finditer(text):
+        if text[: match.start()].endswith("}"):  # the upper bound of a sum
             continue
-        value = int(found[1] or found[2])
+        value = int(match[1] or match[2])
         for other in (value + 1, value - 1):
             if other:
-                yield _put(text, found, f"^{{{other}}}")
-        yield _put(text, found, "")
-    for found in _LETTER.finditer(text):
-        if not found[1]:
-            yield text[: found.end()] + "^2" + text[found.end() :]
+                yield _put(text, match, f"^{{{other}}}")
+        yield _put(text, match, "")
+    for match in _LETTER.finditer(text):
+        if not match[1]:
+            yield text[: match.end()] + "^2" + text[match.end() :]
 
 
 def missing_letters(text: str) -> Iterator[str]:
@@ -146,8 +146,8 @@ def missing_letters(text: str) -> Iterator[str]:
     >>> list(missing_letters("m r"))
     [' r', 'm ']
     """
-    for found in _LETTER.finditer(text):
-        yield _put(text, found, "")
+    for match in _LETTER.finditer(text):
+        yield _put(text, match, "")
 
 
 def swapped_letters(text: str) -> Iterator[str]:
@@ -156,9 +156,9 @@ def swapped_letters(text: str) -> Iterator[str]:
     >>> list(swapped_letters("l"))
     ['r']
     """
-    for found in _SWAPPED.finditer(text):
-        for other in _SWAPS[found[0]]:
-            yield _put(text, found, other)
+    for match in _SWAPPED.finditer(text):
+        for other in _SWAPS[match[0]]:
+            yield _put(text, match, other)
 
 
 def dropped_terms(text: str) -> Iterator[str]:
@@ -167,19 +167,19 @@ def dropped_terms(text: str) -> Iterator[str]:
     >>> list(dropped_terms("a + (b - c) + d"))
     ['a + d', 'a + (b ) + d', 'a + (b - c) ']
     """
-    for found in re.finditer(r"[+-]", text):
-        end, depth = found.end(), 0
+    for match in re.finditer(r"[+-]", text):
+        end, depth = match.end(), 0
         while end < len(text):
             depth += (text[end] in "([{") - (text[end] in ")]}")
             if depth < 0 or (depth == 0 and (text[end] in "+-" or text.startswith(r"\right", end))):
                 break
             end += 1
-        if not text[: found.start()].rstrip().endswith(("(", "[", "{")) and found.start():
-            yield text[: found.start()] + text[end:]
+        if not text[: match.start()].rstrip().endswith(("(", "[", "{")) and match.start():
+            yield text[: match.start()] + text[end:]
 
 
-def _put(text: str, found: re.Match[str], new: str) -> str:
-    return text[: found.start()] + new + text[found.end() :]
+def _put(text: str, match: re.Match[str], new: str) -> str:
+    return text[: match.start()] + new + text[match.end() :]
 
 
 KINDS: dict[str, Kind] = {

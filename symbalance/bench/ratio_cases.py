@@ -1,4 +1,4 @@
-"""ρ towards 0 and 1: the coefficients in ulp, the functions against what each states of itself."""
+"""Errors of coefficients and functions at extreme rod ratios, ρ = r/l towards 0 and towards 1."""
 
 from __future__ import annotations
 
@@ -8,19 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.bench.judge import mp
-from symbalance.bench.stability.angles import hard, quarters
-from symbalance.bench.stability.asked import Asked
-from symbalance.bench.stability.case import ULP, WRONG, Case, Part, largest, measured, tried
-from symbalance.bench.stability.engines import stated_case
-from symbalance.bench.stability.truth import Points, coefficients
+from symbalance.bench.bounded_cases import ULP, WRONG, BoundedCase, Part, attempt, worst, worst_point
+from symbalance.bench.hard_angles import hard, quarters
+from symbalance.bench.output_requests import OutputRequest
 from symbalance.bench.timing import progress
+from symbalance.bench.true_values import Points, mp, true_coefficients
 from symbalance.engine.catalogue import load
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.slider_crank import acceleration_floats
 
 COEFFICIENT = 0.51
-"""What `acceleration_floats` states, in ulp."""
+"""The bound that `acceleration_floats` states, in ulp."""
 SUBNORMAL = 2.0**-1022
 TOWARDS_0 = (Fraction(10**3), Fraction(10**8), Fraction(10**12))
 TOWARDS_1 = (Fraction(21, 20), Fraction(1001, 1000), 1 + Fraction(1, 10**6), 1 + Fraction(1, 10**9))
@@ -30,13 +28,13 @@ QUICK = ((Fraction(10**3), 12), (Fraction(1001, 1000), 100), (1 + Fraction(1, 10
 ORDERS = (12, 24, 100, 1000)
 LARGEST = Fraction(10**9)
 """The largest rod ratio a function takes."""
-COEFFICIENT_SAYS = """\
+COEFFICIENT_INTRODUCTION = """\
 Every A_n to order 1000 that is no subnormal number, from `acceleration_floats`. naive: the power series
 in ρ to 60 terms, the recurrence upward in doubles, an FFT of 4096 samples of the textbook formula; inf
 where one fails."""
-FUNCTION_SAYS = """\
-In u of the amplitude; the bound is what the function itself states (`rounding`, and `left_out` where a
-tolerance was asked for). The worst is shown of the vertical forces of inline-1, inline-4, v12-60 and
+FUNCTION_INTRODUCTION = """\
+In u of the amplitude; the bound is what the function itself states (`rounding`, and `left_out` where
+there is a tolerance). The row is the worst of the vertical forces of inline-1, inline-4, v12-60 and
 radial-7, with angles within some widths of the peaks that ρ → 1 brings. naive: cos(nθ), nθ rounded; the
 sum over the cylinders."""
 
@@ -46,30 +44,34 @@ def coefficient_part(quick: bool) -> Part:
     order = 200 if quick else 1000
     ratios = [*TOWARDS_0, Fraction(7, 2), *TOWARDS_1]
     return Part(
-        "Coefficients, ρ → 0 and ρ → 1", COEFFICIENT_SAYS, [coefficient_case(r, order) for r in ratios]
+        "Coefficients, ρ → 0 and ρ → 1",
+        COEFFICIENT_INTRODUCTION,
+        [coefficient_case(r, order) for r in ratios],
     )
 
 
-def coefficient_case(ratio: Fraction, order: int) -> Case:
+def coefficient_case(ratio: Fraction, order: int) -> BoundedCase:
     """Return how far off the coefficients are at a rod ratio, at the worst order."""
-    what = f"A_2 ... A_{order} at {near_one(ratio)}"
-    progress(what)
-    true = {n: a for n, a in coefficients(order, ratio).items() if n > 1 and abs(a) >= SUBNORMAL}
+    name = f"A_2 ... A_{order} at {near_one(ratio)}"
+    progress(name)
+    true = {n: a for n, a in true_coefficients(order, ratio).items() if n > 1 and abs(a) >= SUBNORMAL}
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         off = off_by(acceleration_floats(order, ratio), true)
-        naive = {name: off_by(one(ratio, order), true) for name, one in NAIVE.items()}
-        return measured(what, np.array(list(true)), off, COEFFICIENT, ULP, naive, "order ")
+        naive = {way: off_by(function(ratio, order), true) for way, function in NAIVE.items()}
+        return worst_point(name, np.array(list(true)), off, COEFFICIENT, ULP, naive, "order ")
 
-    return tried(what, COEFFICIENT, ULP, make)
+    return attempt(name, COEFFICIENT, ULP, make)
 
 
-def off_by(found: Mapping[int, float], true: Mapping[int, Any]) -> Any:
+def off_by(values: Mapping[int, float], true: Mapping[int, Any]) -> Any:
     """Return by how many of its ulp each coefficient is off."""
     with mp.workdps(60):
         return np.array(
             [
-                float(abs(found[n] - a) / np.spacing(abs(float(a)))) if np.isfinite(found[n]) else np.inf
+                float(abs(values[n] - a) / np.spacing(abs(float(a))))
+                if np.isfinite(values[n])
+                else np.inf
                 for n, a in true.items()
             ]
         )
@@ -86,7 +88,7 @@ def near_one(ratio: Fraction) -> str:
 
 def by_series(ratio: Fraction, order: int) -> dict[int, float]:
     """Return A_n from its power series, each term from the one before, in doubles."""
-    rho, found = 1 / float(ratio), {}
+    rho, values = 1 / float(ratio), {}
     with np.errstate(all="ignore"):
         for k in range(1, order // 2 + 1):
             term = np.float64((-1.0) ** (k + 1) * 4 * k * k) * _start(k) * np.float64(rho) ** (2 * k - 1)
@@ -94,8 +96,8 @@ def by_series(ratio: Fraction, order: int) -> dict[int, float]:
             for m in range(k, k + SERIES_TERMS):
                 total += term
                 term *= rho * rho * (4 * m * m - 1) / (4 * ((m + 1) ** 2 - k * k))
-            found[2 * k] = float(total)
-    return found
+            values[2 * k] = float(total)
+    return values
 
 
 def _start(k: int) -> float:
@@ -110,14 +112,15 @@ def by_recurrence(ratio: Fraction, order: int) -> dict[int, float]:
     """Return A_n from the three-term recurrence run upward, in doubles."""
     rho = 1 / float(ratio)
     q = (rho / (1 + np.sqrt((1 - rho) * (1 + rho)))) ** 2
-    first = coefficients(4, ratio)
-    below, here, found = float(first[2]), float(first[4]) / 4, {2: float(first[2]), 4: float(first[4])}
+    first = true_coefficients(4, ratio)
+    values = {2: float(first[2]), 4: float(first[4])}
+    below, here = values[2], values[4] / 4
     with np.errstate(all="ignore"):
         for k in range(2, order // 2):
             above = np.float64(-((1 + q * q) * k * here + q * (k - 1.5) * below)) / (q * (k + 1.5))
             below, here = here, float(above)
-            found[2 * k + 2] = (k + 1) ** 2 * here
-    return found
+            values[2 * k + 2] = (k + 1) ** 2 * here
+    return values
 
 
 def by_fft(ratio: Fraction, order: int) -> dict[int, float]:
@@ -125,8 +128,8 @@ def by_fft(ratio: Fraction, order: int) -> dict[int, float]:
     lam, angle = float(ratio), 2 * np.pi * np.arange(SAMPLES) / SAMPLES
     c, s = np.cos(angle), np.sin(angle)
     root = np.sqrt(lam * lam - s * s)
-    found = np.fft.rfft(c + (c * c - s * s) / root + (s * c) ** 2 / root**3).real * 2 / SAMPLES
-    return {n: float(found[n]) for n in range(2, order + 1, 2)}
+    spectrum = np.fft.rfft(c + (c * c - s * s) / root + (s * c) ** 2 / root**3).real * 2 / SAMPLES
+    return {n: float(spectrum[n]) for n in range(2, order + 1, 2)}
 
 
 NAIVE: Mapping[str, Callable[[Fraction, int], dict[int, float]]] = {
@@ -138,24 +141,23 @@ NAIVE: Mapping[str, Callable[[Fraction, int], dict[int, float]]] = {
 
 def function_part(quick: bool) -> Part:
     """Return the cases of the functions: by rod ratio and orders, the worst of the engines."""
-    found: dict[str, list[Case]] = {}
-    for asked in asked_for(quick):
-        orders = f"orders to {asked.order}" if asked.tolerance is None else "all orders"
-        note = f"{asked.layout.name}: "
-        cases = stated_case(asked, points_for(asked, quick), note)
-        found.setdefault(f"{near_one(asked.ratio)}, {orders}", []).extend(cases)
-    cases = [largest(rows, what) for what, rows in found.items()]
-    return Part("Functions, ρ → 0 and ρ → 1", FUNCTION_SAYS, [*cases, refused()])
+    groups: dict[str, list[BoundedCase]] = {}
+    for request in requests(quick):
+        orders = f"orders to {request.order}" if request.tolerance is None else "all orders"
+        cases = request.stated_cases(points_for(request, quick), f"{request.engine.name}: ")
+        groups.setdefault(f"{near_one(request.ratio)}, {orders}", []).extend(cases)
+    cases = [worst(rows, name) for name, rows in groups.items()]
+    return Part("Functions, ρ → 0 and ρ → 1", FUNCTION_INTRODUCTION, [*cases, refusal()])
 
 
-def asked_for(quick: bool) -> list[Asked]:
-    """Return what is tried: the vertical force of some engines, to several orders and all."""
+def requests(quick: bool) -> list[OutputRequest]:
+    """Return the vertical force of some engines at many rod ratios, to several orders and all."""
     if quick:
-        some = [Asked(load("inline-4"), "force.vertical", r, n) for r, n in QUICK]
-        return [*some, Asked(load("inline-1"), "force.vertical", QUICK[1][0], 12, 0.0)]
+        some = [OutputRequest(load("inline-4"), "force.vertical", r, n) for r, n in QUICK]
+        return [*some, OutputRequest(load("inline-1"), "force.vertical", QUICK[1][0], 12, 0.0)]
     ratios = [*TOWARDS_0[:2], LARGEST, *TOWARDS_1]
     return [
-        Asked(load(engine), "force.vertical", ratio, order, tolerance)
+        OutputRequest(load(engine), "force.vertical", ratio, order, tolerance)
         for ratio in ratios
         for engine in ENGINES
         for order, tolerance in [(12, 0.0), *((n, None) for n in ORDERS)]
@@ -163,11 +165,11 @@ def asked_for(quick: bool) -> list[Asked]:
     ]
 
 
-def points_for(asked: Asked, quick: bool) -> Points:
+def points_for(request: OutputRequest, quick: bool) -> Points:
     """Return hard angles and, near rho = 1, angles within some widths of the peaks."""
-    count = (30 if quick else 400) if asked.order == 1000 or quick else 1500
-    width = float(asked.ratio * asked.ratio - 1) ** 0.5
-    leads = sorted({c.delay.turns % Fraction(1, 2) for c in asked.layout.cylinders})
+    count = (30 if quick else 400) if request.order == 1000 or quick else 1500
+    width = float(request.ratio * request.ratio - 1) ** 0.5
+    leads = sorted({c.delay.turns % Fraction(1, 2) for c in request.engine.cylinders})
     peaks = [
         quarters(min(spread * width, 1.0), count // (12 * len(leads)) + 1, float(turns))
         for spread in (0.3, 3.0)
@@ -176,16 +178,16 @@ def points_for(asked: Asked, quick: bool) -> Points:
     return Points(np.concatenate([hard(count), *peaks]))
 
 
-def refused() -> Case:
-    """Return whether a function refuses a rod ratio beyond the largest, as it says it does."""
-    what = f"λ = 1e12 is refused, above {float(LARGEST):g}"
-    asked = Asked(load("inline-4"), "force.vertical", TOWARDS_0[2])
+def refusal() -> BoundedCase:
+    """Return whether a function refuses a rod ratio beyond the largest, as its documentation says."""
+    name = f"λ = 1e12 is refused, above {float(LARGEST):g}"
+    request = OutputRequest(load("inline-4"), "force.vertical", TOWARDS_0[2])
 
-    def make() -> Case:
+    def make() -> BoundedCase:
         try:
-            asked.evaluator  # noqa: B018
+            request.evaluator  # noqa: B018
         except SymbalanceError as error:
-            return Case(what, str(error)[:36], 0.0, 0.0, WRONG)
-        return Case(what, "taken", 1.0, 0.0, WRONG)
+            return BoundedCase(name, str(error)[:36], 0.0, 0.0, WRONG)
+        return BoundedCase(name, "accepted", 1.0, 0.0, WRONG)
 
-    return tried(what, 0.0, WRONG, make)
+    return attempt(name, 0.0, WRONG, make)

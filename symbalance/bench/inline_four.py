@@ -1,4 +1,4 @@
-"""An in-line four to integrate: crank, loads, films along its journals' orbits, housings. SI units."""
+"""An in-line four on journal bearings as a periodic system: crank, loads, films, housings. SI units."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ ANGLES = 720
 BEARING = Bearing(diameter=0.065, length=0.03, clearance=35e-6, viscosity=0.012)
 FIRING = (0.0, 3 * np.pi, np.pi, 2 * np.pi)
 THROWS = (0.0, np.pi, np.pi, 0.0)
-SMOOTHED = 3.0
+SMOOTHING = 3.0
 """Degrees over which the films' tables are averaged, by a bell curve, so that they stay positive: sharper
 peaks only make every reference dearer."""
 THRUST, COUPLING = (1e8, 1e3), (1e4, 50.0)
@@ -59,14 +59,14 @@ def crank() -> Crank:
 def full_system(case: Case) -> PeriodicSystem:
     """Return the whole crank on its bearings in a case."""
     rotor, omega = assemble(crank(), damping_time=case.damping), case.rpm * np.pi / 30
-    stiffness, damping, points = _held(rotor, omega)
+    stiffness, damping, points = _turning_matrices(rotor, omega)
     film = _film(case.rpm, case.film)
-    behind = None
+    housings = None
     if case.housing:
         spring = np.array([np.diag([case.housing, 0.7 * case.housing])] * len(points))
-        behind = Housing(spring, np.array([np.diag([2e4, 2e4])] * len(points)))
+        housings = Housing(spring, np.array([np.diag([2e4, 2e4])] * len(points)))
     loads = Loads(rotor, omega)
-    return PeriodicSystem(rotor.mass, damping, stiffness, points, film, behind, loads, omega, CYCLE)
+    return PeriodicSystem(rotor.mass, damping, stiffness, points, film, housings, loads, omega, CYCLE)
 
 
 def spin() -> Array:
@@ -74,7 +74,7 @@ def spin() -> Array:
     return spin_motion(assemble(crank()).points)
 
 
-def _held(rotor: Rotor, omega: float) -> tuple[Array, Array, Array]:
+def _turning_matrices(rotor: Rotor, omega: float) -> tuple[Array, Array, Array]:
     """Return stiffness and damping of the turning crank, thrust and coupling in, its bearings' rows."""
     turning = deflated(rotor.centrifugal, rotor.mass, spin_motion(rotor.points))
     stiffness = rotor.stiffness + omega**2 * turning
@@ -105,9 +105,9 @@ class Loads:
             inertia = PISTON * 0.06 * self.omega**2 * (np.cos(x) + RATIO * np.cos(2 * x))
             axial, lean = inertia - gas, RATIO * np.sin(x)
             radial = axial * (np.cos(x) - lean * np.sin(x))
-            ahead = -axial * (np.sin(x) + lean * np.cos(x))
-            force[:, DOF * node] += radial * np.cos(throw) - ahead * np.sin(throw)
-            force[:, DOF * node + 1] += radial * np.sin(throw) + ahead * np.cos(throw)
+            tangential = -axial * (np.sin(x) + lean * np.cos(x))
+            force[:, DOF * node] += radial * np.cos(throw) - tangential * np.sin(throw)
+            force[:, DOF * node + 1] += radial * np.sin(throw) + tangential * np.cos(throw)
         return force
 
 
@@ -115,7 +115,7 @@ def film_tables(rpm: float, angles: int = ANGLES) -> tuple[Array, Array]:
     """Return stiffness and damping (s, b, 2, 2) of the films along the orbits, as they are."""
     rotor, omega = assemble(crank()), rpm * np.pi / 30
     theta = CYCLE / angles * np.arange(angles)
-    stiffness, _, points = _held(rotor, omega)
+    stiffness, _, points = _turning_matrices(rotor, omega)
     loads = bearing_loads(stiffness, points, Loads(rotor, omega)(theta), theta, 5e8)
     orbit = journal_orbit([BEARING] * len(points), loads, omega, CYCLE)
     return orbit.stiffness, orbit.damping
@@ -138,10 +138,10 @@ def bearing_loads(stiffness: Array, points: Array, force: Array, theta: Array, s
 @cache
 def _film(rpm: float, factor: float) -> Film:
     stiffness, damping = film_tables(rpm)
-    return trigonometric_film(factor * smoothed(stiffness), factor * smoothed(damping), CYCLE)
+    return trigonometric_film(factor * smooth(stiffness), factor * smooth(damping), CYCLE)
 
 
-def smoothed(table: Array, degrees: float = SMOOTHED, keep: int = 160) -> Array:
+def smooth(table: Array, degrees: float = SMOOTHING, keep: int = 160) -> Array:
     """Return a periodic table (s, ...) averaged by a bell curve of that standard deviation."""
     parts = np.fft.rfft(table, axis=0)
     orders = np.arange(len(parts))

@@ -1,4 +1,4 @@
-"""Crank angles that are hard on a reduction: doubles next to multiples of a part of a turn, and ends."""
+"""Crank angles that are hard to reduce: doubles next to multiples of parts of a turn, and the largest."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from symbalance.bench.judge import mp
+from symbalance.bench.true_values import mp
 
 Array = Any
 REACH = 1e6
 """The largest |theta| that the bounds are stated for."""
 TURNS = 166_000
-"""Whole turns tried: 1.04e6 rad, still below the 2^20 that are reduced exactly."""
+"""Whole turns: to 1.04e6 rad, still below the 2^20 rad that are reduced exactly."""
 DIGITS = 60
 
 
@@ -30,20 +30,19 @@ def near_multiples(parts: int, count: int, seed: int = 2, shift: float = 0.0) ->
     """Return doubles nearest to multiples of 2 pi/parts, less `shift` turns, and their neighbours."""
     draw = np.random.default_rng(seed)
     most = int(REACH * parts / 6.2832)
-    chosen = [*draw.integers(-most, most, count), *range(-12, 13)]
-    found = [angle for k in chosen for angle in _around(_multiple(int(k), parts, shift))]
-    return np.array(found)
+    multiples = [*draw.integers(-most, most, count), *range(-12, 13)]
+    return np.array([a for k in multiples for a in _around(_multiple(int(k), parts, shift))])
 
 
 def near_turns(count: int, seed: int = 3, shift: float = 0.0) -> Array:
     """Return doubles at and around 2 pi n, |n| to TURNS, a few ulp to 10^-2 off; `shift` turns less."""
     draw = np.random.default_rng(seed)
-    found = []
+    angles = []
     for n in [*draw.integers(-TURNS, TURNS, count), -TURNS, TURNS, -1, 0, 1]:
         centre = _multiple(int(n), 1, shift)
-        found += _around(centre)
-        found += [centre + sign * 10.0 ** draw.uniform(-9, -2) for sign in (-1, 1)]
-    return np.array(found)
+        angles += _around(centre)
+        angles += [centre + sign * 10.0 ** draw.uniform(-9, -2) for sign in (-1, 1)]
+    return np.array(angles)
 
 
 def small(count: int) -> Array:
@@ -61,10 +60,10 @@ def closest() -> Array:
     theta = m 2^e is close to k pi/2 where k/m is a convergent of 2^e/(pi/2): Kahan's search.
     """
     with mp.workdps(DIGITS):
-        found = [
+        angles = [
             float(mp.ldexp(m, e)) for e in range(-52, -32) for m in _convergents(mp.ldexp(2 / mp.pi, e))
         ]
-    return np.array([sign * angle for angle in found if 1 <= angle <= REACH for sign in (-1, 1)])
+    return np.array([sign * angle for angle in angles if 1 <= angle <= REACH for sign in (-1, 1)])
 
 
 def _convergents(value: Any) -> Iterator[int]:
@@ -88,23 +87,23 @@ def _around(angle: float) -> list[float]:
 
 def ends(count: int) -> Array:
     """Return the last doubles before +-REACH."""
-    found = [REACH]
+    angles = [REACH]
     for _ in range(count):
-        found.append(nextafter(found[-1], 0.0))
-    return np.array([*found, *(-angle for angle in found)])
+        angles.append(nextafter(angles[-1], 0.0))
+    return np.array([*angles, *(-angle for angle in angles)])
 
 
 def hard(count: int) -> Array:
-    """Return all of them: `count` random ones, and as many again that are chosen."""
-    chosen = max(count // 12, 4)
+    """Return all of them: `count` random ones, and as many again next to multiples and ends."""
+    few = max(count // 12, 4)
     return np.concatenate(
         [
             random_angles(count),
-            near_multiples(24, chosen, 4),
-            near_multiples(4, chosen, 5),
-            near_turns(chosen // 2),
+            near_multiples(24, few, 4),
+            near_multiples(4, few, 5),
+            near_turns(few // 2),
             closest(),
-            ends(chosen // 2),
+            ends(few // 2),
         ]
     )
 

@@ -1,9 +1,10 @@
-"""The alternatives, by name: what a user writes without symbalance, or with its cancelled sum alone.
+"""Alternatives to symbalance's functions, by name: what a user writes without it, or from its sum alone.
 
-per-cylinder NumPy: exact kinematics, a vectorised line a step, one cylinder after the other. It is
-written with care: squares by multiplication, no power function. The others get the surviving harmonics,
-cancelled and exact, as doubles: `sympy.lambdify` (NumPy), a Numba loop that calls math.cos, and heyoka's
-compiled function, one thread each.
+NumPy per cylinder: exact kinematics, a vectorised line a step, one cylinder after the other. It is
+written with care: squares by multiplication, no power function. The others start from the surviving
+harmonics, cancelled and exact, as doubles: `sympy.lambdify` (NumPy), a Numba loop that calls math.cos for
+each, and heyoka's compiled function, with a vectorised cosine for each harmonic or with one cosine and
+one sine, raised by complex multiplication: the strongest we know. One thread each.
 """
 
 from __future__ import annotations
@@ -18,12 +19,13 @@ from typing import Any
 import numpy as np
 import sympy
 
-from symbalance.bench.evaluating.candidates import Candidate, Floats
-from symbalance.bench.evaluating.cases import Case, Harmonic
+from symbalance.bench.evaluated_outputs import Candidate, EvaluatedOutput, Floats, Harmonic
+from symbalance.bench.true_values import weights
 
-PER_CYLINDER, LAMBDIFY, NUMBA_COS, HEYOKA = "NumPy per cylinder", "lambdify", "Numba math.cos", "heyoka"
-ALTERNATIVES = (PER_CYLINDER, LAMBDIFY, NUMBA_COS, HEYOKA)
-NEEDS = {NUMBA_COS: "numba", HEYOKA: "heyoka"}
+PER_CYLINDER, LAMBDIFY, HEYOKA = "NumPy per cylinder", "lambdify", "heyoka"
+NUMBA_COS, HEYOKA_POWERS = "Numba math.cos", "heyoka powers"
+ALTERNATIVES = (PER_CYLINDER, LAMBDIFY, NUMBA_COS, HEYOKA, HEYOKA_POWERS)
+NEEDS = {NUMBA_COS: "numba", HEYOKA: "heyoka", HEYOKA_POWERS: "heyoka"}
 
 
 def present() -> tuple[str, ...]:
@@ -37,21 +39,26 @@ def lacking() -> tuple[str, ...]:
     return tuple(f"{name}: {part} is not installed (pip install {part})" for name, part in missing)
 
 
-def alternative(case: Case, name: str) -> Candidate:
+def alternative(case: EvaluatedOutput, name: str) -> Candidate:
     """Return an alternative for a case, compiled."""
     if name == PER_CYLINDER:
         return Candidate(name, per_cylinder(case))
-    make = {LAMBDIFY: lambdified, NUMBA_COS: in_numba, HEYOKA: in_heyoka}[name]
-    return Candidate(name, make(case.harmonics)).warmed()
+    build = {
+        LAMBDIFY: from_lambdify,
+        NUMBA_COS: from_numba,
+        HEYOKA: from_heyoka,
+        HEYOKA_POWERS: powers_from_heyoka,
+    }[name]
+    return Candidate(name, build(case.harmonics)).warmed()
 
 
-def per_cylinder(case: Case) -> Any:
+def per_cylinder(case: EvaluatedOutput) -> Any:
     """Return the plain sum over the cylinders, every order at once.
 
     An inertia force is cos p + (lambda^2 cos 2p + sin^4 p)/(lambda^2 - sin^2 p)^(3/2), in m r omega^2.
     """
-    square = float(case.known_ratio) ** 2
-    rows = [(float(weight), float(lead)) for weight, lead in cylinders(case, np.cos, np.sin, np.pi)]
+    square = float(case.rod_ratio) ** 2
+    rows = [(float(w), 2 * np.pi * float(turns)) for w, turns in weights(case.preset_engine, case.output)]
 
     def function(theta: Floats, _: Floats | None = None) -> Floats:
         total = np.zeros_like(theta)
@@ -66,22 +73,7 @@ def per_cylinder(case: Case) -> Any:
     return function
 
 
-def cylinders(case: Case, cos: Any, sin: Any, pi: Any) -> list[tuple[Any, Any]]:
-    """Return each cylinder's weight in the output, and by how much its crank leads, in radians."""
-    kind, part = case.output.split(".")
-    onto = {"vertical": cos, "lateral": sin}[part]
-    plane = case.balance.reference
-    plane = case.layout.mean_station if plane is None else plane
-    found = []
-    for cylinder in case.layout.cylinders:
-        arm = cylinder.station - plane if kind == "couple" else cylinder.station**0
-        bank, lead = cylinder.bank.turns, cylinder.throw.turns - cylinder.bank.turns
-        weight = onto(2 * pi * bank.numerator / bank.denominator) * arm.numerator / arm.denominator
-        found.append((weight, 2 * pi * lead.numerator / lead.denominator))
-    return found
-
-
-def lambdified(harmonics: Sequence[Harmonic]) -> Any:
+def from_lambdify(harmonics: Sequence[Harmonic]) -> Any:
     """Return SymPy's function of the cancelled sum, its coefficients floats."""
     theta = sympy.Symbol("theta", real=True)
     terms = [sympy.Float(h.amplitude) * sympy.cos(int(h.order) * theta - h.phase) for h in harmonics]
@@ -89,7 +81,7 @@ def lambdified(harmonics: Sequence[Harmonic]) -> Any:
     return lambda theta, out: function(theta)
 
 
-def in_numba(harmonics: Sequence[Harmonic]) -> Any:
+def from_numba(harmonics: Sequence[Harmonic]) -> Any:
     """Return a compiled loop over the angles, and in it one over the harmonics."""
     table = np.array([(h.order, h.amplitude, h.phase) for h in harmonics]).reshape(-1, 3).T.copy()
     loop = _loop()
@@ -113,15 +105,41 @@ def _loop() -> Any:
     return import_module("numba").njit(loop)
 
 
-def in_heyoka(harmonics: Sequence[Harmonic]) -> Any:
-    """Return heyoka's compiled function, which has vector cosines."""
+def from_heyoka(harmonics: Sequence[Harmonic]) -> Any:
+    """Return heyoka's compiled function, one vectorised cosine for each harmonic."""
     heyoka = import_module("heyoka")
-    heyoka.set_nthreads(1)
     theta = heyoka.make_vars("theta")
     terms = [
         h.amplitude * heyoka.cos(h.order * theta - h.phase if h.phase else h.order * theta)
         for h in harmonics
     ]
+    return _heyoka_function(theta, terms)
+
+
+def powers_from_heyoka(harmonics: Sequence[Harmonic]) -> Any:
+    """Return heyoka's compiled function of one cosine and one sine, raised by complex multiplication."""
+    heyoka = import_module("heyoka")
+    theta = heyoka.make_vars("theta")
+    circles = {1: (heyoka.cos(theta), heyoka.sin(theta))}
+
+    def circle(n: int) -> tuple[Any, Any]:
+        if n not in circles:  # by halves: as few roundings, and as shallow a formula, as there can be
+            (a, b), (c, d) = circle(n // 2), circle(n - n // 2)
+            circles[n] = a * c - b * d, b * c + a * d
+        return circles[n]
+
+    terms = []
+    for h in harmonics:
+        cosine, sine = circle(int(h.order))
+        terms.append(h.amplitude * math.cos(h.phase) * cosine)
+        if h.phase:
+            terms.append(h.amplitude * math.sin(h.phase) * sine)
+    return _heyoka_function(theta, terms)
+
+
+def _heyoka_function(theta: Any, terms: list[Any]) -> Any:
+    heyoka = import_module("heyoka")
+    heyoka.set_nthreads(1)
     compiled = heyoka.cfunc([heyoka.sum(terms)], vars=[theta])
 
     def function(theta: Floats, out: Floats) -> Floats:
