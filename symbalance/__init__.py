@@ -10,6 +10,6 @@ Every public name is loaded when it is first used, so that importing the package
 
 from symbalance.loading import attach
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __getattr__, __dir__, _names = attach(__name__, __file__)
 __all__ = [*_names, "__version__"]  # pyright: ignore[reportUnsupportedDunderAll]

@@ -37,6 +37,7 @@ def attach(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
         return value
 
     def names() -> list[str]:
-        return sorted({*vars(import_module(package)), *homes})
+        # Not what the package's own lines import: Tab shows what one can do, and nothing else.
+        return sorted({*homes, *(name for name in vars(import_module(package)) if name.startswith("__"))})
 
     return get, names, sorted(name for name, home in homes.items() if home != package)

@@ -31,7 +31,7 @@ def _balance_unlike() -> Result:
 
 
 def _worst_cases() -> Result:
-    tolerances = sb.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
+    tolerances = sb.design.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
     return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
 
 
@@ -40,22 +40,22 @@ def _sensitivities() -> Result:
 
 
 def _assignment() -> Result:
-    return sb.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
+    return sb.design.assign_parts(sb.load("v6-60"), ["0.453", "0.447", "0.451", "0.45", "0.455", "0.448"])
 
 
 def _assignment_of_many() -> Result:
     masses = [Fraction(440 + (7 * n) % 19, 1000) for n in range(12)]
-    return sb.assign_parts(sb.load("v12-60"), masses, orders=[1, 2], whole=True)
+    return sb.design.assign_parts(sb.load("v12-60"), masses, orders=[1, 2], whole=True)
 
 
 def _symbolic_order() -> Result:
     letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
-    return sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters)
+    return sb.design.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters)
 
 
 def _symbolic_order_of_a_vee() -> Result:
     engine = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin_of_any_angle")
-    return sb.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
+    return sb.design.symbolic_order(engine, 1, masses="m", reference="1/2").at({"m_1": "1.002"})
 
 
 def _derivation() -> Result:
@@ -63,19 +63,19 @@ def _derivation() -> Result:
 
 
 def _crank_stars() -> Result:
-    return sb.crank_stars(5)
+    return sb.engine.crank_stars(5)
 
 
 def _firing_orders() -> Result:
-    return sb.firing_orders(sb.load("vw-vr6"), within="1/2")
+    return sb.engine.firing_orders(sb.load("vw-vr6"), within="1/2")
 
 
 def _truncation_bounds() -> Result:
-    return sb.truncation_bounds("force", "7/2", 12)
+    return sb.kinematics.truncation_bounds("force", "7/2", 12)
 
 
 def _harmonics() -> Result:
-    return sb.harmonics("displacement", 6)
+    return sb.kinematics.harmonics("displacement", 6)
 
 
 def _design() -> Result:
@@ -87,25 +87,27 @@ def _design_unlike() -> Result:
 
 
 def _ellipse() -> Result:
-    return sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+    return sb.design.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
 
 
 def _rotating_balance() -> Result:
     pins = [("3/2", 0), ("1/2", 90), ("-1/2", 270), ("-3/2", 180)]
-    weights = [sb.Weight(station, angle, unbalance=60) for station, angle in pins]
-    return sb.balanced_weights(weights, [2, -2])
+    weights = [sb.engine.Weight(station, angle, unbalance=60) for station, angle in pins]
+    return sb.design.balanced_weights(weights, [2, -2])
 
 
 def _running(name: str, order: int) -> Result:
     sizes = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5"}
-    return sb.running_torque(sb.load(name), sb.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes)
+    return sb.running_torque(
+        sb.load(name), sb.torque.ideal_cycle(10, heat=20), rpm=3000, order=order, **sizes
+    )
 
 
 def _torque_running() -> Result:
     engine = sb.load(Path(__file__).parent / "record" / "engines" / "lanchester-four.toml")
-    cycle = sb.ideal_cycle("8.5", heat=18)
+    cycle = sb.torque.ideal_cycle("8.5", heat=18)
     running = sb.running_torque(engine, cycle, bore=90, rpm=3000, order=6)
-    return sb.torque_report(engine, 6, running=running)
+    return sb.torque.torque_report(engine, 6, running=running)
 
 
 PAGE = r"""
@@ -135,41 +137,47 @@ def _verdict() -> Result:
 
 
 def _rotor() -> Any:
-    discs = {0.5: sb.Disc(32.6, 0.33, 0.18)}
-    return sb.shaft([sb.Tube(1.5, 0.05)], discs, bearings=(0.0, 1.5))
+    discs = {0.5: sb.crankshaft.Disc(32.6, 0.33, 0.18)}
+    return sb.crankshaft.rotor.shaft([sb.crankshaft.rotor.Tube(1.5, 0.05)], discs, bearings=(0.0, 1.5))
 
 
-UNEVEN = [sb.Support((1e6, 8e5), damping=100.0)] * 2
+UNEVEN = [sb.crankshaft.rotor.Support((1e6, 8e5), damping=100.0)] * 2
 """Supports softer sideways, N/m, with damping in N s/m."""
 
 
 def _modes() -> Result:
-    return sb.natural_modes(_rotor(), 5)
+    return sb.crankshaft.rotor.natural_modes(_rotor(), 5)
 
 
 def _campbell() -> Result:
     rotor = _rotor()
-    return sb.campbell(rotor, [0.0, 200.0, 400.0], sb.held_at(rotor, 1e6, axial=1e8), count=8)
+    return sb.crankshaft.rotor.campbell(
+        rotor, [0.0, 200.0, 400.0], sb.crankshaft.rotor.bearing_springs(rotor, 1e6, axial=1e8), count=8
+    )
 
 
 def _whirl() -> Result:
-    return sb.whirl(_rotor(), UNEVEN, 400.0)
+    return sb.crankshaft.rotor.whirl(_rotor(), UNEVEN, 400.0)
 
 
 def _critical_speeds() -> Result:
-    return sb.critical_speeds(_rotor(), UNEVEN, most=600.0)
+    return sb.crankshaft.rotor.critical_speeds(_rotor(), UNEVEN, most=600.0)
 
 
 def _unbalance_response() -> Result:
-    return sb.unbalance_response(_rotor(), UNEVEN, {0.5: 1e-3, 0.0: 2e-4j}, [80.0, 400.0])
+    return sb.crankshaft.rotor.unbalance_response(
+        _rotor(), UNEVEN, {0.5: 1e-3, 0.0: 2e-4j}, [80.0, 400.0]
+    )
 
 
 def _torsional_chain() -> Result:
-    return sb.torsional_chain([3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05], [12e3, 12e3, 14e3, 10e3])
+    return sb.crankshaft.rotor.torsional_chain(
+        [3.5e-3, 3.5e-3, 3.5e-3, 0.15, 0.05], [12e3, 12e3, 14e3, 10e3]
+    )
 
 
 def _crank_node() -> Result:
-    return sb.node_equations("uvw")
+    return sb.crankshaft.node_equations("uvw")
 
 
 def _crankshaft() -> Result:
@@ -201,16 +209,16 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
     "rotating-balance": _rotating_balance,
-    "torque": lambda: sb.torque_report(sb.load("v10-72"), 10),
-    "torque-unlike": lambda: sb.torque_report(sb.load("vw-vr6"), 6),
-    "torque-symbolic": lambda: sb.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),
+    "torque": lambda: sb.torque.torque_report(sb.load("v10-72"), 10),
+    "torque-unlike": lambda: sb.torque.torque_report(sb.load("vw-vr6"), 6),
+    "torque-symbolic": lambda: sb.torque.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),
     "torque-running": _torque_running,
     "torque-orders": lambda: sb.inertia_torque(sb.load("inline-5"), 10),
     "running-torque": lambda: _running("v2-45", 3),
-    "gas-torque": lambda: sb.gas_torque(sb.load("v6-90"), sb.ideal_cycle(10, heat=20)),
-    "firing-stars": lambda: sb.firing_stars(sb.load("v6-90"), 4),
-    "ideal-cycle": lambda: sb.ideal_cycle(16, heat=20, peak_pressure=100),
-    "pressure-trace": lambda: sb.ideal_cycle(10, heat=20).trace(4, 720),
+    "gas-torque": lambda: sb.torque.gas_torque(sb.load("v6-90"), sb.torque.ideal_cycle(10, heat=20)),
+    "firing-stars": lambda: sb.torque.firing_stars(sb.load("v6-90"), 4),
+    "ideal-cycle": lambda: sb.torque.ideal_cycle(16, heat=20, peak_pressure=100),
+    "pressure-trace": lambda: sb.torque.ideal_cycle(10, heat=20).trace(4, 720),
     "check": _check,
     "verdict": _verdict,
     "campbell": _campbell,

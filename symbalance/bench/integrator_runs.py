@@ -21,7 +21,7 @@ from symbalance.crankshaft.harmonic_balance import harmonic_state
 from symbalance.crankshaft.integrators.coefficients import bearing_rows
 from symbalance.crankshaft.integrators.first_order import SCIPY, scipy_states
 from symbalance.crankshaft.integrators.methods import FIXED, linear_steps
-from symbalance.crankshaft.reduction import reduced
+from symbalance.crankshaft.reduction import reduce_system
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem
 from symbalance.errors import SymbalanceError
@@ -211,7 +211,7 @@ def measure(quick: bool) -> Measurements:
 
 def _system(case: Case, model: str) -> tuple[PeriodicSystem, Array | None]:
     system = full_system(case)
-    return (system, None) if model == "full" else reduced(system, MODES)
+    return (system, None) if model == "full" else reduce_system(system, MODES)
 
 
 def _sweep(case: Case, model: str, methods: Sequence[str], effort: Effort) -> IntegratorSweep:

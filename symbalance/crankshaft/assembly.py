@@ -73,7 +73,7 @@ def assemble(
     >>> rotor.size, rotor.journals, rotor.pins
     (54, (1, 7), (4,))
     """
-    check_kind(crank, Crank, "crank", "sb.Crank(parts), journal, web, pin, web, journal, …")
+    check_kind(crank, Crank, "crank", "sb.crankshaft.Crank(parts), journal, web, pin, web, journal, …")
     elastic = _elastic(crank, web_flexibility(webs, store))
     nodes = place_nodes(crank, elastic)
     members = [*_members(crank, nodes, elastic)]

@@ -94,7 +94,7 @@ class Web:
         check_fields(self, "web", ((name, "m") for name in ("thickness", "width", "tip", "heel")))
         if self.counterweight is not None:
             remedy = (
-                "a web's own is sb.WebCounterweight(mass, radius, angle), in kg, m and radians; "
+                "a web's own is sb.crankshaft.WebCounterweight(mass, radius, angle): kg, m, radians; "
                 "sb.Counterweight is an engine's, in shares of its crank train"
             )
             check_kind(self.counterweight, WebCounterweight, "web counterweight", remedy)
@@ -119,10 +119,14 @@ class Crank:
                 what = f"crank part {number} of type {type(part).__name__}"
                 raise SymbalanceError(what, "must be a Journal, Web or Pin", "front to rear")
         object.__setattr__(self, "parts", parts)
-        check_kind(self.material, Material, "crank material", "sb.Material(young, poisson, density)")
+        check_kind(
+            self.material, Material, "crank material", "sb.crankshaft.Material(young, poisson, density)"
+        )
         for name in ("pulley", "flywheel"):
             if getattr(self, name) is not None:
-                check_kind(getattr(self, name), Disc, name, "sb.Disc(mass, polar, diametral), or None")
+                check_kind(
+                    getattr(self, name), Disc, name, "sb.crankshaft.Disc(mass, polar, diametral), or None"
+                )
         _check_chain(parts)
 
     def stations(self) -> Iterator[tuple[Part, float, float]]:

@@ -25,7 +25,7 @@ NEW = 1e-8
 """What a unit column must add to the columns before it, in the metric of M, to count."""
 
 
-def reduced(
+def reduce_system(
     system: PeriodicSystem, modes: int = 20, *, attachments: bool = True, angles: int = 360
 ) -> tuple[PeriodicSystem, Array]:
     """Return the system in fewer unknowns a, and the basis (n, m): x = basis a.

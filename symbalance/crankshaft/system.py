@@ -40,7 +40,7 @@ class Film:
 
     def __post_init__(self) -> None:
         for name in ("stiffness", "damping"):
-            remedy = "a function of angles (s,) to (s, b, 2, 2); sb.film_from_tables makes one"
+            remedy = "a function of angles (s,) to (s, b, 2, 2); sb.crankshaft.film_from_tables makes one"
             check_function(getattr(self, name), f"film {name}", remedy)
 
 
@@ -78,9 +78,16 @@ class PeriodicSystem:
     cycle: float = 4 * np.pi
 
     def __post_init__(self) -> None:
-        check_kind(self.film, Film, "film", "sb.Film(stiffness, damping), or sb.film_from_tables(...)")
+        check_kind(
+            self.film,
+            Film,
+            "film",
+            "sb.crankshaft.Film(stiffness, damping), or sb.crankshaft.film_from_tables(...)",
+        )
         if self.housing is not None:
-            check_kind(self.housing, Housing, "housing", "sb.Housing(stiffness, damping), or None")
+            check_kind(
+                self.housing, Housing, "housing", "sb.crankshaft.Housing(stiffness, damping), or None"
+            )
         check_function(self.force, "force", "a function of angles (s,) to (s, n)")
 
     @property
@@ -91,7 +98,7 @@ class PeriodicSystem:
 
 def check_system(value: object) -> None:
     """Refuse what is no `PeriodicSystem`: a rotor needs its supports first."""
-    remedy = "sb.supported(rotor, supports, omega) makes one of a rotor"
+    remedy = "sb.crankshaft.rotor.system_on_supports(rotor, supports, omega) makes one of a rotor"
     check_kind(value, PeriodicSystem, "system", remedy)
 
 

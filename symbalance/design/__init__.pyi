@@ -10,6 +10,8 @@ from symbalance.design.balancing import overbalanced as overbalanced
 from symbalance.design.balancing import rotating_unbalance as rotating_unbalance
 from symbalance.design.balancing import rotating_weights as rotating_weights
 from symbalance.design.balancing import throw_unbalance as throw_unbalance
+from symbalance.design.balancing.design_limits import Limits as Limits
+from symbalance.design.balancing.design_limits import Weighting as Weighting
 from symbalance.design.variations import Assignment as Assignment
 from symbalance.design.variations import Sensitivities as Sensitivities
 from symbalance.design.variations import SymbolicOrder as SymbolicOrder
@@ -20,3 +22,4 @@ from symbalance.design.variations import read_parts as read_parts
 from symbalance.design.variations import sensitivities as sensitivities
 from symbalance.design.variations import symbolic_order as symbolic_order
 from symbalance.design.variations import worst_cases as worst_cases
+from symbalance.design.variations.symbolic_orders import SymbolResultant as SymbolResultant

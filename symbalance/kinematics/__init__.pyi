@@ -1,9 +1,11 @@
+from symbalance.kinematics.coefficients import Kinematics as Kinematics
 from symbalance.kinematics.derivation import derive as derive
 from symbalance.kinematics.mechanisms import LinkRod as LinkRod
 from symbalance.kinematics.mechanisms import RodSplit as RodSplit
 from symbalance.kinematics.mechanisms import SliderCrank as SliderCrank
 from symbalance.kinematics.mechanisms import dead_centres as dead_centres
 from symbalance.kinematics.mechanisms import force_harmonics as force_harmonics
+from symbalance.kinematics.slider_crank import Series as Series
 from symbalance.kinematics.slider_crank import exact_coefficient as exact_coefficient
 from symbalance.kinematics.slider_crank import harmonics as harmonics
 from symbalance.kinematics.truncation import left_out as left_out

@@ -8,6 +8,7 @@ from symbalance.torque.cylinder_gas import TangentialPressure as TangentialPress
 from symbalance.torque.flywheel import Fluctuation as Fluctuation
 from symbalance.torque.flywheel import flywheel_inertia as flywheel_inertia
 from symbalance.torque.flywheel import speed_fluctuation as speed_fluctuation
+from symbalance.torque.gas import GasGroup as GasGroup
 from symbalance.torque.gas import GasOrder as GasOrder
 from symbalance.torque.gas import GasTorque as GasTorque
 from symbalance.torque.gas import gas_torque as gas_torque
@@ -28,6 +29,7 @@ from symbalance.torque.roll import rod_couple as rod_couple
 from symbalance.torque.roll import rod_torque as rod_torque
 from symbalance.torque.roll import roll_moment as roll_moment
 from symbalance.torque.roll import torque_report as torque_report
+from symbalance.torque.running import RunningCylinder as RunningCylinder
 from symbalance.torque.running import RunningTorque as RunningTorque
 from symbalance.torque.running import running_torque as running_torque
 from symbalance.torque.star_diagrams import FiringStars as FiringStars

@@ -60,7 +60,7 @@ QUARTERS = ["0.25", "90.5", "181.75", "270.25", "45.5", "135.75", "225.25", "300
         w12([-43.5, -28.5, 28.5, 43.5], EVEN),
         sb.inline("1-2-4-5-3", **ODD),
         sb.inline("1-2-4-5-3", ratio=4, firing_intervals=["64.5", "211.5", "112.5", "151.5", 180]),
-        sb.from_firing_order(
+        sb.engine.from_firing_order(
             "1-6-5-10-2-7-3-8-4-9", banks=[-37.5, 37.5], cylinders=[[1, 2, 3, 4, 5], [6, 7, 8, 9, 10]]
         ),
         sb.inline(throws=QUARTERS, ratio=4),

@@ -61,7 +61,7 @@ def test_a_bank_is_one_and_several_are_several(golden):
     engines = [
         sb.load("inline-4"),
         sb.load("v6-60"),
-        sb.from_firing_order("1-2", banks=[15], name="tilted"),
+        sb.engine.from_firing_order("1-2", banks=[15], name="tilted"),
     ]
     heads = [sb.to_text(sb.balance(engine, order=2)).partition("\n\n")[0] for engine in engines]
     golden("balance-heads.txt", "\n\n".join(heads) + "\n")

@@ -11,7 +11,7 @@ import symbalance as sb
 from symbalance.errors import SymbalanceError
 from symbalance.torque import torque_report
 
-CYCLE = sb.ideal_cycle(10, heat=20)
+CYCLE = sb.torque.ideal_cycle(10, heat=20)
 SIZES = {"bore": 80, "stroke": 80, "reciprocating_mass": "0.5", "rpm": 3000}
 
 
@@ -79,7 +79,7 @@ def test_records_of_like_cylinders_times_their_coefficient_are_the_terms() -> No
 
 def test_stars_are_a_sequence_whose_document_sums_their_vectors() -> None:
     """The sums by floating point from the angles in the records; the directions as they are printed."""
-    stars = sb.firing_stars(sb.load("v6-90"), 4)
+    stars = sb.torque.firing_stars(sb.load("v6-90"), 4)
     assert len(stars) == 8
     assert stars[2].order == Fraction(3, 2)
     assert [star.order for star in stars.open] == [Fraction(3, 2), 3]
@@ -97,7 +97,7 @@ def test_stars_are_a_sequence_whose_document_sums_their_vectors() -> None:
 
 
 def test_the_gas_torque_carries_its_ratio_pressure_and_mean() -> None:
-    gas = sb.gas_torque(sb.load("inline-4"), CYCLE, 4, ratio=5)
+    gas = sb.torque.gas_torque(sb.load("inline-4"), CYCLE, 4, ratio=5)
     assert gas.engine.ratio == 5
     assert gas.data()["ratio"] == "5"
     each = gas.data()["mean"] * 4 * math.pi / 4 / 2  # work of a cycle over A and twice the crank radius
@@ -106,12 +106,12 @@ def test_the_gas_torque_carries_its_ratio_pressure_and_mean() -> None:
 
 
 def test_a_trace_and_a_cycle_say_their_peak() -> None:
-    trace = sb.pressure_trace(range(0, 720, 10), [40 if a == 10 else 1 for a in range(0, 720, 10)])
+    trace = sb.torque.pressure_trace(range(0, 720, 10), [40 if a == 10 else 1 for a in range(0, 720, 10)])
     assert (trace.peak, trace.peak_degrees) == (40, 10)
     assert repr(trace) == "Pressure trace over 720° of 72 points, from 1 to 40 bar"
     assert "40 bar at 10°" in sb.to_text(trace)
     assert [row["bar"] for row in trace.records()] == list(trace.bar)
-    otto = sb.ideal_cycle(10, heat=20, gamma="1.4")
+    otto = sb.torque.ideal_cycle(10, heat=20, gamma="1.4")
     assert otto.records() == [otto.data()]
     assert otto.data()["efficiency"] == pytest.approx(1 - 10**-0.4)
     assert "0.601893" in sb.to_text(otto)

@@ -45,7 +45,7 @@ def single(layout, orders, lever) -> np.ndarray:
 def test_one_set_is_the_best_of_all_arrangements(name, orders):
     layout = sb.load(name).with_ratio(4)
     masses = np.array(GRAMS[: len(layout.cylinders)]) / 1000
-    found = sb.assign_parts(layout, [str(m) for m in masses], orders=orders)
+    found = sb.design.assign_parts(layout, [str(m) for m in masses], orders=orders)
     matrix = single(layout, orders, found.lever)
     brute = {
         p: np.linalg.norm(matrix @ (masses[list(p)] - masses.mean()))
@@ -77,7 +77,7 @@ def test_pistons_and_rods_are_the_best_of_all_pairs(name, whole):
     heads, sliding = np.array(GRAMS[:count]) / 1000, np.array([181, 178, 184, 180][:count]) / 1000
     turning = np.array([421, 425, 417, 420][:count]) / 1000
     given_sets = sets(*([str(x) for x in xs] for xs in (heads, sliding, turning)))
-    found = sb.assign_parts(layout, given_sets, whole=whole)
+    found = sb.design.assign_parts(layout, given_sets, whole=whole)
     matrix = single(layout, (1,), found.lever)
     pins = np.array([
         [np.exp(2j * np.pi * float(c.throw.turns)) * w for w in (1, p.station / found.lever, 0, 0)]
@@ -133,7 +133,7 @@ def test_many_cylinders_have_a_good_arrangement_and_a_bound():
     for engine in (layout, sixteen):
         count = len(engine.cylinders)
         grams = np.random.default_rng(3).integers(440, 460, count)
-        found = sb.assign_parts(engine, [f"{g}/1000" for g in grams], orders=[1])
+        found = sb.design.assign_parts(engine, [f"{g}/1000" for g in grams], orders=[1])
         assert found.proved == (count <= 10)
         assert found.bound <= found.criterion < 0.2 * found.at_random
         assert sorted(n["piston"] for n in found.places.values()) == sorted(
@@ -145,7 +145,7 @@ def test_what_is_left_is_what_pistons_leave():
     """Force and couple of the arrangement told, in N and N m, at 6000 rpm, and deviations alone count."""
     layout = sb.load("vq30de")
     masses = [Fraction(g, 1000) for g in GRAMS[:6]]
-    found = sb.assign_parts(layout, masses, rpm=6000)
+    found = sb.design.assign_parts(layout, masses, rpm=6000)
     placed = {n: masses[int(p["piston"].split()[1]) - 1] for n, p in found.places.items()}
     mean = sum(masses) / 6
     force = Fraction(733, 20) / 1000 * float(200 * np.pi) ** 2  # r omega^2
@@ -163,10 +163,10 @@ def test_what_is_left_is_what_pistons_leave():
 def test_equal_parts_stay_where_they_are():
     for name in ("inline-6", "v12-60", "inline-1"):
         layout = sb.load(name)
-        found = sb.assign_parts(layout, ["0.45"] * len(layout.cylinders))
+        found = sb.design.assign_parts(layout, ["0.45"] * len(layout.cylinders))
         assert found.criterion == found.as_listed == found.at_random == found.bound == 0
         assert found.places[1] == {"piston": "piston 1"}
-    nothing = sb.assign_parts(sb.load("inline-4"), [0, 0, 0, 0], whole=True)
+    nothing = sb.design.assign_parts(sb.load("inline-4"), [0, 0, 0, 0], whole=True)
     assert nothing.criterion == 0
 
 
@@ -265,14 +265,14 @@ def test_separators_and_comments():
 @pytest.mark.parametrize("name", ["inline-3", "v6-60", "v8-90"])
 def test_whole_masses_count_beside_what_turns(name):
     """Counterweights and shafts stay as the nominal engine has them; every piston is its own weight."""
-    sizes = sb.CrankTrain(
+    sizes = sb.engine.CrankTrain(
         stroke=Fraction(80), rod=Fraction(160), reciprocating_mass=Fraction(45, 100),
         rotating_mass=Fraction(3, 10),
     )  # fmt: skip
-    layout = sb.from_cylinders(sb.load(name).cylinders, crank_train=sizes)
+    layout = sb.engine.from_cylinders(sb.load(name).cylinders, crank_train=sizes)
     smooth = sb.design_balance(layout, [1, 2]).balanced
     masses = [Fraction(g, 1000) for g in GRAMS[: len(layout.cylinders)]]
-    found = sb.assign_parts(smooth, masses, orders=[1, 2], whole=True)
+    found = sb.design.assign_parts(smooth, masses, orders=[1, 2], whole=True)
     best = {
         c.number: masses[int(found.places[c.number]["piston"].split()[1]) - 1] for c in layout.cylinders
     }
@@ -289,7 +289,7 @@ def test_whole_masses_count_beside_what_turns(name):
                 made = sum((complex(p) * (z if arms else 1.0) * 0.45 for p, z in rows), 0j)
                 total += abs(parts[n] + made)
             assert told == pytest.approx(total, rel=1e-9, abs=1e-12)
-    assert found.criterion < sb.assign_parts(layout, masses, orders=[1, 2], whole=True).criterion
+    assert found.criterion < sb.design.assign_parts(layout, masses, orders=[1, 2], whole=True).criterion
 
 
 @pytest.mark.parametrize("form", ["text", "json", "latex"])

@@ -34,7 +34,7 @@ SIZED = CrankTrain(
 ALPHA = sympy.Symbol("alpha")
 
 
-def assert_ended(design: sb.Design, pistons=rotating_model.like_pistons, gone=GONE, **how) -> None:
+def assert_ended(design: sb.design.Design, pistons=rotating_model.like_pistons, gone=GONE, **how) -> None:
     """Assert that the orders to remove are gone and others as they were, in the time domain."""
     wanted = sorted({*design.remove, 3, 6})
     before = rotating_model.orders(design.engine, wanted, pistons, **how)
@@ -98,7 +98,7 @@ def layouts(draw: st.DrawFn, most: int = 24) -> sb.Engine:
     ratio = draw(st.sampled_from([Fraction(4), Fraction("3.2"), Fraction(3, 2)]))
     strokes = draw(st.sampled_from([2, 4]))
     train = draw(st.sampled_from([None, SIZED]))
-    return sb.from_cylinders(cylinders, ratio=ratio, strokes=strokes, crank_train=train)
+    return sb.engine.from_cylinders(cylinders, ratio=ratio, strokes=strokes, crank_train=train)
 
 
 @pytest.mark.slow
@@ -116,7 +116,7 @@ def test_uneven_firing_and_two_strokes():
     for layout in (
         sb.vee("52", "1-2", firing_intervals=["412", "308"], ratio=4),
         sb.inline("1-3-2", strokes=2, ratio=4),
-        sb.from_firing_order(
+        sb.engine.from_firing_order(
             "1-2-3-4-5", banks=[-40, 0, 35], cylinders=[[1, 4], [2], [3, 5]], ratio="3.7", strokes=2
         ),
     ):
@@ -142,7 +142,7 @@ def test_hung_rods_with_rotating_masses():
         for i, b in ((2, 120), (3, -120))
     ]
     train = CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1))
-    design = sb.design_balance(sb.from_cylinders(rows, crank_train=train), [1])
+    design = sb.design_balance(sb.engine.from_cylinders(rows, crank_train=train), [1])
     assert design.is_complete
     assert_ended(design, placed.planar, gone=1e-17, points=64)
 
@@ -157,7 +157,7 @@ def test_a_symbolic_bank_angle():
         weights = [d.weights[0][1] for d in design.devices]
         built = left.balanced_by(
             *(
-                sb.BalanceShaft(d.speed, [sb.Weight(share=_at(w, Fraction(degrees)))])
+                sb.BalanceShaft(d.speed, [sb.engine.Weight(share=_at(w, Fraction(degrees)))])
                 for d, w in zip(design.devices, weights, strict=True)
             )
         )
@@ -180,7 +180,7 @@ def test_extremes():
     design = sb.design_balance(near, [2, 4, 1000])
     assert design.is_complete
     assert len(design.shafts) == 6
-    fast = sb.load("v12-60").balanced_by(sb.BalanceShaft(1000, [sb.Weight(share=1)]))
+    fast = sb.load("v12-60").balanced_by(sb.BalanceShaft(1000, [sb.engine.Weight(share=1)]))
     assert [o.order for o in sb.balance(fast, 1000).orders][-1] == 1000
     many = sb.inline(throws=[Fraction(360 * k, 13) for k in range(13)], ratio=4)
     assert sb.design_balance(many, list(range(1, 200))).is_complete
@@ -200,12 +200,12 @@ def test_half_and_half_ends_the_first_order_of_a_single():
     single = sb.inline("1", ratio=4)
     half = single.balanced_by(
         sb.Counterweight(throw=1, overbalance="1/2"),
-        sb.BalanceShaft(-1, [sb.Weight(share="1/2", phase=180)]),
+        sb.BalanceShaft(-1, [sb.engine.Weight(share="1/2", phase=180)]),
     )
     assert [o.order for o in sb.balance(half, 4).orders] == [2, 4]
     wrong = single.balanced_by(
         sb.Counterweight(throw=1, overbalance="1/2"),
-        sb.BalanceShaft(1, [sb.Weight(share="1/2", phase=180)]),  # the wrong way round
+        sb.BalanceShaft(1, [sb.engine.Weight(share="1/2", phase=180)]),  # the wrong way round
     )
     assert 1 in [o.order for o in sb.balance(wrong, 4).orders]
 
@@ -217,9 +217,11 @@ def test_every_way_to_give_a_weight_in_the_time_domain(unit):
         sb.Counterweight(throw=2, overbalance="2/3", angle=5),
         sb.Counterweight(35, "3/2", **size),
         sb.Counterweight(throw=3, share="1/7", angle=10),
-        sb.BalanceShaft(2, [sb.Weight(1, 20, **size), sb.Weight(-1, 200, share=2)], phase=15),
-        sb.BalanceShaft(-4, [sb.Weight("1/2", 70, **size)]),
-        sb.BalanceShaft(-1, [sb.Weight(0, 0, **size)]),
+        sb.BalanceShaft(
+            2, [sb.engine.Weight(1, 20, **size), sb.engine.Weight(-1, 200, share=2)], phase=15
+        ),
+        sb.BalanceShaft(-4, [sb.engine.Weight("1/2", 70, **size)]),
+        sb.BalanceShaft(-1, [sb.engine.Weight(0, 0, **size)]),
     )
     result = sb.balance(layout, 6)
     assert (result.kinematics is not None) == (unit == "share")
@@ -254,7 +256,7 @@ def test_webs_stand_a_quarter_pitch_from_their_pin():
 
 def test_functions_of_a_balanced_engine():
     layout = sb.inline("1-3-2", crank_train=SIZED).balanced_by(
-        sb.Counterweight(throw=1, overbalance=1), sb.BalanceShaft(-2, [sb.Weight(1, 30, share=3)])
+        sb.Counterweight(throw=1, overbalance=1), sb.BalanceShaft(-2, [sb.engine.Weight(1, 30, share=3)])
     )
     for options in ({}, {"tolerance": 1e-9}):
         made = sb.to_function(
@@ -274,7 +276,7 @@ def test_functions_of_a_balanced_engine():
 
 WEIGHTS = st.lists(
     st.builds(
-        sb.Weight,
+        sb.engine.Weight,
         st.fractions(-4, 4, max_denominator=4),
         st.integers(0, 23).map(lambda k: 15 * k),
         unbalance=st.fractions(1, 50, max_denominator=10),
@@ -288,9 +290,9 @@ WEIGHTS = st.lists(
 @settings(max_examples=40, deadline=None)
 def test_rotating_parts_balance_in_two_planes_and_more(weights, stations):
     for spread in ("ends", "even"):
-        found = sb.balanced_weights(weights, stations, spread=spread)
-        both = [*weights, *(sb.Weight(c.station, unbalance=c.weight.vector) for c in found)]
-        force, couple = sb.rotating_unbalance(both, "1/3")
+        found = sb.design.balanced_weights(weights, stations, spread=spread)
+        both = [*weights, *(sb.engine.Weight(c.station, unbalance=c.weight.vector) for c in found)]
+        force, couple = sb.design.rotating_unbalance(both, "1/3")
         assert force.is_zero()
         assert couple.is_zero()
         total = mp.fsum(abs(rotating_model.size(c.weight.vector)) for c in found)
@@ -305,7 +307,7 @@ def test_rotating_parts_balance_in_two_planes_and_more(weights, stations):
 @settings(max_examples=25, deadline=None)
 def test_what_is_left_of_turning_weights_is_their_sum_in_decimals(weights, stations):
     """In one plane the couple stays; the sums are complex numbers of Python's."""
-    found = sb.balanced_weights(weights, stations)
+    found = sb.design.balanced_weights(weights, stations)
 
     def plain(vector):
         return complex(*map(float, sb.exact.Component(vector).decimal()))
@@ -327,7 +329,7 @@ def test_what_is_left_of_turning_weights_is_their_sum_in_decimals(weights, stati
 
 
 def test_an_ellipse_says_of_which_order_and_engine_it_is():
-    drawn = sb.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
+    drawn = sb.design.ellipse(sb.balance(sb.load("v10-72"), 1), 1, "couple")
     assert repr(drawn) == "Free couple of order 1 of v10-72: ellipse, with the crank"
     said = sb.to_text(drawn)
     assert "6.5186" in said
@@ -338,7 +340,7 @@ def test_an_ellipse_says_of_which_order_and_engine_it_is():
 def test_the_records_of_an_ellipse_are_the_extremes_of_its_reach():
     """Found by trying directions, on an engine that is symmetric about no plane."""
     rows = [sb.Cylinder(1, 137, -45, 1), sb.Cylinder(2, 25, 30, "-1/2"), sb.Cylinder(3, 211, -20, 0)]
-    drawn = sb.ellipse(sb.balance(sb.from_cylinders(rows, ratio=4), 1))
+    drawn = sb.design.ellipse(sb.balance(sb.engine.from_cylinders(rows, ratio=4), 1))
     (row,) = drawn.records()
     reach = [float(drawn.reach(Fraction(k, 500))) for k in range(1571)]
     assert row["major"] == pytest.approx(max(reach), rel=1e-4)
@@ -379,7 +381,7 @@ def test_the_cross_plane_crank_with_two_four_six_and_eight_counterweights():
 
 
 def test_one_throw_is_sum_of_masses_times_radii():
-    assert sb.throw_unbalance([("0.35", 40), ("0.42", 40), ("0.9", 12), ("1.3", -32)]) == 0
+    assert sb.design.throw_unbalance([("0.35", 40), ("0.42", 40), ("0.9", 12), ("1.3", -32)]) == 0
 
 
 # Overbalance ---------------------------------------------------------------------------------------
@@ -391,7 +393,7 @@ def test_half_overbalance_leaves_a_circle_turning_against_the_crank(name):
     """Where axes are offset the pistons' first order is not m r/2 each way: the rest is still exact."""
     layout = sb.load(name)
     offset = any(c.offset for c in layout.cylinders)
-    left = sb.balance(sb.overbalanced(layout), 1)
+    left = sb.balance(sb.design.overbalanced(layout), 1)
     assert offset or 1 not in {*left.force.terms, *left.couple.terms}
     for arms, found in ((False, left.force), (True, left.couple)) if offset else ():
         mean = layout.mean_station
@@ -407,8 +409,8 @@ def test_half_overbalance_leaves_a_circle_turning_against_the_crank(name):
 @pytest.mark.parametrize("share", [0, "1/4", "1/2", "2/3", 1])
 @pytest.mark.parametrize("degrees", [0, 45, 52, 60, 90, 120])
 def test_the_ellipse_is_what_the_engine_draws(share, degrees):
-    layout = sb.overbalanced(sb.vee(degrees, pins=[0], ratio=4), share)
-    drawn = sb.ellipse(sb.balance(layout, 1), 1)
+    layout = sb.design.overbalanced(sb.vee(degrees, pins=[0], ratio=4), share)
+    drawn = sb.design.ellipse(sb.balance(layout, 1), 1)
     with mp.workdps(30):
         cos, sin = rotating_model.orders(layout, [1])[1, "force"]
         reach = [abs(cos * mp.cos(t) + sin * mp.sin(t)) for t in mp.linspace(0, mp.pi, 721)]
@@ -422,9 +424,9 @@ def test_the_ellipse_is_what_the_engine_draws(share, degrees):
 @pytest.mark.parametrize("aim", ["squares", "largest"])
 @pytest.mark.parametrize(("vertical", "lateral"), [(1, 1), (3, 1), (1, 2), (1, 0)])
 def test_the_best_overbalance_is_the_least_of_all(aim, vertical, lateral):
-    askew = sb.from_cylinders([sb.Cylinder(1, 20, -30, 1), sb.Cylinder(2, 75, 40, -1)], ratio=4)
+    askew = sb.engine.from_cylinders([sb.Cylinder(1, 20, -30, 1), sb.Cylinder(2, 75, 40, -1)], ratio=4)
     for layout in (sb.inline("1", ratio=4), sb.vee(50, pins=[0], ratio=4), askew):
-        best = sb.best_overbalance(layout, vertical=vertical, lateral=lateral, objective=aim)
+        best = sb.design.best_overbalance(layout, vertical=vertical, lateral=lateral, objective=aim)
         pistons = rotating_model.orders(layout, [1])[1, "force"]
         pins = mp.fsum(rotating_model.direction(c.throw) for c in layout.cylinders)
         here = _cost(pistons, mp.mpf(sympy.N(best, 20)) * pins, vertical, lateral, aim)
@@ -444,16 +446,16 @@ def _cost(pistons, weight, vertical, lateral, aim):
 
 def test_a_twin_of_any_bank_angle():
     twin = sb.vee(ALPHA, pins=[0])
-    assert sb.best_overbalance(twin) == sympy.Rational(1, 2)
-    assert sympy.expand(sb.best_overbalance(twin, lateral=0) - (1 + sympy.cos(ALPHA)) / 2) == 0
-    left = sb.balance(sb.overbalanced(twin), 1)[1].force
+    assert sb.design.best_overbalance(twin) == sympy.Rational(1, 2)
+    assert sympy.expand(sb.design.best_overbalance(twin, lateral=0) - (1 + sympy.cos(ALPHA)) / 2) == 0
+    left = sb.balance(sb.design.overbalanced(twin), 1)[1].force
     assert left.forward.is_zero()
     assert left.backward.amplitude == sympy.cos(ALPHA)
 
 
 def test_a_share_and_one_less_it_exchange_vertical_and_lateral():
     twin = sb.vee(50, pins=[0])
-    one, other = (sb.balance(sb.overbalanced(twin, k), 1)[1].force for k in ("65/100", "35/100"))
+    one, other = (sb.balance(sb.design.overbalanced(twin, k), 1)[1].force for k in ("65/100", "35/100"))
     assert one.vertical.decimal()[0] == pytest.approx(abs(other.lateral.decimal()[1]))
     assert abs(one.lateral.decimal()[1]) == pytest.approx(other.vertical.decimal()[0])
 
@@ -466,7 +468,7 @@ def test_without_counter_rotation_half_is_left():
     assert not design.is_complete
     assert [d.speed for d in design.devices] == [1, 2]
     for n in (1, 2):
-        left = sb.ellipse(design.remains, n)
+        left = sb.design.ellipse(design.remains, n)
         assert (left.shape, left.major, left.sense) == ("circle", sympy.Rational(1, 2), -1)
 
 
@@ -520,7 +522,7 @@ def test_one_plane_where_two_are_wanted_misses_least():
 
 def test_a_shaft_goes_where_its_one_place_lets_it_help():
     """A couple alone cannot be had from the middle: the shaft serves a smaller order with a force."""
-    odd = sb.from_cylinders([sb.Cylinder(1, 0, 0, 9), sb.Cylinder(2, 180, 0, -9)], ratio=4)
+    odd = sb.engine.from_cylinders([sb.Cylinder(1, 0, 0, 9), sb.Cylinder(2, 180, 0, -9)], ratio=4)
     design = sb.design_balance(odd, [1, 2], stations=[0], shafts=1)
     assert [d.speed for d in design.devices] in ([2], [-2])
     assert sb.design_balance(odd, [1], stations=[0]).devices == ()
@@ -578,7 +580,7 @@ def test_a_design_prints_like_a_balance(golden):
 @pytest.mark.parametrize("order", [0, 3, -1, "a", None])
 def test_an_ellipse_that_was_not_asked_for_is_not_nothing(order):
     with pytest.raises(sb.SymbalanceError, match="order"):
-        sb.ellipse(sb.balance(sb.inline("1"), 2), order)
+        sb.design.ellipse(sb.balance(sb.inline("1"), 2), order)
 
 
 def test_bounded_weights_take_the_fewest_planes():
@@ -596,11 +598,11 @@ def test_bounded_weights_take_the_fewest_planes():
 
 def test_roll_moment_of_shafts_in_the_time_domain():
     layout = sb.inline("1-3-4-2", crank_train=SIZED).balanced_by(
-        sb.BalanceShaft(2, [sb.Weight(share=2, phase=25)], x=-40, y=90),
-        sb.BalanceShaft(-2, [sb.Weight(share="1/2", phase=70)], x=55, y=-30, phase=10),
-        sb.BalanceShaft(-1, [sb.Weight(unbalance=4)], x=20),
+        sb.BalanceShaft(2, [sb.engine.Weight(share=2, phase=25)], x=-40, y=90),
+        sb.BalanceShaft(-2, [sb.engine.Weight(share="1/2", phase=70)], x=55, y=-30, phase=10),
+        sb.BalanceShaft(-1, [sb.engine.Weight(unbalance=4)], x=20),
     )
-    exact = sb.shaft_moment(layout)
+    exact = sb.forces.shaft_moment(layout)
     radius = rotating_model.number(SIZED.stroke) / 2
     axes = [(s.x, s.y) for s in layout.balancers.shafts]
     with mp.workdps(30):
@@ -618,7 +620,7 @@ def test_roll_moment_of_shafts_in_the_time_domain():
 
 
 def test_tables_have_the_roll_moment():
-    pair = [sb.BalanceShaft(s, [sb.Weight(share=-2)], y=y) for s, y in ((2, 70), (-2, -70))]
+    pair = [sb.BalanceShaft(s, [sb.engine.Weight(share=-2)], y=y) for s, y in ((2, 70), (-2, -70))]
     result = sb.balance(sb.inline("1-3-4-2", crank_train=SIZED).balanced_by(*pair), 4)
     assert "Roll moment of the shafts" in sb.to_text(result)
     assert "Roll moment of the shafts" in sb.to_latex(result)
@@ -630,28 +632,30 @@ def test_tables_have_the_roll_moment():
 def test_one_rod_length_between_the_shafts_ends_the_second_roll_moment():
     """Silent shafts: to leading order h = l; exactly, h = -2 t_2 r/A_2."""
     four = sb.inline("1-3-4-2", crank_train=SIZED)
-    pair = [sb.BalanceShaft(s, [sb.Weight(share=-2)], y=y) for s, y in ((2, "143/2"), (-2, "-143/2"))]
+    pair = [
+        sb.BalanceShaft(s, [sb.engine.Weight(share=-2)], y=y) for s, y in ((2, "143/2"), (-2, "-143/2"))
+    ]
     built = four.balanced_by(*pair)
     assert 2 not in sb.balance(built, 2).force.orders()
-    before = abs(sb.roll_moment(four, 2)[2].torque.sin)
-    after = abs(sb.roll_moment(built, 2)[2].torque.sin)
+    before = abs(sb.torque.roll_moment(four, 2)[2].torque.sin)
+    after = abs(sb.torque.roll_moment(built, 2)[2].torque.sin)
     assert before == pytest.approx(2, abs=0.01)
     assert after < 0.03 * before
     the_other_way = four.balanced_by(*(sb.BalanceShaft(-s.speed, s.weights, y=s.y) for s in pair))
-    assert abs(sb.roll_moment(the_other_way, 2)[2].torque.sin) > 1.9 * before
+    assert abs(sb.torque.roll_moment(the_other_way, 2)[2].torque.sin) > 1.9 * before
 
 
 def test_every_roll_moment_has_the_shafts():
     """What is printed, emitted and evaluated in SI is the pistons' moment and the shafts' together."""
     four = sb.inline("1-3-4-2", crank_train=SIZED)
-    pair = [sb.BalanceShaft(s, [sb.Weight(share=-2)], y=y) for s, y in ((2, 40), (-2, -30))]
+    pair = [sb.BalanceShaft(s, [sb.engine.Weight(share=-2)], y=y) for s, y in ((2, 40), (-2, -30))]
     built = four.balanced_by(*pair)
-    alone, whole = sb.torque_report(four, 4), sb.torque_report(built, 4)
+    alone, whole = sb.torque.torque_report(four, 4), sb.torque.torque_report(built, 4)
     assert alone.is_opposite
     assert not whole.is_opposite
     assert whole.frame is not None
     assert "all inertia and balance shafts" in " ".join(sb.to_text(whole).split())
-    trace = sb.ideal_cycle(10, heat=20).trace(4)
+    trace = sb.torque.ideal_cycle(10, heat=20).trace(4)
     given = {"bore": 80, "stroke": 86, "reciprocating_mass": "1/2", "rpm": 3000}
     given["ratio"] = Fraction(143, 43)
     running = [sb.running_torque(layout, trace, **given) for layout in (four, built)]
@@ -704,11 +708,11 @@ def test_textbook_single_three_and_vees():
 def test_the_least_largest_of_an_engine_askew_is_found_at_once():
     """Throws of whole degrees lie in a field of degree 96: no equation there is left to SymPy."""
     rows = [sb.Cylinder(1, 137, -45, 1), sb.Cylinder(2, 25, 30, "-1/2"), sb.Cylinder(3, 211, -20, 0)]
-    layout = sb.from_cylinders(rows, ratio=4)
+    layout = sb.engine.from_cylinders(rows, ratio=4)
     parts = first_order(layout)
     for vertical, lateral in ((3, 1), (1, 1), (1, 3), (1, 0), (0, 1)):
         aim = {"vertical": vertical, "lateral": lateral, "objective": "largest"}
-        best = Fraction(float(sb.best_overbalance(layout, **aim)))
+        best = Fraction(float(sb.design.best_overbalance(layout, **aim)))
 
         def left(k, v=vertical, side=lateral):
             up, across = amplitudes(parts, k)
@@ -721,4 +725,4 @@ def test_the_least_largest_of_an_engine_askew_is_found_at_once():
 def test_a_best_forward_part_of_what_is_no_part_is_refused():
     for wrong in (sb.load("v2-90"), None, 3):
         with pytest.raises(sb.SymbalanceError, match=r"backward = .*must be a part of an order"):
-            sb.best_forward(wrong)  # pyright: ignore[reportArgumentType]
+            sb.design.best_forward(wrong)  # pyright: ignore[reportArgumentType]

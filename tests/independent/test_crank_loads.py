@@ -65,7 +65,7 @@ def test_the_pin_force_is_newtons_and_eulers(tmp_path):
     """With offset, rod inertia and gas: the rods' forces and the big end's mass make the whole."""
     text = sheet(big_end_mass=ROD).replace("rod = 192", "rod = 192\noffset = 7")
     made = engine(tmp_path, text)
-    rod = sb.RodSplit(Fraction("1.6"), Fraction(192), Fraction(60), Fraction(11000))
+    rod = sb.kinematics.RodSplit(Fraction("1.6"), Fraction(192), Fraction(60), Fraction(11000))
     sizes = {
         "r": 0.06,
         "l": 0.192,
@@ -200,7 +200,9 @@ def test_inertia_harmonics_are_the_mechanisms_exact_ones(tmp_path):
     theta = 4 * np.pi * np.arange(2048) / 2048
     spectrum = np.fft.rfft(rods.axial(1, theta)) / len(theta)
     unit = 1.5 * 0.06 * OMEGA**2
-    for order, (cosine, sine) in sb.force_harmonics(sb.SliderCrank(Fraction("3.2")), 8).items():
+    for order, (cosine, sine) in sb.kinematics.force_harmonics(
+        sb.kinematics.SliderCrank(Fraction("3.2")), 8
+    ).items():
         assert spectrum[2 * order] * 2 / unit == pytest.approx(complex(cosine, -sine), abs=1e-12)
 
 

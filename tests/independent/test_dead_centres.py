@@ -67,9 +67,9 @@ def test_the_builder_and_the_file_say_the_same():
 
 
 def test_nothing_moves_without_an_offset():
-    plain = sb.from_firing_order(SIX)
-    assert throws(sb.from_firing_order(SIX, firing_at="dead centres")) == throws(plain)
-    assert sb.from_firing_order(SIX, offset=[0], firing_at="dead centres").has_common_harmonics
+    plain = sb.engine.from_firing_order(SIX)
+    assert throws(sb.engine.from_firing_order(SIX, firing_at="dead centres")) == throws(plain)
+    assert sb.engine.from_firing_order(SIX, offset=[0], firing_at="dead centres").has_common_harmonics
     assert not has_shifted_dead_centres(plain)
 
 
@@ -93,19 +93,19 @@ def test_fires_may_say_either_moment_of_a_moved_dead_centre():
     """`fires` need only say which top dead centre fires, where an offset or a link rod moves it."""
     rows = [
         sb.Cylinder(1, 0, -30, fires=0),
-        sb.Cylinder(2, 0, 30, fires=425, rod=134, link=sb.Link(1, 60, 30)),
+        sb.Cylinder(2, 0, 30, fires=425, rod=134, link=sb.engine.Link(1, 60, 30)),
     ]
-    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
-    made = sb.from_cylinders(rows, crank_train=train)
+    train = sb.engine.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
+    made = sb.engine.from_cylinders(rows, crank_train=train)
     top = firing_dead_centres(made)[2]
     assert 400 < top < 440
     assert known_firing(made).order == (1, 2)
     with pytest.raises(sb.SymbalanceError, match="nearly the same"):
-        sb.from_cylinders(
+        sb.engine.from_cylinders(
             [rows[0], sb.Cylinder(2, 0, 30, fires=500, rod=134, link=rows[1].link)], crank_train=train
         )
     with pytest.raises(sb.SymbalanceError, match="must be the same"):
-        sb.from_cylinders([rows[0], sb.Cylinder(2, 0, 30, fires=425)], crank_train=train)
+        sb.engine.from_cylinders([rows[0], sb.Cylinder(2, 0, 30, fires=425)], crank_train=train)
 
 
 @pytest.mark.parametrize("name", ["vw-vr6", "r-1820", "kharkiv-v2", "merlin-v12"])

@@ -47,9 +47,9 @@ def test_big_ends_on_link_pins_have_orders_that_those_on_the_crank_pin_have_not(
 def test_a_link_pin_on_the_crank_pins_axis_is_the_crank_pin():
     """Fork and blade: there the mass does turn, and is taken."""
     rows = [sb.Cylinder(1, rotating_mass=1)]
-    rows += [sb.Cylinder(2, 0, 60, rod=160, link=sb.Link(1, 60, 0), rotating_mass="1/2")]
-    sizes = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1))
-    forked = sb.from_cylinders(rows, crank_train=sizes)
+    rows += [sb.Cylinder(2, 0, 60, rod=160, link=sb.engine.Link(1, 60, 0), rotating_mass="1/2")]
+    sizes = sb.engine.CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1))
+    forked = sb.engine.from_cylinders(rows, crank_train=sizes)
     found = force_series(forked, {2: 1.0})
     assert found[1] == pytest.approx(1)
     assert max(abs(c) for n, c in found.items() if n != 1) < 1e-10
@@ -61,7 +61,7 @@ def test_a_link_pin_on_the_crank_pins_axis_is_the_crank_pin():
 def radial(reciprocating: str = "3", rotating: str = "2") -> sb.Engine:
     """Return an R-1820 with masses in kg."""
     sizes = f"reciprocating_mass = {reciprocating}\nrotating_mass = {rotating}\n"
-    text = sb.engine_text(NINE).replace("[crank_train]\n", f"[crank_train]\n{sizes}")
+    text = sb.engine.engine_text(NINE).replace("[crank_train]\n", f"[crank_train]\n{sizes}")
     return parse_engine(text, "radial.toml")
 
 
@@ -75,12 +75,16 @@ def vee() -> sb.Engine:
     """Return an articulated vee whose link rods, axes and masses are not alike."""
     rows = [
         sb.Cylinder(1, 0, -30, "1/2", rotating_mass="1/4"),
-        sb.Cylinder(2, 0, 35, "1/2", rod=160, link=sb.Link(1, 60, 40), rotating_mass="1/2"),
+        sb.Cylinder(2, 0, 35, "1/2", rod=160, link=sb.engine.Link(1, 60, 40), rotating_mass="1/2"),
         sb.Cylinder(3, 150, -30, "-1/2", offset=5),
-        sb.Cylinder(4, 150, 35, "-1/2", rod=150, link=sb.Link(3, 70, 45), offset=-3, rotating_mass="3/4"),
+        sb.Cylinder(
+            4, 150, 35, "-1/2", rod=150, link=sb.engine.Link(3, 70, 45), offset=-3, rotating_mass="3/4"
+        ),
     ]
-    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(200), reciprocating_mass=Fraction(1, 2))
-    return sb.from_cylinders(rows, crank_train=train)
+    train = sb.engine.CrankTrain(
+        stroke=Fraction(90), rod=Fraction(200), reciprocating_mass=Fraction(1, 2)
+    )
+    return sb.engine.from_cylinders(rows, crank_train=train)
 
 
 def without_masses(layout: sb.Engine) -> sb.Engine:
@@ -126,7 +130,7 @@ def test_torque_gives_back_their_energy_and_the_frame_gets_their_moment(case):
     parts = (
         (sb.inertia_torque(heavy, 8), sb.inertia_torque(light, 8), torque),
         (beside_moment(heavy, 8), beside_moment(light, 8), moment),
-        (sb.roll_moment(heavy, 8), sb.roll_moment(light, 8), moment - torque),
+        (sb.torque.roll_moment(heavy, 8), sb.torque.roll_moment(light, 8), moment - torque),
     )
     for loaded, plain, expected in parts:
         for n in range(1, 9):
@@ -178,7 +182,7 @@ def test_sensitivities_are_the_differences_of_balance():
 
 
 def test_worst_cases_of_rotating_masses_are_the_worst_of_all_signs():
-    found = sb.worst_cases(HEAVY, sb.Tolerances(rotating="1%"), 2)
+    found = sb.worst_cases(HEAVY, sb.design.Tolerances(rotating="1%"), 2)
     rotating = {w.order: w for w in found if w.quantity == "rotating force"}
     pairs = {
         n: [s.pair("force") for s in sb.sensitivities(HEAVY, n, parameters=["rotating"]) if s.order == n]
@@ -200,7 +204,7 @@ def test_assignment_counts_big_ends_where_they_are():
     rows = [f"1,0.1,{0.3 + i * i / 100}" for i in range(9)]
     text = "piston,rod_reciprocating,rod_rotating\n" + "\n".join(rows)
     sets = parse_parts(text, "p.csv", paired=True)
-    ours = sb.assign_parts(LIGHT, sets, orders=[1, 2])
+    ours = sb.design.assign_parts(LIGHT, sets, orders=[1, 2])
     mean = sum(0.3 + i * i / 100 for i in range(9)) / 9
     off = {n: 0.3 + (n - 1) ** 2 / 100 - mean for n in range(1, 10)}
     series = force_series(LIGHT, {n: off[n] for n in LINKS})
@@ -226,7 +230,7 @@ def test_emitted_functions_hold_them():
 
 
 def test_a_mass_on_a_link_pin_needs_a_mass_to_compare_with():
-    text = sb.engine_text(NINE).replace("[crank_train]\n", "[crank_train]\nrotating_mass = 2\n")
+    text = sb.engine.engine_text(NINE).replace("[crank_train]\n", "[crank_train]\nrotating_mass = 2\n")
     line = text[: text.index("rotating_mass")].count("\n") + 1
     with pytest.raises(sb.SymbalanceError, match=rf"radial.toml:{line}: rotating_mass: counts in units"):
         parse_engine(text, "radial.toml")
@@ -234,22 +238,27 @@ def test_a_mass_on_a_link_pin_needs_a_mass_to_compare_with():
 
 def test_even_orders_of_their_moment_vanish_on_a_master_without_offset():
     """By hand: the part of the moment of momentum that half a turn leaves as it is, is a constant."""
-    rows = [sb.Cylinder(1), sb.Cylinder(2, 0, 60, rod=150, link=sb.Link(1, 67, 40), rotating_mass=1)]
-    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(200), reciprocating_mass=Fraction(1, 2))
+    rows = [
+        sb.Cylinder(1),
+        sb.Cylinder(2, 0, 60, rod=150, link=sb.engine.Link(1, 67, 40), rotating_mass=1),
+    ]
+    train = sb.engine.CrankTrain(
+        stroke=Fraction(90), rod=Fraction(200), reciprocating_mass=Fraction(1, 2)
+    )
     for order in (3, 4, 12):
-        found = beside_moment(sb.from_cylinders(rows, crank_train=train), order)
+        found = beside_moment(sb.engine.from_cylinders(rows, crank_train=train), order)
         assert list(found.components) == list(range(1, order + 1, 2))
-    _, moment = torque_and_moment(sb.from_cylinders(rows, crank_train=train), {2: 2.0})
+    _, moment = torque_and_moment(sb.engine.from_cylinders(rows, crank_train=train), {2: 2.0})
     assert max(abs(moment[n]) for n in (2, 4, 6)) < 1e-12 < abs(moment[1])
     mirrored = [
         sb.Cylinder(c.number + k, t, c.bank.in_degrees(), **given)
         for k, t in ((0, 0), (2, 180))
         for c, given in (
             (rows[0], {}),
-            (rows[1], {"rod": 150, "link": sb.Link(1 + k, 67, 40), "rotating_mass": 1}),
+            (rows[1], {"rod": 150, "link": sb.engine.Link(1 + k, 67, 40), "rotating_mass": 1}),
         )
     ]
-    assert not beside_moment(sb.from_cylinders(mirrored, crank_train=train), 12).components
+    assert not beside_moment(sb.engine.from_cylinders(mirrored, crank_train=train), 12).components
 
 
 def test_files_may_give_it_to_all_or_to_one_and_write_it_back(capsys, tmp_path):
@@ -263,7 +272,7 @@ def test_files_may_give_it_to_all_or_to_one_and_write_it_back(capsys, tmp_path):
         assert run(["balance", str(path), "--order", "2"]) == 0
         capsys.readouterr()
         made = sb.load(str(path))
-        assert parse_engine(sb.engine_text(made), "again.toml").cylinders == made.cylinders
+        assert parse_engine(sb.engine.engine_text(made), "again.toml").cylinders == made.cylinders
 
 
 RADIAL = "".join(

@@ -18,19 +18,21 @@ from scipy.linalg import expm
 import symbalance as sb
 from symbalance.crankshaft.frames import rotation
 
-STEEL = sb.Material(211e9, 211 / (2 * 81.2) - 1, 7810)
+STEEL = sb.crankshaft.Material(211e9, 211 / (2 * 81.2) - 1, 7810)
 FAST = 4000 * np.pi / 30
 
 
 def friswell_disc(diameter):
     mass = 7810 * np.pi / 4 * (diameter**2 - 0.05**2) * 0.07
     polar = mass * (diameter**2 + 0.05**2) / 8
-    return sb.Disc(mass, polar, polar / 2 + mass * 0.07**2 / 12)
+    return sb.crankshaft.Disc(mass, polar, polar / 2 + mass * 0.07**2 / 12)
 
 
 def two_discs(elements=6):
     discs = {0.5: friswell_disc(0.28), 1.0: friswell_disc(0.35)}
-    return sb.shaft([sb.Tube(1.5, 0.05, elements=elements)], discs, (0.0, 1.5), STEEL)
+    return sb.crankshaft.rotor.shaft(
+        [sb.crankshaft.rotor.Tube(1.5, 0.05, elements=elements)], discs, (0.0, 1.5), STEEL
+    )
 
 
 # --- the exact shaft ----------------------------------------------------------------------------------
@@ -100,7 +102,11 @@ def exact_root(near, *shaft):
 
 
 CROSS = [[1e7, 3e6], [-4e6, 6e6]], [[2e3, 500], [-300, 4e3]]
-FOUR = [sb.Tube(0.3, 0.04, 0.0, 18), sb.Tube(0.5, 0.06, 0.02, 20), sb.Tube(0.2, 0.05, 0.0, 12)]
+FOUR = [
+    sb.crankshaft.rotor.Tube(0.3, 0.04, 0.0, 18),
+    sb.crankshaft.rotor.Tube(0.5, 0.06, 0.02, 20),
+    sb.crankshaft.rotor.Tube(0.2, 0.05, 0.0, 12),
+]
 
 
 @pytest.mark.spread(2)
@@ -111,7 +117,7 @@ FOUR = [sb.Tube(0.3, 0.04, 0.0, 18), sb.Tube(0.5, 0.06, 0.02, 20), sb.Tube(0.2, 
         (FOUR, {0.3: (12, 0.2, 0.11), 0.8: (20, 0.3, 0.2)}, {0.0: (1e7,), 1.0: (5e6, 2e3)}, 1e-5),
         (FOUR, {0.3: (12, 0.2, 0.11), 1.0: (20, 0.3, 0.2)}, {0.1: CROSS, 0.9: ((2e7, 1e7), 3e3)}, 1e-5),
         (
-            [sb.Tube(0.6, 0.1, 0.07, 24)],
+            [sb.crankshaft.rotor.Tube(0.6, 0.1, 0.07, 24)],
             {0.3: (50, 1.0, 0.6)},
             {0.0: ((1e9, 4e7), 1e5), 0.6: (2e8,)},
             5e-4,
@@ -121,21 +127,25 @@ FOUR = [sb.Tube(0.3, 0.04, 0.0, 18), sb.Tube(0.5, 0.06, 0.02, 20), sb.Tube(0.2, 
 )
 def test_roots_are_those_of_the_exact_shaft(tubes, discs, supports, within, omega):
     """The thicker the shaft, the more shear: an element's is constant, so that errors fall with h^2."""
-    weights = {place: sb.Disc(*map(float, disc)) for place, disc in discs.items()}
-    below = {place: sb.Support(*given) for place, given in supports.items()}
-    found = sb.whirl(sb.shaft(tubes, weights, [*below], STEEL), [*below.values()], omega)
+    weights = {place: sb.crankshaft.Disc(*map(float, disc)) for place, disc in discs.items()}
+    below = {place: sb.crankshaft.rotor.Support(*given) for place, given in supports.items()}
+    found = sb.crankshaft.rotor.whirl(
+        sb.crankshaft.rotor.shaft(tubes, weights, [*below], STEEL), [*below.values()], omega
+    )
     for root in found.roots[:6]:
         assert abs(exact_root(root, omega, tubes, weights, below) / root - 1) < within
 
 
 def test_published_roots():
-    uneven = sb.whirl(two_discs(), [sb.Support((1e6, 8e5))] * 2, FAST)
+    uneven = sb.crankshaft.rotor.whirl(two_discs(), [sb.crankshaft.rotor.Support((1e6, 8e5))] * 2, FAST)
     assert uneven.natural[:6] == pytest.approx([82.33, 86.86, 239.64, 287.25, 583.49, 806.89], rel=1e-4)
-    crossed = sb.whirl(two_discs(), [sb.Support([[1e6, 5e5], [0, 1e6]])] * 2, FAST)
+    crossed = sb.crankshaft.rotor.whirl(
+        two_discs(), [sb.crankshaft.rotor.Support([[1e6, 5e5], [0, 1e6]])] * 2, FAST
+    )
     expected = [84.198, 89.033, 246.441, 301.086, 594.82, 834.04]
     assert crossed.natural[:6] == pytest.approx(expected, rel=1e-5)
     assert not crossed.is_stable
-    damped = sb.whirl(two_discs(), [sb.Support(1e6, 3e3)] * 2, FAST)
+    damped = sb.crankshaft.rotor.whirl(two_discs(), [sb.crankshaft.rotor.Support(1e6, 3e3)] * 2, FAST)
     natural = [13.70, 14.09, 43.61, 52.18, 122.37, 149.81]
     assert damped.natural[:6] / (2 * np.pi) == pytest.approx(natural, abs=6e-3)
     frequencies = [13.68, 14.07, 41.98, 50.65, 104.25, 105.66]
@@ -144,15 +154,20 @@ def test_published_roots():
 
 
 def test_critical_speeds_are_where_the_whirl_meets_the_speed():
-    rotor, even = two_discs(), [sb.Support(1e6)] * 2
-    found = sb.critical_speeds(rotor, even)
+    rotor, even = two_discs(), [sb.crankshaft.rotor.Support(1e6)] * 2
+    found = sb.crankshaft.rotor.critical_speeds(rotor, even)
     assert (found.forward[:6].round(9) == [0, 1, 0, 1, 0, 1]).all()
     for speed in found.speeds[:6]:
-        assert np.abs(np.abs(sb.whirl(rotor, even, speed).frequencies) / speed - 1).min() < 1e-9
-    little = sb.critical_speeds(rotor, [sb.Support(1e6, 1.0)] * 2, most=600.0)
+        assert (
+            np.abs(np.abs(sb.crankshaft.rotor.whirl(rotor, even, speed).frequencies) / speed - 1).min()
+            < 1e-9
+        )
+    little = sb.crankshaft.rotor.critical_speeds(
+        rotor, [sb.crankshaft.rotor.Support(1e6, 1.0)] * 2, most=600.0
+    )
     assert little.speeds == pytest.approx(found.speeds[: len(little.speeds)], rel=1e-6)
     assert len(little.speeds) == np.sum(found.speeds < 600)
-    function = sb.critical_speeds(rotor, lambda omega: even, most=600.0)
+    function = sb.crankshaft.rotor.critical_speeds(rotor, lambda omega: even, most=600.0)
     assert function.speeds == pytest.approx(little.speeds, rel=1e-6)
 
 
@@ -163,13 +178,15 @@ def test_a_published_rotor_of_eighteen_pieces():
     radii = [0.51, 1.02, 0.76, 2.03, 2.03, 3.3, 3.3, 2.54, 2.54, 1.27, 1.27, 1.52, 1.52, 1.27, 1.27]
     bores = [0] * 6 + [1.52, 1.78] + [0] * 9 + [1.52]
     tubes = [
-        sb.Tube(float(length), radius / 50, bore / 50, 1)
+        sb.crankshaft.rotor.Tube(float(length), radius / 50, bore / 50, 1)
         for length, radius, bore in zip(np.diff(places), [*radii, 3.81, 2.03, 2.03], bores, strict=True)
     ]
-    disc = {float(places[4]): sb.Disc(1.401, 0.002, 0.00136)}
+    disc = {float(places[4]): sb.crankshaft.Disc(1.401, 0.002, 0.00136)}
     bearings = (float(places[10]), float(places[14]))
-    rotor = sb.shaft(tubes, disc, bearings, sb.Material(207.8e9, 0.3, 7806), shear=False)
-    found = sb.critical_speeds(rotor, [sb.Support(4.378e7)] * 2)
+    rotor = sb.crankshaft.rotor.shaft(
+        tubes, disc, bearings, sb.crankshaft.Material(207.8e9, 0.3, 7806), shear=False
+    )
+    found = sb.crankshaft.rotor.critical_speeds(rotor, [sb.crankshaft.rotor.Support(4.378e7)] * 2)
     expected = [15470, 17159, 46612, 49983, 64752, 96457]
     assert found.speeds[:6] * 30 / np.pi == pytest.approx(expected, rel=8e-3)
 
@@ -178,7 +195,8 @@ def test_a_published_rotor_of_eighteen_pieces():
 def test_stiff_supports_cost_no_digits(stiffness):
     """Far stiffer than the shaft they are pins: the root moves with 1/stiffness."""
     soft, stiff = (
-        sb.whirl(two_discs(), [sb.Support(k)] * 2, FAST).roots[:4] for k in (stiffness, stiffness * 100)
+        sb.crankshaft.rotor.whirl(two_discs(), [sb.crankshaft.rotor.Support(k)] * 2, FAST).roots[:4]
+        for k in (stiffness, stiffness * 100)
     )
     assert np.abs(soft / stiff - 1).max() < 3e6 / stiffness + 1e-11
     assert np.abs(stiff.real).max() < 1e-9 * np.abs(stiff).max()
@@ -186,15 +204,17 @@ def test_stiff_supports_cost_no_digits(stiffness):
 
 def test_a_cantilever_by_its_tilt_stiffness():
     """An overhung disc on a light shaft held fast: Stodola's quartic (see test_rotors)."""
-    length, light = 0.4, sb.Material(211e9, 0.3, 1e-3)
-    rotor = sb.shaft(
-        [sb.Tube(length, 0.03, elements=4)],
-        {length: sb.Disc(5.0, 0.075, 0.04)},
+    length, light = 0.4, sb.crankshaft.Material(211e9, 0.3, 1e-3)
+    rotor = sb.crankshaft.rotor.shaft(
+        [sb.crankshaft.rotor.Tube(length, 0.03, elements=4)],
+        {length: sb.crankshaft.Disc(5.0, 0.075, 0.04)},
         (0.0,),
         light,
         shear=False,
     )
-    found = sb.whirl(rotor, [sb.Support(1e14, tilt=1e12)], 300.0).frequencies[:4]
+    found = sb.crankshaft.rotor.whirl(
+        rotor, [sb.crankshaft.rotor.Support(1e14, tilt=1e12)], 300.0
+    ).frequencies[:4]
     EI = 211e9 * np.pi / 64 * 0.03**4
     k11, k12, k22 = EI * np.array([12 / length**3, -6 / length**2, 4 / length])
     quartic = np.polysub(np.polymul([-5.0, 0, k11], [-0.04, 0.075 * 300, k22]), [k12**2])
@@ -205,13 +225,18 @@ def test_turning_damping_destabilises_beyond_its_onset():
     """Jeffcott: omega_n (1 + c_e/c_i) (Smith 1933); damping that turns as 2 zeta/omega_n times K."""
     from dataclasses import replace
 
-    light = sb.Material(density=1e-3)
-    rotor = sb.shaft([sb.Tube(1.0, 0.05)], {0.5: sb.Disc(20.0, 0.05, 0.05)}, (0.0, 1.0), light)
-    pinned = [sb.Support(1e12)] * 2
-    own = sb.whirl(rotor, pinned, 0.0).natural[0]
+    light = sb.crankshaft.Material(density=1e-3)
+    rotor = sb.crankshaft.rotor.shaft(
+        [sb.crankshaft.rotor.Tube(1.0, 0.05)],
+        {0.5: sb.crankshaft.Disc(20.0, 0.05, 0.05)},
+        (0.0, 1.0),
+        light,
+    )
+    pinned = [sb.crankshaft.rotor.Support(1e12)] * 2
+    own = sb.crankshaft.rotor.whirl(rotor, pinned, 0.0).natural[0]
     inner = replace(rotor, damping=1e-4 * rotor.stiffness)
-    assert sb.whirl(inner, pinned, 0.99 * own).is_stable
-    beyond = sb.whirl(inner, pinned, 1.01 * own)
+    assert sb.crankshaft.rotor.whirl(inner, pinned, 0.99 * own).is_stable
+    beyond = sb.crankshaft.rotor.whirl(inner, pinned, 1.01 * own)
     assert not beyond.is_stable
     assert beyond.frequencies[np.argmax(beyond.roots.real)] > 0  # forward, with the shaft
 
@@ -219,9 +244,11 @@ def test_turning_damping_destabilises_beyond_its_onset():
 def test_unbalance_is_the_steady_state_and_the_multipliers_are_the_roots():
     """The same rotor as a periodic system in turning axes, uneven damped supports, two unbalances."""
     rotor, amounts = two_discs(), {0.5: 1e-3, 1.0: 2e-3 * np.exp(0.7j)}
-    supports = [sb.Support((1e6, 8e5), [[300.0, 50.0], [-20.0, 500.0]])] * 2
-    steady = sb.steady_state(sb.supported(rotor, supports, FAST, unbalances=amounts), steps=180)
-    found = sb.unbalance_response(rotor, supports, amounts, [FAST])
+    supports = [sb.crankshaft.rotor.Support((1e6, 8e5), [[300.0, 50.0], [-20.0, 500.0]])] * 2
+    steady = sb.crankshaft.steady_state(
+        sb.crankshaft.rotor.system_on_supports(rotor, supports, FAST, unbalances=amounts), steps=180
+    )
+    found = sb.crankshaft.rotor.unbalance_response(rotor, supports, amounts, [FAST])
     wave = np.exp(1j * steady.theta)
     for node in range(len(rotor.points)):
         rotated = steady.position[:, 6 * node : 6 * node + 2]
@@ -232,7 +259,7 @@ def test_unbalance_is_the_steady_state_and_the_multipliers_are_the_roots():
         carried = [(force * wave).real for force in found.forces[0, j]]
         assert np.abs(steady.bearing[:, j] + np.transpose(carried)).max() < 1e-7 * np.abs(carried).max()
     assert steady.multipliers is not None
-    for root in sb.whirl(rotor, supports, FAST).roots[:6]:
+    for root in sb.crankshaft.rotor.whirl(rotor, supports, FAST).roots[:6]:
         assert np.abs(steady.multipliers - np.exp(root * 2 * np.pi / FAST)).min() < 1e-6
 
 
@@ -241,19 +268,25 @@ def test_a_flattened_shaft_is_unstable_between_its_critical_speeds():
 
     s^2 = -(w^2 + (a + b)/2) + sqrt(((a - b)/2)^2 + 2 (a + b) w^2), a and b the squared frequencies.
     """
-    tube = sb.Tube(1.0, 0.05, bending=(0.9, 1.1))
-    weight = sb.Disc(20.0, 1e-6, 1e-6)
-    rotor = sb.shaft([tube], {0.5: weight}, (0.0, 1.0), sb.Material(density=1e-4), shear=False)
+    tube = sb.crankshaft.rotor.Tube(1.0, 0.05, bending=(0.9, 1.1))
+    weight = sb.crankshaft.Disc(20.0, 1e-6, 1e-6)
+    rotor = sb.crankshaft.rotor.shaft(
+        [tube], {0.5: weight}, (0.0, 1.0), sb.crankshaft.Material(density=1e-4), shear=False
+    )
     stiff = 48 * 206e9 * np.pi / 64 * 0.05**4 / 20
     a, b = 0.9 * stiff, 1.1 * stiff
     for share in (0.93, 0.97, 1.0, 1.03, 1.07):
         w = share * np.sqrt(stiff)
         square = -(w**2) - (a + b) / 2 + np.sqrt(((a - b) / 2) ** 2 + 2 * (a + b) * w**2)
         growth = np.sqrt(max(square, 0.0))
-        lines = sb.campbell(rotor, [w], sb.held_at(rotor, 1e12, axial=1e12), count=4)
+        lines = sb.crankshaft.rotor.campbell(
+            rotor, [w], sb.crankshaft.rotor.bearing_springs(rotor, 1e12, axial=1e12), count=4
+        )
         assert lines.growth.max() == pytest.approx(growth, rel=2e-4, abs=0.02)
-        made = sb.supported(rotor, [sb.Support(1e12, 1e-3)] * 2, w)
-        found = sb.steady_state(made, steps=180, method="radau-iia-9").multipliers
+        made = sb.crankshaft.rotor.system_on_supports(
+            rotor, [sb.crankshaft.rotor.Support(1e12, 1e-3)] * 2, w
+        )
+        found = sb.crankshaft.steady_state(made, steps=180, method="radau-iia-9").multipliers
         assert found is not None
         assert np.log(np.abs(found).max()) * w / (2 * np.pi) == pytest.approx(growth, rel=1e-3, abs=0.05)
 
@@ -262,63 +295,107 @@ def test_a_flattened_shaft_is_unstable_between_its_critical_speeds():
 @pytest.mark.parametrize("density", [7850.0, 1e-3])
 def test_stiff_springs_hide_no_slow_mode_from_the_campbell_diagram(density, stiffness):
     """In turning and in stationary axes alike: a heavy disc on a light shaft, roots far apart."""
-    weight = sb.Disc(20.0, 0.2, 0.1)
-    rotor = sb.shaft([sb.Tube(1.0, 0.05)], {0.5: weight}, (0.0, 1.0), sb.Material(density=density))
-    lines = sb.campbell(rotor, [0.0, 50.0, 100.0], sb.held_at(rotor, stiffness, axial=stiffness))
-    expected = sb.whirl(rotor, [sb.Support(stiffness)] * 2, 100.0).frequencies[:4]
+    weight = sb.crankshaft.Disc(20.0, 0.2, 0.1)
+    rotor = sb.crankshaft.rotor.shaft(
+        [sb.crankshaft.rotor.Tube(1.0, 0.05)],
+        {0.5: weight},
+        (0.0, 1.0),
+        sb.crankshaft.Material(density=density),
+    )
+    lines = sb.crankshaft.rotor.campbell(
+        rotor, [0.0, 50.0, 100.0], sb.crankshaft.rotor.bearing_springs(rotor, stiffness, axial=stiffness)
+    )
+    expected = sb.crankshaft.rotor.whirl(
+        rotor, [sb.crankshaft.rotor.Support(stiffness)] * 2, 100.0
+    ).frequencies[:4]
     found = lines.stationary[-1][lines.lateral[-1]][:4]
     assert np.sort(found) == pytest.approx(np.sort(expected), rel=1e-6)
 
 
 def test_weight_is_carried_by_the_supports():
     rotor = two_discs()
-    steady = sb.steady_state(sb.supported(rotor, [sb.Support(1e6, 3e3)] * 2, FAST, weight=True), steps=90)
+    steady = sb.crankshaft.steady_state(
+        sb.crankshaft.rotor.system_on_supports(
+            rotor, [sb.crankshaft.rotor.Support(1e6, 3e3)] * 2, FAST, weight=True
+        ),
+        steps=90,
+    )
     weight = rotor.mass[0::6, 0::6].sum() * 9.80665
     assert steady.bearing.sum(axis=1)[:, 0] == pytest.approx(weight, rel=1e-6)
     assert np.abs(steady.bearing.sum(axis=1)[:, 1]).max() < 1e-6 * weight
 
 
 def test_refusals():
-    rotor, plain = two_discs(), [sb.Tube(1.0, 0.05)]
-    two = [sb.Support(1e6)] * 2
+    rotor, plain = two_discs(), [sb.crankshaft.rotor.Tube(1.0, 0.05)]
+    two = [sb.crankshaft.rotor.Support(1e6)] * 2
     for call, words in (
-        (lambda: sb.whirl(rotor, [sb.Support(1e6)], 0.0), "1 supports: must be one a bearing, 2"),
-        (lambda: sb.whirl(rotor, [sb.Support(1e6)] * 2, np.nan), "speed = nan rad/s: must be finite"),
-        (lambda: sb.Support([1.0, 2.0, 3.0]), "support stiffness of shape"),
-        (lambda: sb.Support(1e6, tilt=-1.0), "support tilt = -1.0: must be finite, not negative"),
-        (lambda: sb.critical_speeds(rotor, [sb.Support(0.0)] * 2), "must hold the rotor"),
-        (lambda: sb.critical_speeds(rotor, [sb.Support(1e6, 1.0)] * 2), "most: must be given"),
         (
-            lambda: sb.unbalance_response(rotor, two, {0.33: 1.0}, [1.0]),
+            lambda: sb.crankshaft.rotor.whirl(rotor, [sb.crankshaft.rotor.Support(1e6)], 0.0),
+            "1 supports: must be one a bearing, 2",
+        ),
+        (
+            lambda: sb.crankshaft.rotor.whirl(rotor, [sb.crankshaft.rotor.Support(1e6)] * 2, np.nan),
+            "speed = nan rad/s: must be finite",
+        ),
+        (lambda: sb.crankshaft.rotor.Support([1.0, 2.0, 3.0]), "support stiffness of shape"),
+        (
+            lambda: sb.crankshaft.rotor.Support(1e6, tilt=-1.0),
+            "support tilt = -1.0: must be finite, not negative",
+        ),
+        (
+            lambda: sb.crankshaft.rotor.critical_speeds(rotor, [sb.crankshaft.rotor.Support(0.0)] * 2),
+            "must hold the rotor",
+        ),
+        (
+            lambda: sb.crankshaft.rotor.critical_speeds(
+                rotor, [sb.crankshaft.rotor.Support(1e6, 1.0)] * 2
+            ),
+            "most: must be given",
+        ),
+        (
+            lambda: sb.crankshaft.rotor.unbalance_response(rotor, two, {0.33: 1.0}, [1.0]),
             "place = 0.33 m",
         ),
         (
-            lambda: sb.shaft(plain, {0.5: sb.Disc(-1.0, 1.0, 1.0)}),
+            lambda: sb.crankshaft.rotor.shaft(plain, {0.5: sb.crankshaft.Disc(-1.0, 1.0, 1.0)}),
             "mass = -1.0: must be finite",
         ),
         (
-            lambda: sb.shaft(plain, {0.5: sb.Disc(1.0, 3.0, 1.0)}),
+            lambda: sb.crankshaft.rotor.shaft(plain, {0.5: sb.crankshaft.Disc(1.0, 3.0, 1.0)}),
             "polar = 3.0: must be at most",
         ),
-        (lambda: sb.shaft([sb.Tube(1.0, 0.05, elements=2.5)]), "whole number of elements"),  # pyright: ignore
-        (lambda: sb.shaft(plain, material=sb.Material(young=-1.0)), "young = -1.0"),
-        (lambda: sb.campbell(rotor, [np.nan]), "speed = nan"),
-        (lambda: sb.natural_modes(rotor, 3, np.eye(3)), "support of shape"),
-        (lambda: sb.torsional_chain(["a", 1.0], [1.0]), "must be two lists of numbers"),  # pyright: ignore
-        (lambda: sb.equilibrium(sb.Bearing(0.1, 0.03, 1e-4, 0.1), [1.0, 0.0], 0.0), "journal that turns"),
+        (
+            lambda: sb.crankshaft.rotor.shaft([sb.crankshaft.rotor.Tube(1.0, 0.05, elements=2.5)]),
+            "whole number of elements",
+        ),  # pyright: ignore
+        (
+            lambda: sb.crankshaft.rotor.shaft(plain, material=sb.crankshaft.Material(young=-1.0)),
+            "young = -1.0",
+        ),
+        (lambda: sb.crankshaft.rotor.campbell(rotor, [np.nan]), "speed = nan"),
+        (lambda: sb.crankshaft.rotor.natural_modes(rotor, 3, np.eye(3)), "support of shape"),
+        (lambda: sb.crankshaft.rotor.torsional_chain(["a", 1.0], [1.0]), "must be two lists of numbers"),  # pyright: ignore
+        (
+            lambda: sb.crankshaft.equilibrium(
+                sb.crankshaft.Bearing(0.1, 0.03, 1e-4, 0.1), [1.0, 0.0], 0.0
+            ),
+            "journal that turns",
+        ),
     ):
         with pytest.raises(sb.SymbalanceError, match=words):
             call()
 
 
 def test_a_crank_is_not_round():
-    web = sb.Web(0.02, 0.08, 0.04, 0.04)
-    journal, pin = sb.Journal(0.06, 0.03), sb.Pin(0.05, 0.03, 0.04, 0.0, (1,))
-    crank = sb.assemble(sb.Crank((journal, web, pin, web, journal)))
+    web = sb.crankshaft.Web(0.02, 0.08, 0.04, 0.04)
+    journal, pin = sb.crankshaft.Journal(0.06, 0.03), sb.crankshaft.Pin(0.05, 0.03, 0.04, 0.0, (1,))
+    crank = sb.crankshaft.assemble(sb.crankshaft.Crank((journal, web, pin, web, journal)))
     with pytest.raises(sb.SymbalanceError, match="must look alike from all sides"):
-        sb.whirl(crank, [sb.Support(1e8)] * 2, 100.0)
-    made = sb.supported(crank, [sb.Support((1e8, 5e7), 1e4)] * 2, 100.0)
-    found = sb.steady_state(made, steps=180).multipliers
+        sb.crankshaft.rotor.whirl(crank, [sb.crankshaft.rotor.Support(1e8)] * 2, 100.0)
+    made = sb.crankshaft.rotor.system_on_supports(
+        crank, [sb.crankshaft.rotor.Support((1e8, 5e7), 1e4)] * 2, 100.0
+    )
+    found = sb.crankshaft.steady_state(made, steps=180).multipliers
     assert found is not None
     assert np.abs(found).max() < 1
 
@@ -326,15 +403,15 @@ def test_a_crank_is_not_round():
 def oscillator(**changed):
     from dataclasses import replace
 
-    none = sb.Film(*[lambda theta: np.zeros((len(theta), 0, 2, 2))] * 2)
+    none = sb.crankshaft.Film(*[lambda theta: np.zeros((len(theta), 0, 2, 2))] * 2)
     push = lambda theta: np.cos(theta)[:, None] * np.ones(2)  # noqa: E731
     matrices = np.eye(2), 0.1 * np.eye(2), 4 * np.eye(2), np.zeros((0, 2, 2))
-    return replace(sb.PeriodicSystem(*matrices, none, None, push, 1.0, 2 * np.pi), **changed)
+    return replace(sb.crankshaft.PeriodicSystem(*matrices, none, None, push, 1.0, 2 * np.pi), **changed)
 
 
 def test_a_system_without_bearings_swings_as_the_formula_says():
     for method in ("radau-iia", "radau-iia-9", "newmark"):
-        found = sb.steady_state(oscillator(), method=method, steps=360)
+        found = sb.crankshaft.steady_state(oscillator(), method=method, steps=360)
         expected = (np.exp(1j * found.theta) / (3 + 0.1j)).real
         assert np.abs(found.position[:, 0] - expected).max() < (1e-4 if method == "newmark" else 1e-9)
 
@@ -343,8 +420,8 @@ def test_a_system_without_bearings_swings_as_the_formula_says():
 def test_a_resonance_without_damping_is_refused_and_with_a_little_it_is_not(steps):
     at_rest = {"stiffness": np.eye(2), "omega": 1.0}
     with pytest.raises(sb.SymbalanceError, match="a resonance that nothing damps"):
-        sb.steady_state(oscillator(damping=np.zeros((2, 2)), **at_rest), steps=steps)
-    little = sb.steady_state(oscillator(damping=1e-4 * np.eye(2), **at_rest), steps=720)
+        sb.crankshaft.steady_state(oscillator(damping=np.zeros((2, 2)), **at_rest), steps=steps)
+    little = sb.crankshaft.steady_state(oscillator(damping=1e-4 * np.eye(2), **at_rest), steps=720)
     assert np.abs(little.position).max() == pytest.approx(1e4, rel=1e-3)
 
 
@@ -361,4 +438,4 @@ def test_a_resonance_without_damping_is_refused_and_with_a_little_it_is_not(step
 )
 def test_systems_that_none_are(changed, words):
     with pytest.raises(sb.SymbalanceError, match=words):
-        sb.steady_state(oscillator(**changed), steps=36)
+        sb.crankshaft.steady_state(oscillator(**changed), steps=36)

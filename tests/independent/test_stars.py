@@ -345,7 +345,7 @@ def test_the_smoothest_are_those_that_are_built():
 @pytest.mark.parametrize(
     ("make", "says"),
     [
-        (lambda: firing_orders("v8"), "layout = v8: must be an Engine"),  # pyright: ignore
+        (lambda: firing_orders("v8"), "engine = v8: must be an Engine"),  # pyright: ignore
         (lambda: firing_orders(radial(18), even_only=False), "131072 firing orders"),
         (lambda: firing_orders(inline(throws=[0] * 999), simultaneous=True, even_only=False), "too many"),
         (lambda: known_firing(radial(4)), "cylinder 1 of engine: has no firing angle"),

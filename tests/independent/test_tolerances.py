@@ -50,7 +50,7 @@ def test_mass_tolerances_are_the_worst_of_all_vertices(name):
     single = [[harmonics([p], arms) for p in pistons(layout)] for arms in (False, True)]
     signs = np.array(list(itertools.product((1 - part, 1 + part), repeat=len(layout.cylinders))))
     modes = ("largest", "vertical", "lateral", "forward", "backward")
-    for worst in sb.worst_cases(layout, sb.Tolerances(mass="2%"), 4, of=modes):
+    for worst in sb.worst_cases(layout, sb.design.Tolerances(mass="2%"), 4, of=modes):
         rows = single[worst.quantity == "couple"]
         ahead = signs @ np.array([r[worst.order] for r in rows])
         against = signs @ np.array([r[-worst.order] for r in rows])
@@ -63,7 +63,9 @@ def test_mass_tolerances_are_the_worst_of_all_vertices(name):
 def smooth(name: str) -> sb.Engine:
     layout = sb.load(name).with_ratio(4)
     if name == "v2-45":
-        return sb.overbalanced(layout, "3/5").balanced_by(sb.BalanceShaft(2, [sb.Weight(1, 30, share=1)]))
+        return sb.design.overbalanced(layout, "3/5").balanced_by(
+            sb.BalanceShaft(2, [sb.engine.Weight(1, 30, share=1)])
+        )
     return sb.design_balance(layout, [1, 2]).balanced
 
 
@@ -81,7 +83,7 @@ def test_what_turns_counts_and_stays_as_made(name):
     signs = np.array(list(itertools.product((1 - part, 1 + part), repeat=len(layout.cylinders))))
     single = [[harmonics([p], arms) for p in pistons(layout)] for arms in (False, True)]
     modes = ("largest", "vertical", "lateral", "forward", "backward")
-    for worst in sb.worst_cases(layout, sb.Tolerances(mass="2%"), 4, of=modes):
+    for worst in sb.worst_cases(layout, sb.design.Tolerances(mass="2%"), 4, of=modes):
         arms = worst.quantity == "couple"
         n = worst.order
         ahead = signs @ np.array([r[n] for r in single[arms]]) + turning(layout, n, arms)
@@ -93,10 +95,12 @@ def test_what_turns_counts_and_stays_as_made(name):
 
 
 def test_an_order_of_a_shaft_alone_is_there():
-    sizes = sb.CrankTrain(stroke=Fraction(80), rod=Fraction(160), reciprocating_mass=Fraction(1, 2))
+    sizes = sb.engine.CrankTrain(
+        stroke=Fraction(80), rod=Fraction(160), reciprocating_mass=Fraction(1, 2)
+    )
     layout = sb.inline("1", crank_train=sizes)
-    third = layout.balanced_by(sb.BalanceShaft(3, [sb.Weight(unbalance=2)]))
-    found = {(w.order, w.quantity): w for w in sb.worst_cases(third, sb.Tolerances(mass="1%"), 4)}
+    third = layout.balanced_by(sb.BalanceShaft(3, [sb.engine.Weight(unbalance=2)]))
+    found = {(w.order, w.quantity): w for w in sb.worst_cases(third, sb.design.Tolerances(mass="1%"), 4)}
     assert found[3, "force"].bound == pytest.approx(2 * 9 / 20)
     assert found[3, "force"].attained == found[3, "force"].nominal == pytest.approx(0.9)
 
@@ -110,15 +114,15 @@ FULL = {
     "rod": "0.5",
     "offset": "0.3",
 }
-TRAIN = sb.CrankTrain(stroke=Fraction(80), rod=Fraction(140), pitch=Fraction(100))
+TRAIN = sb.engine.CrankTrain(stroke=Fraction(80), rod=Fraction(140), pitch=Fraction(100))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("firing", ["1-3-4-2", "1-2-4-5-3", "vee"])
 def test_no_engine_within_tolerances_passes_the_bound(firing):
     made = sb.vee(60, firing_order="1-2-3-4-5-6") if firing == "vee" else sb.inline(firing)
-    layout = sb.from_cylinders(made.cylinders, crank_train=TRAIN)
-    found = {(w.order, w.quantity): w for w in sb.worst_cases(layout, sb.Tolerances(**FULL), 4)}
+    layout = sb.engine.from_cylinders(made.cylinders, crank_train=TRAIN)
+    found = {(w.order, w.quantity): w for w in sb.worst_cases(layout, sb.design.Tolerances(**FULL), 4)}
     chance, engine = np.random.default_rng(5), [p.changed(rod=-0.5) for p in pistons(layout)]
     tried = dict.fromkeys(found, 0.0)
     for extreme in [True] * 60 + [False] * 40:
@@ -145,7 +149,7 @@ def test_no_engine_within_tolerances_passes_the_bound(firing):
 def test_what_is_attained_is_attained(name):
     """The errors told, put into pistons, give the value told: mass, throw, bank and station."""
     layout = sb.load(name).with_ratio(4)
-    tolerances = sb.Tolerances(mass="1%", throw="0.2", bank="0.1", station="1%")
+    tolerances = sb.design.Tolerances(mass="1%", throw="0.2", bank="0.1", station="1%")
     for worst in sb.worst_cases(layout, tolerances, 2):
         engine = []
         for piston, cylinder in zip(pistons(layout), layout.cylinders, strict=True):
@@ -168,23 +172,23 @@ def test_what_is_attained_is_attained(name):
 def test_in_line_four_by_hand():
     """Pistons 1 and 4 heavy, 2 and 3 light: 4 x in order 1; front heavy or rear heavy by turns: 4 x a."""
     layout = sb.inline("1-3-4-2", ratio=4)
-    force, couple = sb.worst_cases(layout, sb.Tolerances(mass="1%"), 1)
+    force, couple = sb.worst_cases(layout, sb.design.Tolerances(mass="1%"), 1)
     assert force.attained == pytest.approx(0.04, rel=1e-12)
     assert couple.attained == pytest.approx(0.04, rel=1e-12)  # (1.5 + 0.5 + 0.5 + 1.5) x
     assert force.statistical == pytest.approx(0.02, rel=1e-12)
-    exact = sb.symbolic_order(layout, 1, masses=["1.01", "0.99", "0.99", "1.01"])
+    exact = sb.design.symbolic_order(layout, 1, masses=["1.01", "0.99", "0.99", "1.01"])
     assert exact.force.vertical.amplitude == Fraction(1, 25)
 
 
 def test_without_tolerances_nothing_is_lost():
     layout = sb.load("v8-90")
     result = sb.balance(layout, 4)
-    for worst in sb.worst_cases(layout, sb.Tolerances(), 4):
+    for worst in sb.worst_cases(layout, sb.design.Tolerances(), 4):
         assert worst.attained == worst.bound == worst.nominal
         assert worst.statistical == 0
-    first = sb.worst_cases(layout, sb.Tolerances(), 1)[1]
+    first = sb.worst_cases(layout, sb.design.Tolerances(), 1)[1]
     assert first.nominal == pytest.approx(float(result[1].couple.vertical.amplitude), rel=1e-12)
-    assert sb.worst_cases(layout, sb.Tolerances(), 2)[2].nominal == 0  # an exact zero
+    assert sb.worst_cases(layout, sb.design.Tolerances(), 2)[2].nominal == 0  # an exact zero
 
 
 @pytest.mark.slow
@@ -194,7 +198,9 @@ def test_wider_tolerances_are_never_better(one, more):
     layout = sb.load("v6-60")
 
     def bounds(mass, throw):
-        found = sb.worst_cases(layout, sb.Tolerances(mass=f"{mass}%", throw=Fraction(throw, 10)), 2)
+        found = sb.worst_cases(
+            layout, sb.design.Tolerances(mass=f"{mass}%", throw=Fraction(throw, 10)), 2
+        )
         return [w.bound for w in found]
 
     narrow, wide = bounds(one, more), bounds(one + 1, more + 1)
@@ -225,24 +231,26 @@ def test_the_largest_sum_is_the_top_of_its_support_function(rows):
 
 
 def test_unlike_engines_and_link_rods_have_worst_cases():
-    hung = sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)
-    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
-    layout = sb.from_cylinders([sb.Cylinder(1, 0, 0), hung], crank_train=train)
+    hung = sb.Cylinder(2, 0, 60, link=sb.engine.Link(1, 60, 30), rod=134)
+    train = sb.engine.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
+    layout = sb.engine.from_cylinders([sb.Cylinder(1, 0, 0), hung], crank_train=train)
     whole = sb.balance(layout, 3)
-    for worst in sb.worst_cases(layout, sb.Tolerances(mass="1%"), 3):
+    for worst in sb.worst_cases(layout, sb.design.Tolerances(mass="1%"), 3):
         terms = (whole.force if worst.quantity == "force" else whole.couple).terms
         size = sum(abs(complex(terms[n].value)) for n in (worst.order, -worst.order) if n in terms)
         assert worst.nominal == pytest.approx(size, abs=1e-12)
         assert worst.attained >= worst.nominal * 1.0099
     with pytest.raises(sb.SymbalanceError, match="hang on link rods"):
-        sb.worst_cases(layout, sb.Tolerances(rod=1), 2)
+        sb.worst_cases(layout, sb.design.Tolerances(rod=1), 2)
     with pytest.raises(sb.SymbalanceError, match=r"tolerances of bank\b.* hang on link rods"):
-        sb.worst_cases(layout, sb.Tolerances(bank="0.1"), 2)
+        sb.worst_cases(layout, sb.design.Tolerances(bank="0.1"), 2)
     narrow = [
         sb.Cylinder(i + 1, 120 * i, 7 if i % 2 else -7, i, offset=-12 if i % 2 else 12) for i in range(3)
     ]
-    vr = sb.from_cylinders(narrow, crank_train=sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164)))
-    for worst in sb.worst_cases(vr, sb.Tolerances(mass="1%", offset="0.1", rod="0.1"), 3):
+    vr = sb.engine.from_cylinders(
+        narrow, crank_train=sb.engine.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
+    )
+    for worst in sb.worst_cases(vr, sb.design.Tolerances(mass="1%", offset="0.1", rod="0.1"), 3):
         assert worst.nominal <= worst.attained <= worst.bound
         assert worst.attained > 0.9 * worst.bound
 
@@ -250,11 +258,11 @@ def test_unlike_engines_and_link_rods_have_worst_cases():
 @pytest.mark.slow
 def test_extremes_of_size():
     many = sb.inline("-".join(map(str, range(1, 25))), ratio="1.01")
-    found = sb.worst_cases(many, sb.Tolerances(mass="1%", throw="0.1"), 6)
+    found = sb.worst_cases(many, sb.design.Tolerances(mass="1%", throw="0.1"), 6)
     assert all(w.attained <= w.bound for w in found)
-    one = sb.worst_cases(sb.inline("1", ratio=4), sb.Tolerances(mass="100%"), 1)
+    one = sb.worst_cases(sb.inline("1", ratio=4), sb.design.Tolerances(mass="100%"), 1)
     assert one[0].bound == pytest.approx(2)
-    high = sb.worst_cases(sb.load("inline-4"), sb.Tolerances(mass="1%"), 1000)
+    high = sb.worst_cases(sb.load("inline-4"), sb.design.Tolerances(mass="1%"), 1000)
     assert 300 < high[-1].order < 1000  # beyond, the coefficient is no double any more
 
 
@@ -278,7 +286,7 @@ def test_the_command(capsys, tmp_path, golden):
 
 def test_at_a_speed_worst_cases_are_newtons_and_newton_metres():
     """VQ30DE: 36.65 mm of radius, and its mass and pitch, at 3000 rpm."""
-    engine, tolerances = sb.load("vq30de"), sb.Tolerances(mass="1%", throw="0.1", rotating="1%")
+    engine, tolerances = sb.load("vq30de"), sb.design.Tolerances(mass="1%", throw="0.1", rotating="1%")
     plain = sb.worst_cases(engine, tolerances, 2)
     at_speed = sb.worst_cases(engine, tolerances, 2, rpm="3000.0")
     mass, pitch = engine.cylinders[0].reciprocating_mass, engine.pitch
@@ -306,7 +314,7 @@ def printed(value: float) -> str:
 
 def test_every_worst_case_stands_in_the_text():
     """With what is reached, what is proved, the drawing's own, and the estimate, in one line."""
-    tolerances = sb.Tolerances(mass="1%", throw="0.3", bank="0.2", rotating="1%")
+    tolerances = sb.design.Tolerances(mass="1%", throw="0.3", bank="0.2", rotating="1%")
     result = sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "lateral", "forward"])
     text = sb.to_text(result)
     wide = [w for w in result if w.bound > w.attained * (1 + 1e-6)]

@@ -64,7 +64,7 @@ def offset_twin() -> sb.Engine:
         sb.Cylinder(1, 10, -15, 1, offset=Fraction(25, 2), **rod_sizes(Fraction(164))),
         sb.Cylinder(2, 190, 30, 0, offset=-7, stroke=84, rod=150, **rod_sizes(Fraction(150))),
     ]
-    return sb.from_cylinders(rows, crank_train=train, name="offset twin")
+    return sb.engine.from_cylinders(rows, crank_train=train, name="offset twin")
 
 
 def centred_three() -> sb.Engine:
@@ -72,7 +72,7 @@ def centred_three() -> sb.Engine:
     train = CrankTrain(
         stroke=Fraction(80), rod=Fraction(140), reciprocating_mass=MASS, **rod_sizes(Fraction(140))
     )
-    return sb.from_cylinders(
+    return sb.engine.from_cylinders(
         [sb.Cylinder(i, 120 * i) for i in (1, 2, 3)], crank_train=train, name="three"
     )
 
@@ -187,7 +187,7 @@ def test_harmonics_of_a_link_rod_by_fourier_transform() -> None:
 
 
 def test_what_cancels_among_like_cylinders_is_gone() -> None:
-    alike = sb.from_cylinders(narrow_six().cylinders[::2], crank_train=SHARED)
+    alike = sb.engine.from_cylinders(narrow_six().cylinders[::2], crank_train=SHARED)
     assert [o.order for o in inertia_torque(alike, 12).orders] == [3, 6, 9, 12]
     assert [o.order for o in beside_moment(alike, 12).orders] == [3, 6, 9, 12]
 

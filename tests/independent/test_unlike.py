@@ -26,7 +26,7 @@ def narrow_six() -> sb.Engine:
         split = -11 if odd else 11
         offset = Fraction(-25, 2) if odd else Fraction(25, 2)
         rows.append(sb.Cylinder(number, pin + split, bank, Fraction(5, 2) - (number - 1), offset=offset))
-    return sb.from_cylinders(rows, crank_train=SHARED, name="narrow six")
+    return sb.engine.from_cylinders(rows, crank_train=SHARED, name="narrow six")
 
 
 def hung_radial(count: int = 5) -> sb.Engine:
@@ -36,7 +36,7 @@ def hung_radial(count: int = 5) -> sb.Engine:
         bank = Fraction(360 * i, count)
         bank -= 360 * (bank > 180)
         rows.append(sb.Cylinder(i + 1, 0, bank, rod=Fraction(130), link=Link(1, bank, Fraction(34))))
-    return sb.from_cylinders(rows, crank_train=SHARED, name="hung radial")
+    return sb.engine.from_cylinders(rows, crank_train=SHARED, name="hung radial")
 
 
 def mixed_four() -> sb.Engine:
@@ -48,7 +48,7 @@ def mixed_four() -> sb.Engine:
         for i in range(4)
     ]
     train = CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1, 2))
-    return sb.from_cylinders(rows, crank_train=train, name="mixed four")
+    return sb.engine.from_cylinders(rows, crank_train=train, name="mixed four")
 
 
 ENGINES = {"narrow six": narrow_six, "hung radial": hung_radial, "mixed four": mixed_four}
@@ -177,9 +177,9 @@ def test_refusals_name_the_file(changes, words, tmp_path, capsys):
 def test_sizes_some_have_and_others_not_are_refused():
     rows = [sb.Cylinder(1), sb.Cylinder(2, 180, reciprocating_mass=Fraction(1))]
     with pytest.raises(sb.SymbalanceError, match="given for some cylinders and not for others"):
-        sb.balance(sb.from_cylinders(rows, crank_train=SHARED))
+        sb.balance(sb.engine.from_cylinders(rows, crank_train=SHARED))
     with pytest.raises(sb.SymbalanceError, match="needs the stroke"):
-        sb.balance(sb.from_cylinders([sb.Cylinder(1, offset=3)], ratio=4))
+        sb.balance(sb.engine.from_cylinders([sb.Cylinder(1, offset=3)], ratio=4))
     with pytest.raises(sb.SymbalanceError, match="cannot be set"):
         sb.to_function(sb.balance(narrow_six()), ratio=4)
 
@@ -190,7 +190,7 @@ def near_the_limit() -> sb.Engine:
         sb.Cylinder(1, 0, -30, offset=Fraction(44)),
         sb.Cylinder(2, 0, 40, rod=Fraction(78), link=Link(1, Fraction(75), Fraction(12))),
     ]
-    return sb.from_cylinders(
+    return sb.engine.from_cylinders(
         rows, crank_train=CrankTrain(stroke=Fraction(80), rod=Fraction(88)), name="limit"
     )
 
@@ -265,7 +265,7 @@ def listed_backwards() -> sb.Engine:
         sb.Cylinder(1, 0, 0, "1/2"),
     ]
     train = CrankTrain(stroke=Fraction(90), rod=Fraction(164), reciprocating_mass=Fraction(1, 2))
-    return sb.from_cylinders(rows, crank_train=train, name="listed backwards")
+    return sb.engine.from_cylinders(rows, crank_train=train, name="listed backwards")
 
 
 def test_the_unit_is_cylinder_1_wherever_it_is_listed():
@@ -274,7 +274,7 @@ def test_the_unit_is_cylinder_1_wherever_it_is_listed():
     mine, other = (sb.balance(engine, 4)[1].force.vertical for engine in (backwards, forwards))
     assert mine.decimal(25) == other.decimal(25)
     assert "crank radius of cylinder 1\n" in sb.to_text(sb.balance(backwards, 2))
-    tolerances = sb.Tolerances(mass=0.01)
+    tolerances = sb.design.Tolerances(mass=0.01)
     for one, two in zip(
         sb.worst_cases(backwards, tolerances, 2), sb.worst_cases(forwards, tolerances, 2), strict=True
     ):
@@ -293,8 +293,8 @@ def test_an_engines_offset_is_a_link_rods_too():
         for c in rows
     ]
     train = {"stroke": Fraction(90), "rod": Fraction(164)}
-    shared = sb.from_cylinders(rows, crank_train=CrankTrain(**train, offset=Fraction(6)))
-    own = sb.from_cylinders(said, crank_train=CrankTrain(**train))
+    shared = sb.engine.from_cylinders(rows, crank_train=CrankTrain(**train, offset=Fraction(6)))
+    own = sb.engine.from_cylinders(said, crank_train=CrankTrain(**train))
     assert sb.balance(shared, 4).force.terms == sb.balance(own, 4).force.terms
     series, found = planar_series(shared, False), sb.balance(shared, 4).force
     for n in (1, 2, 3, 4):
@@ -305,7 +305,7 @@ def test_a_rod_that_nearly_lies_across_is_one_among_others():
     """Centred cylinders have their closed form, whatever lies beside them; here against quadrature."""
     ratios = (Fraction(45_000_001, 45_000_000), Fraction(4))
     rows = [sb.Cylinder(i, 30 * i, rod=45 * ratio) for i, ratio in enumerate(ratios, 1)]
-    result = sb.balance(sb.from_cylinders(rows, crank_train=CrankTrain(stroke=Fraction(90))), 8)
+    result = sb.balance(sb.engine.from_cylinders(rows, crank_train=CrankTrain(stroke=Fraction(90))), 8)
     with mp.workdps(30):
         ends = [0, mp.mpf("1.5"), mp.mpf("1.57"), mp.mpf("1.5707"), mp.pi / 2]
         for n in (2, 8):
@@ -342,7 +342,7 @@ def test_sizes_that_cannot_be_are_refused_in_the_files_units(own, words, tmp_pat
 
 def test_digits_do_not_depend_on_the_callers_precision():
     """Forces and derivatives hold 40 digits, of centred cylinders too, at mpmath's default 15."""
-    layout = sb.from_cylinders([sb.Cylinder(1), sb.Cylinder(2, 90, rod=150)], crank_train=SHARED)
+    layout = sb.engine.from_cylinders([sb.Cylinder(1), sb.Cylinder(2, 90, rod=150)], crank_train=SHARED)
 
     def found():
         numbers = [sb.balance(layout, 4).force.terms[n].value for n in (2, 4)]  # pyright: ignore

@@ -36,7 +36,7 @@ def c_pair(resultant, n):
 @pytest.mark.parametrize("n", [1, 2, 4])
 def test_masses_and_stations_as_symbols_are_the_pistons(name, n):
     layout, chance = sb.load(name), np.random.default_rng(7)
-    order = sb.symbolic_order(layout, n, masses="m", stations="a")
+    order = sb.design.symbolic_order(layout, n, masses="m", stations="a")
     count = len(layout.cylinders)
     masses = [Fraction(int(x), 1000) for x in chance.integers(300, 600, count)]
     stations = [Fraction(int(x), 100) for x in chance.integers(-300, 300, count)]
@@ -71,7 +71,7 @@ def test_lengths_as_symbols_are_the_pistons(n):
         (1.05, 4.2, 0),
     ]
     rows = [(0.5 + 0.01 * i, *s) for i, s in enumerate(sizes)]
-    made = sb.symbolic_order(
+    made = sb.design.symbolic_order(
         layout,
         n,
         masses="m",
@@ -98,7 +98,7 @@ def test_lengths_as_symbols_are_the_pistons(n):
 def test_zero_is_a_proof_with_symbols_in_it():
     """A seven whose masses are m and m + d in one cylinder: order 1 is d alone, in every component."""
     m, d = sympy.symbols("m d")
-    one = sb.symbolic_order(sb.inline("1-2-3-4-5-6-7"), 1, masses=[m + d, *[m] * 6])
+    one = sb.design.symbolic_order(sb.inline("1-2-3-4-5-6-7"), 1, masses=[m + d, *[m] * 6])
     assert one.symbols() == {d, m}  # the couple has m
     assert one.force.vertical.cos == d
     assert one.force.vertical.sin == 0
@@ -109,7 +109,7 @@ def test_zero_is_a_proof_with_symbols_in_it():
 
 def test_a_bank_angle_and_masses_stay_symbols_together():
     alpha, m = sympy.Symbol("alpha"), sympy.Symbol("m")
-    twin = sb.symbolic_order(sb.vee(alpha, pins=[0]), 1, masses=[m, 1])
+    twin = sb.design.symbolic_order(sb.vee(alpha, pins=[0]), 1, masses=[m, 1])
     value = twin.force.vertical.cos.subs({alpha: sympy.pi / 2, m: 3})
     engine = [
         p.changed(mass=w) for p, w in zip(pistons(sb.vee(sympy.pi / 2, pins=[0])), (2, 0), strict=True)
@@ -130,7 +130,7 @@ def test_the_force_is_linear_in_the_masses(first, second):
     layout = sb.inline("1-3-4-2")
 
     def pair(masses):
-        row = sb.symbolic_order(layout, 1, masses=masses)
+        row = sb.design.symbolic_order(layout, 1, masses=masses)
         return row.force.vertical.cos, row.couple.vertical.cos
 
     both = pair([x + 2 * y for x, y in zip(first, second, strict=True)])
@@ -139,7 +139,7 @@ def test_the_force_is_linear_in_the_masses(first, second):
 
 def test_the_derivative_of_the_formula_is_the_sensitivity():
     layout = sb.load("v8-90")
-    whole = sb.symbolic_order(layout, 2, masses="m")
+    whole = sb.design.symbolic_order(layout, 2, masses="m")
     for one in sb.sensitivities(layout, 2, parameters=["mass"]):
         if one.order == 2:
             slope = whole.differentiated(sympy.Symbol(f"m_{one.cylinder}", real=True))
@@ -184,8 +184,10 @@ def test_sensitivities_of_unlike_cylinders_are_finite_differences_of_balance():
             sb.Cylinder(2, 120, 10, 0, offset=-5),
             sb.Cylinder(3, 240, -10, "-1/2", stroke=80),
         ]
-        train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(150), reciprocating_mass=Fraction(1, 2))
-        return sb.from_cylinders(rows, crank_train=train)
+        train = sb.engine.CrankTrain(
+            stroke=Fraction(90), rod=Fraction(150), reciprocating_mass=Fraction(1, 2)
+        )
+        return sb.engine.from_cylinders(rows, crank_train=train)
 
     # the unit is m r omega^2 of cylinder 1: change cylinder 1's mass and read in the old unit
     h = Fraction(1, 10**6)
@@ -202,9 +204,9 @@ def test_sensitivities_of_unlike_cylinders_are_finite_differences_of_balance():
 
 @pytest.mark.slow
 def test_link_rods_have_the_sensitivities_that_are_theirs():
-    hung = sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)
-    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
-    layout = sb.from_cylinders([sb.Cylinder(1, 0, 0), hung], crank_train=train)
+    hung = sb.Cylinder(2, 0, 60, link=sb.engine.Link(1, 60, 30), rod=134)
+    train = sb.engine.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
+    layout = sb.engine.from_cylinders([sb.Cylinder(1, 0, 0), hung], crank_train=train)
     found = sb.sensitivities(layout, 2)
     assert {s.parameter for s in found if s.cylinder == 2} == {"mass", "station", "bank", "rod", "offset"}
     whole = sb.balance(layout, 2)
@@ -217,22 +219,25 @@ def test_link_rods_have_the_sensitivities_that_are_theirs():
 
 def test_formulas_refuse_what_one_series_does_not_fit():
     """Link rods have no series in r/l; unequal strokes or rods no A_n in common."""
-    train = sb.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
+    train = sb.engine.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
     for own in ({"stroke": 80}, {"rod": 150}, {"stroke": 80, "rod": 150}, {"offset": 3}):
-        layout = sb.from_cylinders([sb.Cylinder(1), sb.Cylinder(2, 180, 0, -1, **own)], crank_train=train)
+        layout = sb.engine.from_cylinders(
+            [sb.Cylinder(1), sb.Cylinder(2, 180, 0, -1, **own)], crank_train=train
+        )
         with pytest.raises(sb.SymbalanceError, match="not alike"):
-            sb.symbolic_order(layout, 2, masses="m")
-        assert not sb.symbolic_order(layout, 2, masses="m", rods="l").force.is_zero()
-    hung = sb.from_cylinders(
-        [sb.Cylinder(1), sb.Cylinder(2, 0, 60, link=sb.Link(1, 60, 30), rod=134)], crank_train=train
+            sb.design.symbolic_order(layout, 2, masses="m")
+        assert not sb.design.symbolic_order(layout, 2, masses="m", rods="l").force.is_zero()
+    hung = sb.engine.from_cylinders(
+        [sb.Cylinder(1), sb.Cylinder(2, 0, 60, link=sb.engine.Link(1, 60, 30), rod=134)],
+        crank_train=train,
     )
     for lengths in ({}, {"rods": "l"}):
         with pytest.raises(sb.SymbalanceError, match="cylinder 2 on a link rod"):
-            sb.symbolic_order(hung, 2, masses="m", **lengths)
-    heavy = sb.from_cylinders(
+            sb.design.symbolic_order(hung, 2, masses="m", **lengths)
+    heavy = sb.engine.from_cylinders(
         [sb.Cylinder(1), sb.Cylinder(2, 180, reciprocating_mass=2)], crank_train=train
     )
-    assert str(sb.symbolic_order(heavy, 2, masses="m").force.vertical.cos) == "m_1 + m_2"
+    assert str(sb.design.symbolic_order(heavy, 2, masses="m").force.vertical.cos) == "m_1 + m_2"
 
 
 STEPPED = {
@@ -260,7 +265,7 @@ def hung_engine(number=0, name="", steps=0):
     for one in moved:
         if steps:
             sizes[one][name] += Fraction(steps * (2 if name == "stroke" else 1), 100)
-    links = {3: sb.Link(2, 41, 36), 4: sb.Link(2, 0, 0)}
+    links = {3: sb.engine.Link(2, 41, 36), 4: sb.engine.Link(2, 0, 0)}
     rows = []
     for place, (key, own) in enumerate(sizes.items()):
         station = Fraction((1, 0, "-1/4", "-3/4")[place])
@@ -311,7 +316,7 @@ def test_extremes_of_size():
     high = sb.sensitivities(sb.inline("1", ratio=4), 1000, parameters=["mass"])
     assert high[-1].order == 1000
     assert 0 < float(high[-1].factor.__abs__()) < 1e-300 or float(high[-1].factor) == 0
-    assert sb.symbolic_order(sb.inline("1"), 1000, masses="m").force.vertical.cos == sympy.Symbol(
+    assert sb.design.symbolic_order(sb.inline("1"), 1000, masses="m").force.vertical.cos == sympy.Symbol(
         "m_1", real=True
     )
 
@@ -336,17 +341,17 @@ def test_extremes_of_size():
 def test_bad_formulas_are_refused(arguments, words):
     arguments = {"order": 2, **arguments}
     with pytest.raises(sb.SymbalanceError, match=words):
-        sb.symbolic_order(sb.inline("1-3-4-2"), **arguments)
+        sb.design.symbolic_order(sb.inline("1-3-4-2"), **arguments)
 
 
 def test_other_refusals():
     with pytest.raises(sb.SymbalanceError, match="must be an Engine"):
-        sb.symbolic_order("inline-4", 1)  # type: ignore[arg-type]
+        sb.design.symbolic_order("inline-4", 1)  # type: ignore[arg-type]
     with pytest.raises(sb.SymbalanceError, match="not alike"):
-        sb.symbolic_order(
-            sb.from_cylinders(
+        sb.design.symbolic_order(
+            sb.engine.from_cylinders(
                 [sb.Cylinder(1, offset=2)],
-                crank_train=sb.CrankTrain(stroke=Fraction(9), rod=Fraction(20)),
+                crank_train=sb.engine.CrankTrain(stroke=Fraction(9), rod=Fraction(20)),
             ),
             1,
         )
@@ -357,11 +362,11 @@ def test_other_refusals():
     with pytest.raises(sb.SymbalanceError, match="symbols for angles"):
         sb.sensitivities(sb.vee(sympy.Symbol("alpha"), pins=[0], ratio=4))
     with pytest.raises(sb.SymbalanceError, match="was not given"):
-        sb.symbolic_order(sb.inline("1"), 1, masses="m").at({"x": 1})
+        sb.design.symbolic_order(sb.inline("1"), 1, masses="m").at({"x": 1})
     with pytest.raises(sb.SymbalanceError, match="must map symbols"):
-        sb.symbolic_order(sb.inline("1"), 1, masses="m").at([1])  # type: ignore[arg-type]
+        sb.design.symbolic_order(sb.inline("1"), 1, masses="m").at([1])  # type: ignore[arg-type]
     with pytest.raises(sb.SymbalanceError, match="is divided by"):
-        sb.symbolic_order(sb.inline("1"), 2, rods="l").at({"l_1": 0})
+        sb.design.symbolic_order(sb.inline("1"), 2, rods="l").at({"l_1": 0})
 
 
 def test_the_command(capsys, tmp_path, golden):
@@ -396,10 +401,12 @@ def test_the_command(capsys, tmp_path, golden):
 
 def test_an_order_with_symbols_is_typeset(compile_latex, golden):
     alpha = sympy.Symbol("alpha")
-    twin = sb.to_latex(sb.symbolic_order(sb.vee(alpha, pins=[0]), 1, masses="m"), standalone=True)
+    twin = sb.to_latex(sb.design.symbolic_order(sb.vee(alpha, pins=[0]), 1, masses="m"), standalone=True)
     golden("symbolic-order-vee.tex", twin)
     letters = {"masses": "m", "radii": "r", "rods": "l", "offsets": "e"}
-    three = sb.to_latex(sb.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters), standalone=True)
+    three = sb.to_latex(
+        sb.design.symbolic_order(sb.inline("1-3-2"), 2, through=3, **letters), standalone=True
+    )
     golden("symbolic-order-lengths.tex", three)
     for page in (twin, three):
         compile_latex(page)
@@ -420,7 +427,7 @@ TYPESET = {
 def test_the_formulas_of_a_document_are_those_of_the_order(name):
     """Their terms are ordered and their fractions built anew: numbers put into both agree."""
     engine, n, letters = TYPESET[name]
-    order = sb.symbolic_order(engine, n, **letters)
+    order = sb.design.symbolic_order(engine, n, **letters)
     blocks = [block for block in order.document().blocks if isinstance(block, Formulas)]
     formulas = iter(each.links[0][1] for block in blocks for each in block.equations)
     count = 0
@@ -443,14 +450,14 @@ def test_the_formulas_of_a_document_are_those_of_the_order(name):
 
 
 def test_an_order_says_what_was_put_in_and_what_it_is_the_derivative_by(golden):
-    order = sb.symbolic_order(sb.inline("1-3-4-2"), 1, masses="m", stations="a")
+    order = sb.design.symbolic_order(sb.inline("1-3-4-2"), 1, masses="m", stations="a")
     text = sb.to_text(
         order.at({"m_1": "1/3", "a_2": 2}).at({"m_2": 1}).differentiated(order.all_symbols[2])
     )
     assert "derivative by m₃" in text.splitlines()[0]
     assert "m₁ = 1/3, a₂ = 2, m₂ = 1" in text
     assert "unit A₁ r ω²\n" in text  # neither m nor a: masses and stations are given
-    plain = sb.to_text(sb.symbolic_order(sb.inline("1-3-4-2"), 1, radii="r", rods="l"))
+    plain = sb.to_text(sb.design.symbolic_order(sb.inline("1-3-4-2"), 1, radii="r", rods="l"))
     golden("symbolic-order-lengths.txt", plain)
 
 
@@ -482,7 +489,7 @@ def numbers_of(runs: str) -> list[int]:
 def test_results_are_sequences():
     """What was a list can be used as one: by index, slice, length, in loops, reversed."""
     changes = sb.sensitivities(sb.load("inline-4"), 2, parameters=["mass"])
-    worst = sb.worst_cases(sb.load("inline-4"), sb.Tolerances(mass="1%"), 2)
+    worst = sb.worst_cases(sb.load("inline-4"), sb.design.Tolerances(mass="1%"), 2)
     for sequence, count in ((changes, 8), (worst, 4)):
         assert len(sequence) == len(list(sequence)) == count
         assert sequence[0] is next(iter(sequence))

@@ -88,11 +88,11 @@ def test_a_radial_may_be_numbered_from_0_to_360(capsys, tmp_path, turns):
 def test_builders_take_any_angle(value, same):
     assert sb.Cylinder(1, value, value) == sb.Cylinder(1, same, same)
     assert sb.Cylinder(1, bank=value).bank == sb.Cylinder(1, bank=same).bank
-    assert sb.Link(1, value, 30) == sb.Link(1, same, 30)
+    assert sb.engine.Link(1, value, 30) == sb.engine.Link(1, same, 30)
     built = [sb.w([angle, 60, 0], "1-2-3", cylinders=[[1], [2], [3]], ratio=4) for angle in (value, same)]
     assert built[0] == built[1]
     assert sb.to_json(sb.balance(built[0])) == sb.to_json(sb.balance(built[1]))
-    assert sb.engine_text(built[0]) == sb.engine_text(built[1])
+    assert sb.engine.engine_text(built[0]) == sb.engine.engine_text(built[1])
 
 
 def test_symbolic_angles_stay_as_they_are():
@@ -113,9 +113,9 @@ def test_link_rods_of_both_rows_of_a_radial_are_alike():
     for row, pin in enumerate((0, 180)):
         master = 9 * row + 1
         for k in range(9):
-            own = {"link": sb.Link(master, 40 * k, "82.55"), "rod": "266.7"} if k else {}
+            own = {"link": sb.engine.Link(master, 40 * k, "82.55"), "rod": "266.7"} if k else {}
             rows.append(sb.Cylinder(master + k, pin, 40 * k + pin, -row, **own))
-    train = sb.CrankTrain(stroke=Fraction("174.625"), rod=Fraction("349.25"))
-    double = sb.from_cylinders(rows, crank_train=train)
+    train = sb.engine.CrankTrain(stroke=Fraction("174.625"), rod=Fraction("349.25"))
+    double = sb.engine.from_cylinders(rows, crank_train=train)
     assert sorted(map(len, (g.cylinders for g in double.groups))) == [2] * 9
     assert sb.balance(double, 4).force.orders() == []  # the rows turned by half a turn: exactly nothing

@@ -12,7 +12,7 @@ import pytest
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.crankshaft.loads import pin_loads
-from symbalance.crankshaft.reduction import reduced
+from symbalance.crankshaft.reduction import reduce_system
 from symbalance.crankshaft.running import configure_run
 from symbalance.crankshaft.running.about_orbit import system_about_orbit
 from symbalance.crankshaft.steady import steady_state
@@ -173,7 +173,7 @@ def test_a_long_cranks_modes_are_a_reduction(tmp_path):
     )
     orbits = made.orbits(2200)
     full = made.system(2200, orbits.film)
-    small, basis = reduced(system_about_orbit(full, made.rotor, orbits).system, 15)
+    small, basis = reduce_system(system_about_orbit(full, made.rotor, orbits).system, 15)
     assert basis.shape[1] < 0.5 * basis.shape[0]
     assert np.allclose(small.mass, np.eye(len(small.mass)), atol=1e-9)
     theta = np.linspace(0, full.cycle, 7)

@@ -20,7 +20,7 @@ from symbalance.crankshaft.integrators.coefficients import film_forces, state_si
 from symbalance.crankshaft.integrators.first_order import FirstOrderForm
 from symbalance.crankshaft.integrators.methods import linear_steps
 from symbalance.crankshaft.integrators.tableau import radau_iia
-from symbalance.crankshaft.reduction import reduced
+from symbalance.crankshaft.reduction import reduce_system
 from symbalance.crankshaft.steady import periodic_start, steady_state
 from symbalance.crankshaft.system import Film, Housing, PeriodicSystem
 from symbalance.crankshaft.transient import METHODS, integrate
@@ -147,7 +147,7 @@ def test_a_tableau_integrates_polynomials(stages):
 
 @pytest.fixture(scope="module")
 def four():
-    return reduced(full_system(Case("test")))
+    return reduce_system(full_system(Case("test")))
 
 
 @pytest.fixture(scope="module")
@@ -206,7 +206,7 @@ def test_the_jacobian_is_that_of_the_slope(four):
 
 def test_a_housing_without_bounds_is_the_ground():
     full = full_system(Case("test"))
-    system, _ = reduced(full)
+    system, _ = reduce_system(full)
     count = len(system.points)
     rigid = Housing(np.tile(1e19 * np.eye(2), (count, 1, 1)), np.tile(1e4 * np.eye(2), (count, 1, 1)))
     found = steady_state(replace(system, housing=rigid), steps=180)
@@ -241,7 +241,7 @@ def test_a_table_too_coarse_limits_every_method(four):
 
 def test_attachment_vectors_are_worth_more_than_modes(four):
     full, (few, basis) = full_system(Case("test")), four
-    plain, modes = reduced(full, 40, attachments=False)
+    plain, modes = reduce_system(full, 40, attachments=False)
     known = steady_state(full, steps=360, multipliers=False)
     off = [
         np.abs(steady_state(s, steps=360, multipliers=False).bearing - known.bearing).max()
@@ -324,7 +324,7 @@ def test_numbers_that_none_is_are_refused(four):
         (lambda: integrate(system, cycles=0), "at least 1"),
         (lambda: harmonic_state(system, 0), "1 to 2000"),
         (lambda: integrate(system, method="radau", rtol=0.0), "between 0 and 1"),
-        (lambda: reduced(full_system(Case("test")), 2.5), "must lie in"),
+        (lambda: reduce_system(full_system(Case("test")), 2.5), "must lie in"),
     ):
         with pytest.raises(SymbalanceError, match=rule):
             asked()

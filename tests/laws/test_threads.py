@@ -43,7 +43,7 @@ def calls() -> dict[str, Callable[[], object]]:
                 sb.inertia_torque(sb.load(n), 6, ratio=_ratio(n)).terms()
             ),
             f"{name}: torque, printed": lambda n=name: sb.to_text(
-                sb.torque_report(sb.load(n), 6, ratio=_ratio(n))
+                sb.torque.torque_report(sb.load(n), 6, ratio=_ratio(n))
             ),
             f"{name}: design": lambda n=name: sb.to_text(sb.design_balance(sb.load(n))),
             f"{name}: sensitivities": lambda n=name: repr(
@@ -53,7 +53,7 @@ def calls() -> dict[str, Callable[[], object]]:
                 sb.to_function(sb.balance(sb.load(n), 6), outputs="force.vertical", tolerance=1e-9).source
             ),
             f"{name}: worst cases": lambda n=name: repr(
-                sb.worst_cases(sb.load(n), sb.Tolerances(throw="0.1", mass="1%"), 2).cases
+                sb.worst_cases(sb.load(n), sb.design.Tolerances(throw="0.1", mass="1%"), 2).cases
             ),
         }
     for digits in (12, 20, 35, 50, 80, 120):

@@ -158,7 +158,7 @@ def test_engines_of_17_digits_go_through_every_command(capsys, tmp_path, text):
         if "--format" not in command and command[0] != "emit":
             assert max(map(len, out.splitlines())) < 120, command
     made = sb.load(str(path))
-    again = parse_engine(sb.engine_text(made), "again.toml", made.name)
+    again = parse_engine(sb.engine.engine_text(made), "again.toml", made.name)
     assert again.cylinders == made.cylinders
     assert again.pitch == made.pitch
     assert again.balancers == made.balancers

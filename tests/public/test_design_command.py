@@ -196,7 +196,7 @@ def test_the_balanced_engine_in_latex_torque_and_code(capsys, tmp_path):
 def test_unlike_engines_come_back_from_a_file(name, tmp_path):
     design = sb.design_balance(test_unlike.ENGINES[name](), [1, 2, 3])
     path = tmp_path / "smooth.toml"
-    path.write_text(sb.engine_text(design.balanced), encoding="utf-8")
+    path.write_text(sb.engine.engine_text(design.balanced), encoding="utf-8")
     again = sb.load(path)
     assert again.cylinders == design.balanced.cylinders
     left = sb.balance(again, 6)
@@ -209,15 +209,19 @@ def test_every_key_comes_back(tmp_path):
         sb.Counterweight(35, "3/2", unbalance="12.25"),
         sb.Counterweight(web=3, share="1/7"),
         sb.BalanceShaft(
-            -2, [sb.Weight(1, 20, share=2), sb.Weight(-1, 5, unbalance=3)], phase=9, x=-4, y=60
+            -2,
+            [sb.engine.Weight(1, 20, share=2), sb.engine.Weight(-1, 5, unbalance=3)],
+            phase=9,
+            x=-4,
+            y=60,
         ),
     )
     path = tmp_path / "again.toml"
-    path.write_text(sb.engine_text(layout), encoding="utf-8")
+    path.write_text(sb.engine.engine_text(layout), encoding="utf-8")
     again = sb.load(path)
     assert again.balancers == layout.balancers
     assert (again.name, again.pitch, again.cylinders) == (layout.name, layout.pitch, layout.cylinders)
-    path.write_text(sb.engine_text(layout.with_ratio(4)), encoding="utf-8")
+    path.write_text(sb.engine.engine_text(layout.with_ratio(4)), encoding="utf-8")
     assert sb.load(path).ratio == 4
 
 
@@ -226,7 +230,7 @@ def test_the_rods_own_inertia_comes_back(tmp_path):
     train = CrankTrain(**{**vars(SIZES), **rod})
     path = tmp_path / "rods.toml"
     four = sb.inline("1-3-4-2", crank_train=train)
-    path.write_text(sb.engine_text(four), encoding="utf-8")
+    path.write_text(sb.engine.engine_text(four), encoding="utf-8")
     again = sb.load(path)
     assert (again.pitch, again.cylinders) == (train.pitch, four.cylinders)
     assert again.first.rod_split == train.rod_split
@@ -253,7 +257,7 @@ def test_a_ratio_beside_strokes_and_rods_comes_back_or_is_refused(train, ratio, 
     for first, second in product(OWN_SIZES, repeat=2):
         rows = [sb.Cylinder(1, **first), sb.Cylinder(2, 180, **second)]
         try:
-            layout = sb.from_cylinders(rows, crank_train=train)
+            layout = sb.engine.from_cylinders(rows, crank_train=train)
             layout = layout if ratio is None else layout.with_ratio(ratio)
             pushes = [(group.mechanism, group.size) for group in layout.groups]
         except sb.SymbalanceError:  # no engine: its forces would be refused
@@ -261,9 +265,9 @@ def test_a_ratio_beside_strokes_and_rods_comes_back_or_is_refused(train, ratio, 
         ratio_alone = any(c.sizes.given_ratio and not c.stroke for c in layout.cylinders)
         if ratio_alone and any(c.sizes.rod for c in layout.cylinders):
             with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file beside"):
-                sb.engine_text(layout)
+                sb.engine.engine_text(layout)
             continue
-        path.write_text(sb.engine_text(layout), encoding="utf-8")
+        path.write_text(sb.engine.engine_text(layout), encoding="utf-8")
         again = sb.load(path)
         assert [(group.mechanism, group.size) for group in again.groups] == pushes, (first, second)
         written += 1
@@ -314,7 +318,7 @@ def test_a_report_and_the_engine_are_both_written_or_neither(ending, tmp_path, c
 
 def test_symbols_are_refused_by_a_file():
     with pytest.raises(sb.SymbalanceError, match="cannot stand in an engine file"):
-        sb.engine_text(sb.vee(sympy.Symbol("alpha"), pins=[0]))
+        sb.engine.engine_text(sb.vee(sympy.Symbol("alpha"), pins=[0]))
 
 
 def test_rotating_masses_are_said_to_be_balanced_or_count(capsys, tmp_path):
@@ -408,16 +412,21 @@ def test_bad_python_is_refused():
         (lambda: sb.design_balance(four, [1.5]), "must be a whole number"),
         (lambda: sb.design_balance(four, spread="wide"), "must be one of"),
         (lambda: sb.design_balance(four, stations=[]), "leave no place"),
-        (lambda: sb.Balancers((3,)) and four.balanced_by(3), "must be at most"),
+        (lambda: sb.engine.Balancers((3,)) and four.balanced_by(3), "must be at most"),
         (lambda: sb.Engine(four.cylinders, balancers=3), "must be Balancers"),
         (lambda: sb.BalanceShaft(2, [3]), "must be Weight values"),
-        (lambda: sb.best_overbalance(four), "leaves the force unchanged"),
-        (lambda: sb.best_overbalance(four, objective="all"), "must be one of"),
-        (lambda: sb.best_overbalance(four, kind="torque"), "must be force or couple"),
-        (lambda: sb.ellipse(sb.balance(four), 1, "torque"), "must be force or couple"),
-        (lambda: sb.throw_unbalance([(-1, 3)]), "must not be negative"),
-        (lambda: sb.throw_unbalance([3]), "must be a list"),
-        (lambda: sb.rotating_unbalance([sb.Weight(share=1), sb.Weight(unbalance=1)]), "in one unit"),
+        (lambda: sb.design.best_overbalance(four), "leaves the force unchanged"),
+        (lambda: sb.design.best_overbalance(four, objective="all"), "must be one of"),
+        (lambda: sb.design.best_overbalance(four, kind="torque"), "must be force or couple"),
+        (lambda: sb.design.ellipse(sb.balance(four), 1, "torque"), "must be force or couple"),
+        (lambda: sb.design.throw_unbalance([(-1, 3)]), "must not be negative"),
+        (lambda: sb.design.throw_unbalance([3]), "must be a list"),
+        (
+            lambda: sb.design.rotating_unbalance(
+                [sb.engine.Weight(share=1), sb.engine.Weight(unbalance=1)]
+            ),
+            "in one unit",
+        ),
     ):
         with pytest.raises(sb.SymbalanceError, match=said):
             make()

@@ -60,18 +60,20 @@ VARIANTS: dict[str, Callable[[], Result]] = {
     "balance-with-shafts-aside": lambda: sb.balance(_engine("lanchester-four"), 4),
     "balance-with-weights-on-webs": lambda: sb.balance(_engine("placed-counterweights-three"), 2),
     "balance-with-symbols": lambda: sb.balance(sb.vee(Symbol("alpha"), pins=[0]), 2),
-    "torque-of-rods": lambda: sb.torque_report(_engine("rod-inertia-twin"), 3),
-    "ellipse-with-symbols": lambda: sb.ellipse(
+    "torque-of-rods": lambda: sb.torque.torque_report(_engine("rod-inertia-twin"), 3),
+    "ellipse-with-symbols": lambda: sb.design.ellipse(
         sb.balance(sb.vee(Symbol("alpha"), pins=[0]), 1), 1, "force"
     ),
     "design-with-limits": lambda: sb.design_balance(
         _engine("sized-four"), [2], shafts=1, stations=["1/2", 0], most="1000"
     ),
     "worst-cases-without-a-speed": lambda: sb.worst_cases(
-        sb.load("inline-4"), sb.Tolerances(mass="1%", station="1%"), 2
+        sb.load("inline-4"), sb.design.Tolerances(mass="1%", station="1%"), 2
     ),
-    "rotating-balance-in-shares": lambda: sb.balanced_weights([sb.Weight(1, 0, share=2)], [1]),
-    "critical-speeds-of-supports-by-speed": lambda: sb.critical_speeds(
+    "rotating-balance-in-shares": lambda: sb.design.balanced_weights(
+        [sb.engine.Weight(1, 0, share=2)], [1]
+    ),
+    "critical-speeds-of-supports-by-speed": lambda: sb.crankshaft.rotor.critical_speeds(
         example("whirl").rotor,  # type: ignore[attr-defined]
         lambda speed: UNEVEN,
         most=300.0,

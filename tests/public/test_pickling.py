@@ -182,12 +182,12 @@ def test_torque_says_the_same_after_pickle(name):
     for again in [*twice(warm), *twice(torque_report(engine, 4))]:
         assert sb.to_text(again) == text
     sizes = {"reciprocating_mass": 0.5} if name == "vw-vr6" else {"reciprocating_mass": 0.5, "stroke": 80}
-    running = sb.running_torque(engine, sb.ideal_cycle(10, heat=20), bore=80, rpm=3000, **sizes)
+    running = sb.running_torque(engine, sb.torque.ideal_cycle(10, heat=20), bore=80, rpm=3000, **sizes)
     expected = running.mean, running.fluctuation, running.terms(3)
     for again in twice(running):
         assert (again.mean, again.fluctuation, again.terms(3)) == expected
-    stars = [(s.order, s.vectors, s.is_closed()) for s in sb.firing_stars(engine, 3)]
-    for again in twice(sb.firing_stars(engine, 3)):
+    stars = [(s.order, s.vectors, s.is_closed()) for s in sb.torque.firing_stars(engine, 3)]
+    for again in twice(sb.torque.firing_stars(engine, 3)):
         assert [(s.order, s.vectors, s.is_closed()) for s in again] == stars
 
 
@@ -207,9 +207,9 @@ def test_designs_variations_and_verdicts_say_the_same_after_pickle():
         assert [(c.parameter, c.step(), c.values) for c in again] == [
             (c.parameter, c.step(), c.values) for c in changes
         ]
-    worst = sb.worst_cases(three, sb.Tolerances(mass="1%"), 2)
+    worst = sb.worst_cases(three, sb.design.Tolerances(mass="1%"), 2)
     assert all(again == worst for again in twice(worst))
-    best = sb.assign_parts(three, [0.45, 0.46, 0.44])
+    best = sb.design.assign_parts(three, [0.45, 0.46, 0.44])
     assert all(again == best for again in twice(best))
     steps = sb.derive(order=4)
     assert all(str(again) == str(steps) for again in twice(steps))

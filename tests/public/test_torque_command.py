@@ -71,7 +71,7 @@ def test_the_running_engine_is_part_of_the_one_document(engine, ending, tmp_path
         assert document["running"]["delta"] == 0.03
         return
     made = sb.running_torque(
-        sb.load(engine), sb.ideal_cycle(10, heat=18), bore=86, rpm=3000, order=4, delta="0.03"
+        sb.load(engine), sb.torque.ideal_cycle(10, heat=18), bore=86, rpm=3000, order=4, delta="0.03"
     )
     swing, pi = made.fluctuation, 3.141592653589793
     flywheel = swing.energy / (0.03 * (100 * pi) ** 2)
@@ -132,7 +132,7 @@ def test_a_preset_runs_with_stroke_and_mass_said(capsys):
     """A radial's catalogue entry has no mass: it is said, and does what an engine file's would do."""
     options = ("--compression", "6.4", "--bore", "155.6", "--rpm", "2300", "--format", "json")
     said = json.loads(printed(capsys, "r-1820", *options, "--mass", "4"))["running"]
-    layout, gas = sb.load("r-1820"), sb.ideal_cycle("6.4", heat=18)
+    layout, gas = sb.load("r-1820"), sb.torque.ideal_cycle("6.4", heat=18)
     made = sb.running_torque(layout, gas, bore="155.6", rpm=2300, reciprocating_mass=4)
     assert said["rpm"] == 2300
     assert said["highest"] == pytest.approx(made.fluctuation.largest, rel=1e-12)

@@ -17,8 +17,8 @@ from symbalance.crankshaft.geometry_checks import check_geometry
 from symbalance.crankshaft.rotor.beams import Beam, circular, element, flexibility, rectangular, transfer
 from symbalance.crankshaft.rotor.campbell_diagram import campbell
 from symbalance.crankshaft.rotor.modes import assurance, dominant_motions, motion_shares, natural_modes
-from symbalance.crankshaft.rotor.shafts import Tube, held_at, shaft
-from symbalance.crankshaft.rotor.torsion import torsional_chain, twists_of
+from symbalance.crankshaft.rotor.shafts import Tube, bearing_springs, shaft
+from symbalance.crankshaft.rotor.torsion import crank_torsional_chain, torsional_chain
 from symbalance.crankshaft.solid import store as store_module
 from symbalance.crankshaft.solid.reference import SIZES, reference, reference_four
 from symbalance.crankshaft.solid.store import WebStore, open_store, solid_web, solve_missing
@@ -165,7 +165,7 @@ def test_whirl_speeds_of_friswells_rotors(rotor, rpm, expected):
     """Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines, examples 5.9.1 and 5.9.9, rad/s."""
     discs, bearings, stiffness = rotor
     model = shaft([Tube(1.5, 0.05, elements=6)], discs, bearings, STEEL)
-    support = held_at(model, stiffness, axial=1e12)
+    support = bearing_springs(model, stiffness, axial=1e12)
     lines = campbell(model, [0.0, rpm * pi / 60, rpm * pi / 30] if rpm else [0.0], support, count=10)
     found = np.abs(lines.stationary[-1][lines.lateral[-1]])
     assert np.sort(found)[:6] == pytest.approx(expected, rel=1e-4)
@@ -204,7 +204,7 @@ def test_a_straight_shaft_with_two_discs_twists_as_the_formula_says():
     rotor = shaft([Tube(0.4, 0.03, elements=2)], discs, (0.0, 0.4), light)
     spring = light.shear * pi * 0.03**4 / 32 / 0.4
     exact = np.sqrt(spring * (1 / 0.05 + 1 / 0.10)) / (2 * pi)
-    chain = twists_of(rotor)
+    chain = crank_torsional_chain(rotor)
     assert chain.frequencies()[0] == pytest.approx(exact, rel=1e-6)
     modes = natural_modes(rotor, 8)
     assert exact == pytest.approx(
@@ -654,11 +654,11 @@ def test_sizes_that_cannot_be(change, words):
 SLAB, END, ROD = Web(0.02, 0.08, 0.04, 0.04), Journal(0.06, 0.03), Pin(0.05, 0.03, 0.04, 0.0, (1,))
 PARTS = (END, SLAB, ROD, SLAB, END)
 TURNING = shaft([Tube(1.0, 0.05)], bearings=(0.0, 1.0))
-PLAIN = sb.Bearing(0.1, 0.03, 1e-4, 0.1)
+PLAIN = sb.crankshaft.Bearing(0.1, 0.03, 1e-4, 0.1)
 MADE_WRONG = [
     (
         lambda: replace(SLAB, counterweight=sb.Counterweight(throw=1, overbalance=1)),
-        "sb.WebCounterweight",
+        "sb.crankshaft.WebCounterweight",
     ),
     (lambda: replace(SLAB, counterweight=1.5), "web counterweight of type float"),
     (lambda: replace(SLAB, thickness="0.02"), "web thickness = '0.02': must be a number"),
@@ -669,7 +669,7 @@ MADE_WRONG = [
     (lambda: replace(END, bearing="no"), "journal bearing of type str"),
     (lambda: replace(ROD, radius=-0.04), "pin radius = -0.04: must be finite, not negative"),
     (lambda: replace(ROD, angle=float("nan")), "pin angle = nan: must be finite"),
-    (lambda: replace(ROD, angle=sb.degrees(90)), "pin angle = Angle"),
+    (lambda: replace(ROD, angle=sb.exact.degrees(90)), "pin angle = Angle"),
     (lambda: replace(ROD, cylinders=1), "pin cylinders = 1: must be a list"),
     (lambda: replace(ROD, cylinders=("1",)), "must be whole numbers"),
     (lambda: WebCounterweight(-1.0, 0.05, pi), "counterweight mass = -1.0"),
@@ -689,14 +689,14 @@ MADE_WRONG = [
     (lambda: Tube(-1.0, 0.05), "tube length = -1.0"),
     (lambda: Tube(1.0, 0.05, bore=0.05), "a bore within its diameter"),
     (lambda: Tube(1.0, 0.05, bending=1.0), "tube bending = 1.0: must be a list"),
-    (lambda: sb.Support("1e6"), "support stiffness = '1e6'"),
-    (lambda: sb.Support(None), "support stiffness = None"),
-    (lambda: sb.Support((1e6, "a")), "must be a finite number, a pair"),
-    (lambda: sb.Support(1e6, tilt="a"), "support tilt = 'a': must be a number"),
-    (lambda: sb.Bearing("0.1", 0.03, 1e-4, 0.1), "bearing diameter = '0.1'"),
-    (lambda: sb.Bearing(0.1, 0.03, 1e-4, float("nan")), "bearing viscosity = nan"),
-    (lambda: sb.Film(1e8, 1e5), "film stiffness of type float: must be a function"),
-    (lambda: sb.Housing(np.eye(2), np.eye(2)), "housing stiffness of shape"),
+    (lambda: sb.crankshaft.rotor.Support("1e6"), "support stiffness = '1e6'"),
+    (lambda: sb.crankshaft.rotor.Support(None), "support stiffness = None"),
+    (lambda: sb.crankshaft.rotor.Support((1e6, "a")), "must be a finite number, a pair"),
+    (lambda: sb.crankshaft.rotor.Support(1e6, tilt="a"), "support tilt = 'a': must be a number"),
+    (lambda: sb.crankshaft.Bearing("0.1", 0.03, 1e-4, 0.1), "bearing diameter = '0.1'"),
+    (lambda: sb.crankshaft.Bearing(0.1, 0.03, 1e-4, float("nan")), "bearing viscosity = nan"),
+    (lambda: sb.crankshaft.Film(1e8, 1e5), "film stiffness of type float: must be a function"),
+    (lambda: sb.crankshaft.Housing(np.eye(2), np.eye(2)), "housing stiffness of shape"),
     (lambda: assemble(SLAB), "crank of type Web: must be of type Crank"),
     (lambda: shaft(Tube(1.0, 0.05)), "tubes = .* must be a list"),
     (lambda: shaft([Disc(1.0, 1.0, 1.0)]), "tube 1 of type Disc"),
@@ -705,32 +705,49 @@ MADE_WRONG = [
     (lambda: shaft([Tube(1.0, 0.05)], bearings=0.5), "bearings = 0.5: must be a list"),
     (lambda: shaft([Tube(1.0, 0.05)], bearings=("0",)), "place = '0': must be a number"),
     (lambda: shaft([Tube(1.0, 0.05)], material="steel"), "material of type str"),
-    (lambda: sb.whirl(TURNING, [1e6, 1e6], 100.0), "support 1 of type float"),
-    (lambda: sb.whirl(TURNING, sb.Support(1e6), 100.0), "supports = .* must be a list"),
+    (lambda: sb.crankshaft.rotor.whirl(TURNING, [1e6, 1e6], 100.0), "support 1 of type float"),
+    (
+        lambda: sb.crankshaft.rotor.whirl(TURNING, sb.crankshaft.rotor.Support(1e6), 100.0),
+        "supports = .* must be a list",
+    ),
     *(
         (call, "rotor of type Crank: must be of type Rotor")
         for call in (
-            lambda: sb.whirl(Crank(PARTS), [sb.Support(1e6)] * 2, 100.0),
-            lambda: sb.critical_speeds(Crank(PARTS), [sb.Support(1e6)] * 2),
-            lambda: sb.unbalance_response(Crank(PARTS), [sb.Support(1e6)] * 2, {}, [1.0]),
-            lambda: sb.supported(Crank(PARTS), [sb.Support(1e6)] * 2, 100.0),
+            lambda: sb.crankshaft.rotor.whirl(
+                Crank(PARTS), [sb.crankshaft.rotor.Support(1e6)] * 2, 100.0
+            ),
+            lambda: sb.crankshaft.rotor.critical_speeds(
+                Crank(PARTS), [sb.crankshaft.rotor.Support(1e6)] * 2
+            ),
+            lambda: sb.crankshaft.rotor.unbalance_response(
+                Crank(PARTS), [sb.crankshaft.rotor.Support(1e6)] * 2, {}, [1.0]
+            ),
+            lambda: sb.crankshaft.rotor.system_on_supports(
+                Crank(PARTS), [sb.crankshaft.rotor.Support(1e6)] * 2, 100.0
+            ),
             lambda: natural_modes(Crank(PARTS), 5),
-            lambda: twists_of(Crank(PARTS)),
+            lambda: crank_torsional_chain(Crank(PARTS)),
             lambda: campbell(Crank(PARTS), [1.0]),
-            lambda: held_at(Crank(PARTS), 1.0),
+            lambda: bearing_springs(Crank(PARTS), 1.0),
         )
     ),
     *(
         (lambda call=call: call(TURNING), "system of type Rotor: must be of type PeriodicSystem")
-        for call in (sb.steady_state, sb.integrate, sb.reduced)
+        for call in (sb.crankshaft.steady_state, sb.crankshaft.integrate, sb.crankshaft.reduce_system)
     ),
-    (lambda: sb.film_state(None, [0.0, 0.0], [0.0, 0.0], 1.0), "bearing of type NoneType"),
-    (lambda: sb.equilibrium("b", [1.0, 0.0], 1.0), "bearing of type str"),
-    (lambda: sb.equilibrium(PLAIN, [1e30, 0.0], 157.0), "is more than the film bears"),
-    (lambda: sb.journal_orbit(PLAIN, np.ones((8, 1, 2)), 1.0, 6.28), "bearings = .* must be a list"),
-    (lambda: sb.journal_orbit([3.0], np.ones((8, 1, 2)), 1.0, 6.28), "bearing 1 of type float"),
+    (lambda: sb.crankshaft.film_state(None, [0.0, 0.0], [0.0, 0.0], 1.0), "bearing of type NoneType"),
+    (lambda: sb.crankshaft.equilibrium("b", [1.0, 0.0], 1.0), "bearing of type str"),
+    (lambda: sb.crankshaft.equilibrium(PLAIN, [1e30, 0.0], 157.0), "is more than the film bears"),
     (
-        lambda: sb.film_from_tables(np.arange(4.0), np.eye(2), np.eye(2), 6.28),
+        lambda: sb.crankshaft.journal_orbit(PLAIN, np.ones((8, 1, 2)), 1.0, 6.28),
+        "bearings = .* must be a list",
+    ),
+    (
+        lambda: sb.crankshaft.journal_orbit([3.0], np.ones((8, 1, 2)), 1.0, 6.28),
+        "bearing 1 of type float",
+    ),
+    (
+        lambda: sb.crankshaft.film_from_tables(np.arange(4.0), np.eye(2), np.eye(2), 6.28),
         "stiffness of shape .* must be",
     ),
 ]
@@ -745,12 +762,14 @@ def test_what_is_made_wrong_is_refused_where_it_is_made(make, words):
 
 def test_the_two_counterweights_have_names_of_their_own():
     """A layout's goes to `balanced_by`, a web's to `Web`; both do what they are for."""
-    assert sb.Counterweight is not sb.WebCounterweight
-    assert (sb.Counterweight.__name__, sb.WebCounterweight.__name__) == (
+    assert sb.Counterweight is not sb.crankshaft.WebCounterweight
+    assert (sb.Counterweight.__name__, sb.crankshaft.WebCounterweight.__name__) == (
         "Counterweight",
         "WebCounterweight",
     )
-    slab = sb.Web(0.02, 0.08, 0.04, 0.04, counterweight=sb.WebCounterweight(1.0, 0.05, pi))
+    slab = sb.crankshaft.Web(
+        0.02, 0.08, 0.04, 0.04, counterweight=sb.crankshaft.WebCounterweight(1.0, 0.05, pi)
+    )
     heavier = assemble(Crank((END, slab, ROD, SLAB, END)))
     total = heavier.mass[::6, ::6].sum() - assemble(Crank(PARTS)).mass[::6, ::6].sum()
     assert total == pytest.approx(1.0)

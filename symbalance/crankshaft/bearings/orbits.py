@@ -54,7 +54,7 @@ def journal_orbit(bearings: Sequence[Bearing], loads: Array, omega: float, cycle
 
     Refuses loads under which no orbit closes: none turns, or a load too large for the film.
     """
-    for number, bearing in enumerate(as_list(bearings, "bearings", "[sb.Bearing(...)]"), 1):
+    for number, bearing in enumerate(as_list(bearings, "bearings", "[sb.crankshaft.Bearing(...)]"), 1):
         check_kind(bearing, Bearing, f"bearing {number}", MAKE)
     steps, count = loads.shape[:2]
     if count != len(bearings):

@@ -31,7 +31,7 @@ DENSEST = 1 - 1e-9
 """The largest eccentricity; the film's force has no bound towards 1."""
 BORNE = 1e-3
 """How far the force at an equilibrium may be from the load, of the load."""
-MAKE = "sb.Bearing(diameter, length, clearance, viscosity)"
+MAKE = "sb.crankshaft.Bearing(diameter, length, clearance, viscosity)"
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 from symbalance.crankshaft.rotor.campbell_diagram import Campbell as Campbell
 from symbalance.crankshaft.rotor.campbell_diagram import campbell as campbell
+from symbalance.crankshaft.rotor.matrices import AttachedBody as AttachedBody
 from symbalance.crankshaft.rotor.matrices import Member as Member
 from symbalance.crankshaft.rotor.matrices import Rotor as Rotor
 from symbalance.crankshaft.rotor.modes import Modes as Modes
@@ -7,14 +8,14 @@ from symbalance.crankshaft.rotor.modes import natural_modes as natural_modes
 from symbalance.crankshaft.rotor.parts import Disc as Disc
 from symbalance.crankshaft.rotor.parts import Material as Material
 from symbalance.crankshaft.rotor.shafts import Tube as Tube
-from symbalance.crankshaft.rotor.shafts import held_at as held_at
+from symbalance.crankshaft.rotor.shafts import bearing_springs as bearing_springs
 from symbalance.crankshaft.rotor.shafts import shaft as shaft
 from symbalance.crankshaft.rotor.stationary import Support as Support
 from symbalance.crankshaft.rotor.torsion import TorsionalChain as TorsionalChain
+from symbalance.crankshaft.rotor.torsion import crank_torsional_chain as crank_torsional_chain
 from symbalance.crankshaft.rotor.torsion import torsional_chain as torsional_chain
-from symbalance.crankshaft.rotor.torsion import twists_of as twists_of
 from symbalance.crankshaft.rotor.unbalance import UnbalanceResponse as UnbalanceResponse
-from symbalance.crankshaft.rotor.unbalance import supported as supported
+from symbalance.crankshaft.rotor.unbalance import system_on_supports as system_on_supports
 from symbalance.crankshaft.rotor.unbalance import unbalance_response as unbalance_response
 from symbalance.crankshaft.rotor.whirling import CriticalSpeeds as CriticalSpeeds
 from symbalance.crankshaft.rotor.whirling import Whirl as Whirl

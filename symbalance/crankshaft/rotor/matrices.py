@@ -111,4 +111,9 @@ class Rotor:
 
 def check_rotor(value: object) -> None:
     """Refuse what is no rotor: a crank or a shaft must have been assembled to one."""
-    check_kind(value, Rotor, "rotor", "sb.assemble(crank) or sb.shaft(tubes) makes one")
+    check_kind(
+        value,
+        Rotor,
+        "rotor",
+        "sb.crankshaft.assemble(crank) or sb.crankshaft.rotor.shaft(tubes) makes one",
+    )

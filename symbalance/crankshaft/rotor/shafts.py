@@ -58,16 +58,16 @@ def shaft(
 ) -> Rotor:
     """Return the rotor of tubes in a row along W from 0, discs and bearings at the places given (m).
 
-    A disc's `distance` is not used. Bearings are nodes of `Rotor.journals`; `held_at` makes springs, and
-    `whirl` takes a `Support` for each. Beams are Timoshenko's, or without `shear` Rayleigh's, who has
-    rotary inertia only: many published figures are his.
+    A disc's `distance` is not used. Bearings are nodes of `Rotor.journals`; `bearing_springs` makes
+    springs, and `whirl` takes a `Support` for each. Beams are Timoshenko's, or without `shear`
+    Rayleigh's, who has rotary inertia only: many published figures are his.
 
     >>> rotor = shaft([Tube(1.0, 0.05)], {0.5: Disc(10.0, 0.2, 0.1)}, bearings=(0.0, 1.0))
     >>> rotor.points[:, 2], rotor.journals
     (array([0.  , 0.25, 0.5 , 0.75, 1.  ]), (0, 4))
     """
     tubes, bearings = (
-        as_list(tubes, "tubes", "[sb.Tube(1.0, 0.05)]"),
+        as_list(tubes, "tubes", "[sb.crankshaft.rotor.Tube(1.0, 0.05)]"),
         as_list(bearings, "bearings", "[0, 1]"),
     )
     steel, weights = Material() if material is None else material, {} if discs is None else discs
@@ -87,18 +87,20 @@ def _check(tubes: Sequence[Tube], steel: Material, discs: Mapping[float, Disc]) 
     if not tubes:
         raise SymbalanceError("0 tubes", "must be one or more")
     for number, tube in enumerate(tubes, 1):
-        check_kind(tube, Tube, f"tube {number}", "sb.Tube(length, diameter), in m")
-    check_kind(steel, Material, "material", "sb.Material(young, poisson, density)")
-    check_kind(discs, Mapping, "discs", "{place in m: sb.Disc(mass, polar, diametral)}")
+        check_kind(tube, Tube, f"tube {number}", "sb.crankshaft.rotor.Tube(length, diameter), in m")
+    check_kind(steel, Material, "material", "sb.crankshaft.Material(young, poisson, density)")
+    check_kind(discs, Mapping, "discs", "{place in m: sb.crankshaft.Disc(mass, polar, diametral)}")
     for place, disc in discs.items():
         name = f"disc at {brief(place)} m"
-        check_kind(disc, Disc, name, "sb.Disc(mass, polar, diametral), in kg and kg m^2")
+        check_kind(disc, Disc, name, "sb.crankshaft.Disc(mass, polar, diametral), in kg and kg m^2")
         if disc.polar > 2 * disc.diametral * (1 + 1e-9):
             rule = f"must be at most twice the diametral, {brief(disc.diametral)}"
             raise SymbalanceError(f"polar = {brief(disc.polar)}", rule, "as for any body", name)
 
 
-def held_at(rotor: Rotor, stiffness: float, across: float | None = None, axial: float = 0.0) -> Array:
+def bearing_springs(
+    rotor: Rotor, stiffness: float, across: float | None = None, axial: float = 0.0
+) -> Array:
     """Return (n, n): springs (N/m) at all bearings along u, `across` along v, `axial` at the first.
 
     Springs alike in u and v are the same in turning and in stationary axes.

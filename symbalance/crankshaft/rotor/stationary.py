@@ -117,10 +117,17 @@ def supports_at(rotor: Rotor, supports: Supports, omega: float) -> Sequence[Supp
     if not 0 <= omega < np.inf:
         raise SymbalanceError(f"speed = {brief(omega)} rad/s", "must be finite, not negative")
     answer = as_list(
-        supports(omega) if callable(supports) else supports, "supports", "[sb.Support(1e6)] * 2"
+        supports(omega) if callable(supports) else supports,
+        "supports",
+        "[sb.crankshaft.rotor.Support(1e6)] * 2",
     )
     for number, support in enumerate(answer, 1):
-        check_kind(support, Support, f"support {number}", "sb.Support(stiffness, damping), N/m and N s/m")
+        check_kind(
+            support,
+            Support,
+            f"support {number}",
+            "sb.crankshaft.rotor.Support(stiffness, damping), N/m and N s/m",
+        )
     if len(answer) != len(rotor.journals):
         what = f"{len(answer)} supports"
         raise SymbalanceError(what, f"must be one a bearing, {len(rotor.journals)}", "shaft(bearings=…)")

@@ -100,7 +100,7 @@ def torsional_chain(inertias: Sequence[float], stiffnesses: Sequence[float]) -> 
     return TorsionalChain(discs, springs)
 
 
-def twists_of(rotor: Rotor) -> TorsionalChain:
+def crank_torsional_chain(rotor: Rotor) -> TorsionalChain:
     """Return the torsional chain of a crankshaft: discs at the middles of its journals, and at its ends.
 
     A spring is 1 over the turn between two journals under a unit torque on the free crank; a node's

@@ -161,7 +161,7 @@ def unbalance_response(
     )
 
 
-def supported(
+def system_on_supports(
     rotor: Rotor,
     supports: Supports,
     omega: float,

@@ -228,9 +228,9 @@ def _solve_periodic(
     system = in_series(full) if configuration.connection == "equivalent" else full
     if not configuration.modes:
         return steady_state(system, steps=configuration.steps, multipliers=multipliers)
-    from symbalance.crankshaft.reduction import reduced
+    from symbalance.crankshaft.reduction import reduce_system
 
-    small, basis = reduced(system, configuration.modes)
+    small, basis = reduce_system(system, configuration.modes)
     motion = steady_state(small, steps=configuration.steps, multipliers=multipliers)
     return replace(motion, position=motion.position @ basis.T, velocity=motion.velocity @ basis.T)
 
