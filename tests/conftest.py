@@ -43,6 +43,7 @@ SLOW_DOCUMENTS = frozenset(
         "offset",
         "radials",
         "tolerances",
+        "torque",
     )
 )
 """Derivations whose formulas take more than a second to compute: a document cannot carry a mark."""

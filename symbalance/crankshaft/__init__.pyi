@@ -23,7 +23,7 @@ from symbalance.crankshaft.files.supports import MainBearings as MainBearings
 from symbalance.crankshaft.reduction import reduce_system as reduce_system
 from symbalance.crankshaft.reports import Summary as Summary
 from symbalance.crankshaft.reports import summarise_run as summarise_run
-from symbalance.crankshaft.reports.summary import ChannelExtremes as ChannelExtremes
+from symbalance.crankshaft.reports.summary import ChannelRange as ChannelRange
 from symbalance.crankshaft.reports.summary import PlaceDurability as PlaceDurability
 from symbalance.crankshaft.reports.summary import SpeedFigures as SpeedFigures
 from symbalance.crankshaft.rotor.parts import Disc as Disc

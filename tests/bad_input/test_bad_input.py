@@ -440,6 +440,7 @@ def test_mutated_engine_files_are_read_or_refused(text: str) -> None:
     read(text)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=200, derandomize=True, database=None)
 @given(st.one_of(st.text(max_size=60), st.text(alphabet="[]{}=\"'.,#\\\n 1ae-", max_size=40)))
 def test_any_text_is_read_or_refused(text: str) -> None:
@@ -460,6 +461,7 @@ def test_any_value_of_any_key_is_read_or_refused(key: str, value: str, section: 
         read("\n".join([*kept[:at], f"{key} = {value}", *kept[at:]]))
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     "text",
     [

@@ -71,7 +71,7 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return emit("c", tmp_path_factory.mktemp("c") / "one.c")
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("standard", STANDARDS)
 @pytest.mark.parametrize("machine", MACHINES)
 def test_c_compiles_for_every_machine_and_standard(source: Path, machine: str, standard: str) -> None:
@@ -84,7 +84,7 @@ def test_c_compiles_for_every_machine_and_standard(source: Path, machine: str, s
     assert (done.returncode, done.stderr) == (0, "")
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("machine", MACHINES)
 def test_c_tests_itself_on_the_machines_that_this_one_is(source: Path, machine: str) -> None:
     """A processor that lacks the instructions ends the program by a signal, never with a wrong value."""
@@ -123,6 +123,7 @@ def test_c_refuses_arithmetic_that_would_be_wrong(source: Path, options: str) ->
         assert "#error" in done.stderr or "constants_are_doubles" in done.stderr
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("method", [-1, 0, 1, 2, 16, 32, 33, 64, 65, 128])
 def test_c_takes_the_evaluation_methods_that_leave_doubles_alone(source: Path, method: int) -> None:
     """C23, 5.2.5.3.3: widened are types no wider than float (1: to double), _Float16, 32 or 64."""
@@ -189,7 +190,7 @@ def test_a_self_test_fails_where_a_constant_or_a_true_value_is_spoiled(
         assert run_self_test(target, path) != 0, what
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "array-api"])
 @pytest.mark.parametrize(
     ("engine", "outputs"),
@@ -227,6 +228,7 @@ def test_a_self_test_sees_every_constant_that_matters(target: str, engine: str, 
 PERIODS = re.compile(r"^(PER_RADIAN\w*) = (\d[-.e\d]*)", re.MULTILINE)
 
 
+@pytest.mark.slow
 def test_a_self_test_sees_a_period_that_is_slightly_wrong() -> None:
     """By 5e-7 of itself: near 2^20 rad the count is off by one beside the middles between crests."""
     theta, harmful = np.random.default_rng(3).uniform(0.98 * 2**20, 2**20, 40_000), 0
@@ -431,6 +433,7 @@ NO_ANGLES: dict[str, object] = {
 }
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
 @pytest.mark.parametrize("theta", NO_ANGLES.values(), ids=NO_ANGLES.keys())
 def test_what_is_no_angle_is_refused(target: str, theta: object) -> None:
@@ -439,7 +442,7 @@ def test_what_is_no_angle_is_refused(target: str, theta: object) -> None:
         function(target)(theta, **more)
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 @pytest.mark.parametrize("kind", [">f8", ">f4", "f2", "g", "i1", "u8", "?", "matrix"])
 def test_real_numbers_of_every_type_are_angles(target: str, kind: str) -> None:
@@ -451,7 +454,7 @@ def test_real_numbers_of_every_type_are_angles(target: str, kind: str) -> None:
     assert values == pytest.approx(function(target)(plain), abs=1e-6)
 
 
-@pytest.mark.spread(4)
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
 @pytest.mark.parametrize("keyword", ["mass", "radius", "omega", "pitch"])
 def test_a_keyword_is_a_real_number(target: str, keyword: str) -> None:
@@ -472,6 +475,7 @@ def test_a_keyword_is_a_real_number(target: str, keyword: str) -> None:
             f(theta, **{keyword: huge})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba", "array-api"])
 def test_a_grid_has_whole_numbers_of_points(target: str) -> None:
     f, more = function(target), {"xp": np} if target == "array-api" else {}
@@ -713,6 +717,7 @@ def test_processes_at_once_do_not_disturb_one_another(tmp_path: Path) -> None:
     assert len(list((tmp_path / ".cache" / "symbalance").iterdir())) == 2  # the text, and __pycache__
 
 
+@pytest.mark.slow
 def test_the_oldest_sources_are_forgotten(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     for i in range(source_cache.MOST_SOURCES + 3):

@@ -60,7 +60,7 @@ LARGE = {
 }
 
 
-@pytest.mark.spread(4)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LARGE)
 def test_large_input_is_judged_or_refused_and_the_line_after_it_is_read(name):
     start = time.process_time()

@@ -33,7 +33,7 @@ def test_the_exit_codes_are_those_agreed():
     assert (DONE, FAILED, REFUSED, FAULT, INTERRUPTED) == (0, 1, 2, 3, 130)
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @needs_full
 @pytest.mark.parametrize(
     "arguments",
@@ -54,7 +54,7 @@ def test_what_cannot_be_written_is_refused_in_one_line(arguments):
     assert "cannot be written (No space left on device)" in done.stderr
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @needs_shell
 @pytest.mark.parametrize("arguments", ["balance v12-60", "--help", "--version"])
 def test_a_closed_stdout_is_refused(arguments):

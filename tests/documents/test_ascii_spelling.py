@@ -92,6 +92,7 @@ def test_every_raised_character_is_a_power():
         assert as_encodable(f"x{character}", "ascii").startswith("x^"), (character, plain)
 
 
+@pytest.mark.slow
 def test_no_character_is_lost_whatever_it_is():
     for code in (*range(0x80, 0xD800), *range(0xE000, 0x30000, 7)):
         spelled = as_encodable(f"a{chr(code)}b", "ascii")
@@ -99,6 +100,7 @@ def test_no_character_is_lost_whatever_it_is():
         assert "?" not in spelled or chr(code) in ";⁇⁈⁉︖﹖？՞؟¿", hex(code)
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("encoding", ENCODINGS)
 @pytest.mark.parametrize("command", ["balance", "torque", "design", "sensitivities"])
 def test_what_the_commands_print_can_be_written_anywhere(command, encoding, capsys):
@@ -126,7 +128,7 @@ def tables(text: str) -> list[list[str]]:
     return found
 
 
-@pytest.mark.spread(4)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", preset_names())
 def test_columns_stay_in_line_and_amplitudes_keep_their_value(name, capsys):
     text = as_encodable(printed(capsys, "balance", name), "ascii")
@@ -198,6 +200,7 @@ def test_a_pipe_in_the_c_locale_gets_utf8():
     assert "6√3" in program("balance", "v12-60", **C_LOCALE).decode("utf-8")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="no pseudo-terminal")
 def test_a_terminal_that_has_ascii_only_gets_ascii():
     import pty
@@ -288,7 +291,7 @@ def test_a_file_keeps_its_name_wherever_it_is_printed(name, environment, folder)
     assert err.startswith(f"symbalance: {shown}gone.md: cannot be read")
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("environment", [C, "UTF-8"])
 @pytest.mark.parametrize("form", ["text", "json", "latex"])
 def test_an_engine_is_named_by_its_file_whatever_that_is_called(form, environment, folder):
@@ -304,6 +307,7 @@ def test_the_words_of_notes_are_no_formulas():
     assert as_quoted("sinωt − ½λ²", "utf-8") == "sinωt − ½λ²"
 
 
+@pytest.mark.slow
 def test_what_is_printed_opens_with_no_mark():
     assert program("engines", "--show", "v12-60", PYTHONIOENCODING="utf-8-sig").startswith(b"name")
     document = program("derive", "--format", "latex", PYTHONIOENCODING="utf-8-sig")

@@ -163,7 +163,7 @@ def has_dots(formula: f.Formula) -> bool:
     return f.Dots() in f.children(formula) or f.Negative(f.Dots()) in f.children(formula)
 
 
-@pytest.mark.spread(20)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("order", ORDERS)
 @pytest.mark.parametrize("convention", CONVENTIONS)
 @pytest.mark.parametrize("quantity", QUANTITIES)
@@ -207,7 +207,7 @@ def test_the_harmonics_are_those_of_the_exact_motion(quantity: str, order: int) 
             assert abs(found - mp.mpf(printed.numerator) / printed.denominator) <= slack
 
 
-@pytest.mark.spread(6)
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [*ORDERS, 50])
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_the_conventions_agree(quantity: str, order: int) -> None:
@@ -221,7 +221,7 @@ def test_the_conventions_agree(quantity: str, order: int) -> None:
             assert all(abs(a - b) < mp.mpf(10) ** -32 for a, b in zip(rows[0], row, strict=True))
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("quantity", QUANTITIES)
 @pytest.mark.parametrize("convention", CONVENTIONS)
 def test_a_long_derivation_lists_the_leading_terms_of_every_coefficient(
@@ -241,7 +241,7 @@ def test_a_long_derivation_lists_the_leading_terms_of_every_coefficient(
             assert abs(number / expected - 1) < mp.mpf(10) ** -30
 
 
-@pytest.mark.spread(4)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("order", ORDERS)
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_the_printed_error_is_a_bound_and_is_reached(quantity: str, order: int) -> None:
@@ -259,7 +259,7 @@ def test_the_printed_error_is_a_bound_and_is_reached(quantity: str, order: int) 
     assert worst > bound * mp.mpf("0.999" if quantity != "velocity" else "0.2")
 
 
-@pytest.mark.spread(12)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("order", [*range(1, 14), 39, 40, 41, 42, 300, 1000])
 @pytest.mark.parametrize("convention", CONVENTIONS)
 @pytest.mark.parametrize("quantity", QUANTITIES)
@@ -294,7 +294,7 @@ def test_golden(name: str, golden) -> None:
     golden(f"derive-{name}.tex", to_latex(d))
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [1, 2, 6, 13, 40, 41, 1000])
 @pytest.mark.parametrize("quantity", QUANTITIES)
 def test_latex_compiles_within_the_margins(quantity: str, order: int, compile_latex) -> None:
@@ -335,6 +335,7 @@ def test_a_power_is_kept_or_refused() -> None:
             derive(*arguments)
 
 
+@pytest.mark.slow
 def test_deriving_does_without_sympy() -> None:
     code = (
         "import sys; from symbalance import derive, to_text\n"
@@ -344,6 +345,7 @@ def test_deriving_does_without_sympy() -> None:
     assert run.stdout.strip() == "False"
 
 
+@pytest.mark.slow
 def test_a_series_is_printed_with_much_less_work_than_sympy_takes() -> None:
     import sympy
 

@@ -126,6 +126,7 @@ def _said(formula: f.Formula) -> Counter[str]:
     return +found
 
 
+@pytest.mark.slow
 @UNHURRIED
 @given(formulas)
 def test_mathml_is_well_formed_and_says_all_the_letters_and_digits(formula: f.Formula) -> None:

@@ -37,7 +37,7 @@ def test_a_balance_is_as_it_was(golden, name, layout, order):
     golden(f"{name}.txt", sb.to_text(result))
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", preset_names()[::3])  # every one, by two engines: test_latex_documents
 def test_presets_compile(compile_latex, name):
     compile_latex(sb.to_latex(sb.balance(sb.load(name)), standalone=True))
@@ -73,7 +73,7 @@ def test_exact_forms_stay_within_the_margins(compile_latex, layout):
     assert max(map(len, sb.to_text(result).splitlines())) <= 79
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("layout", "arguments"),
     [
@@ -134,7 +134,7 @@ def test_upright_words_stand_apart_from_what_is_beside_them():
     assert r"\," not in formula_latex(Upright("amplitude") * cos(Name("n")))
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("command", ["balance {}", "torque {}", "design {}", "tolerances {} --mass 1%%"])
 def test_latex_loses_no_sign_of_an_engine_s_name(command, tmp_path, capsys, compile_latex):
     text = preset_text("inline-2")

@@ -20,7 +20,7 @@ def test_every_class_of_result_has_an_example() -> None:
     assert {type(example(name)) for name in EXAMPLES} == result_classes()
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_text_fits_its_columns(name: str) -> None:
     for width in (80, 120):
@@ -29,7 +29,7 @@ def test_text_fits_its_columns(name: str) -> None:
         ] == []
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_text_is_one_document(name: str) -> None:
     text = to_text(example(name))
@@ -44,7 +44,7 @@ def _commands(text: str) -> set[str]:
     return set(re.findall(r"\\[a-z]+", text))
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_latex_is_balanced_and_a_fragment_says_what_it_needs(name: str) -> None:
     fragment = to_latex(example(name))
@@ -62,7 +62,7 @@ def test_latex_is_balanced_and_a_fragment_says_what_it_needs(name: str) -> None:
     )
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_a_standalone_document_is_the_fragment_in_a_preamble(name: str) -> None:
     fragment = to_latex(example(name)).split("\n", 1)[1]
@@ -102,7 +102,7 @@ def _parsed(html: str) -> _Nesting:
     return parser
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_html_nests_and_says_what_things_are(name: str) -> None:
     page = _parsed(to_html(example(name), standalone=True))
@@ -120,7 +120,7 @@ def _digits(text: str) -> set[str]:
     return {n for n in re.findall(r"\d[\d.]*\d", text) if len(n.replace(".", "")) >= 4}
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_the_media_agree_on_their_numbers(name: str) -> None:
     result = example(name)
@@ -132,7 +132,7 @@ def test_the_media_agree_on_their_numbers(name: str) -> None:
     assert in_text <= _digits(to_markdown(result))
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_json_names_its_schema_and_reads_back(name: str) -> None:
     result = example(name)
@@ -142,7 +142,7 @@ def test_json_names_its_schema_and_reads_back(name: str) -> None:
     assert json.loads(json.dumps(result.data())) == {k: v for k, v in found.items() if k != "schema"}
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_a_result_is_shown_in_a_line_and_in_a_notebook(name: str) -> None:
     result = example(name)
@@ -154,7 +154,7 @@ def test_a_result_is_shown_in_a_line_and_in_a_notebook(name: str) -> None:
     assert result._repr_markdown_() == to_markdown(result)
 
 
-@pytest.mark.spread(10)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_records_are_rows_of_plain_values_with_one_set_of_keys(name: str) -> None:
     rows = example(name).records()

@@ -42,6 +42,7 @@ def test_what_cannot_be_printed_is_refused(wrong: dict[str, object], words: str)
         sb.running_torque(sb.load("inline-4"), CYCLE, **SIZES, **wrong)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 def test_a_report_takes_the_running_torque_of_its_own_engine_only() -> None:
     four = sb.load("inline-4")
     running = sb.running_torque(four, CYCLE, **SIZES)

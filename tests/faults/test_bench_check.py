@@ -36,6 +36,7 @@ def checked():
     return HERE.check(HERE.text)
 
 
+@pytest.mark.slow
 def test_the_page_is_judged_as_its_truth_says(checked):
     assert misjudgements(HERE, checked) == []
     assert len(truth(HERE)) == len(checked.verdicts) >= 90
@@ -47,6 +48,7 @@ def test_lines_said_to_define_a_letter_do(checked):
         assert checked.at(line)[0].verdict == "definition"
 
 
+@pytest.mark.slow
 def test_every_known_error_is_found_and_put_right(planter):
     assert planter.known_errors() == (12, 12)
 
@@ -56,6 +58,7 @@ def test_the_page_put_right_raises_no_alarm(planter):
     assert all(v.verdict in POSITIVE for v in planter.judgement.verdicts)
 
 
+@pytest.mark.slow
 def test_the_truth_by_numbers_alone(planter):
     """Every relation put right holds in value, or through the order it keeps; no known error does."""
     places = {(e.line, e.link) for e in HERE.errors}
@@ -73,6 +76,7 @@ def test_the_truth_by_numbers_alone(planter):
                 sound = sound if place_of(chain, k) in wrong else k + 1
 
 
+@pytest.mark.slow
 def test_planted_faults_are_caught(planter):
     faults = [f for f in planter.plant(5, seed=7) if f.where == STEP]
     assert len(faults) == 5 * len(KINDS)
@@ -140,6 +144,7 @@ def test_values_are_those_of_the_motion(planter):
         assert abs(value - (r + rod - pin)) < 1e-12
 
 
+@pytest.mark.slow
 def test_simplify_is_asked_fairly():
     asked = {(link.line, link.link): link for link in links(HERE)}
     assert decide(asked[42, 1]) == decide(asked[42, 1], EQUALS) == PROVED
@@ -149,6 +154,7 @@ def test_simplify_is_asked_fairly():
     assert (170, 1) not in asked  # a definition
 
 
+@pytest.mark.slow
 def test_simplify_is_ended_at_its_limit():
     x = sympy.Symbol("x")
     hard = sympy.Add(*(sympy.cos(x + 2 * sympy.pi * k / 61) ** 7 for k in range(61)))

@@ -175,6 +175,7 @@ def test_all_orders_sum_to_the_kinematics(name):
     assert np.all(np.abs((whole.high - parts.high) + (whole.low - parts.low)) <= 1e-25)
 
 
+@pytest.mark.slow
 def test_coefficients_by_two_ways():
     for ratio in (Fraction(6, 5), Fraction(1001, 1000), 1 + Fraction(1, 10**9)):
         found = true_coefficients(60, ratio)

@@ -182,6 +182,7 @@ def test_a_case_that_writes_into_its_inputs_is_refused(fake, monkeypatch):
         record(fake, ONE)
 
 
+@pytest.mark.slow
 def test_a_program_that_is_changed_while_it_runs_is_refused(fake, monkeypatch):
     def changing(*_: object) -> list[Case]:
         (fake / "symbalance/late.py").write_text("")
@@ -192,6 +193,7 @@ def test_a_program_that_is_changed_while_it_runs_is_refused(fake, monkeypatch):
         record(fake, ONE)
 
 
+@pytest.mark.slow
 def test_a_pattern_of_no_case_and_a_program_of_no_preset_are_refused(fake):
     with pytest.raises(RecordError, match="no case"):
         record(fake, Settings(jobs=1, only=("balace/*",)))
@@ -342,7 +344,7 @@ PLANTED = [
 ]
 
 
-@pytest.mark.spread(20)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     ("name", "text", "old", "new", "kind"), PLANTED, ids=[f"{row[4]}-{row[3][:12]!r}" for row in PLANTED]
 )
@@ -491,6 +493,7 @@ def test_an_unusable_allowance_is_refused(tmp_path, text, said):
         read_allowances(tmp_path / "allow.toml")
 
 
+@pytest.mark.slow
 def test_a_place_with_brackets_is_allowed_by_its_name(written, planted):
     replace_in(planted / "balance/v8-90.json", '"sqrt(10)"', '"sqrt(11)"')
     place = "$.orders[order 1].couple.*"

@@ -102,6 +102,7 @@ COMPARISONS: list[Callable[[], None]] = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compare", COMPARISONS)
 def test_without_a_fault_all_agree(compare: Callable[[], None]) -> None:
     compare()

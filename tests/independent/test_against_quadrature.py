@@ -171,7 +171,7 @@ def _keyword(value: object) -> list[Fraction] | None:
     return None if value is None else [Fraction(v) for v in value]  # type: ignore[attr-defined]
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUILT)
 def test_in_line_engines_from_firing_orders(name: str) -> None:
     build, arguments = BUILT[name]
@@ -217,7 +217,7 @@ BANKED = {
 }
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BANKED)
 def test_engines_with_several_banks(name: str) -> None:
     banks, cylinders, firing_order, intervals, stagger = BANKED[name]
@@ -267,7 +267,7 @@ def test_a_vee_on_shared_or_splayed_pins(angle: object, splay: object) -> None:
     assert_agrees(layout, places=[expected[c.number] for c in layout.cylinders], order=6)
 
 
-@pytest.mark.spread(3)
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [3, 5, 7, 9])
 @pytest.mark.parametrize("strokes", [2, 4])
 def test_radials_turn_one_vector_with_the_crank(count: int, strokes: int) -> None:
@@ -289,7 +289,7 @@ LISTED = {
 }
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LISTED)
 def test_listed_cylinders(name: str) -> None:
     rows = LISTED[name]
@@ -313,7 +313,7 @@ ANGLES = (
 )
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(8))
 def test_random_listed_cylinders(seed: int) -> None:
     draw = random.Random(seed)
@@ -326,6 +326,7 @@ def test_random_listed_cylinders(seed: int) -> None:
     assert_agrees(layout, places=places, order=6, expressions=seed == 3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_random_firing_orders(seed: int) -> None:
     draw = random.Random(100 + seed)
@@ -336,6 +337,7 @@ def test_random_firing_orders(seed: int) -> None:
     assert_agrees(layout, places=places, expressions=False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [Fraction(33, 10), Fraction(12, 10), Fraction(1000)])
 def test_the_geometry_does_not_hang_on_the_ratio(ratio: Fraction) -> None:
     assert_agrees(inline(SEVEN), ratio=ratio, expressions=False)
@@ -373,6 +375,7 @@ def assert_small_gap(found: mp.mpf, expected: mp.mpf, what: str, within: mp.mpf)
             raise DisagreementError(f"{what}: {mp.nstr(found, 32)}, {mp.nstr(expected.real, 32)}")
 
 
+@pytest.mark.slow
 def test_coefficients_of_the_acceleration(measured: tuple) -> None:
     ratio, by_quadrature = measured
     together = acceleration_values(HIGHEST, ratio, 30)
@@ -491,7 +494,7 @@ def _errors(quantity: str, order: int, ratio: Fraction) -> dict[int, mp.mpf]:
     }
 
 
-@pytest.mark.spread(4)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("quantity", FUNCTIONS)
 @pytest.mark.parametrize("ratio", BOUND_RATIOS, ids=str)
 def test_a_bound_is_never_passed(quantity: str, ratio: Fraction) -> None:
@@ -502,7 +505,7 @@ def test_a_bound_is_never_passed(quantity: str, ratio: Fraction) -> None:
             assert max(errors.values()) <= bound, (order, mp.nstr(bound, 10))
 
 
-@pytest.mark.spread(4)
+@pytest.mark.slow
 @pytest.mark.parametrize("quantity", ["displacement", "acceleration", "force", "rod-angle"])
 @pytest.mark.parametrize("ratio", BOUND_RATIOS, ids=str)
 def test_a_bound_is_attained_at_right_angles(quantity: str, ratio: Fraction) -> None:

@@ -111,7 +111,7 @@ FOR_SMALL_RHO = [
 CASES = [(text, LARGE) for text in FOR_LARGE_LAMBDA] + [(text, SMALL) for text in FOR_SMALL_RHO]
 
 
-@pytest.mark.spread(8)
+@pytest.mark.slow
 @pytest.mark.parametrize("through", [1, 4, 12])
 @pytest.mark.parametrize(("text", "letter"), CASES)
 def test_the_remainder_is_of_the_next_order(text: str, letter: tuple[str, int], through: int) -> None:
@@ -128,7 +128,7 @@ ANALYTIC = [
 ]
 
 
-@pytest.mark.spread(4)
+@pytest.mark.slow
 @pytest.mark.parametrize("text", ANALYTIC)
 def test_coefficients_are_those_of_taylor(text: str) -> None:
     node = tree(text)

@@ -37,6 +37,7 @@ def single(layout, orders, lever) -> np.ndarray:
     return np.array(columns).T
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     "name",
     ["inline-2", "inline-3", "inline-4", "inline-5", "inline-6", "v6-60", "boxer-4", "radial-5", "v2-90"],
@@ -98,6 +99,7 @@ def test_pistons_and_rods_are_the_best_of_all_pairs(name, whole):
 numbers = st.floats(-3, 3, allow_nan=False)
 
 
+@pytest.mark.slow
 @given(st.integers(2, 5), st.integers(1, 4), st.integers(1, 2), st.data())
 @settings(max_examples=25, deadline=None)
 def test_arrangements_of_any_vectors(count, size, kinds, data):
@@ -262,6 +264,7 @@ def test_separators_and_comments():
         assert [p.name for p in found.parts] == ["left", "right"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["inline-3", "v6-60", "v8-90"])
 def test_whole_masses_count_beside_what_turns(name):
     """Counterweights and shafts stay as the nominal engine has them; every piston is its own weight."""

@@ -50,7 +50,7 @@ def assert_ended(design: sb.design.Design, pistons=rotating_model.like_pistons, 
 # Designs of catalogue engines and of layouts never seen ------------------------------------------
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", preset_names()[::3])  # the others' certificates: the next test
 def test_a_preset_balanced_is_smooth_in_the_time_domain(name):
     layout = sb.load(name)
@@ -62,7 +62,7 @@ def test_a_preset_balanced_is_smooth_in_the_time_domain(name):
         assert_ended(design, placed.planar, gone=1e-17, points=64)
 
 
-@pytest.mark.spread(4)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", preset_names())
 def test_as_many_shafts_as_signed_orders_and_no_fewer(name):
     layout = sb.load(name)
@@ -112,6 +112,7 @@ def test_any_layout_is_balanced_exactly(layout, remove, spread):
         assert_ended(design, gone=1e-28)
 
 
+@pytest.mark.slow
 def test_uneven_firing_and_two_strokes():
     for layout in (
         sb.vee("52", "1-2", firing_intervals=["412", "308"], ratio=4),
@@ -147,6 +148,7 @@ def test_hung_rods_with_rotating_masses():
     assert_ended(design, placed.planar, gone=1e-17, points=64)
 
 
+@pytest.mark.slow
 def test_a_symbolic_bank_angle():
     twin = sb.vee(ALPHA, pins=[0])
     design = sb.design_balance(twin, [1, 2])
@@ -175,6 +177,7 @@ def _at(number, degrees: Fraction):
     return total
 
 
+@pytest.mark.slow
 def test_extremes():
     near = sb.inline("1-3-4-2", ratio="1.0001")
     design = sb.design_balance(near, [2, 4, 1000])
@@ -210,6 +213,7 @@ def test_half_and_half_ends_the_first_order_of_a_single():
     assert 1 in [o.order for o in sb.balance(wrong, 4).orders]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("unit", ["share", "kg mm"])
 def test_every_way_to_give_a_weight_in_the_time_domain(unit):
     size = {"unbalance": Fraction(7)} if unit == "kg mm" else {"share": Fraction(1, 3)}
@@ -286,6 +290,7 @@ WEIGHTS = st.lists(
 )
 
 
+@pytest.mark.slow
 @given(WEIGHTS, st.sampled_from([["3", "-3"], ["7/2", "1", "-1/2"], ["4", "2", "0", "-2", "-4"]]))
 @settings(max_examples=40, deadline=None)
 def test_rotating_parts_balance_in_two_planes_and_more(weights, stations):
@@ -405,7 +410,7 @@ def test_half_overbalance_leaves_a_circle_turning_against_the_crank(name):
         assert abs(complex(found.terms.get(1, ZERO).evaluated()) - expected) < 1e-12
 
 
-@pytest.mark.spread(4)
+@pytest.mark.slow
 @pytest.mark.parametrize("share", [0, "1/4", "1/2", "2/3", 1])
 @pytest.mark.parametrize("degrees", [0, 45, 52, 60, 90, 120])
 def test_the_ellipse_is_what_the_engine_draws(share, degrees):
@@ -420,7 +425,7 @@ def test_the_ellipse_is_what_the_engine_draws(share, degrees):
         assert abs(along - mp.mpf(sympy.N(drawn.major, 25))) < 1e-20
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("aim", ["squares", "largest"])
 @pytest.mark.parametrize(("vertical", "lateral"), [(1, 1), (3, 1), (1, 2), (1, 0)])
 def test_the_best_overbalance_is_the_least_of_all(aim, vertical, lateral):
@@ -472,7 +477,7 @@ def test_without_counter_rotation_half_is_left():
         assert (left.shape, left.major, left.sense) == ("circle", sympy.Rational(1, 2), -1)
 
 
-@pytest.mark.spread(4)
+@pytest.mark.slow
 @pytest.mark.parametrize(("vertical", "lateral"), [(1, 1), (3, 1), (0, 1)])
 @pytest.mark.parametrize("shafts", [0, 1, 2, 3])
 def test_the_shafts_chosen_leave_the_least(shafts, vertical, lateral):
@@ -529,6 +534,7 @@ def test_a_shaft_goes_where_its_one_place_lets_it_help():
     assert [d.speed for d in sb.design_balance(odd, [1, 2], shafts=1).devices] == [1, -1]
 
 
+@pytest.mark.slow
 def test_no_weight_is_larger_than_it_may_be():
     layout = sb.inline("1-3-2", crank_train=SIZED)
     free = sb.design_balance(layout, [1])
@@ -557,6 +563,7 @@ def test_bounded_weights_that_must_lean_are_exact_too():
     assert max(w.size() for _, w in even) > 3.5
 
 
+@pytest.mark.slow
 def test_bounded_weights_of_both_parts_help_each_other():
     """Forward 1 and backward 1/2, weights up to 0.6: upright the backward one makes up for 0.1 of 0.4."""
     twin = sb.vee(60, pins=[0], crank_train=SIZED)
@@ -569,6 +576,7 @@ def test_bounded_weights_of_both_parts_help_each_other():
             assert (before + device.force - after).is_zero()
 
 
+@pytest.mark.slow
 def test_a_design_prints_like_a_balance(golden):
     design = sb.design_balance(sb.vee(ALPHA, pins=[0], ratio=4), [1])
     golden("design-vee-of-any-angle.txt", sb.to_text(design))

@@ -46,6 +46,7 @@ def true(order: int, ratio: Fraction | float) -> mp.mpf:
     return acceleration_value(order, Fraction(ratio), 40)
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("rho", [0.1, 0.25, 0.5, 0.8, 0.83, 0.9, 0.97])
 def test_against_sums_of_the_kinematics(rho: float) -> None:
     """A second derivative in closed form and the trapezoidal rule: nothing of 2F1 or its recurrence."""
@@ -195,6 +196,7 @@ PLAIN = st.floats(1, 1e30, exclude_min=True)
 ORDINARY = st.floats(1, 6, exclude_min=True)
 
 
+@pytest.mark.slow
 @settings(max_examples=120, deadline=None)
 @given(st.one_of(BARELY, PLAIN, ORDINARY), st.integers(1, 40), st.integers(0, 460))
 def test_any_ratio_any_order(ratio: Fraction | float, k: int, further: int) -> None:
@@ -203,6 +205,7 @@ def test_any_ratio_any_order(ratio: Fraction | float, k: int, further: int) -> N
     assert off(found, true(2 * k, ratio)) <= (WORST if abs(found) >= NORMAL else 1)
 
 
+@pytest.mark.slow
 @given(ORDINARY)
 def test_acceleration_at_dead_centres(ratio: float) -> None:
     """At theta = 0 the series sums to 1 + rho: a sum no coefficient was made from."""

@@ -72,6 +72,7 @@ def test_against_a_textbook_bearing():
     assert np.allclose(other.stiffness, state.stiffness * mirror)
 
 
+@pytest.mark.slow
 def test_equilibrium_carries_its_load_in_any_bearing():
     """Sizes, speeds and loads over decades: Newton's last step must not be halved away."""
     chance = np.random.default_rng(1)

@@ -131,7 +131,7 @@ def along(kind, angles, i, now, moment):
     return mp.fsum(a * b for a, b in zip(direction, moment, strict=True))
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "seed"), [("vector", 1), ("vector", 2), *((k, 3) for k in CARDAN)])
 def test_the_equations_are_those_of_exact_motion(kind, seed):
     values, rng = body(seed), random.Random(seed + 100)
@@ -166,6 +166,7 @@ def test_gyroscopic_is_skew_and_centrifugal_symmetric(kind):
     assert (node.mass - node.mass.T).expand().is_zero_matrix
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("kind", CARDAN)
 def test_coordinates_matter_only_where_a_couple_stands_at_rest(kind):
     """R_a R_b R_c has the rotation vector theta + (a x b theta_a theta_b + ...)/2: F_M's couple works."""
@@ -207,6 +208,7 @@ def test_a_general_node_has_entries_that_the_published_equation_lacks():
     assert {p[1:] for p in lacking if p[0] == "centrifugal"} == pairs
 
 
+@pytest.mark.slow
 def test_an_uneven_throw_needs_the_product_of_inertia():
     """A body with I_uv = 0 has one when it is turned by 120 degrees about W."""
     tensor = sympy.diag(1, 2, 3)
@@ -233,6 +235,7 @@ def test_an_uneven_throw_needs_the_product_of_inertia():
 # --- numbers ----------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(5))
 def test_the_functions_are_the_symbolic_forms(seed):
     values = body(seed)
@@ -289,6 +292,7 @@ K = np.array([[12.808, 16.394], [-25.060, 8.8153]])
 C = np.array([[0.2329, -0.081924], [-0.081924, 0.29491]])
 
 
+@pytest.mark.slow
 def test_the_turned_bearing_is_the_symbolic_one():
     rotated = turned_bearing()
     values = dict(zip([*STIFFNESS, *DAMPING], [*K.ravel(), *C.ravel()], strict=True)) | {OMEGA: 157.0}
@@ -324,6 +328,7 @@ def test_the_turned_bearing_gives_the_stationary_force():
         np.testing.assert_allclose(turned_vectors(K @ x + C @ dx, theta), force, rtol=1e-6)
 
 
+@pytest.mark.slow
 def test_isotropic_damping_circulates():
     rotated = turned_bearing().isotropic()
     assert rotated.circulatory == sympy.Matrix([[0, -OMEGA * DAMPING[0]], [OMEGA * DAMPING[0], 0]])
@@ -418,6 +423,7 @@ def test_data_and_records_read_back_as_the_matrices():
     assert len(node.records()) == filled
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["vector", "wvu"])
 def test_printed_entries_are_the_derived_ones(kind):
     """Every entry of every matrix, as written, is that matrix's: values in both are one number."""

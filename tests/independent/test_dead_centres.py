@@ -108,6 +108,7 @@ def test_fires_may_say_either_moment_of_a_moved_dead_centre():
         sb.engine.from_cylinders([rows[0], sb.Cylinder(2, 0, 30, fires=425)], crank_train=train)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["vw-vr6", "r-1820", "kharkiv-v2", "merlin-v12"])
 def test_pins_pass_and_pistons_top_out_at_different_angles(name):
     """Three names, three meanings: pins past the axes, dead centres, and those from cylinder 1's."""

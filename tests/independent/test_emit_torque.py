@@ -47,7 +47,7 @@ def terms_at(terms, theta: float) -> float:
         return float(mp.fsum(c * mp.cos(a) + s * mp.sin(a) for a, c, s in angles))
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["inline-1", "inline-4", "v6-90", "radial-9", "inline-5"])
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 def test_all_orders_are_the_kinetic_energys(name: str, target: str) -> None:
@@ -80,7 +80,7 @@ def test_a_tolerance_is_met_with_the_fewest_orders(tolerance: float) -> None:
     assert np.abs(fewer(theta) - every(theta)).max() > tolerance / 3
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("engine", [narrow_six, hung_radial, offset_twin])
 def test_unlike_cylinders_and_rods(engine) -> None:
     layout = engine()
@@ -165,7 +165,7 @@ RUN = ("--compression", "10", "--bore", "81", "--rpm", "3000")
 OUTPUTS = "torque.gas,torque.total,torque.inertia,torque.rod,torque.frame,force.vertical"
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba", "array-api", "c", "javascript", "octave"])
 def test_every_language_writes_a_source_that_tests_itself(target: str, tmp_path: Path) -> None:
     """Half orders, six outputs of five units, over a grid of two turns."""
@@ -182,6 +182,7 @@ def test_every_language_writes_a_source_that_tests_itself(target: str, tmp_path:
     assert "Mean " in text
 
 
+@pytest.mark.slow
 def test_a_grid_of_half_orders_repeats_after_two_turns() -> None:
     made = fired(offset_twin())
     function = sb.to_function(running_torque(made, OTTO, bore=80, rpm=3000), order=6)

@@ -61,7 +61,7 @@ def worst(values, exact, amplitude: float) -> float:
         )
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", preset_names())
 def test_all_orders_of_every_preset_against_its_pistons(name):
     """Within 4 u of the amplitude to 10^6 rad, 5 with all orders there; 0 where every order cancels."""
@@ -85,6 +85,7 @@ def test_an_amplitude_is_what_the_function_reaches():
         assert np.abs(grid[output]).max() == pytest.approx(amplitude, rel=1e-3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lam", ["1.0000001", "1.01", "3.5", "1e6"])
 def test_displacement_keeps_its_own_digits_near_every_dead_centre(lam):
     made = sb.to_function(sb.balance(sb.load("inline-1"), ratio=lam), outputs="piston.displacement")
@@ -100,7 +101,7 @@ def test_displacement_keeps_its_own_digits_near_every_dead_centre(lam):
             assert abs(value - exact) <= 4 * np.spacing(float(exact)), theta
 
 
-@pytest.mark.spread(3)
+@pytest.mark.slow
 @pytest.mark.parametrize(("lam", "order"), [("1.2", 12), ("1.05", 24), ("1.001", 100), ("1.00001", 240)])
 @pytest.mark.parametrize("name", ["inline-1", "inline-4", "v2-90", "radial-5"])
 def test_truncated_sums_near_rho_1_keep_their_stated_bound(name, lam, order):
@@ -171,6 +172,7 @@ def test_half_orders_and_phases_need_nothing_new():
     assert np.allclose(namespace["on_grid"](24, 4), namespace["evaluate"](theta), rtol=0, atol=1e-13)
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("points", [1, 7, 360, 1000])
 def test_a_grid_repeats_one_period(points):
     made = sb.to_function(
@@ -262,6 +264,7 @@ def test_refusals(keywords, words):
         sb.to_function(sb.balance(sb.load("inline-4")), **keywords)
 
 
+@pytest.mark.slow
 def test_orders_beyond_reach_are_refused():
     v6 = sb.balance(sb.load("v6-60"), ratio=Fraction(10**7 + 1, 10**7))
     with pytest.raises(sb.SymbalanceError, match="needs orders above 1000"):

@@ -96,6 +96,7 @@ VEE_SHARES = {2: 1.0, 4: 1.5}
 CASES = {"radial": (HEAVY, LIGHT, SHARES), "vee": (vee(), without_masses(vee()), VEE_SHARES)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_forces_and_couples_have_what_link_pins_add_to_the_crank_pins_circle(case):
     heavy, light, shares = CASES[case]
@@ -122,7 +123,7 @@ def complex_of(spectrum, n: int) -> complex:
     return 0j if number is None else complex(number.evaluated())
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_torque_gives_back_their_energy_and_the_frame_gets_their_moment(case):
     heavy, light, shares = CASES[case]
@@ -142,6 +143,7 @@ def test_torque_gives_back_their_energy_and_the_frame_gets_their_moment(case):
     assert abs(torque[2]) > 1e-3  # there is something to find
 
 
+@pytest.mark.slow
 def test_with_counterweights_the_whole_of_them_counts():
     """One counterweight opposite the pin, of nothing: from then on rotating masses count themselves."""
     whole = sb.balance(HEAVY.balanced_by(sb.Counterweight(0, 0, unbalance=0)), 2)
@@ -181,6 +183,7 @@ def test_sensitivities_are_the_differences_of_balance():
             assert change / float(step / 3) == pytest.approx(value - steady, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_worst_cases_of_rotating_masses_are_the_worst_of_all_signs():
     found = sb.worst_cases(HEAVY, sb.design.Tolerances(rotating="1%"), 2)
     rotating = {w.order: w for w in found if w.quantity == "rotating force"}
@@ -314,6 +317,7 @@ def test_the_running_crankshaft_takes_one_rods_inertia_for_like_rods_only(tmp_pa
     assert engine(tmp_path, sheet("", big_end_mass=ROD) + rows.replace("rod = 200\n", ""))
 
 
+@pytest.mark.slow
 def test_a_master_may_be_listed_after_its_link_rods(tmp_path):
     """Any place in the file: the fifth of nine was taken, the last was refused as not there."""
     rows = [f"[[cylinder]]\nnumber = {n}\nthrow = 0\nbank = {40 * n}\n" for n in range(1, 10)]
@@ -331,6 +335,7 @@ def test_a_master_may_be_listed_after_its_link_rods(tmp_path):
     assert np.ptp(forces) < 1e-12
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [1, 2, 5, 12])
 def test_the_bound_on_what_a_truncation_leaves_out_holds(order):
     for cylinder in vee().cylinders:

@@ -143,7 +143,7 @@ def test_coefficients_are_the_fourier_integrals(mechanism):
                 close(found[n], total / (2 * mp.pi), 20)
 
 
-@pytest.mark.spread(3)
+@pytest.mark.slow
 @every(**ALL)
 def test_what_is_left_out_is_zero_and_nothing_else_is(mechanism):
     points = 160
@@ -159,6 +159,7 @@ def test_what_is_left_out_is_zero_and_nothing_else_is(mechanism):
             assert all(x == 0 or abs(x) > 1e-20 for x in parts)
 
 
+@pytest.mark.slow
 @every(offset=OFFSET, radial=RADIAL, odd=ODD, near=SliderCrank("1.002", "1/1000"))
 def test_errors_are_as_small_as_promised(mechanism):
     for harmonics in (harmonics_of, rod_angle_harmonics):
@@ -241,6 +242,7 @@ def test_dead_centres_of_a_slider_crank(mechanism):
         close(height_motion(mechanism, p).first, 0)
 
 
+@pytest.mark.slow
 @every(radial=RADIAL, vee=VEE, odd=ODD, opposed=OPPOSED, straight=STRAIGHT)
 def test_dead_centres_of_a_link_rod(mechanism):
     found = dead_centres(mechanism)

@@ -59,6 +59,7 @@ def test_the_more_precise_number_says_how_many_digits_there_are(x, y, m, n):
         assert (a / b).bits == max(a.bits, b.bits)
 
 
+@pytest.mark.slow
 @given(fractions, fractions, digits)
 def test_fractions_are_exact_operands(x, y, n):
     a = Real(x, n)
@@ -81,6 +82,7 @@ def test_whole_powers(x, power, n):
         assert abs(value_of(result) - exact) <= abs(exact) * Fraction(4, 2**a.bits)
 
 
+@pytest.mark.slow
 @given(
     st.fractions(min_value=Fraction(-99, 100), max_value=Fraction(99, 100), max_denominator=10**6), digits
 )

@@ -109,7 +109,7 @@ FOUR = [
 ]
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("omega", [0.0, 300.0, 1500.0])
 @pytest.mark.parametrize(
     ("tubes", "discs", "supports", "within"),
@@ -153,6 +153,7 @@ def test_published_roots():
     assert damped.is_stable
 
 
+@pytest.mark.slow
 def test_critical_speeds_are_where_the_whirl_meets_the_speed():
     rotor, even = two_discs(), [sb.crankshaft.rotor.Support(1e6)] * 2
     found = sb.crankshaft.rotor.critical_speeds(rotor, even)
@@ -416,6 +417,7 @@ def test_a_system_without_bearings_swings_as_the_formula_says():
         assert np.abs(found.position[:, 0] - expected).max() < (1e-4 if method == "newmark" else 1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("steps", [64, 720])
 def test_a_resonance_without_damping_is_refused_and_with_a_little_it_is_not(steps):
     at_rest = {"stiffness": np.eye(2), "omega": 1.0}

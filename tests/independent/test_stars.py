@@ -68,6 +68,7 @@ def engines():
     return st.tuples(st.lists(st.tuples(angles, banks), min_size=1, max_size=7), st.sampled_from([2, 4]))
 
 
+@pytest.mark.slow
 @LAWS
 @given(engines())
 def test_firing_orders_are_what_trying_every_turn_finds(engine):
@@ -132,7 +133,7 @@ def test_the_cross_plane_v8_has_eight_and_shares_them_with_its_two_makers():
     assert len(texts(numbered)) == 8
 
 
-@pytest.mark.spread(3)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [preset.name for preset in presets()][::2])
 def test_catalogue_engines_fire_as_their_cranks_allow(name):
     layout = load(name)
@@ -215,6 +216,7 @@ def evenly_by_force(pins: tuple[int, ...], beta: int, splay: int, strokes: int) 
     return spaced and set(tops.values()) == {strokes // 2}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("count", "strokes"), [(2, 4), (4, 4), (6, 4), (8, 4), (2, 2), (4, 2), (6, 2), (8, 2)]
 )
@@ -226,6 +228,7 @@ def test_natural_angles_of_any_crank(count, strokes):
     assert list(natural_bank_angles(count, strokes)) == found
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     "pins", [(0,), (0, 180), (0, 0), (0, 120, 240), (0, 90, 270, 180), (0, 180, 180, 0), (0, 60, 240)]
 )
@@ -281,6 +284,7 @@ def burnside(count: int, rays: int) -> int:
     return fixed // (4 * rays)
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(("count", "strokes"), [size for size in SIZES if size[0] < 8])
 def test_as_many_classes_as_burnside_counts(count, strokes):
     classes = crank_stars(count, strokes)
@@ -296,7 +300,7 @@ def test_sizes_of_the_larger_lists():
     assert sum(c.stars for c in crank_stars(8)) == 2520 // 4
 
 
-@pytest.mark.spread(5)
+@pytest.mark.slow
 @pytest.mark.parametrize(("count", "strokes"), SIZES)
 def test_couples_are_plain_sums_in_order(count, strokes):
     before = (-1.0, -1.0)
@@ -311,6 +315,7 @@ def test_couples_are_plain_sums_in_order(count, strokes):
         before = (sums[0], sums[1])
 
 
+@pytest.mark.slow
 def test_couples_are_those_of_the_balance():
     for found in (*crank_stars(5), *crank_stars(6), *crank_stars(7)[::60]):
         left = balance(found.engine, order=2).couple

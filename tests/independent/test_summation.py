@@ -24,7 +24,7 @@ def value(expression: sympy.Expr, theta: float) -> mp.mpf:
     return mp.mpf(str(sympy.N(expression.subs(symbol("theta"), sympy.Float(theta, 25)), 20)))
 
 
-@pytest.mark.spread(4)
+@pytest.mark.slow
 @pytest.mark.parametrize("strokes", [2, 4])
 @pytest.mark.parametrize("count", COUNTS)
 def test_force_and_couple_of_evenly_firing_cylinders(count, strokes):

@@ -109,7 +109,7 @@ def test_far_angles(found: Any, target: str) -> None:
         assert np.max(off[IS_FAR]) <= limit * U, (case.name, output)
 
 
-@pytest.mark.spread("numpy")
+@pytest.mark.slow
 @pytest.mark.parametrize("target", DOUBLES)
 def test_an_angle_that_is_not_finite_is_lost_alone(found: Any, target: str) -> None:
     for case, output, _ in each(target):
@@ -135,6 +135,7 @@ def test_grid(found: Any, target: str) -> None:
         assert np.max(errors(case, output, "grid", values)) <= allowed * unit, (case.name, output)
 
 
+@pytest.mark.slow
 def test_a_tolerance_bounds_what_is_left_out() -> None:
     case = BY_NAME["v2"]
     whole = Case("whole", case.engine, case.outputs)
@@ -175,7 +176,7 @@ def emitted(target: str, folder: Path, case: Case, more: tuple[str, ...] = ()) -
     return path
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("grid", [(), ("--uniform-grid",)], ids=["plain", "with grid"])
 @pytest.mark.parametrize("target", ["numpy", "array-api", *LANGUAGES])
 def test_self_test_passes_and_catches_a_wrong_constant(
@@ -208,6 +209,7 @@ def test_the_array_module_imports_no_library() -> None:
     assert not any(isinstance(node, ast.ImportFrom) for node in ast.walk(tree))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [None, 3])
 def test_the_c_header_is_plain_c_and_c_plus_plus(order: int | None, tmp_path: Path) -> None:
     case = Case("plain", "v8-90", ("couple.vertical", "force.vertical"), order=order)
@@ -221,6 +223,7 @@ def test_the_c_header_is_plain_c_and_c_plus_plus(order: int | None, tmp_path: Pa
     assert 'extern "C"' in header
 
 
+@pytest.mark.slow
 def test_javascript_takes_numbers_and_refuses_words(tmp_path: Path) -> None:
     emitted("javascript", tmp_path, BY_NAME["i1"])
     (tmp_path / "ask.mjs").write_text("""

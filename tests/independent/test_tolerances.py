@@ -43,6 +43,7 @@ def seen(pair, mode: str) -> float:
     }[mode]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", ENGINES)
 def test_mass_tolerances_are_the_worst_of_all_vertices(name):
     """2^N engines whose masses are all at an end: no other is worse, the modulus being convex in them."""
@@ -75,6 +76,7 @@ def turning(layout, n: int, arms: bool) -> complex:
     return sum((pull * (arm if arms else 1.0) for pull, arm in rows), 0j)
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", ["inline-1", "inline-3", "inline-4", "v6-60", "v2-45", "radial-5"])
 def test_what_turns_counts_and_stays_as_made(name):
     """All vertices of the masses, with the counterweights and shafts of the nominal engine too."""
@@ -144,7 +146,7 @@ def test_no_engine_within_tolerances_passes_the_bound(firing):
         assert worst.attained > tried[key] * 0.98, key
 
 
-@pytest.mark.spread(3)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ENGINES)
 def test_what_is_attained_is_attained(name):
     """The errors told, put into pistons, give the value told: mass, throw, bank and station."""
@@ -213,6 +215,7 @@ sectors = st.builds(
 )  # fmt: skip
 
 
+@pytest.mark.slow
 @example([AnnularSector(0.0, 1.0, 1.5), AnnularSector(-1.25, 1.0, 1.0, 1.8)])
 @given(st.lists(sectors, min_size=1, max_size=4))
 @settings(max_examples=60, deadline=None)
@@ -230,6 +233,7 @@ def test_the_largest_sum_is_the_top_of_its_support_function(rows):
         assert abs(total) <= found.value + 1e-9 * size
 
 
+@pytest.mark.slow
 def test_unlike_engines_and_link_rods_have_worst_cases():
     hung = sb.Cylinder(2, 0, 60, link=sb.engine.Link(1, 60, 30), rod=134)
     train = sb.engine.CrankTrain(stroke=Fraction(90), rod=Fraction(164))
@@ -284,6 +288,7 @@ def test_the_command(capsys, tmp_path, golden):
     assert float(worst) == pytest.approx(2 * 3**0.5 * 0.002 * 0.03665 * (200 * np.pi) ** 2, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_at_a_speed_worst_cases_are_newtons_and_newton_metres():
     """VQ30DE: 36.65 mm of radius, and its mass and pitch, at 3000 rpm."""
     engine, tolerances = sb.load("vq30de"), sb.design.Tolerances(mass="1%", throw="0.1", rotating="1%")
@@ -312,6 +317,7 @@ def printed(value: float) -> str:
     return digits.rstrip("0").rstrip(".") if "." in digits else digits
 
 
+@pytest.mark.slow
 def test_every_worst_case_stands_in_the_text():
     """With what is reached, what is proved, the drawing's own, and the estimate, in one line."""
     tolerances = sb.design.Tolerances(mass="1%", throw="0.3", bank="0.2", rotating="1%")

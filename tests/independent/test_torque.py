@@ -56,6 +56,7 @@ def torque(p: mp.mpf, lam: mp.mpf) -> mp.mpf:
 # --- inertia, one cylinder ---
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", RATIOS)
 def test_values_against_quadrature_of_velocity_times_acceleration(ratio: Fraction) -> None:
     with mp.workdps(kinematics.DIGITS):
@@ -95,6 +96,7 @@ def test_textbook_leading_terms() -> None:
         assert torque_series(n, max(terms)).terms == {p: Fraction(c) for p, c in terms.items()}
 
 
+@pytest.mark.slow
 @given(st.integers(1, 30), st.fractions("13/10", 30, max_denominator=20))
 @few
 def test_series_converges_to_the_value(order: int, ratio: Fraction) -> None:
@@ -104,7 +106,7 @@ def test_series_converges_to_the_value(order: int, ratio: Fraction) -> None:
     assert abs(mp.mpf(kept.numerator) / kept.denominator - exact) < mp.mpf(10) ** -15
 
 
-@pytest.mark.spread(4)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("ratio", [*RATIOS, Fraction(1001, 1000)])
 @pytest.mark.parametrize("order", [1, 2, 3, 7])
 def test_bound_on_what_is_left_out(ratio: Fraction, order: int) -> None:
@@ -121,6 +123,7 @@ def test_bound_on_what_is_left_out(ratio: Fraction, order: int) -> None:
         )  # attained at 90 degrees
 
 
+@pytest.mark.slow
 def test_bound_from_terms_and_from_the_whole_sum_agree() -> None:
     """On either side of where the way of computing it changes."""
     sides = [torque_left_out(9, Fraction(n, 100_000)) for n in (100_138, 100_139, 100_140)]
@@ -147,6 +150,7 @@ def test_surviving_orders(name: str) -> None:
     assert [o.order for o in inertia_torque(sb.load(name)).orders] == [*SURVIVING[name]]
 
 
+@pytest.mark.slow
 @given(st.lists(st.tuples(st.integers(0, 71), st.integers(-3, 3)), min_size=1, max_size=6))
 @few
 def test_any_layout_against_its_cylinders_added_up(places: list[tuple[int, int]]) -> None:
@@ -259,6 +263,7 @@ def test_a_jump_is_a_jump() -> None:
         assert abs(number - complex(cosine, sine)) < 1e-5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", [Fraction(4), Fraction(8, 5)])
 def test_isentropic_cycles_do_their_known_work(ratio: Fraction) -> None:
     """Otto's efficiency and the mixed cycle's, as textbooks write them, from the pressure alone."""
@@ -342,6 +347,7 @@ def gauss(start: float, end: float, p: float, q: float, order: float, lam: float
     return total * half
 
 
+@pytest.mark.slow
 def test_work_is_the_area_in_the_indicator_diagram() -> None:
     """The polygon through (V, p): straight in V where the torque's lines are straight in theta."""
     trace = OTTO.trace(4)
@@ -363,6 +369,7 @@ def engine(name: str = "inline-4", rpm: float = 3000, mass: float = 0.5) -> Runn
     )
 
 
+@pytest.mark.slow
 def test_mean_is_the_indicated_work() -> None:
     four = engine()
     swept = math.pi * 0.08**2 / 4 * 0.08
@@ -435,6 +442,7 @@ def test_extremes_against_a_dense_grid() -> None:
     assert found.of_energy == found.energy / made.work
 
 
+@pytest.mark.slow
 def test_a_flywheel_keeps_the_speed_it_was_made_for() -> None:
     """J omega d omega/d theta = T - mean, solved exactly: omega^2 = start^2 + 2 E/J."""
     made = engine()
@@ -587,6 +595,7 @@ BAD = {
 }
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", BAD)
 def test_bad_input(name: str) -> None:
     make, words = BAD[name]

@@ -129,6 +129,7 @@ def scale(layout: sb.Engine) -> mp.mpf:
     return exact((train.reciprocating_mass or 1) * (train.stroke / 2) ** 2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", RODDED)
 def test_crank_and_frame_by_energy_and_moment_of_momentum(name: str) -> None:
     """The crank gets what the energy loses; the frame minus that and minus the change of momentum."""
@@ -150,6 +151,7 @@ def test_crank_and_frame_by_energy_and_moment_of_momentum(name: str) -> None:
 ENGINES = {"narrow six": narrow_six, "hung radial": hung_radial, "mixed four": mixed_four}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ENGINES)
 def test_inertia_torque_against_the_energy_of_placed_pistons(name: str) -> None:
     layout = ENGINES[name]()
@@ -271,6 +273,7 @@ def test_a_running_engine_does_the_work_of_its_cycles(name: str) -> None:
     assert gas.mean * made.area * made.radius * 1e5 == pytest.approx(made.mean, rel=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", RODDED)
 def test_the_running_frame_is_the_crank_reversed_and_the_change_of_momentum(name: str) -> None:
     layout = fired(RODDED[name]())
@@ -383,6 +386,7 @@ def test_half_a_rod_is_refused(old: str, new: str, words: str, tmp_path, capsys)
     assert err.count("\n") == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["mixed four", "offset twin"])
 def test_the_unit_is_cylinder_one_wherever_it_is_listed(name: str) -> None:
     """Forces, torque, rods, gas and functions are in cylinder 1's sizes, listed last as well."""

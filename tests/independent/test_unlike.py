@@ -71,6 +71,7 @@ def test_all_orders_together_are_the_pistons(name, arms):
             assert abs(total - planar(layout, theta, arms)) < mp.mpf(10) ** -15
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ENGINES)
 def test_functions_hold_the_same(name):
     layout = ENGINES[name]()
@@ -199,7 +200,7 @@ BOUNDED = {**ENGINES, "near the limit": near_the_limit}
 NOTHING = 1e-12
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-5, 1e-9])
 @pytest.mark.parametrize("name", BOUNDED)
 def test_what_a_tolerance_leaves_out_is_bounded(name, tolerance):
@@ -222,7 +223,7 @@ def test_what_a_tolerance_leaves_out_is_bounded(name, tolerance):
             assert bound < 3 * lost, (output, bound / lost)
 
 
-@pytest.mark.spread(3)
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", ["1.3", "2", "4"])
 @pytest.mark.parametrize("aside", ["0", "1/2", "9/10"])
 @pytest.mark.parametrize("order", [1, 2, 5, 12, 40])

@@ -57,6 +57,7 @@ def test_masses_and_stations_as_symbols_are_the_pistons(name, n):
         assert against * factor == pytest.approx(found[-n], abs=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [1, 2, 3, 4])
 def test_lengths_as_symbols_are_the_pistons(n):
     """Radii, rods and offsets of their own: the series to power 23 at r/l = 0.25, e/l < 0.06."""
@@ -153,6 +154,7 @@ CHANGES = {
 }  # fmt: skip
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("name", LAYOUTS)
 def test_sensitivities_are_finite_differences_of_pistons(name):
     """Every derivative, of every cylinder, to order 4: also of orders that cancel as drawn."""
@@ -295,7 +297,7 @@ def test_sensitivities_of_masters_and_link_rods_are_finite_differences_of_piston
                     assert pair == pytest.approx((slope[n], slope[-n]), abs=3e-8), (name, number, n)
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("ratio", ["1.001", "1.05", 4, 1000])
 def test_slopes_obey_the_scale_of_the_mechanism(ratio):
     """r f is homogeneous of degree 1: its derivatives times r, l and e add up to it, at every order."""
@@ -399,6 +401,7 @@ def test_the_command(capsys, tmp_path, golden):
     assert "is no parameter" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_an_order_with_symbols_is_typeset(compile_latex, golden):
     alpha = sympy.Symbol("alpha")
     twin = sb.to_latex(sb.design.symbolic_order(sb.vee(alpha, pins=[0]), 1, masses="m"), standalone=True)
@@ -422,7 +425,7 @@ TYPESET = {
 }
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TYPESET)
 def test_the_formulas_of_a_document_are_those_of_the_order(name):
     """Their terms are ordered and their fractions built anew: numbers put into both agree."""

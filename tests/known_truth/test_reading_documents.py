@@ -257,7 +257,7 @@ HOSTILE_TEXT = "( ) { } [ $ = () $$ \\ \\[ \\( | ^ _ ` % <!-- = $_ =_"
 HOSTILE = HOSTILE_TEXT.split()
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("unit", HOSTILE)
 def test_a_megabyte_on_one_line_ends_soon(unit: str) -> None:
     text = unit.replace("_", " ") * (999_999 // len(unit))

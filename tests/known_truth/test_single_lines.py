@@ -101,7 +101,7 @@ def test_a_right_line_is_not_accused(line):
     assert not [v for v in found if v.verdict in ALARMS]
 
 
-@pytest.mark.spread(9)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("line", lines(WRONG))
 def test_a_wrong_line_does_not_pass(line):
     assert [v for v in check(f"$${line}$$", LETTERS).verdicts if v.verdict == "refuted"]
@@ -144,6 +144,7 @@ FIXES = {
 }
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("line", FIXES)
 def test_the_slip_is_named(line):
     (found,) = [v for v in check(f"$${line}$$", LETTERS).verdicts if v.verdict == "refuted"]

@@ -81,6 +81,7 @@ def test_a_radial_may_be_numbered_from_0_to_360(capsys, tmp_path, turns):
     assert force.forward.cos == preset.forward.cos
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     ("value", "same"),
     [(400, 40), (-270, 90), (720, 0), ("1087/3", "7/3"), (180, -180), (10**9, 280), (359.9, "-0.1")],

@@ -55,6 +55,7 @@ def test_cranks_of_every_shape_run_from_file_to_stress(name, pins, journals, tmp
     assert found["speeds"][0]["largest"] < 1
 
 
+@pytest.mark.slow
 def test_a_preset_has_no_sizes_and_says_so(capsys):
     assert run(["crankshaft", "inline-4"]) == 2
     err = capsys.readouterr().err
@@ -86,6 +87,7 @@ def test_slow_and_stiff_is_statics(tmp_path):
     assert np.abs(values["pin 1 sideways"] - sideways).max() < 0.01 * peak
 
 
+@pytest.mark.slow
 def test_bearings_with_walls_and_heads_pass_on_the_librarys_free_force(tmp_path):
     """A stiff in-line four at 2200 rpm: what its run leaves on the frame is `balance`, order by order."""
     text = sheet("[layout]\nfiring_order = [1, 3, 4, 2]\n").replace(CRANKSHAFT, STIFF)
@@ -105,6 +107,7 @@ def test_bearings_with_walls_and_heads_pass_on_the_librarys_free_force(tmp_path)
     assert np.abs(frame + weight - expected).max() < 0.01 * unit
 
 
+@pytest.mark.slow
 def test_what_the_pins_take_up_the_films_and_the_driveline_give_away(tmp_path):
     """Energy over a cycle: the gas's p dV is the mean torque's work, and a run creates none."""
     made = configure_run(engine(tmp_path, sheet()), webs="nominal")

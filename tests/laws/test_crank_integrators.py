@@ -204,6 +204,7 @@ def test_the_jacobian_is_that_of_the_slope(four):
     assert np.allclose(first.slope(1.3, state) - rest, first.matrix(1.3) @ state, rtol=1e-9, atol=1e-3)
 
 
+@pytest.mark.slow
 def test_a_housing_without_bounds_is_the_ground():
     full = full_system(Case("test"))
     system, _ = reduce_system(full)
@@ -239,6 +240,7 @@ def test_a_table_too_coarse_limits_every_method(four):
     assert np.abs(found[1].bearing - known.bearing).max() > 2e-2 * size
 
 
+@pytest.mark.slow
 def test_attachment_vectors_are_worth_more_than_modes(four):
     full, (few, basis) = full_system(Case("test")), four
     plain, modes = reduce_system(full, 40, attachments=False)
@@ -264,6 +266,7 @@ def test_large_systems_take_the_krylov_route_to_the_same_state(four, monkeypatch
     assert np.allclose(np.abs(leading[:4]), np.abs(factors[:4]), rtol=1e-5)
 
 
+@pytest.mark.slow
 def test_a_tolerance_is_kept(four):
     loose = steady_state(four[0], steps=90, tolerance=1e-4)
     assert loose.error <= 1e-4
@@ -330,6 +333,7 @@ def test_numbers_that_none_is_are_refused(four):
             asked()
 
 
+@pytest.mark.slow
 def test_an_undamped_housing_of_1e13_and_films_without_damping_run(four):
     system, _ = four
     stiff = Housing(np.tile(1e13 * np.eye(2), (5, 1, 1)), np.zeros((5, 2, 2)))
@@ -340,6 +344,7 @@ def test_an_undamped_housing_of_1e13_and_films_without_damping_run(four):
     assert np.abs(steady_state(replace(system, film=bare), steps=180).multipliers).max() > 1
 
 
+@pytest.mark.slow
 def test_a_fault_in_the_steps_shows(four, balanced):
     """A step's gain off by a thousandth is far outside what the comparisons above allow."""
     system, _ = four

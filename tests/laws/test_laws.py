@@ -87,6 +87,7 @@ def same(left: complex, right: complex) -> bool:
 # Numbers ------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @given(raw_terms())
 def test_reducing_keeps_the_value(raw: tuple) -> None:
     number = Phasor.of(*raw)
@@ -95,6 +96,7 @@ def test_reducing_keeps_the_value(raw: tuple) -> None:
     assert all(number.normal.values())
 
 
+@pytest.mark.slow
 @given(phasors(), phasors())
 def test_sums_products_and_conjugates_are_those_of_complex_numbers(a: Phasor, b: Phasor) -> None:
     assert same(value(a + b), value(a) + value(b))
@@ -106,6 +108,7 @@ def test_sums_products_and_conjugates_are_those_of_complex_numbers(a: Phasor, b:
     assert same(value(a.imaginary()), value(a).imag)
 
 
+@pytest.mark.slow
 @given(phasors(), st.fractions(-3, 3, max_denominator=30))
 def test_turning_multiplies_by_a_root_of_unity(a: Phasor, turns: Fraction) -> None:
     expected = value(a) * cmath.exp(2j * cmath.pi * float(turns))
@@ -114,6 +117,7 @@ def test_turning_multiplies_by_a_root_of_unity(a: Phasor, turns: Fraction) -> No
     assert (a.rotated(turns).rotated(-turns) - a).is_zero()
 
 
+@pytest.mark.slow
 @given(phasors(), phasors(), phasors())
 def test_the_laws_of_a_field(a: Phasor, b: Phasor, c: Phasor) -> None:
     assert (a + b - (b + a)).is_zero()
@@ -125,6 +129,7 @@ def test_the_laws_of_a_field(a: Phasor, b: Phasor, c: Phasor) -> None:
     assert (a.times(b).conjugate() - a.conjugate().times(b.conjugate())).is_zero()
 
 
+@pytest.mark.slow
 @given(raw_terms(), st.integers(1, 6), st.data())
 def test_equal_numbers_have_equal_normal_forms(raw: tuple, factor: int, data: st.DataObject) -> None:
     """The same number, written over a multiple of the modulus with vanishing sums mixed in."""
@@ -146,6 +151,7 @@ def test_equal_numbers_have_equal_normal_forms(raw: tuple, factor: int, data: st
     assert one.lifted(large).normal == other.lifted(large).normal
 
 
+@pytest.mark.slow
 @given(raw_terms())
 def test_a_number_is_zero_exactly_when_it_is_numerically(raw: tuple) -> None:
     """Coefficients are small, so what is not zero is far from it (its norm is at least one)."""
@@ -191,6 +197,7 @@ def close(expression: sympy.Expr, expected: mp.mpf) -> bool:
         return bool(abs(found - expected) <= mp.mpf(10) ** -30 * max(1, abs(expected)))
 
 
+@pytest.mark.slow
 @given(reals())
 def test_a_real_number_and_its_expression_agree(number: Phasor) -> None:
     assert close(exact_form(number), number.real_value(35))
@@ -235,6 +242,7 @@ def test_a_square_root_is_the_root_of_the_square(number: Phasor) -> None:
     assert close(square_root_form(square), expected)
 
 
+@pytest.mark.slow
 @given(reals(), st.integers(5, 60))
 def test_a_decimal_has_the_digits_it_promises(number: Phasor, digits: int) -> None:
     few, many = number.real_value(digits), number.real_value(2 * digits + 20)
@@ -299,6 +307,7 @@ def assert_same(left: Spectrum, right: Spectrum) -> None:
         assert (number - right.terms[n]).is_zero(), n
 
 
+@pytest.mark.slow
 @given(layouts(), ANGLES)
 def test_turning_the_engine_turns_what_it_does(layout: Engine, turn: Fraction) -> None:
     before, after = balance(layout, 8), balance(remade(layout, turn=turn), 8)
@@ -306,6 +315,7 @@ def test_turning_the_engine_turns_what_it_does(layout: Engine, turn: Fraction) -
     assert_same(after.couple, before.couple.rotated(turn / 360))
 
 
+@pytest.mark.slow
 @given(layouts(), ANGLES)
 def test_advancing_the_crank_is_one_phase_for_each_order(layout: Engine, lead: Fraction) -> None:
     """Throws turned on by delta mean theta turned on by delta: c_n times e^(i n delta)."""
@@ -317,6 +327,7 @@ def test_advancing_the_crank_is_one_phase_for_each_order(layout: Engine, lead: F
             assert same(value(new.terms[n]), expected)
 
 
+@pytest.mark.slow
 @given(layouts(), STATIONS)
 def test_where_the_engine_stands_does_not_matter(layout: Engine, shift: Fraction) -> None:
     before, after = balance(layout, 8), balance(remade(layout, shift=shift), 8)
@@ -324,6 +335,7 @@ def test_where_the_engine_stands_does_not_matter(layout: Engine, shift: Fraction
     assert_same(after.force, before.force)
 
 
+@pytest.mark.slow
 @given(layouts())
 def test_reversing_the_stations_negates_the_couple(layout: Engine) -> None:
     before, after = balance(layout, 8), balance(remade(layout, reverse=True), 8)
@@ -331,6 +343,7 @@ def test_reversing_the_stations_negates_the_couple(layout: Engine) -> None:
     assert_same(after.force, before.force)
 
 
+@pytest.mark.slow
 @given(layouts())
 def test_a_mirrored_engine_swaps_and_conjugates_its_orders(layout: Engine) -> None:
     """Mirrored in the vertical and run backward: the vertical stays, the lateral is negated."""
@@ -343,6 +356,7 @@ def test_a_mirrored_engine_swaps_and_conjugates_its_orders(layout: Engine) -> No
             assert (new - old.conjugate().scaled(sign)).is_zero()
 
 
+@pytest.mark.slow
 @given(layouts(), STATIONS)
 def test_the_plane_of_reference_moves_the_couple_by_the_force(layout: Engine, at: Fraction) -> None:
     about_mean, about = balance(layout, 8), balance(layout, 8, reference=at)
@@ -360,6 +374,7 @@ def test_two_engines_on_one_crank_add(one: Engine, two: Engine) -> None:
     assert_same(parts[2].couple, parts[0].couple + parts[1].couple)
 
 
+@pytest.mark.slow
 @given(layouts())
 def test_an_engine_and_its_opposite_cancel_the_odd_order(layout: Engine) -> None:
     """Delayed by half a turn, order 1 changes its sign and every even order doubles."""
@@ -371,6 +386,7 @@ def test_an_engine_and_its_opposite_cancel_the_odd_order(layout: Engine) -> None
     assert_same(both.force, even.scaled(2))
 
 
+@pytest.mark.slow
 @given(layouts())
 def test_what_is_listed_is_what_is_not_zero(layout: Engine) -> None:
     result = balance(layout, 10)
@@ -385,6 +401,7 @@ def test_what_is_listed_is_what_is_not_zero(layout: Engine) -> None:
             assert (forward.number + backward.number - vertical.number).is_zero()
 
 
+@pytest.mark.slow
 @given(st.integers(1, 24), st.sampled_from([2, 4]), st.randoms(use_true_random=False))
 def test_an_even_firing_in_line_engine_keeps_multiples_only(
     count: int, strokes: int, shuffle: Random
@@ -401,6 +418,7 @@ def test_an_even_firing_in_line_engine_keeps_multiples_only(
         assert same(value(force.terms[n]), count / 2)
 
 
+@pytest.mark.slow
 @given(st.integers(1, 12), st.randoms(use_true_random=False))
 def test_an_engine_with_mirrored_throws_has_no_couple(half: int, shuffle: Random) -> None:
     throws = [Fraction(360 * shuffle.randrange(12), 12) for _ in range(half)]
@@ -439,6 +457,7 @@ VEES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", VEES)
 def test_a_symbolic_bank_angle_holds_all_the_concrete_ones(name: str) -> None:
     symbolic = balance(vee(ALPHA, **VEES[name]), 4)
@@ -574,6 +593,7 @@ def test_a_float_is_read_as_it_prints(number: float) -> None:
     assert exact(number, "x") == Fraction(repr(number))
 
 
+@pytest.mark.slow
 @given(st.fractions(-1000, 1000, max_denominator=1000))
 def test_degrees_and_radians_are_one_angle(number: Fraction) -> None:
     radian = sympy.pi * sympy.Rational(number.numerator, 180 * number.denominator)
@@ -583,6 +603,7 @@ def test_degrees_and_radians_are_one_angle(number: Fraction) -> None:
     assert (again.turns - degrees(number).turns).denominator == 1
 
 
+@pytest.mark.slow
 @given(st.integers(2, 10), st.data())
 def test_where_a_cylinder_fires_its_pin_points_along_its_bank(count: int, data: st.DataObject) -> None:
     order = [1, *data.draw(st.permutations(range(2, count + 1)))]

@@ -154,6 +154,7 @@ def test_a_rendered_tree_reads_back_with_the_same_value(tree: Formula) -> None:
         assert abs(value(back) - value(tree)) <= 1e-6 * (1 + abs(value(tree))), text
 
 
+@pytest.mark.slow
 @UNHURRIED
 @given(st.one_of(junk, st.text(max_size=60)), st.sampled_from([".tex", ".md", ".txt", ""]))
 def test_any_text_is_read_or_refused(text: str, suffix: str) -> None:

@@ -49,6 +49,7 @@ def test_terms_come_apart_as_the_radicals_need_them() -> None:
     assert sympy.Integer(0).as_coeff_Mul()[1] == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("m", [7, 9, 11, 13, 14, 28, 36, 17, 257])
 def test_cosines_keep_their_value_however_they_are_folded(m: int) -> None:
     """SymPy moves arguments into (0, pi/2) at construction: another form, the same number."""

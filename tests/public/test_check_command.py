@@ -34,6 +34,7 @@ def written(folder: Path, text: str, sidecar: str = SIDECAR) -> str:
     return str(folder / "notes.md")
 
 
+@pytest.mark.slow
 def test_exit_codes(tmp_path, capsys):
     assert run(["check", written(tmp_path, GOOD)]) == 0
     assert run(["check", written(tmp_path, BAD)]) == 1
@@ -58,6 +59,7 @@ def test_a_page_without_relations_has_not_passed(page, tmp_path, capsys):
     assert sb.check(Path(path)).failed
 
 
+@pytest.mark.slow
 def test_every_relation_seen_is_counted(tmp_path, capsys):
     path = written(tmp_path, f"{GOOD}\n{BAD}\n$$x = q$$\n\n$$k = 2r$$\n")
     assert run(["check", path, "--format", "json"]) == 1
@@ -71,6 +73,7 @@ def test_every_relation_seen_is_counted(tmp_path, capsys):
     assert "\n4 relations seen: " in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_fault_of_ours_leaves_its_relation_undecided_and_the_report_whole(
     tmp_path, capsys, monkeypatch
 ):
@@ -143,6 +146,7 @@ def test_a_step_that_was_not_mended_is_told_of_beside_its_claim(tmp_path, capsys
     assert "as a step: no correction was found, by a fault of symbalance" in link["notes"][-1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("broken", "verdicts"),
     [
@@ -247,6 +251,7 @@ def test_an_inequality_of_numbers_is_never_just_a_range(relation, verdict):
     assert found.verdict == verdict
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     "relation",
     [
@@ -332,6 +337,7 @@ def test_a_line_bound_to_a_quantity_is_held_to_it(tmp_path):
     assert (found.verdict, found.bind) == ("refuted", "force.vertical, order 6 of v12-60")
 
 
+@pytest.mark.slow
 def test_declarations_may_head_the_document(tmp_path):
     for suffix, opening, mark, closing in (
         (".md", "<!-- ", "", "-->\n"),
@@ -366,6 +372,7 @@ def test_notes_may_be_piped_in(tmp_path, capsys, monkeypatch):
     assert "can be read only once" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("opening", "mark", "closing"), [("<!-- ", "", "-->"), ("% ", "% ", ""), ("# ", "# ", "")]
 )
@@ -412,6 +419,7 @@ BAD_SIDECARS = {
 }  # fmt: skip
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("sidecar", BAD_SIDECARS)
 def test_bad_declarations_are_refused_in_one_line(sidecar, tmp_path, capsys):
     known = "" if sidecar.startswith("[symbols") else SIDECAR
@@ -446,6 +454,7 @@ TEX = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", ["text", "latex", "html", "markdown"])
 def test_every_medium_says_what_the_data_says(medium):
     checked = example("check")
@@ -480,6 +489,7 @@ def test_a_line_of_text_stands_beside_its_verdict_or_whole_below_it():
     )
 
 
+@pytest.mark.slow
 def test_records_are_one_row_for_each_relation(tmp_path):
     rows = sb.check(Path(written(tmp_path, f"{GOOD}\n{BAD}"))).records()
     assert [(row["line"], row["verdict"], row["fix_kind"]) for row in rows] == [
@@ -488,6 +498,7 @@ def test_records_are_one_row_for_each_relation(tmp_path):
     ]
 
 
+@pytest.mark.slow
 def test_the_ending_of_the_output_chooses_the_medium(tmp_path, capsys):
     path = written(tmp_path, BAD)
     for name, begins in (
@@ -511,6 +522,7 @@ def test_a_correction_of_the_left_side_says_so():
     assert "stands: r² + 2r k + k²\n        should be: r² − 2r k + k²" in sb.to_text(found)
 
 
+@pytest.mark.slow
 def test_the_latex_report_compiles_and_shows_both_lines(compile_latex, tmp_path):
     found = sb.check(Path(written(tmp_path, BAD + r"$$x = \unknown_1$$" + "\n" + GOOD)))
     printed = sb.to_latex(found, standalone=True)
@@ -520,6 +532,7 @@ def test_the_latex_report_compiles_and_shows_both_lines(compile_latex, tmp_path)
     compile_latex(printed)
 
 
+@pytest.mark.slow
 def test_the_latex_report_loses_no_character_of_the_source(compile_latex):
     source = "$$x = −√3·½ λ² ± ∂ ÷ × ∫ ΔΩς désaxé ☃ ≠ … ₂ ÿ$$"
     printed = sb.to_latex(sb.check(source, LETTERS), standalone=True)
@@ -558,6 +571,7 @@ def _output(*command: str, folder: Path) -> str:
     return done.stdout.decode("utf-8", "replace")
 
 
+@pytest.mark.slow
 def test_every_character_of_the_report_compiles(compile_latex):
     from symbalance.document.latex_characters import escaped
 

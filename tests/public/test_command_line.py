@@ -70,7 +70,7 @@ def test_v12_table_fits_a_terminal_and_holds_one_family(capsys):
     assert "none, to order 12" in out
 
 
-@pytest.mark.spread(3)
+@pytest.mark.slow
 @pytest.mark.parametrize("engine", preset_names()[::2])
 def test_tables_fit_a_terminal(capsys, engine):
     out = printed(capsys, "balance", engine, "--order", "40")
@@ -143,6 +143,7 @@ def test_derive_prints_text_and_latex(capsys):
     )
 
 
+@pytest.mark.slow
 def test_derive_prints_the_equations_of_a_crankshaft_node(capsys, golden):
     golden("crank-node.txt", printed(capsys, "derive", "--quantity", "crank-node"))
     node = ("derive", "--quantity", "crank-node", "--rotation", "uvw")
@@ -172,6 +173,7 @@ def test_a_missed_target_is_an_exit_code(capsys, monkeypatch, met, code, word):
 # Refusals -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -216,6 +218,7 @@ def test_bad_arguments_are_refused_in_one_line(capsys, arguments, words):
         assert word in line
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -307,6 +310,7 @@ IDLE = {
 }
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("command", IDLE)
 def test_an_option_that_would_play_no_part_is_refused(command, capsys, tmp_path):
     notes = tmp_path / "notes.md"
@@ -380,6 +384,7 @@ def test_importing_the_package_imports_nothing_heavy():
     assert python("-c", code).stdout == "[]\n"
 
 
+@pytest.mark.slow
 def test_an_ascii_terminal_gets_a_table_too():
     done = python(
         "-m", "symbalance", "balance", "v12-60", env={**os.environ, "PYTHONIOENCODING": "ascii"}

@@ -334,6 +334,7 @@ REFUSED = [
 ]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(("changed", "said"), REFUSED, ids=[said for _, said in REFUSED])
 def test_bad_input_is_one_line_that_names_the_place(changed, said, tmp_path, capsys):
     path = written(tmp_path, sheet(**changed))
@@ -444,6 +445,7 @@ def test_a_missing_library_is_one_line_with_the_command(single, capsys, monkeypa
     assert "or --no-plots" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_the_package_and_other_commands_need_none_of_it():
     code = (
         "import sys, symbalance, symbalance.cli as c; c.run(['engines']); print('scipy' in sys.modules)"
@@ -567,6 +569,7 @@ def test_other_speeds_keep_their_stresses(single, tmp_path, capsys, monkeypatch)
     assert any("belongs to 1500 rpm, whose films do not settle" in note for note in both["notes"])
 
 
+@pytest.mark.slow
 def test_films_about_the_centre_may_give_no_motion(single, capsys, monkeypatch):
     monkeypatch.setattr(sweep, "_solve_periodic", grows)
     assert run(["crankshaft", single, "--rpm", "1500", *QUICK, "--format", "json"]) == 1
@@ -629,6 +632,7 @@ def test_files_of_earlier_runs_are_said_to_be_no_part(single, tmp_path, capsys):
     assert said in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_finished_speeds_are_as_readable_as_their_folder(single, tmp_path):
     out = tmp_path / "out"
     run(["crankshaft", single, "--rpm", "1500", *QUICK, "--no-plots", "-o", str(out)])

@@ -67,6 +67,7 @@ def test_nothing_to_do_is_said(capsys):
     assert "orders 1, 2: nothing to remove\n" in output(capsys, "design", "v12-60")
 
 
+@pytest.mark.slow
 def test_limits_are_kept_and_the_rest_is_told(capsys, golden):
     text = output(capsys, "design", "inline-1", "--remove", "1", "--no-counter-rotation")
     assert text.startswith("inline-1: order 1 reduced\n")
@@ -79,6 +80,7 @@ def test_limits_are_kept_and_the_rest_is_told(capsys, golden):
     assert "every throw" in text
 
 
+@pytest.mark.slow
 def test_json_is_exact_and_agrees_with_python(capsys):
     found = json.loads(output(capsys, "design", "inline-5", "--format", "json"))
     design = sb.design_balance(sb.load("inline-5"))
@@ -143,6 +145,7 @@ def test_records_name_every_weight_once():
     ]
 
 
+@pytest.mark.slow
 def test_latex_holds_together(capsys):
     page = output(capsys, "design", "inline-3", "--format", "latex", "--standalone")
     for part in ("Proposed weights", "Certificate", "What remains", "Before: inline-3 unchanged"):
@@ -166,7 +169,7 @@ def test_a_picture_is_drawn(capsys, tmp_path):
 # The balanced engine as a file ------------------------------------------------------------------------
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", preset_names()[::3])  # the designs of all: test_balancing
 def test_the_balanced_engine_goes_through_every_command(name, capsys, tmp_path):
     path = tmp_path / "smooth.toml"
@@ -192,6 +195,7 @@ def test_the_balanced_engine_in_latex_torque_and_code(capsys, tmp_path):
     assert "def " in output(capsys, "emit", str(path), "--target", "numpy")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", test_unlike.ENGINES)
 def test_unlike_engines_come_back_from_a_file(name, tmp_path):
     design = sb.design_balance(test_unlike.ENGINES[name](), [1, 2, 3])
@@ -249,6 +253,7 @@ TRAINS = [
 ]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("ratio", [None, 3])
 @pytest.mark.parametrize("train", TRAINS, ids=range(len(TRAINS)))
 def test_a_ratio_beside_strokes_and_rods_comes_back_or_is_refused(train, ratio, tmp_path):
@@ -296,7 +301,7 @@ def test_the_file_that_cannot_be_written_is_the_one_named(tmp_path, capsys):
         assert f"symbalance: file {path}: cannot be written" in capsys.readouterr().err
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", ["txt", "tex", "html", "md", "json"])
 def test_a_report_and_the_engine_are_both_written_or_neither(ending, tmp_path, capsys):
     engine, report = tmp_path / "smooth.toml", tmp_path / f"report.{ending}"
@@ -361,6 +366,7 @@ BAD = [
 ]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(("added", "said", "line"), BAD, ids=[said for _, said, _ in BAD])
 def test_a_bad_table_is_refused_where_it_stands(added, said, line, tmp_path, capsys):
     path = tmp_path / "bad.toml"
@@ -399,6 +405,7 @@ OPTIONS = [
 ]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(("options", "said"), OPTIONS, ids=[" ".join(o) for o, _ in OPTIONS])
 def test_a_bad_option_is_refused_in_one_line(options, said, capsys):
     assert said in refused(capsys, "design", "inline-1", *options)

@@ -43,6 +43,7 @@ VALIDATOR = jsonschema.Draft202012Validator(json.loads(schema_of_engine_files())
 # --- what is made from the table of keys ---
 
 
+@pytest.mark.slow
 def test_the_shipped_schema_is_made_from_the_keys(request: pytest.FixtureRequest) -> None:
     if request.config.getoption("--update"):
         SHIPPED.write_text(schema_of_engine_files(), encoding="utf-8")
@@ -417,7 +418,7 @@ def line_of(lines: dict[Path, int], path: Path) -> int:
     return lines[path]
 
 
-@pytest.mark.spread(25)
+@pytest.mark.spread(2)
 @each_key
 @pytest.mark.parametrize(
     "values",
@@ -457,6 +458,7 @@ def test_a_misspelt_key_is_refused_on_its_line_with_the_key_it_is_near(
 REQUIRED = [place for place in PLACES if place[2].required]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     ("name", "path", "key"), REQUIRED, ids=[f"{n}-{'.'.join(map(str, p))}" for n, p, _ in REQUIRED]
 )
@@ -498,6 +500,7 @@ TOGETHER = [
 ]
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(("name", "path", "value"), TOGETHER, ids=str)
 def test_keys_that_contradict_each_other_are_refused_by_both(
     name: str, path: Path, value: Any, folder: File
@@ -558,7 +561,7 @@ scalars = (
 )
 
 
-@pytest.mark.spread(6)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS, ids=lambda text: text[:60])
 @settings(max_examples=60, deadline=None)
 @given(

@@ -188,7 +188,7 @@ def test_a_schema_says_of_every_key_what_it_is(kind: str) -> None:
     assert not silent
 
 
-@pytest.mark.spread(10)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*EXAMPLES, *VARIANTS])
 def test_what_is_written_fits_its_schema_and_every_key_is_described(name: str) -> None:
     schema = CLASSES[written(name)["schema"]["result"]].json_schema()
@@ -241,7 +241,7 @@ def test_the_words_that_a_schema_lists_are_those_there_are() -> None:
     assert set(bounds["quantity"]["enum"]) == set(derivation["quantity"]["enum"]) == set(UNITS)
 
 
-@pytest.mark.spread(10)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", sorted(CLASSES))
 def test_a_fault_in_a_result_is_refused(kind: str) -> None:
     schema, value = CLASSES[kind].json_schema(), written(kind)

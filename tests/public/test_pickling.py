@@ -104,6 +104,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.slow
 def test_a_pool_of_workers_hands_a_refusal_on(tmp_path):
     """A worker's exception that cannot be read lets the pool wait for ever: here the test fails."""
     script = tmp_path / "pool.py"
@@ -191,6 +192,7 @@ def test_torque_says_the_same_after_pickle(name):
         assert [(s.order, s.vectors, s.is_closed()) for s in again] == stars
 
 
+@pytest.mark.slow
 def test_designs_variations_and_verdicts_say_the_same_after_pickle():
     design = sb.design_balance(sb.load("inline-3"), remove=[1])
     for again in twice(design):
@@ -215,7 +217,7 @@ def test_designs_variations_and_verdicts_say_the_same_after_pickle():
     assert all(str(again) == str(steps) for again in twice(steps))
 
 
-@pytest.mark.spread(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["numpy", "numba"])
 @pytest.mark.parametrize("warm", [False, True])
 def test_functions_give_the_same_numbers_after_pickle(target, warm):

@@ -44,6 +44,7 @@ def test_a_public_name_is_one_thing_in_every_room():
     assert {name: several for name, several in values.items() if len(several) > 1} == {}
 
 
+@pytest.mark.slow
 def test_no_other_class_of_the_package_has_the_name_of_a_public_one():
     values = {name: getattr(import_module(home), name) for _, name, home in public_names()}
     homes = {name: value.__module__ for name, value in values.items() if inspect.isclass(value)}
@@ -66,6 +67,7 @@ def test_a_public_name_stays_itself_when_its_module_is_imported():
 LONGEST_SENTENCE = 130
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "room", sorted(p.name for p in PACKAGE.iterdir() if p.is_dir() or p.suffix == ".py")
 )
@@ -182,7 +184,7 @@ def test_every_class_that_users_construct_is_among_them():
         "Amplitude",
         "Angle",
         "AttachedBody",
-        "ChannelExtremes",
+        "ChannelRange",
         "Claim",
         "Comparison",
         "Complex",
@@ -242,6 +244,7 @@ def test_every_class_that_users_construct_is_among_them():
             assert value in ARGUMENTS or name in by_functions, name
 
 
+@pytest.mark.slow
 def test_what_a_public_class_holds_is_public_too():
     """The classes of the package that the fields of public dataclasses name are public in some room."""
     names = {name for _, name, _ in public_names()}
@@ -257,7 +260,7 @@ def test_what_a_public_class_holds_is_public_too():
     assert not hidden
 
 
-@pytest.mark.spread(10)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_a_pickled_result_says_the_same(name):
     result = example(name)

@@ -46,6 +46,7 @@ def test_inertia_alone_is_exact(capsys):
     assert document["running"] is None
 
 
+@pytest.mark.slow
 def test_a_running_engine_has_mean_swing_and_flywheel(engine, capsys):
     options = ("--compression", "10", "--heat", "18", "--bore", "86", "--rpm", "3000")
     found = json.loads(printed(capsys, engine, *options, "--format", "json"))["running"]
@@ -55,7 +56,7 @@ def test_a_running_engine_has_mean_swing_and_flywheel(engine, capsys):
     assert "flywheel" in printed(capsys, engine, *options)
 
 
-@pytest.mark.spread(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", ["txt", "tex", "html", "md", "json"])
 def test_the_running_engine_is_part_of_the_one_document(engine, ending, tmp_path, capsys):
     """In every medium: orders of inertia, then mean, extremes, energy and flywheel, to 6 digits."""

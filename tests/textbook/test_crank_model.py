@@ -65,6 +65,7 @@ def test_slender_free_beam_has_the_textbook_wave_numbers():
     assert waves == pytest.approx(np.repeat([4.730041, 7.853205, 10.995608], 2), rel=3e-5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("diameter", "rate"), [(0.1, 2.0), (0.001, 4.0)])
 def test_free_beams_converge_to_timoshenkos_equation(diameter, rate):
     """Against the exact beam's frequency determinant: fourth order where slender, second where stocky.
@@ -152,6 +153,7 @@ TWO_DISCS = ({0.5: friswell_disc(0.28), 1.0: friswell_disc(0.35)}, (0.0, 1.5), 1
 OVERHUNG = ({1.5: friswell_disc(0.35)}, (0.0, 1.0), 1e7)
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     ("rotor", "rpm", "expected"),
     [
@@ -215,6 +217,7 @@ def test_a_straight_shaft_with_two_discs_twists_as_the_formula_says():
 # The assembled crank
 
 
+@pytest.mark.slow
 def test_the_crank_floats_and_weighs_what_it_should():
     crank = replace(
         reference_four(weighted=True),
@@ -235,6 +238,7 @@ def test_the_crank_floats_and_weighs_what_it_should():
     assert np.abs(rotor.centrifugal - rotor.centrifugal.T).max() < 1e-12
 
 
+@pytest.mark.slow
 def test_mass_centre_and_inertia_against_a_fine_cloud_of_points():
     """The rigid-body inertia of a bare throw by Monte-Carlo-free midpoint sums over its solids."""
     crank = simple_crank(angles=[0.7])
@@ -275,6 +279,7 @@ def cloud(crank):
     return total[0], total[1:3], total[3]
 
 
+@pytest.mark.slow
 def test_a_turned_crank_has_the_same_frequencies_and_turned_shapes():
     one, other = (assemble(simple_crank(angles=[a, a + pi]), webs="nominal") for a in (0.0, 1.1))
     assert natural_modes(one, 12).frequencies == pytest.approx(
@@ -282,6 +287,7 @@ def test_a_turned_crank_has_the_same_frequencies_and_turned_shapes():
     )
 
 
+@pytest.mark.slow
 def test_a_crank_seen_from_behind_has_the_same_frequencies():
     crank = simple_crank(angles=[0.3, 1.9, 4.0])
     back = Crank(crank.parts[::-1])
@@ -289,6 +295,7 @@ def test_a_crank_seen_from_behind_has_the_same_frequencies():
     assert one == pytest.approx(other, rel=1e-7)
 
 
+@pytest.mark.slow
 def test_modes_are_orthonormal_and_matched_with_themselves():
     rotor = assemble(simple_crank(3), webs="nominal")
     modes = natural_modes(rotor, 10)
@@ -307,6 +314,7 @@ def test_modal_damping_is_what_was_asked_for():
     assert got == pytest.approx(np.full(8, 0.03), rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("webs", ["nominal", "formula"])
 @pytest.mark.parametrize(
     "crank",
@@ -388,6 +396,7 @@ def test_a_sector_counterweight_against_its_formulas():
 # The solid
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     ("weighted", "webs", "low", "high"),
     [
@@ -407,6 +416,7 @@ def test_free_modes_against_the_meshed_crank(weighted, webs, low, high):
     assert low < errors.min() <= errors.max() < high
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("webs", ["solid", "formula"])
 def test_what_passes_a_web_is_what_pulls_before_it(webs):
     """Free-body: the loads that hold any bent shape, summed over the nodes in front of a web's middle."""
@@ -557,6 +567,7 @@ def test_a_web_under_another_webs_key_is_refused(tmp_path):
         open_store(path)
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(
     "missing", ["skfem", pytest.param("gmsh", marks=pytest.mark.skipif(not MESHER, reason="optional"))]
 )
@@ -597,6 +608,7 @@ def test_a_meshed_web_is_symmetric_positive_and_converges():
     assert np.abs((coarse - finer) / scale).max() < 0.06
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not MESHER, reason="gmsh and scikit-fem are optional")
 def test_a_meshed_round_bar_is_the_beam():
     """A half throw without a throw: pin on the journal's axis, a web that is a slice of the same bar."""
@@ -812,6 +824,7 @@ def test_wrong_requests_are_refused():
         shaft([Tube(1.0, 0.05)], bearings=(1.2,))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "high"), [("short", 5.0), ("slender", 3.0)])
 def test_short_and_slender_cranks_below_their_webs_own_modes(name, high):
     """The first ten; above, a web's own plate modes come, which no beam has: `crankshaft-model.md`."""

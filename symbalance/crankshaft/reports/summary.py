@@ -34,7 +34,7 @@ COARSE = 0.05
 
 
 @dataclass(frozen=True)
-class ChannelExtremes:
+class ChannelRange:
     """A channel's least and largest value over all speeds, MPa or degrees; where it is largest."""
 
     name: str
@@ -87,7 +87,7 @@ class Summary(Result):
     frequencies: tuple[tuple[float, str], ...]
     """The free crank's natural frequencies in Hz, and what mostly moves."""
     speeds: tuple[SpeedFigures, ...]
-    extremes: tuple[ChannelExtremes, ...]
+    extremes: tuple[ChannelRange, ...]
     places: tuple[PlaceDurability, ...]
     comparisons: tuple[Comparison, ...]
     notes: tuple[str, ...]
@@ -186,14 +186,14 @@ def _speed(outcome: SpeedOutcome) -> SpeedFigures:
     )
 
 
-def _extreme(name: str, outcomes: Sequence[SpeedOutcome]) -> ChannelExtremes:
+def _extreme(name: str, outcomes: Sequence[SpeedOutcome]) -> ChannelRange:
     unit = outcomes[0].units[outcomes[0].names.index(name)]
     scale = 1 / MEGA if unit == "Pa" else 1.0
     curves = [outcome.channel(name) * scale for outcome in outcomes]
     worst = max(range(len(curves)), key=lambda i: np.abs(curves[i]).max())
     orders, sizes = outcomes[worst].orders(name)
     strongest = sorted(range(1, len(orders)), key=lambda k: -sizes[k])[:SHOWN_ORDERS]
-    return ChannelExtremes(
+    return ChannelRange(
         name,
         "MPa" if unit == "Pa" else unit,
         float(min(c.min() for c in curves)),

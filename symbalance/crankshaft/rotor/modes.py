@@ -117,7 +117,7 @@ def check_support(rotor: Rotor, support: Array) -> Array:
     """Return the support; refuses what is not (n, n) and finite."""
     if np.shape(support) != rotor.stiffness.shape or not np.isfinite(support).all():
         rule = f"must be finite, of shape {rotor.stiffness.shape}"
-        raise SymbalanceError(f"support of shape {np.shape(support)}", rule, "held_at makes one")
+        raise SymbalanceError(f"support of shape {np.shape(support)}", rule, "bearing_springs makes one")
     return support
 
 

@@ -7,7 +7,7 @@ looks alike from all sides (M, K, C and G commute with T) obeys in stationary ax
 
 as dK - G S + M S S = 0 then: the rotor's damping C, which turns, brings a circulatory stiffness. Supports
 stand still and may have cross terms, differ in two directions and depend on the speed. A rotor that is
-not round has periodic coefficients on such supports: see `supported`.
+not round has periodic coefficients on such supports: see `system_on_supports`.
 """
 
 from __future__ import annotations
@@ -151,5 +151,5 @@ def _check_round(rotor: Rotor, turn: Array) -> None:
         matrix = getattr(rotor, name)
         if np.abs(matrix @ turn - turn @ matrix).max() > ROUND * np.abs(matrix).max():
             rule = "must look alike from all sides in stationary axes"
-            remedy = "supported and steady_state give its Floquet multipliers"
+            remedy = "system_on_supports and steady_state give its Floquet multipliers"
             raise SymbalanceError(f"the rotor's {name}", rule, remedy)
