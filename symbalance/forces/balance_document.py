@@ -238,7 +238,7 @@ def coefficient_table(
     for order in orders:
         assert order.coefficient is not None
         value = values.get(order.order)
-        written = "" if value is None else Decimal(short_decimal(value))
-        cells.append((number(order.order), _series(order.coefficient), written))
+        value_cell = "" if value is None else Decimal(short_decimal(value))
+        cells.append((number(order.order), _series(order.coefficient), value_cell))
     columns = (Column("order"), Column((letter, " in powers of ", 1 / _LAM)), Column(at))
     return Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells))

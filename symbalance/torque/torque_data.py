@@ -119,6 +119,6 @@ def _order(balance: TorqueBalance, n: int) -> dict[str, Any]:
     order, value = balance[n], balance.values.get(n)
     series, coefficient = order.coefficient, None
     if series is not None:
-        written = None if value is None else decimal_text(value, DIGITS)
-        coefficient = {"series": str(series.in_lam()), "through": series.through, "value": written}
+        decimal_value = None if value is None else decimal_text(value, DIGITS)
+        coefficient = {"series": str(series.in_lam()), "through": series.through, "value": decimal_value}
     return {"order": str(n), "coefficient": coefficient, "torque": dict(component_values(order.torque))}

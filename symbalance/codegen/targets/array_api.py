@@ -209,8 +209,8 @@ def self_test(xp=None):
 
 def _test(angles, checks, xp, times):
     _compare("", evaluate(angles, xp=xp), checks, angles.dtype, 1.0)
-    found = evaluate(angles, xp=xp, **KEYWORDS)
-    _compare(" with keywords", found, checks, angles.dtype, 2.0, UNITS)
+    actual = evaluate(angles, xp=xp, **KEYWORDS)
+    _compare(" with keywords", actual, checks, angles.dtype, 2.0, UNITS)
 {grid}    infinite = xp.asarray([float("inf"), float("-inf"), float("nan")], dtype=angles.dtype)
     lost = evaluate(infinite, xp=xp)
     for values in [lost] if len(OUTPUTS) == 1 else lost.values():
@@ -218,9 +218,9 @@ def _test(angles, checks, xp, times):
             raise AssertionError(f"not NaN where theta is not finite: {{values}}")
 
 
-def _compare(where, found, checks, dtype, times, units=(1.0,)*len(OUTPUTS)):
+def _compare(where, actual, checks, dtype, times, units=(1.0,)*len(OUTPUTS)):
     for j, (name, unit) in enumerate(zip(OUTPUTS, units)):
-        values = found if len(OUTPUTS) == 1 else found[name]
+        values = actual if len(OUTPUTS) == 1 else actual[name]
         if values.dtype != dtype:  # no assert: python -O would leave it out
             raise AssertionError(f"{{name}}: {{values.dtype}} from {{dtype}}")
         for i, (theta, true, allowed) in enumerate(checks):

@@ -175,13 +175,13 @@ static double angles[MANY], values[{count}][MANY + 1];
 static float singles[MANY], rounded[{count}][MANY + 1];
 static size_t row[MANY];
 
-static int differs(const double *check, const double *found, const double *unit) {{
+static int differs(const double *check, const double *actual, const double *unit) {{
     int failed = 0;
     for (size_t j = 0; j < {count}; j++) {{
         const double scale = unit ? unit[j] : 1.0, value = scale * check[1 + j];
         const double off = (unit ? 2.0 : 1.0) * scale * check[1 + {count} + j];
-        if (!(fabs(found[j] - value) <= off)) {{
-            printf("output %zu at %.17g: %.17g, true %.17g\\n", j, check[0], found[j], value);
+        if (!(fabs(actual[j] - value) <= off)) {{
+            printf("output %zu at %.17g: %.17g, true %.17g\\n", j, check[0], actual[j], value);
             failed = 1;
         }}
     }}
@@ -215,12 +215,12 @@ static int arrays_differ(void) {{
             {name}(MANY, angles, 1.0, 1.0, 1.0, 1.0, {values});
         }}
         for (size_t i = 0; i < MANY; i++) {{
-            double found[{count}];
+            double actual[{count}];
             for (size_t j = 0; j < {count}; j++) {{
-                found[j] = values[j][i];
+                actual[j] = values[j][i];
                 failed |= !isnan(values[j][MANY]);
             }}
-            failed |= differs(checks[row[i]], found, other ? units : NULL);
+            failed |= differs(checks[row[i]], actual, other ? units : NULL);
         }}
     }}
     return failed;
@@ -251,18 +251,18 @@ static int floats_differ(void) {{
 int main(void) {{
     int failed = 0;
     for (size_t i = 0; i < ANGLES; i++) {{
-        double found[{count}];
+        double actual[{count}];
         {name}(1, checks[i], 1.0, 1.0, 1.0, 1.0, {pointers});
-        failed |= differs(checks[i], found, NULL);
+        failed |= differs(checks[i], actual, NULL);
     }}
     failed |= arrays_differ();
     failed |= floats_differ();
 {grid}    const double lost[] = {{INFINITY, NAN}};
     for (size_t i = 0; i < 2; i++) {{
-        double found[{count}];
+        double actual[{count}];
         {name}(1, lost + i, 1.0, 1.0, 1.0, 1.0, {pointers});
         for (size_t j = 0; j < {count}; j++) {{
-            failed |= !isnan(found[j]);
+            failed |= !isnan(actual[j]);
         }}
     }}
     printf("self-test %s: %d angles\\n", failed ? "FAILED" : "passed", (int)ANGLES);
@@ -286,12 +286,12 @@ static int grids_differ(void) {{
             {name}_on_grid({points}, 2, 1.0, 1.0, 1.0, 1.0, {values});
         }}
         for (size_t i = 0; i < 2 * {points}; i++) {{
-            double found[{count}];
+            double actual[{count}];
             for (size_t j = 0; j < {count}; j++) {{
-                found[j] = values[j][i];
+                actual[j] = values[j][i];
                 failed |= !isnan(values[j][2 * {points}]);
             }}
-            failed |= differs(grid_checks[i], found, other ? units : NULL);
+            failed |= differs(grid_checks[i], actual, other ? units : NULL);
         }}
     }}
     return failed;
@@ -461,7 +461,7 @@ def _self_test(plan: Plan, name: str, grid: bool) -> str:
         units=", ".join(map(repr, unit_values(plan))),
         values=values,
         rounded=", ".join(f"rounded[{i}]" for i in range(count)),
-        pointers=", ".join(f"found + {i}" for i in range(count)),
+        pointers=", ".join(f"actual + {i}" for i in range(count)),
         grid_checks=grid_test if grid else "",
         grid=GRID_TEST if grid else "",
         **shared,

@@ -104,15 +104,15 @@ const UNITS = [{units}];
 {grid_rows}
 /** Compare with the true values, singly and as an array; throw an Error past a bound. */
 export function selfTest() {{
-  const values = (found) => OUTPUTS.map((name) => (OUTPUTS.length === 1 ? found : found[name]));
+  const values = (actual) => OUTPUTS.map((name) => (OUTPUTS.length === 1 ? actual : actual[name]));
   const together = values(evaluate(CHECKS.map(([theta]) => theta)));
-  const compare = ([theta, expected, allowed], found, where, units) => OUTPUTS.forEach((name, j) => {{
+  const compare = ([theta, expected, allowed], actual, where, units) => OUTPUTS.forEach((name, j) => {{
     const unit = units ? units[j] : 1, off = units ? 2*unit*allowed[j] : allowed[j];
-    if (!(Math.abs(found[j] - unit*expected[j]) <= off)) {{
-      throw new Error(`${{name}}${{where}}(${{theta}}) = ${{found[j]}}, true ${{unit*expected[j]}}`);
+    if (!(Math.abs(actual[j] - unit*expected[j]) <= off)) {{
+      throw new Error(`${{name}}${{where}}(${{theta}}) = ${{actual[j]}}, true ${{unit*expected[j]}}`);
     }}
   }});
-  const column = (found, i) => found.map((values) => values[i]);
+  const column = (actual, i) => actual.map((values) => values[i]);
   const singles = Float32Array.from(CHECKS, ([theta]) => theta);
   const rounded = values(evaluate(singles)), doubled = values(evaluate(Float64Array.from(singles)));
   CHECKS.forEach((check, i) => {{
@@ -127,8 +127,8 @@ export function selfTest() {{
       }}
     }});
   }});
-{grid_test}  for (const found of values(evaluate([Infinity, -Infinity, NaN]))) {{
-    if (!found.every(Number.isNaN)) throw new Error(`not NaN where theta is not finite: ${{found}}`);
+{grid_test}  for (const actual of values(evaluate([Infinity, -Infinity, NaN]))) {{
+    if (!actual.every(Number.isNaN)) throw new Error(`not NaN where theta is not finite: ${{actual}}`);
   }}
 }}
 

@@ -175,10 +175,10 @@ def self_test():
             raise AssertionError(f"not NaN where theta is not finite: {{values}}")
 {grid}
 
-def _compare(where, found, checks, rows, units=(1.0,)*len(OUTPUTS)):
+def _compare(where, actual, checks, rows, units=(1.0,)*len(OUTPUTS)):
     """Compare values with those of rows of checks, in units; a unit that is not 1 is a rounding more."""
     for j, (name, unit) in enumerate(zip(OUTPUTS, units)):
-        values = np.ravel(found if len(OUTPUTS) == 1 else found[name])
+        values = np.ravel(actual if len(OUTPUTS) == 1 else actual[name])
         true, allowed = (np.array([check[k][j] for check in checks])[rows] for k in (1, 2))
         allowed = unit*allowed if unit == 1.0 else 2.0*unit*allowed
         wrong = np.flatnonzero(~(np.abs(values - unit*true) <= allowed))

@@ -118,9 +118,9 @@ function self_test()
             end
             expected = checks(i, 1 + j);
             allowed = checks(i, 1 + {count} + j);
-            for found = [alone(j), together(i, j)]
-                if ~(abs(found - expected) <= allowed)
-                    error('output %d at %.17g: %.17g, true %.17g', j, checks(i, 1), found, expected);
+            for actual = [alone(j), together(i, j)]
+                if ~(abs(actual - expected) <= allowed)
+                    error('output %d at %.17g: %.17g, true %.17g', j, checks(i, 1), actual, expected);
                 end
             end
         end

@@ -72,5 +72,7 @@ def _thrust(section: Section, count: int) -> int:
 def _housing(section: Section, count: int) -> tuple[tuple[float, float, float], ...] | None:
     if "housing_vertical" not in section:
         return None
-    vertical, lateral = (section.numbers(f"housing_{way}", count) for way in ("vertical", "lateral"))
+    vertical, lateral = (
+        section.numbers(f"housing_{direction}", count) for direction in ("vertical", "lateral")
+    )
     return tuple(zip(vertical, lateral, section.numbers("housing_damping", count), strict=True))

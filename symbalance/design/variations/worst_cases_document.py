@@ -35,10 +35,10 @@ def worst_cases_document(result: WorstCases) -> Document:
         if not quantity.startswith("rotating") or any(w.quantity == quantity for w in result)
     ]
     title = f"{result.engine.name}: the worst within tolerances{speed}"
-    return Document(title, blocks(*tables, _legend(result)), lead=_given(result))
+    return Document(title, blocks(*tables, _legend(result)), lead=_tolerance_words(result))
 
 
-def _given(result: WorstCases) -> Words:
+def _tolerance_words(result: WorstCases) -> Words:
     """Return the tolerances, plus or minus."""
     parts: list[Words] = []
     for name in UNITS:

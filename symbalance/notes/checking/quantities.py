@@ -108,17 +108,17 @@ def _coefficient(
 def geometry(binding: Binding, engine: KnownEngine, theta: Formula) -> Formula:
     """Return the sum over the bound cylinders of weight cos n(θ + delay)."""
     kind, component, function = (*binding.quantity.split("."), "", "")[:3]
-    chosen = [c for c in engine.cylinders if _is_meant(binding, c, engine)]
-    if not chosen:
+    cylinders = [c for c in engine.cylinders if _is_meant(binding, c, engine)]
+    if not cylinders:
         raise _refusal(binding, "cylinder", binding.cylinder, "name a cylinder or bank the engine has")
-    if not component and binding.cylinder is None and len({c.bank for c in chosen}) > 1:
+    if not component and binding.cylinder is None and len({c.bank for c in cylinders}) > 1:
         raise _refusal(binding, "quantity", binding.quantity, f"write {kind}.vertical or {kind}.lateral")
     order, plane = Number(Fraction(binding.order or 1)), engine.mean_station
     wave = Product((order, theta))
     if function:  # the coefficient of cos nθ or sin nθ alone
         wave = Number(Fraction(0)) if function == "cos" else Quotient(Constant("pi"), Number(Fraction(2)))
     terms: list[Formula] = []
-    for cylinder in chosen:
+    for cylinder in cylinders:
         weight = cylinder.station - plane if kind == "couple" else Fraction(1)
         terms.append(_of_cylinder(cylinder, binding.order or 1, weight, component, wave))
     return Sum(tuple(terms))
