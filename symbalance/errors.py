@@ -1,4 +1,4 @@
-"""Every refusal symbalance makes, in one form: place, value, rule, remedy."""
+"""The exceptions symbalance raises for bad input, all in one form: place, value, rule, remedy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cases of `symbalance bench stability`: worst error, where, bound, and the naive form's error."""
+"""One case of `symbalance bench stability`: its worst error, the bound, the naive formula's error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every symbol of the formulas: its name in Python, its LaTeX, its unit and its meaning.
+"""Table of every symbol in the formulas: its name in Python, its LaTeX, its unit and its meaning.
 
 =======  ==========  =====  ==========================================================
 name     LaTeX       unit   meaning

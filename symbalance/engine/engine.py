@@ -1,4 +1,4 @@
-"""An engine: its cylinders, each complete, in groups of like ones, and what balances it."""
+"""The class `Engine`: cylinders in groups of like ones, counterweights and balance shafts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Angles as exact fractions of a turn, with room for symbols.
+"""Angles as exact fractions of a turn, plus multiples of symbols.
 
 Numbers and text are degrees. A SymPy expression is the angle itself, in radians: a rational multiple
 of pi plus rational multiples of symbols, so that ``alpha/2`` or ``pi/6 + alpha`` may be a bank angle.

@@ -1,4 +1,4 @@
-"""The coefficients that like cylinders have in common: A_n of the force, t_n, u_n and k_n of the torques.
+"""Coefficients of one cylinder's harmonics: A_n of its force; t_n, u_n and k_n of its torques.
 
 Of centred cylinders that are alike, an order of the engine is one such coefficient, which is the
 kinematics of one cylinder, times a sum over angles, which is geometry: the two are shown apart.

@@ -1,4 +1,4 @@
-"""Fluctuation of a torque over its cycle, and the flywheel that evens the speed.
+"""Fluctuation of a torque over its cycle, and the flywheel that evens out the speed.
 
 What a torque T(theta) does beyond its mean is stored in all that turns, of moment of inertia J. Under a
 constant load its energy E, the integral of T - mean, swings by dE = max E - min E, and the speed between

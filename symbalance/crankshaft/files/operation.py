@@ -1,4 +1,4 @@
-"""The table [running] of an engine file: bore, speeds, pressure, rods, strength, a measured curve."""
+"""Reading of [running] in an engine file: bore, speeds, gas pressure, rods, strength, measured curve."""
 
 from __future__ import annotations
 

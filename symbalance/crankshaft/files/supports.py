@@ -1,4 +1,4 @@
-"""The table [bearings] of an engine file: clearances, oil, structure behind the films, thrust bearing."""
+"""Reading of [bearings] in an engine file: clearances, oil, housing stiffness, thrust bearing."""
 
 from __future__ import annotations
 

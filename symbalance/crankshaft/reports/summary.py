@@ -1,4 +1,4 @@
-"""Figures of a running crankshaft, which every report of a run prints."""
+"""The figures of a crankshaft's run: speeds, extremes, durability; every report of a run prints them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Straight stepped shafts with discs and bearings: rotors as handbooks draw them."""
+"""Straight stepped shafts with discs and bearings as rotors."""
 
 from __future__ import annotations
 

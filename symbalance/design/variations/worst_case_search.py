@@ -1,4 +1,4 @@
-r"""Worst cases of an engine within its tolerances: what errors can add up to in each order, with proof.
+r"""Worst cases of an engine within its tolerances: the largest force and couple by order, with bounds.
 
 Cylinder j pushes along its axis with weight w_j: seen in the direction u, order n is
 

@@ -1,4 +1,4 @@
-"""The mechanisms between crank and piston, slider-crank and link rod, and whether the rod reaches.
+"""The mechanisms between crank and piston: slider-crank and link rod, with checks of their lengths.
 
 A rod reaches where |sin phi| < 1. For complex crank angles |Im p| <= a, with C = cosh a,
 

@@ -1,4 +1,4 @@
-"""Polynomials in 1/lambda that state the power through which they are kept."""
+"""Truncated power series in 1/lambda: polynomials that know the highest power they are exact to."""
 
 from __future__ import annotations
 
