@@ -26,7 +26,7 @@ Item = TypeVar("Item")
 
 
 class Result:
-    """The base of every result; it has no state of its own."""
+    """Base class of all results: shown as text, LaTeX, HTML, Markdown and JSON, and in notebooks."""
 
     __slots__ = ()
 

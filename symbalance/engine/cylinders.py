@@ -44,7 +44,7 @@ def unchecked_copy(value: Frozen, **changes: object) -> Frozen:
 
 @dataclass(frozen=True, init=False)
 class Cylinder:
-    """One cylinder, which knows all about itself.
+    """A cylinder: its number, station, bank angle, crank throw, firing angle and sizes.
 
     `throw` is its crank pin's angle at theta = 0 and `bank` its axis' angle, degrees if numbers or
     text, the angle itself if a SymPy expression. `station` is its place along the crank, in cylinder

@@ -52,7 +52,7 @@ class Group:
 
 @dataclass(frozen=True, init=False)
 class Engine:
-    """An engine: cylinders that know all about themselves, strokes per cycle, and balance masses.
+    """An engine: its cylinders, strokes per cycle, counterweights and balance shafts.
 
     `pitch` is the distance of neighbouring cylinders in mm, None if not known. The cylinder of the
     lowest number is the unit: forces count in its m r omega^2. Sizes shared by all cylinders are put

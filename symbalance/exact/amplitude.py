@@ -28,7 +28,7 @@ HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 class Amplitude(ABC):
-    """A complex number of one of three kinds, which decides by itself whether it is zero.
+    """A complex number, exact, symbolic or decimal, that decides for itself whether it is zero.
 
     >>> from symbalance.exact.decimal_phasor import DecimalPhasor
     >>> from symbalance.exact.phasor import Phasor

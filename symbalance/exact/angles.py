@@ -99,7 +99,7 @@ def _merged(first: SymbolPart, second: SymbolPart) -> SymbolPart:
 
 
 def degrees(value: object, name: str = "angle") -> Angle:
-    """Return the angle of so many degrees: a number, a decimal or a fraction as text."""
+    """Return an angle from its degrees: a number, a decimal or a fraction as text."""
     number = exact(value, name)
     if number.denominator > LARGEST_DENOMINATOR:
         near = number.limit_denominator(100)

@@ -31,7 +31,7 @@ from symbalance.text.reals import Real
 
 @dataclass(frozen=True)
 class Kinematics:
-    """The coefficients of one cylinder: letter, unit, series through a power, values, usual power.
+    """Coefficients of one cylinder's harmonics: letter, unit, series, values, usual highest power.
 
     `series(n, power)` is the coefficient of order n through (1/lambda)^power, `values(order, ratio,
     digits)` maps every n to its value exact in lambda, `power(n)` is the power that keeps two terms.

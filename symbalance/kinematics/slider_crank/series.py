@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Series:
-    """A polynomial in 1/lambda, exact through the power `through`; higher powers are left out.
+    """A truncated series in 1/lambda, exact through the power `through`.
 
     `terms` maps a power of 1/lambda to its coefficient. `complete` says that nothing is left out at all.
 
