@@ -1,4 +1,4 @@
-"""One case of `symbalance bench stability`: its worst error, the bound, the naive formula's error."""
+"""Measuring of a case in `bench stability`: worst error and where, its bound, the naive error."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One cylinder: where it stands, which way it points, where its crank pin is, and all its sizes.
+"""The class `Cylinder`: its number, station, axis, crank pin, firing angle and sizes.
 
 Angles are positive in the sense of rotation, from straight up, the engine seen from the front turning
 clockwise. A cylinder's own crank angle is theta + throw - bank: top dead centre where that is 0.
