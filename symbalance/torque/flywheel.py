@@ -109,7 +109,7 @@ def checked_delta(delta: object, name: str = "delta") -> float:
 
 
 def speed_fluctuation(energy: float, omega: float, inertia: object) -> float:
-    """Return the coefficient of speed fluctuation delta = dE/(J omega^2), with J in kg m^2.
+    """Return delta = (omega_max - omega_min)/omega = dE/(J omega^2), the speed fluctuation; J in kg m^2.
 
     Formulas:
         (omega (1 + delta/2) - omega (1 - delta/2))/omega = delta
