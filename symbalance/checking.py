@@ -18,7 +18,7 @@ VALUE_DIGITS = 30
 
 
 class LibraryEngines:
-    """What the checker learns of engines: presets, engine files, a slider-crank's harmonics."""
+    """Knowledge of engines for the checker: presets, engine files, a slider-crank's harmonics."""
 
     def engine(self, name: str, folder: Path) -> KnownEngine:
         """Return a preset, or the engine of a file: one in `folder` before one of the working folder."""

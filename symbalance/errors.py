@@ -1,4 +1,4 @@
-"""Every refusal symbalance makes, in one form: place, value, rule, remedy."""
+"""The exceptions symbalance raises for bad input, all in one form: place, value, rule, remedy."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _without_init(kind: type[PicklableError], args: tuple[object, ...]) -> Pickl
 
 
 class SymbalanceError(PicklableError, ValueError):
-    """Input that symbalance refuses; `str()` of it is the one line a person reads.
+    """Bad input; `str()` gives a one-line message for the user.
 
     The line reads ``place = value: rule; remedy``, for instance
     ``fires = 800: must lie in [0, 720); degrees after cylinder 1's firing``.

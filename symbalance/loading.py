@@ -1,4 +1,4 @@
-"""Public names that load on first use: a package imports nothing until one of its names is asked for.
+"""Lazy imports: a package's public names are imported when they are first used.
 
 A package lists its names once, in the stub `__init__.pyi` beside its `__init__.py`, a line each:
 

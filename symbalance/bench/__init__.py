@@ -1,4 +1,4 @@
-"""Time and error of everything the package computes, measured on the user's machine beside alternatives.
+"""Benchmarks: speed and error of what the package computes, measured beside the alternatives.
 
 In: a topic, `symbalance bench TOPIC`. Out: a report with `text()` and `missed_targets()`.
 

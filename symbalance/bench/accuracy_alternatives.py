@@ -1,4 +1,4 @@
-"""Alternatives to symbalance's functions, by name: what a user writes without it, or from its sum alone.
+"""Competitors in `symbalance bench accuracy`: per-cylinder NumPy, lambdify, Numba and heyoka.
 
 NumPy per cylinder: exact kinematics, a vectorised line a step, one cylinder after the other. It is
 written with care: squares by multiplication, no power function. The others start from the surviving

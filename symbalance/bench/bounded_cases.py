@@ -1,4 +1,4 @@
-"""Cases of `symbalance bench stability`: worst error, where, bound, and the naive form's error."""
+"""Measuring of a case in `bench stability`: worst error and where, its bound, the naive error."""
 
 from __future__ import annotations
 

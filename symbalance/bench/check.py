@@ -1,4 +1,4 @@
-"""`symbalance bench check`: time and rightness of the checker of derivations, and the faults it catches.
+"""`symbalance bench check`: speed and correctness of the derivation checker, and faults it catches.
 
 Measured on a page of hand mathematics (`page.md`: 116 relations, a dozen of them wrong), beside SymPy's
 `simplify` and `equals` on the same relations (`sympy_decisions` says how that is fair), and on faults

@@ -1,4 +1,4 @@
-"""The hand derivation that `symbalance bench check` measures with, and the truth about its errors.
+"""The hand derivation measured by `symbalance bench check`, with the list of its known errors.
 
 `page.md` is read with `page.symbols.toml`, as a user's notes are; `page.truth.toml` lists its known
 errors by line, with what belongs there, and the values of its letters, for numbers that need no checker.

@@ -1,4 +1,4 @@
-"""Other libraries' fastest exact ways to a slider-crank's harmonics and to sums of roots of unity.
+"""SymPy's and FLINT's fastest exact routes to slider-crank harmonics and to sums of roots of unity.
 
 The harmonics are those of sqrt(1 - rho^2 sin^2 theta) in rho and z = e^(2 i theta): with
 sin^2 theta = -(1 - z)^2/(4 z), the term of rho^(2m) is C(1/2, m) ((1 - z)^2/4)^m z^-m. Both libraries get

@@ -1,4 +1,4 @@
-"""Outputs of preset engines, and symbalance's functions of them: NumPy, Numba, and C through `cc`."""
+"""Outputs of preset engines as NumPy, Numba and compiled C functions, ready to be timed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The kinds of error people make in a formula, each as a program that plants it in the text.
+"""Mutations that plant typical human errors in a formula: wrong sign, coefficient, order, letter.
 
 Each kind is a function from the text of one side (LaTeX, as in the bench's page) to changed copies of it.
 Only the text is looked at; whether a change changes the value is for `planting` to find out.

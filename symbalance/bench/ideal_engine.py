@@ -1,4 +1,4 @@
-"""The cost of offsets, link rods and unlike cylinders for an engine that has none of them: nothing.
+"""Benchmark: support for offsets, link rods and unlike cylinders costs an engine without them nothing.
 
 A balance of the in-line four is measured beside the same sums without a look at such things, in turn in
 one run; its function beside that of a four whose cylinders state their equal sizes one by one, which must

@@ -1,4 +1,4 @@
-"""One output of one engine: symbalance's function on every target, the true values, the naive forms."""
+"""Worst error of one output of an engine on every target, beside the naive formulas' errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Faults planted in the corrected page one at a time, and what the checker makes of each.
+"""Mutation test of the checker: faults planted in a correct derivation, and how many it catches.
 
 A fault counts only if it changes the value, by `PageValues` at random points: SymPy and mpmath, nothing
 of the checker. One that only lowers the order a cut-off series keeps leaves a true line and is counted

@@ -1,4 +1,4 @@
-"""SymPy's `simplify` and `equals` on the relations of the bench's page, each with a limit on its time.
+"""SymPy's `simplify` and `equals` on the benchmark derivation's relations, each with a time limit.
 
 A formula as read becomes the expression a user would type. What makes it a fair comparison: every letter
 the page defines, and every letter of known meaning, is replaced beforehand by what it stands for

@@ -1,4 +1,4 @@
-"""Times that hold on a noisy machine: the best of many calls, rivals in turn, ratios within one run."""
+"""Timing on a noisy machine: best of many calls, competitors in turn, ratios within one run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The command line: what a person types, and the exit code it ends with (`outcomes`).
+"""The command line: runs a command and returns its exit code.
 
 Results go to stdout, progress to stderr, a refusal is one line on stderr, and a closed pipe ends
 silently. Nothing here imports SymPy: a command imports what it needs when it runs.

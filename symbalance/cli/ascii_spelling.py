@@ -1,4 +1,4 @@
-"""Results in letters that every stream can take: −√(5 − 2√5)/λ² as -sqrt(5 - 2*sqrt(5))/lam^2.
+"""Results in plain ASCII for streams without Unicode: −√(5 − 2√5)/λ² as -sqrt(5 - 2*sqrt(5))/lam^2.
 
 A sign that a stream cannot encode must never be lost: `?` for − is another number. Formulas are spelled
 so that programs read them with the same value; columns of tables stay in line.

@@ -1,4 +1,4 @@
-"""`symbalance assign`: which weighed part goes to which cylinder."""
+"""`symbalance assign`: assigns weighed parts to cylinders so that the engine shakes least."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`symbalance derive`: the harmonics of one slider-crank, step by step; a crankshaft node's equations."""
+"""`symbalance derive`: derives a slider-crank's harmonics step by step, or a crank node's equations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The files a command line names: none that is written may be one that is read, or be written twice.
+"""Check of a command's file names: no output may overwrite an input or another output.
 
 A file that is read may be a person's own work, and a result put in its place cannot be undone. So this is
 checked before a command does anything, for every command alike.

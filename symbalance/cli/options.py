@@ -1,4 +1,4 @@
-"""Options that several commands share: the engine, a running engine's sizes, the medium of a result."""
+"""Command-line options shared by commands: engine, running conditions, output format."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a command ends: its exit code, and the one line on stderr where it did not get there."""
+"""Exit codes of commands, and the one line on stderr that says why a command failed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where results go, and in which medium: stdout, or a file that appears whole or not at all."""
+"""Output of results, in the chosen format, to stdout or to a file that is written whole or not at all."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The program's streams as they should be: open, and in UTF-8 where nobody says otherwise."""
+"""Set-up of stdin, stdout and stderr: closed ones replaced, pipes in UTF-8 unless set otherwise."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`symbalance tolerances`: the worst that an engine within its tolerances can shake."""
+"""`symbalance tolerances`: the largest forces and couples of an engine within its tolerances."""
 
 from __future__ import annotations
 

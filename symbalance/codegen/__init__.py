@@ -1,4 +1,4 @@
-"""Results as the fastest functions of the crank angle, in memory or as source in another language.
+"""Code generation: results as fast functions of the crank angle, in memory or as source code.
 
 In: a balance or a torque. Out: a function in memory, or source that runs alone.
 

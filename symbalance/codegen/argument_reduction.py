@@ -1,4 +1,4 @@
-r"""Reduction of crank angles up to 2^50 rad without branches: whole turns go off first, exactly.
+r"""Branch-free reduction of crank angles up to 2^50 rad: whole turns are subtracted first, exactly.
 
 M = 99532 turns are I + eps radians with I whole and eps = -5.8e-6, for 2 I/M is a convergent of 4 pi.
 With N = rint(theta/2 pi M), below 2^31,

@@ -1,4 +1,4 @@
-"""The way an output's harmonics are summed: Horner's, Clenshaw's or Reinsch's scheme, by its rounding.
+"""Choice of the summation scheme, Horner's, Clenshaw's or Reinsch's, by its rounding error.
 
 Powers of the cosine by Horner's rule where their rounding stays small; Clenshaw's recurrence where
 powers lose digits; the first order on a cosine of its own, or Reinsch's recurrence from the nearest

@@ -30,8 +30,9 @@ Result = Any
 
 @dataclass(frozen=True)
 class Evaluator:
-    """f(theta, *, mass, radius, omega, pitch, out=None): the outputs in SI units, for theta in radians.
+    """A function of the crank angle (rad) that computes outputs of a result in SI units.
 
+    Called as f(theta, *, mass, radius, omega, pitch, out=None).
     theta may have any shape; the values come back in it, as an array for one output and a dict of arrays
     for several. mass (kg, reciprocating, one cylinder), radius (m, half the stroke), omega (rad/s) and
     pitch (m) are 1 unless given: the result then is in units of m r omega^2 (couples: times a; torque:
@@ -147,7 +148,7 @@ def plan_for(
     tolerance: float | None,
     order: int | None = None,
 ) -> Plan:
-    """Return the plan of a result's outputs for a target, or refuse."""
+    """Return the plan, in formulas, of code that computes a result's outputs on a target."""
     if not isinstance(result, TorqueBalance | RunningTorque):
         checked_balance(result)
     names = checked_outputs(_default(result) if outputs is None else outputs, ALL_OUTPUTS)

@@ -1,4 +1,4 @@
-"""A plan of the fastest function of some harmonic sums: shared cosines, polynomials or the closed form.
+"""The choice of the fastest way to compute harmonic sums: shared cosines, polynomials or closed form.
 
 A sum that gives both its harmonics and a closed form takes the form with the fewer operations an angle,
 a division or a square root counting `ROOT` of them; the closed form only where its rounding stays below

@@ -1,4 +1,4 @@
-"""Requests for a balance's outputs, answered as harmonic sums with a bound on what is left out.
+"""The requested outputs of a balance as harmonic sums, with a proved bound on the orders left out.
 
 An output is a component of the free force or couple, or the motion of cylinder 1's piston. A request is
 answered to a given order, or with the fewest orders whose proved bound is within a tolerance

@@ -1,4 +1,4 @@
-"""First-order bounds on what Horner's and Clenshaw's schemes round, in u = 2^-53 (half an ulp of 1).
+"""First-order bounds on rounding errors of Horner's and Clenshaw's schemes, in u = 2^-53.
 
 A rounding made on the way is as if one coefficient were changed: by Horner's rule in c, an error d in
 step j counts d |c|^j; by Clenshaw's recurrence d |T_k(c)|, or d |U_{k-1}(c)|. What the cosine itself

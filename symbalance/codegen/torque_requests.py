@@ -1,4 +1,4 @@
-"""Requests for torques, answered as harmonic sums: inertia, rods, gas, the whole of a running engine.
+"""The requested torques as harmonic sums: inertia, rods, gas, or a running engine's whole torque.
 
 Gas has the traces' harmonics compiled in, the piston's area too: its unit is the crank radius alone. The
 whole torque is that of the running engine's own sizes and speed, and takes no keyword: inertia and gas do

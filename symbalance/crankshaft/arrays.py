@@ -1,4 +1,4 @@
-"""Types of the room's NumPy arrays, and the number of unknowns at a node."""
+"""Type aliases of NumPy arrays in `symbalance.crankshaft`, and the degrees of freedom of a node."""
 
 from __future__ import annotations
 

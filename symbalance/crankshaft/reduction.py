@@ -28,7 +28,7 @@ NEW = 1e-8
 def reduce_system(
     system: PeriodicSystem, modes: int = 20, *, attachments: bool = True, angles: int = 360
 ) -> tuple[PeriodicSystem, Array]:
-    """Return the system in fewer unknowns a, and the basis (n, m): x = basis a.
+    """Return the system reduced to fewer unknowns a, and the basis (n, m): x = basis a.
 
     The basis is the first `modes` modes of M and the symmetric part of the stiffness, and with
     `attachments` the static answers to unit forces at the bearings and to the shapes that the loads have

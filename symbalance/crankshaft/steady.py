@@ -43,7 +43,7 @@ def steady_state(
     tolerance: float | None = None,
     multipliers: bool = True,
 ) -> Trajectory:
-    """Return the periodic steady state over one cycle, at `steps` equal angles from 0, the end left out.
+    """Return the periodic steady state at `steps` equal angles of a cycle, from 0, its end left out.
 
     `method` is one of `FIXED`: radau-iia (order 5), radau-iia-9, newmark. With a `tolerance` the steps
     are doubled until the displacements' relative change, over 7, is below it; `error` holds that

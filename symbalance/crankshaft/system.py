@@ -24,12 +24,12 @@ LEAST_STEPS, MOST_STEPS = 4, 200_000
 
 
 class UnsolvedError(SymbalanceError):
-    """Sound input whose equations have no answer: no periodic motion, no orbit that closes."""
+    """Valid input whose equations have no solution: no periodic motion, or no closed journal orbit."""
 
 
 @dataclass(frozen=True)
 class Film:
-    """All bearings' oil films against the crank angle: angles (s,) in, (s, b, 2, 2) out; stationary axes.
+    """Stiffness and damping (s, b, 2, 2) of all oil films at crank angles (s,), stationary axes.
 
     `stiffness` in N/m and `damping` in N s/m are tangents: force of the shaft on the film per journal
     displacement and velocity, rows vertical, lateral.
@@ -46,7 +46,7 @@ class Film:
 
 @dataclass(frozen=True)
 class Housing:
-    """The structure behind each film: (b, 2, 2) `stiffness` and `damping`, N/m and N s/m, stationary."""
+    """Stiffness and damping (b, 2, 2) of the structure behind each film, N/m, N s/m, stationary axes."""
 
     stiffness: Array
     damping: Array

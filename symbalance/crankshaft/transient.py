@@ -25,7 +25,7 @@ def integrate(
     start: Array | None = None,
     rtol: float = 1e-6,
 ) -> Trajectory:
-    """Return displacements, velocities, bearing forces over `cycles` cycles from angle 0, both ends in.
+    """Return displacements, velocities and bearing forces over `cycles` cycles from 0, both ends in.
 
     `start` is a state (x, x', z), rest by default; z are the housings' displacements, stationary.
     `steps` a cycle are taken by the fixed-step methods, and returned by SciPy's, which keep to `rtol`.

@@ -1,4 +1,4 @@
-"""What a designer changes: counterweights, balance shafts, tolerances, weighed parts.
+"""Design for low vibration: counterweights and balance shafts, tolerances, assignment of parts.
 
 In: an `Engine` and the orders, tolerances or parts in question. Out: designs with certificates, worst
 cases that are attained and proved, derivatives, assignments.

@@ -1,4 +1,4 @@
-"""How results are written: formulas and documents as data, and one writer for each medium.
+"""Formulas and documents as data, and a writer for each format: text, LaTeX, HTML, Markdown.
 
 In: formulas, documents made of nodes. Out: text, LaTeX (amsmath and booktabs), HTML with MathML,
 Markdown. Knows nothing of engines.

@@ -1,4 +1,4 @@
-"""Decimals as tables print them."""
+"""Numbers as short decimals for the cells of tables."""
 
 from __future__ import annotations
 

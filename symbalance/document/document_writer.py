@@ -1,4 +1,4 @@
-"""What the writers of documents share: a method for each kind of block and of inline."""
+"""Base class of the document writers: a method for each kind of block and inline element."""
 
 from __future__ import annotations
 

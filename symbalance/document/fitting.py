@@ -1,4 +1,4 @@
-"""Tables fitted to the room of a medium: exact cells where they fit, decimals where they do not.
+"""Tables fitted to a page or terminal's width: exact cells where they fit, decimals elsewhere.
 
 Nothing is lost: an exact form that gives way to its decimal is listed below the table, once, with every
 place it belongs to.

@@ -1,4 +1,4 @@
-"""Formulas as trees: what is read from hand notes, derived step by step, and printed in every medium.
+"""Formula trees: parsed from hand notes, derived step by step, and printed in every format.
 
 Every node is frozen and compares by what it says; where it stands in a document (`span`) does not count.
 Nothing is evaluated, ordered or simplified: `2/4` stays a quotient of 2 and 4, so that a derivation shows

@@ -1,4 +1,4 @@
-"""What all writers of formulas share: how tightly each part binds, where brackets go, exact decimals."""
+"""Base class of the formula writers: precedence of operators, brackets, exact decimals."""
 
 from __future__ import annotations
 

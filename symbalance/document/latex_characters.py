@@ -1,4 +1,4 @@
-"""Any text in LaTeX: its own characters taken literally, others as the standard fonts have them."""
+"""Escaping of text for LaTeX: special characters literally, others as the standard fonts have them."""
 
 from __future__ import annotations
 

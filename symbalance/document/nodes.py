@@ -1,4 +1,4 @@
-"""A document as data: what a result says, before it is text, LaTeX, HTML or Markdown.
+"""The document tree: the headings, paragraphs, tables and formulas that every writer renders.
 
 A result's room builds a `Document` of the nodes below; each medium is written once, by `text_document`,
 `latex_document`, `html_document` and `markdown_document`.

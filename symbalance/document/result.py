@@ -1,4 +1,4 @@
-"""What every result can do: be shown as text, LaTeX, HTML, Markdown and JSON, and in a notebook.
+"""Base class of results, which all show as text, LaTeX, HTML, Markdown and JSON, and in notebooks.
 
 A result's class derives from `Result` and gives four things: `kind`, `summary()`, `document()` and
 `data()`; `records()` where a table of plain numbers makes sense of it. Beside the module stands
@@ -26,7 +26,7 @@ Item = TypeVar("Item")
 
 
 class Result:
-    """The base of every result; it has no state of its own."""
+    """Base class of all results: shown as text, LaTeX, HTML, Markdown and JSON, and in notebooks."""
 
     __slots__ = ()
 

@@ -1,4 +1,4 @@
-"""Every symbol of the formulas: its name in Python, its LaTeX, its unit and its meaning.
+"""Table of every symbol in the formulas: its name in Python, its LaTeX, its unit and its meaning.
 
 =======  ==========  =====  ==========================================================
 name     LaTeX       unit   meaning
@@ -52,7 +52,7 @@ _REAL_ONLY = {"theta"}
 
 @cache
 def symbol(name: str) -> sympy.Symbol:
-    """Return the one SymPy symbol of that name; all but the crank angle are positive.
+    """Return the SymPy symbol of that name, always the same object; all but theta are positive.
 
     >>> symbol("lam").is_positive, symbol("theta").is_positive
     (True, None)

@@ -1,4 +1,4 @@
-"""Documents as plain text, 80 columns wide or as wide as a terminal is."""
+"""Documents as plain text, to the terminal's width or 80 columns."""
 
 from __future__ import annotations
 

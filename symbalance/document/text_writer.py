@@ -1,4 +1,4 @@
-"""Formulas as one line of text: Unicode as people write it, or plain text that the reader reads back.
+"""Formulas as one line of text: Unicode for people, or plain text that the formula reader accepts.
 
 >>> from symbalance.document.formula import Name, cos
 >>> formula_text(Name("r") * (1 - cos(Name("theta"))))

@@ -1,4 +1,4 @@
-"""Word lists as running text."""
+"""Lists and sets of words from a string with spaces between them."""
 
 from __future__ import annotations
 

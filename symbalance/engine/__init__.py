@@ -1,4 +1,4 @@
-"""An engine: its cylinders, firing order, crank, what balances it, and its file.
+"""Engines: cylinders, firing order, crank, counterweights and balance shafts, and engine files.
 
 In: an engine file, a preset's name, or a builder's arguments. Out: an `Engine`, resolved once: cylinders
 that know all about themselves, in groups of like ones, and what balances them.

@@ -1,4 +1,4 @@
-"""Counterweights and balance shafts in words, one line each, for every document about an engine."""
+"""Counterweights and balance shafts described in words, one line each, for every engine's document."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ HALF = Fraction(1, 2)
 
 @dataclass(frozen=True, init=False)
 class Weight:
-    """A weight on something that turns: an unbalance and its direction at theta = 0, at a station.
+    """A balance weight: its unbalance, its direction at theta = 0, its station along the crank.
 
     Give `unbalance` in kg mm, or `share`, a multiple of A_n m r/n^2 (a number of the exact fields, as a
     design finds it, counts with its own direction). `phase` is its direction at theta = 0, degrees from
@@ -78,7 +78,7 @@ def directed(size: Amplitude, direction: Angle) -> Amplitude:
 
 @dataclass(frozen=True, init=False)
 class Counterweight:
-    """A weight on the crank, on a place of its own or on a throw or web.
+    """A counterweight on the crank: at a station and angle, or opposite a throw or on a web.
 
     `angle` is its direction at theta = 0; with `throw` (a cylinder's number) or `web` (counted from the
     front, two to a pin) it is measured from the direction opposite that crank pin, and the station need
@@ -180,7 +180,7 @@ def crank_pins(cylinders: Sequence[Cylinder]) -> list[tuple[Angle, Fraction]]:
 
 @dataclass(frozen=True, init=False)
 class BalanceShaft:
-    """A shaft that turns at `speed` times the crank's speed, + with it and - against it.
+    """A balance shaft at `speed` times the crank's speed, negative if it turns against the crank.
 
     Its weights' phases are directions at theta = 0, to which its own `phase` adds. `x` and `y` are where
     its axis runs, mm to the right of the crank and above it, seen from the front: its forces have a
@@ -240,7 +240,7 @@ def checked_speed(speed: Any) -> int:
 
 @dataclass(frozen=True)
 class Balancers:
-    """All that is added to an engine: counterweights and balance shafts."""
+    """The counterweights and balance shafts of an engine."""
 
     counterweights: tuple[Counterweight, ...] = ()
     shafts: tuple[BalanceShaft, ...] = ()

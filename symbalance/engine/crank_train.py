@@ -19,7 +19,7 @@ CYLINDER_SIZES = ("stroke", "rod", *MASSES, "offset", *ROD)
 
 @dataclass(frozen=True)
 class CrankTrain:
-    """Sizes as in an engine file, mm and kg, each None if not given.
+    """Stroke, rod, offset and masses of a cylinder, mm and kg; None where not given.
 
     A Fraction is taken as it is, another number or text is read as one; what is no size is refused.
 

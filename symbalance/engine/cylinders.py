@@ -1,4 +1,4 @@
-"""One cylinder: where it stands, which way it points, where its crank pin is, and all its sizes.
+"""The class `Cylinder`: its number, station, axis, crank pin, firing angle and sizes.
 
 Angles are positive in the sense of rotation, from straight up, the engine seen from the front turning
 clockwise. A cylinder's own crank angle is theta + throw - bank: top dead centre where that is 0.
@@ -44,7 +44,7 @@ def unchecked_copy(value: Frozen, **changes: object) -> Frozen:
 
 @dataclass(frozen=True, init=False)
 class Cylinder:
-    """One cylinder, which knows all about itself.
+    """A cylinder: its number, station, bank angle, crank throw, firing angle and sizes.
 
     `throw` is its crank pin's angle at theta = 0 and `bank` its axis' angle, degrees if numbers or
     text, the angle itself if a SymPy expression. `station` is its place along the crank, in cylinder

@@ -1,4 +1,4 @@
-"""An engine: its cylinders, each complete, in groups of like ones, and what balances it."""
+"""The class `Engine`: cylinders in groups of like ones, counterweights and balance shafts."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Group:
 
 @dataclass(frozen=True, init=False)
 class Engine:
-    """An engine: cylinders that know all about themselves, strokes per cycle, and balance masses.
+    """An engine: its cylinders, strokes per cycle, counterweights and balance shafts.
 
     `pitch` is the distance of neighbouring cylinders in mm, None if not known. The cylinder of the
     lowest number is the unit: forces count in its m r omega^2. Sizes shared by all cylinders are put

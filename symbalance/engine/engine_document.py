@@ -1,4 +1,4 @@
-"""An engine in words: title, banks, firing order, zero of the crank angle, unlike cylinders, letters."""
+"""Text about an engine in documents: title, banks, firing order, zero of the crank angle, letters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An engine as an engine file: what `symbalance.engine.engine_file` reads back as the same engine.
+"""Writing of an engine file, which `symbalance.engine.engine_file` reads back as the same engine.
 
 Cylinders are written one by one, so that any layout can be. A weight whose size and direction are not
 both fractions is written as the sum of weights that are: every number of the exact fields is one.

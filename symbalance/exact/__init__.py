@@ -1,4 +1,4 @@
-"""Amplitudes in whose normal form a zero is decided, and two-sided series of them.
+"""Exact complex numbers that decide whether they are zero, and two-sided Fourier series of them.
 
 In: fractions of a turn, rational weights, symbols. Out: sums that say, provably, whether they vanish, and
 their exact forms.

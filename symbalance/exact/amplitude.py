@@ -1,4 +1,4 @@
-"""Amplitudes, the complex numbers that the orders of a force are made of: what all three kinds can do.
+"""Base class of amplitudes, the complex numbers C + iS of an order: exact, symbolic or decimal.
 
 An order of a force is one complex number, C + iS of C cos n theta + S sin n theta. It is held in one of
 three ways, each of which can be taken for the next:
@@ -28,7 +28,7 @@ HALF, QUARTER = Fraction(1, 2), Fraction(1, 4)
 
 
 class Amplitude(ABC):
-    """A complex number of one of three kinds, which decides by itself whether it is zero.
+    """A complex number, exact, symbolic or decimal, that decides for itself whether it is zero.
 
     >>> from symbalance.exact.decimal_phasor import DecimalPhasor
     >>> from symbalance.exact.phasor import Phasor

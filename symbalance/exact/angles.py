@@ -1,4 +1,4 @@
-"""Angles as exact fractions of a turn, with room for symbols.
+"""Angles as exact fractions of a turn, plus multiples of symbols.
 
 Numbers and text are degrees. A SymPy expression is the angle itself, in radians: a rational multiple
 of pi plus rational multiples of symbols, so that ``alpha/2`` or ``pi/6 + alpha`` may be a bank angle.
@@ -99,7 +99,7 @@ def _merged(first: SymbolPart, second: SymbolPart) -> SymbolPart:
 
 
 def degrees(value: object, name: str = "angle") -> Angle:
-    """Return the angle of so many degrees: a number, a decimal or a fraction as text."""
+    """Return an angle from its degrees: a number, a decimal or a fraction as text."""
     number = exact(value, name)
     if number.denominator > LARGEST_DENOMINATOR:
         near = number.limit_denominator(100)

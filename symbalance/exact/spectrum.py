@@ -210,7 +210,7 @@ def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:
 
 @dataclass(frozen=True)
 class Spectrum:
-    """The orders of one planar vector: `terms` maps +n and -n to c_n; orders that vanish are absent."""
+    """The orders of a vector in the plane: `terms` maps +n and -n to c_n; vanishing orders are absent."""
 
     terms: Mapping[int, Amplitude] = field(hash=False)
     _components: dict[tuple[object, object, str], Component] = field(

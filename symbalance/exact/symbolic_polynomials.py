@@ -104,7 +104,7 @@ def polynomial(value: object, name: str) -> Polynomial:
 
 @dataclass(frozen=True, eq=False)
 class SymbolSum:
-    """A complex number with symbols in it: the sum of monomial times coefficient over `terms`."""
+    """A polynomial in symbols with exact complex coefficients: monomial to coefficient, in `terms`."""
 
     terms: Mapping[Monomial, SymbolicPhasor] = field(hash=False)
 

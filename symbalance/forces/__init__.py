@@ -1,4 +1,4 @@
-"""Free forces and couples: the sums over an engine's cylinders, order by order.
+"""Free forces and couples of an engine, order by order.
 
 In: an `Engine`. Out: a `Balance`: force and couple of each order that survives, in four exact components.
 

@@ -1,4 +1,4 @@
-"""A balance as plain values for JSON, every number exact as a string that SymPy reads."""
+"""A balance as plain values for JSON; exact numbers as strings for SymPy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A balance as a document: the free force and couple by order, then what its letters mean."""
+"""The document of a balance: free force and couple by order, then the meaning of its letters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Free force and couple of an engine: exact sums over its cylinders, and over what rotates beside them.
+"""Free force and couple of an engine as exact sums over its cylinders and rotating masses.
 
 A mass that moves with a cylinder's mechanism pushes with h_n e^(inp) for every n of either sign
 (`symbalance.kinematics.bodies`), p = theta + throw - bank, in the cylinder's frame.

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Resultant:
-    """One order of a force or couple with its components; units F_n, or F_n a."""
+    """One order of a force, in F_n, or a couple, in F_n a, with its components."""
 
     spectrum: Spectrum
     order: int
@@ -77,7 +77,7 @@ class Resultant:
 
 @dataclass(frozen=True)
 class Order:
-    """One order that survives: its coefficient A_n (None where cylinders are unlike) and its geometry."""
+    """One order that does not cancel: coefficient A_n (None if cylinders differ), force and couple."""
 
     order: int
     coefficient: Series | None
@@ -87,7 +87,7 @@ class Order:
 
 @dataclass(frozen=True, repr=False)
 class Balance(Result):
-    """What is left free in an engine: `force` and `couple` by order, up to `highest`.
+    """Free force and couple of an engine, `force` and `couple`, by order, up to `highest`.
 
     `reference` is the station couples are taken about, None for the mean of all stations. `kinematics`
     says what A_n is where components are geometry, in units of A_n m r omega^2; it is None where they

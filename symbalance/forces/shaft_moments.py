@@ -66,7 +66,7 @@ def shaft_moment(engine: Engine) -> dict[int, Component]:
 
 
 def has_shafts_aside(engine: Engine) -> bool:
-    """Tell whether some balance shaft runs off the crank's axis."""
+    """Tell whether some balance shaft's axis is not the crank's own."""
     return any(shaft.x or shaft.y for shaft in engine.balancers.shafts)
 
 

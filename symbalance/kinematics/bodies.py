@@ -1,4 +1,4 @@
-"""The bodies that a mechanism moves, each with the harmonics of its force, torque and moment.
+"""The moving bodies of a mechanism, each with the harmonics of its force, torque and moment.
 
 A mechanism is a set of bodies whose paths or angles are series in the crank angle: the piston, which goes
 along the cylinder's axis; the rod, whose own inertia turns with it; and a link rod's big end, which

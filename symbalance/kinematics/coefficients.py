@@ -1,4 +1,4 @@
-"""The coefficients that like cylinders have in common: A_n of the force, t_n, u_n and k_n of the torques.
+"""Coefficients of one cylinder's harmonics: A_n of its force; t_n, u_n and k_n of its torques.
 
 Of centred cylinders that are alike, an order of the engine is one such coefficient, which is the
 kinematics of one cylinder, times a sum over angles, which is geometry: the two are shown apart.
@@ -31,7 +31,7 @@ from symbalance.text.reals import Real
 
 @dataclass(frozen=True)
 class Kinematics:
-    """The coefficients of one cylinder: letter, unit, series through a power, values, usual power.
+    """Coefficients of one cylinder's harmonics: letter, unit, series, values, usual highest power.
 
     `series(n, power)` is the coefficient of order n through (1/lambda)^power, `values(order, ratio,
     digits)` maps every n to its value exact in lambda, `power(n)` is the power that keeps two terms.

@@ -1,4 +1,4 @@
-"""The table of a quantity's harmonics as it is written: each coefficient as a series in 1/lambda."""
+"""The document of a quantity's harmonics: a table of coefficients as series in 1/lambda."""
 
 from __future__ import annotations
 

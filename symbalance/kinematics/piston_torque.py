@@ -146,7 +146,7 @@ def _laplace(k: int, root: Real, q: Real) -> Real:
 
 
 def torque_left_out(order: int, ratio: Fraction) -> Real:
-    """Return a proved bound on |exact - harmonics to `order`| over all angles, in m r^2 omega^2.
+    """Return a proved bound on the error of keeping t_1 to t_order only, in m r^2 omega^2.
 
     It is the sum of the |t_n| left out: the odd ones are attained at 90 degrees, the even ones not.
 

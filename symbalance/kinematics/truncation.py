@@ -42,7 +42,7 @@ RELATIVE = Fraction(1, 10**6)
 
 
 def left_out(order: int, ratio: Fraction, quantity: str = "acceleration") -> Real:
-    """Return a proved bound on |exact - harmonics to `order`| over all crank angles.
+    """Return a proved bound, at any crank angle, on the error of keeping harmonics to `order` only.
 
     Every coefficient is taken exact in lambda; units r, r omega, r omega^2, m r omega^2 or rad. Kept to
     order 1, the force's error is largest at 90 degrees, where the exact acceleration is known:

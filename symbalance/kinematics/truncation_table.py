@@ -64,7 +64,7 @@ class TruncationBounds(SequenceResult[tuple[int, Real]]):
 def truncation_bounds(
     quantity: str = "acceleration", ratio: object = 4, order: int = 12
 ) -> TruncationBounds:
-    """Return proved bounds on |exact - harmonics kept| over a turn, kept to order 1, 2, ..., `order`.
+    """Return proved bounds on the errors of keeping harmonics to order 1, 2, ..., `order` only.
 
     Units r, r omega, r omega^2, m r omega^2 or rad; `symbalance.kinematics.truncation` has the proof. Of
     the rod angle kept to order 1 the bound is asin rho - R_1:

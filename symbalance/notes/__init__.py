@@ -1,4 +1,4 @@
-"""Hand derivations: read as they were written, and checked line by line.
+"""Hand derivations in LaTeX, Markdown or text: read into formulas and checked line by line.
 
 In: LaTeX or plain text, what its letters mean, and knowledge of engines (`checking.engines`).
 Out: a verdict for every relation, a witness for what is wrong, and the fix. Nothing is ever evaluated,

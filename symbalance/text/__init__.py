@@ -1,4 +1,4 @@
-"""Files and numbers as people write them: read strictly and exactly, written whole or not at all.
+"""Strict reading of numbers, TOML and CSV files, and writing of files whole or not at all.
 
 In: paths, texts, numbers in any spelling. Out: fractions, tables of TOML, rows of CSV, or a refusal that
 names the file, the line, the value, the rule and the remedy. Knows nothing of engines.

@@ -1,4 +1,4 @@
-"""Rows of a CSV file as people and spreadsheets write them, each with the line it stands on.
+"""Reading of CSV files with any usual separator: rows of cells, each with its line number.
 
 Cells are parted by semicolons, else by tabs, else by commas: a line's own separator counts, so that a
 name in a file of semicolons may hold a comma. A cell may stand in double quotes. Empty lines and lines

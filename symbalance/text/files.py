@@ -1,4 +1,4 @@
-"""Files read whole as text, and the TOML in them, or refused with the place and the reason."""
+"""Reading of text and TOML files, with errors that name the place and the reason."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tables of a TOML file described once: each key's kind, unit, range, default and meaning.
+"""Descriptions of TOML tables, key by key: kind, unit, range, default and meaning.
 
 From one description come the reader (`sections`), the reference of keys in Markdown and the JSON Schema
 for editors, so that the three cannot differ. Knows no engine: what the keys are is said where they are

@@ -1,4 +1,4 @@
-"""Measured numbers: read as floats print them, however many digits they have."""
+"""Reading of measured numbers, with any number of digits, as fractions or floats."""
 
 from __future__ import annotations
 

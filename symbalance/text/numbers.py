@@ -1,4 +1,4 @@
-"""Numbers as people write them, read exactly: whole, decimal ("13.5") or fraction ("360/7").
+"""Exact reading of numbers as fractions: whole, decimal ("13.5") or fraction ("360/7").
 
 Text is matched against one pattern and never evaluated. Floats are read as they print, so that
 0.1 is one tenth. Size limits stand here, so that no input can make exact arithmetic hang; that of

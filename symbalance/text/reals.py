@@ -64,7 +64,7 @@ def digits_of(bits: int) -> int:
 
 
 class Real:
-    """A real number of so many digits, rounded once to them: Real(Fraction(1, 3), 30).
+    """A real number of a given number of digits, rounded once: Real(Fraction(1, 3), 30).
 
     `value` is an int, a Fraction, a float, text such as "0.1", or a number of mpmath, SymPy or NumPy;
     without `digits` a Real stays as it is, and others get `DIGITS`. `bits` is the precision carried.
@@ -281,7 +281,7 @@ class Real:
 
 
 class Complex:
-    """A complex number of so many digits, from its real and imaginary parts or from another one.
+    """A complex number of given precision, from real and imaginary parts or another complex number.
 
     Without `digits` it has those of the more precise part that carries any, or else `DIGITS`.
 

@@ -1,4 +1,4 @@
-"""Tables of a TOML file, read key by key as their description says: strictly, each refusal with its line.
+"""Strict reading of a TOML table by its description: every error names file, line and remedy.
 
 A key that is unknown, a value of another type or out of range, a key that is missing and keys that
 contradict each other are refused with file, line, value, rule and remedy.

@@ -1,4 +1,4 @@
-"""The line of every key and table of a TOML text, which Python's TOML reader does not tell.
+"""The line number of every key and table in a TOML text, which Python's TOML reader does not give.
 
 The text is one that reader takes, so that only what parts keys from values has to be recognised here:
 heads, dotted and quoted keys, strings of one or more lines, lists, tables within lists.

@@ -1,4 +1,4 @@
-"""Writing of files that appear whole or not at all, whatever ends the program meanwhile.
+"""Atomic writing of files: whole or not at all, even if the program is ended meanwhile.
 
 The content goes into a temporary file in the folder of its target, which then takes the target's name in
 one step: who opens that name finds the old file or the new one, never a part. Of several files all are

@@ -1,4 +1,4 @@
-"""Torques of groups of like bodies: each group's harmonics times the exact star of its cylinders.
+"""Torque of groups of like cylinders: one body's harmonics times the group's star diagram.
 
 Cylinder j has C_n cos n p_j + S_n sin n p_j, p_j = theta + delta_j, with z_n = C_n + i S_n of its group:
 the engine has z_n sum of e^(-i n delta_j), the sum over like cylinders decided exactly, so that an order

@@ -1,4 +1,4 @@
-"""Fluctuation of a torque over its cycle, and the flywheel that evens the speed.
+"""Fluctuation of a torque over its cycle, and the flywheel that evens out the speed.
 
 What a torque T(theta) does beyond its mean is stored in all that turns, of moment of inertia J. Under a
 constant load its energy E, the integral of T - mean, swings by dE = max E - min E, and the speed between
@@ -30,7 +30,7 @@ _GOLDEN = (sqrt(5) - 1) / 2
 
 @dataclass(frozen=True)
 class Fluctuation:
-    """How a torque varies over its cycle: N m and J.
+    """Fluctuation of a torque over its cycle: mean, least and largest in N m; energy and work in J.
 
     `energy` is the largest swing of the integral of T - mean, `work` the work of a cycle.
     """
@@ -87,7 +87,7 @@ def _golden_section(function: Callable[[float], float], place: float, step: floa
 
 
 def flywheel_inertia(energy: float, omega: float, delta: object) -> float:
-    """Return J = dE/(delta omega^2) in kg m^2: `energy` in J, `omega` in rad/s.
+    """Return the flywheel's inertia J = dE/(delta omega^2) in kg m^2; `energy` in J, `omega` in rad/s.
 
     Formulas:
         J ((omega (1 + delta/2))^2 - (omega (1 - delta/2))^2)/2 = K
@@ -109,7 +109,7 @@ def checked_delta(delta: object, name: str = "delta") -> float:
 
 
 def speed_fluctuation(energy: float, omega: float, inertia: object) -> float:
-    """Return delta = dE/(J omega^2), (omega_max - omega_min)/omega, for J in kg m^2.
+    """Return delta = (omega_max - omega_min)/omega = dE/(J omega^2), the speed fluctuation; J in kg m^2.
 
     Formulas:
         (omega (1 + delta/2) - omega (1 - delta/2))/omega = delta

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GasGroup:
-    """Like cylinders: one's tangential pressure, their firing angles in degrees, r over cylinder 1's."""
+    """Cylinders alike in gas torque: tangential pressure, firing angles, degrees, r over cylinder 1's."""
 
     tangential: TangentialPressure
     firing_angles: Mapping[int, Fraction]
@@ -49,7 +49,7 @@ class GasGroup:
 
 @dataclass(frozen=True)
 class GasOrder:
-    """One order that survives: C + iS of the whole layout in bar, times A r the torque; its star.
+    """One order of the gas torque that does not cancel: C + iS in bar (times A r), and its star.
 
     `star` is that of all cylinders, whether they are alike or not.
     """
@@ -66,7 +66,7 @@ class GasOrder:
 
 @dataclass(frozen=True, repr=False)
 class GasTorque(Result):
-    """The gas torque of an engine by order, in bar: times A r (piston area, crank radius) the torque.
+    """The gas torque of an engine by order, in bar: multiply by piston area times crank radius.
 
     Every cylinder has the same bore, and the same trace or ideal cycle, counted from its own firing top
     dead centre. r is cylinder 1's. Orders that close among like cylinders, and in all, are absent.

@@ -1,4 +1,4 @@
-"""Gas torque and firing stars of an engine as documents: which orders survive, and why."""
+"""The documents of an engine's gas torque and firing stars: which orders survive, and why."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ OPPOSITE = "opposite of the "
 
 @dataclass(frozen=True)
 class TorqueOrder:
-    """One order that survives: its coefficient (None where cylinders are unlike) and its geometry."""
+    """One order that does not cancel: the coefficient (None if cylinders differ), and the torque."""
 
     order: int
     coefficient: Series | None
@@ -56,7 +56,7 @@ class TorqueOrder:
 
 @dataclass(frozen=True, repr=False)
 class TorqueBalance(Result):
-    """A torque of an engine by order, up to `highest`; unit T_n = t_n m r^2 omega^2.
+    """The inertia torque of an engine by order, up to `highest`, in T_n = t_n m r^2 omega^2.
 
     `kinematics` says what t_n is; None where the components hold it, in `unit`. `quantity` is which
     torque or moment it is, in words.

@@ -38,7 +38,7 @@ SAME = 1e-9
 
 @dataclass(frozen=True, repr=False)
 class PressureTrace(Result):
-    """Pressures in bar at `degrees` in [0, cycle), in order; a repeated angle is a jump.
+    """Cylinder pressures in bar at `degrees` in [0, cycle), in order; a repeated angle is a jump.
 
     >>> trace = PressureTrace((0.0, 180.0, 360.0, 540.0), (3.0, 1.0, 1.0, 1.0))
     >>> trace.at(90), trace.at(630), trace.at(-90)
@@ -134,7 +134,7 @@ Point = tuple[str, float, float]
 def pressure_trace(
     degrees: Sequence[object], bar: Sequence[object], *, strokes: int = 4
 ) -> PressureTrace:
-    """Return the trace through points of one whole cycle, as measured: strict about what it is given.
+    """Return a pressure trace from points of one measured cycle, strictly checked.
 
     Angles rise from point to point, at most 10 degrees each, within [-720, 720] ([-360, 360] for two
     strokes), and span the cycle; 0 is the firing top dead centre. Pressures are absolute, in bar. A last

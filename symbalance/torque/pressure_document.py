@@ -1,4 +1,4 @@
-"""A pressure trace or an ideal cycle as a document: peak, pressures against the crank angle, work."""
+"""The documents of a pressure trace and an ideal cycle: peak, pressure by crank angle, work."""
 
 from __future__ import annotations
 

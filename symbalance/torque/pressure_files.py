@@ -17,7 +17,7 @@ _OTHER_UNIT = re.compile(r"\b([kMh]?Pa|psia?|atm|rad|mbar)\b", re.IGNORECASE)
 
 
 def read_pressure(path: str | Path, *, strokes: int = 4) -> PressureTrace:
-    """Return the trace in a CSV file: crank angle in degrees after firing top dead centre, bar absolute.
+    """Return the pressure trace in a CSV file: degrees after firing top dead centre, bar absolute.
 
     One point a line, the columns parted by a comma, a semicolon or a tab, decimals with a point; a
     header, empty lines and lines that begin with # are passed over. Every refusal names file and line.
@@ -33,7 +33,7 @@ def read_pressure(path: str | Path, *, strokes: int = 4) -> PressureTrace:
 
 
 def parse_pressure(text: str, place: str, cycle: int = 720) -> PressureTrace:
-    """Return the trace that the text of a CSV file holds; `place` is what errors call it.
+    """Return the pressure trace in a CSV text; error messages call the text `place`.
 
     >>> text = "angle,bar" + "".join(f"{chr(10)}{a},1.5" for a in range(0, 720, 5))
     >>> parse_pressure(text, "trace.csv").at(2)

@@ -55,7 +55,7 @@ ROLL_MOMENT = "roll moment on the frame about the crank's axis, of all inertia"
 
 
 def has_rods(engine: Engine) -> bool:
-    """Tell whether some rod's inertia is given and is not that of two masses."""
+    """Tell whether some rod's given inertia differs from that of two masses at its ends."""
     return any(excesses(engine))
 
 
@@ -79,7 +79,7 @@ def rod_couple(engine: Engine, order: int = 12, *, ratio: object = None) -> Torq
 
 
 def beside_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
-    """Return the moment about the crank's axis of inertia forces that act beside it.
+    """Return the moment about the crank's axis of inertia forces whose line of action misses it.
 
     They are those of pistons whose axes are offset, and of masses on link pins. Units of m r^2 omega^2
     of cylinder 1; empty where there are none.
@@ -120,7 +120,7 @@ def roll_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> Tor
 
 @dataclass(frozen=True, repr=False)
 class TorqueReport(Result):
-    """All that is known of an engine's inertia torque: on the crank, and on the frame.
+    """An engine's inertia torque on the crank, its moments on the frame, and its running torque if given.
 
     `rod` and `rocking` are the rods' parts on crank and frame; `beside` is the frame's from offset axes;
     `shafts` is the moment of balance shafts in F_n r, and
@@ -185,7 +185,7 @@ class TorqueReport(Result):
 def torque_report(
     engine: Engine, order: int = 12, *, ratio: object = None, running: RunningTorque | None = None
 ) -> TorqueReport:
-    """Return an engine's inertia torque, all that goes to the frame, and the running engine's torque.
+    """Return an engine's inertia torque on crank and frame, and the running engine's torque if given.
 
     `running` is `running_torque` of the same engine, at the same rod ratio.
 

@@ -62,7 +62,7 @@ RPM = 60 / (2 * pi)
 
 @dataclass(frozen=True)
 class RunningCylinder:
-    """One cylinder, SI: `firing_angle` is its firing top dead centre in rad, `excess` its rod's J_x."""
+    """One cylinder of a running engine, SI: `firing_angle` in rad, `excess` its rod's J_x."""
 
     tangential: TangentialPressure
     firing_angle: float

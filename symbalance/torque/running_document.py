@@ -1,4 +1,4 @@
-"""Torque of a running engine as a document: mean, swing, flywheel and orders, then how it runs."""
+"""The document of a running engine's torque: mean, swing, flywheel and orders, then the settings."""
 
 from __future__ import annotations
 

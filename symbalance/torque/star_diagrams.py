@@ -102,7 +102,7 @@ class FiringStars(SequenceResult[Star]):
 
 
 def firing_pin_passings(engine: Engine) -> dict[int, Fraction]:
-    """Return the crank angle at which each cylinder's pin passes its axis to fire, degrees, 0 to a cycle.
+    """Return the crank angle of a cycle, degrees, at which each pin lies on its cylinder's axis to fire.
 
     Cylinder 1 of an engine built from its firing order fires at 0; where no cylinder stands at its firing
     at theta = 0, the one with fires = 0 does within the first turn. In a two-stroke every top dead

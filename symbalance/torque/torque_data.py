@@ -1,4 +1,4 @@
-"""Torques as plain values for JSON and tables of rows, exact numbers as strings that SymPy reads."""
+"""Torques as plain values for JSON and tables; exact numbers as strings for SymPy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Torques as documents: the orders on crank and frame, exact, then what their letters mean."""
+"""The document of a torque: orders on crank and frame, then the meaning of its letters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A plan as source text in C, JavaScript, Octave, and Python for three kinds of array library."""
+"""Source code in each target language: C, JavaScript, Octave, and Python for three array libraries."""
 
 from __future__ import annotations
 

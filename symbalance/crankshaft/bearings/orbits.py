@@ -36,7 +36,7 @@ COARSE = 120
 
 @dataclass(frozen=True)
 class Orbit:
-    """Journals' places (s, b, 2) in m at angles (s,) of a cycle, velocities, the films' tangents."""
+    """Periodic journal orbits: positions (s, b, 2) in m at angles (s,), velocities, film coefficients."""
 
     theta: Array
     place: Array
@@ -50,7 +50,7 @@ class Orbit:
 
 
 def journal_orbit(bearings: Sequence[Bearing], loads: Array, omega: float, cycle: float) -> Orbit:
-    """Return the periodic orbit under `loads` (s, b, 2) in N, the shaft's on the films, at equal angles.
+    """Return the journals' periodic orbits under `loads` (s, b, 2) on the films, N, at equal angles.
 
     Refuses loads under which no orbit closes: none turns, or a load too large for the film.
     """

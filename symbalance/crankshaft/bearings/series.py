@@ -1,4 +1,4 @@
-"""Film and housing in series: the paper's equivalent coefficients, and the exact connection beside them.
+"""Oil film and housing in series: equivalent coefficients as published, and the exact connection.
 
 At one frequency W the dynamic stiffnesses Z = K + i W C and Z_B = K_B + i W C_B in series give
 

@@ -63,7 +63,7 @@ class Bearing:
 
 @dataclass(frozen=True)
 class FilmState:
-    """What the film carries, (..., 2) N, and its tangents (..., 2, 2): N/m and N s/m."""
+    """An oil film's force (..., 2) in N, stiffness (N/m) and damping (N s/m), (..., 2, 2)."""
 
     force: Array
     stiffness: Array
@@ -71,7 +71,7 @@ class FilmState:
 
 
 def film_state(bearing: Bearing, place: ArrayLike, velocity: ArrayLike, omega: float) -> FilmState:
-    """Return force and tangents for a journal at `place` (..., 2) m from the centre, moving; rad/s.
+    """Return the film's force, stiffness and damping for a journal at `place` (..., 2) m; `omega` rad/s.
 
     The force is the shaft's on the film; stiffness and damping are its derivatives by place and by
     velocity, stationary axes, rows vertical, lateral. Without any motion there is no pressure: force 0.
@@ -127,7 +127,7 @@ def _square(a: Array, b: Array, c: Array, d: Array) -> Array:
 
 
 def equilibrium(bearing: Bearing, load: ArrayLike, omega: float) -> Array:
-    """Return the place (2,) in m where a journal turning at omega carries a steady load (2,) in N.
+    """Return the position (2,) in m of a journal at `omega` rad/s under a steady load (2,) in N.
 
     Newton's method on the eccentricity in log(load), which is nearly straight; without load at the
     centre.

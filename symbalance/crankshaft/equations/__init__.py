@@ -1,4 +1,4 @@
-"""The equations of a running crankshaft, derived and printed.
+"""Symbolic derivation of the equations of motion of a running crankshaft.
 
 quantities   the symbols, and the polynomial ring that keeps every coefficient in normal form
 rotations    small rotations to the second order: a rotation vector, six Cardan orders

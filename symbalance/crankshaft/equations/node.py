@@ -63,7 +63,9 @@ _SIZE = len(COORDINATES)
 
 @dataclass(frozen=True, repr=False)
 class NodeEquations(Result):
-    """M q'' + omega G q' + (omega^2 dK + alpha H) q = F + omega^2 F_M - alpha c + g F_g.
+    """Linear equations of motion of a rigid body at a crankshaft's node, as symbolic matrices.
+
+    M q'' + omega G q' + (omega^2 dK + alpha H) q = F + omega^2 F_M - alpha c + g F_g.
 
     6 x 6 `mass`, `gyroscopic`, `centrifugal`, `euler` and 6 x 1 `centrifugal_force`, `euler_force` (c),
     `gravity_force` (F_g), in u, v, w, theta_u, theta_v, theta_w and the symbols of `quantities`.

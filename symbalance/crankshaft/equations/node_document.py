@@ -1,4 +1,4 @@
-"""Document of a node's equations: their matrices, the published ones beside them, a bearing's."""
+"""The document of a node's equations: their matrices, beside the published ones, and a bearing's."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from symbalance.text.sections import Section, read_sections
 
 @dataclass(frozen=True)
 class RunningEngine:
-    """An engine, its crank, its bearings and how it runs."""
+    """All inputs of a crankshaft's run: engine, crank, main bearings and operating conditions."""
 
     engine: Engine
     crank: Crank

@@ -1,4 +1,4 @@
-"""The table [crankshaft] of an engine file as a crank: pins in the order of the cylinders' stations.
+"""Reading of [crankshaft] in an engine file: builds the crank from the cylinders' stations.
 
 A bay is what lies between two journals. The cylinders of one station share a bay: one pin where they
 share a throw, several pins with a flying web between where they do not (split pins). `web_only_after`

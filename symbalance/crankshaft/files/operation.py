@@ -1,4 +1,4 @@
-"""The table [running] of an engine file: bore, speeds, pressure, rods, strength, a measured curve."""
+"""Reading of [running] in an engine file: bore, speeds, gas pressure, rods, strength, measured curve."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Strength:
 
 @dataclass(frozen=True)
 class Overlay:
-    """A measured curve: its file, the channel it was measured at, the speed in rpm (None: every one)."""
+    """A measured curve for comparison: file, stress channel, speed in rpm (None: every one)."""
 
     path: Path
     channel: str
@@ -44,7 +44,7 @@ class Overlay:
 
 @dataclass(frozen=True)
 class Operation:
-    """How the engine runs, SI but for `rpm`; `excess` is the rods' J_x in kg m^2, `damping` modal.
+    """Operating conditions in SI units but `rpm`; `excess` is the rods' J_x in kg m^2, `damping` modal.
 
     `trace` counts from a piston's own firing top dead centre; of an `ideal` cycle it is cylinder 1's.
     """

@@ -1,4 +1,4 @@
-"""The table [bearings] of an engine file: clearances, oil, structure behind the films, thrust bearing."""
+"""Reading of [bearings] in an engine file: clearances, oil, housing stiffness, thrust bearing."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ WIDEST = 0.01
 
 @dataclass(frozen=True)
 class MainBearings:
-    """The main bearings front to rear, SI: a number each; `housing` None is a rigid structure.
+    """Main bearings, SI units, one number each, front to rear; without `housing` the structure is rigid.
 
     `clearance` is radial; `housing` holds (vertical, lateral, damping); `table` names a file of film
     coefficients. `thrust` is the place among the journals of the one with the thrust bearing.

@@ -1,4 +1,4 @@
-"""Reports of a run: its document in every medium, data for programs, curves as CSV, pictures.
+"""Reports of a run: a document in every format, JSON data, CSV curves, pictures.
 
 summary           the figures that every report prints, a result, and its data for programs
 summary_document  its document

@@ -1,4 +1,4 @@
-"""Figures of a running crankshaft, which every report of a run prints."""
+"""The figures of a crankshaft's run: speeds, extremes, durability; every report of a run prints them."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class ChannelRange:
 
 @dataclass(frozen=True)
 class PlaceDurability:
-    """A place where a normal and a shear stress act together, and its durability at its worst speed."""
+    """Durability at a place, under its normal and shear stress together, at its worst speed."""
 
     name: str
     rpm: float
@@ -58,7 +58,7 @@ class PlaceDurability:
 
 @dataclass(frozen=True)
 class SpeedFigures:
-    """A speed's figures: largest |x|/clearance, departure from the films' orbits, bearing load (N).
+    """Figures of one speed: journal displacement/clearance, departure from orbits, bearing load (N).
 
     Then the largest Floquet multiplier, the step error and seconds; the steps of a cycle. With a
     `reason` the speed has no stresses, and what is NaN here is not known.
@@ -77,7 +77,7 @@ class SpeedFigures:
 
 @dataclass(frozen=True, repr=False)
 class Summary(Result):
-    """All figures of a run; extremes, places and comparisons are those of the `reliable` speeds.
+    """All figures of a run; extremes, places and comparisons come from the `reliable` speeds only.
 
     `draw_pictures` are PNG by file name, none before `with_pictures`.
     """

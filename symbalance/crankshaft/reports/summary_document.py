@@ -1,4 +1,4 @@
-"""Document of a run: whether it is valid, speeds, durability, stresses, and how it was computed."""
+"""The document of a run: its validity, speeds, durability, stresses, and how it was computed."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ class _Whirls:
 
 @dataclass(frozen=True, repr=False)
 class Campbell(Result):
-    """Lines over speed: `speeds` (s,) in rad/s; the others (s, k), in rad/s, one column per mode.
+    """A Campbell diagram: modes' frequencies and growth rates (s, k) over `speeds` (s,), all in rad/s.
 
     `rotating` frequencies and `growth` rates (positive: unstable) in turning axes; `stationary` the
     stronger line in stationary axes, negative where it whirls backward; `forward` the share, 0 to 1, of
@@ -144,7 +144,7 @@ def campbell(
     count: int = 12,
     basis_size: int = 40,
 ) -> Campbell:
-    """Return the lowest `count` modes' frequencies over `speeds` (rad/s), tracked by their shapes.
+    """Return the Campbell diagram of the lowest `count` modes over `speeds` (rad/s), tracked by shape.
 
     `support` (n, n) is a stiffness alike in all directions across the axis. Solved on the `basis_size`
     lowest modes at rest, the free rotor's rigid motions included.

@@ -1,4 +1,4 @@
-"""Constraints of a free rotor that do not bend it: thrust bearing and driveline."""
+"""Springs that hold a free rotor as thrust bearing and driveline do, without bending it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Straight stepped shafts with discs and bearings: rotors as handbooks draw them."""
+"""Straight stepped shafts with discs and bearings as rotors."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def shaft(
     *,
     shear: bool = True,
 ) -> Rotor:
-    """Return the rotor of tubes in a row along W from 0, discs and bearings at the places given (m).
+    """Return a rotor of tubes joined along W from 0, with discs and bearings at given places (m).
 
     A disc's `distance` is not used. Bearings are nodes of `Rotor.journals`; `bearing_springs` makes
     springs, and `whirl` takes a `Support` for each. Beams are Timoshenko's, or without `shear`
@@ -101,7 +101,7 @@ def _check(tubes: Sequence[Tube], steel: Material, discs: Mapping[float, Disc]) 
 def bearing_springs(
     rotor: Rotor, stiffness: float, across: float | None = None, axial: float = 0.0
 ) -> Array:
-    """Return (n, n): springs (N/m) at all bearings along u, `across` along v, `axial` at the first.
+    """Return the stiffness matrix (n, n) of bearing springs: u, `across` in v, `axial` at the first, N/m.
 
     Springs alike in u and v are the same in turning and in stationary axes.
     """

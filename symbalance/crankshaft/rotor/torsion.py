@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class TorsionalChain(Result):
-    """Discs' moments of inertia (kg m^2), springs between them (N m/rad)."""
+    """A torsional model: moments of inertia of discs (kg m^2), stiffnesses between them (N m/rad)."""
 
     inertias: Array
     stiffnesses: Array
@@ -81,7 +81,7 @@ class TorsionalChain(Result):
 
 
 def torsional_chain(inertias: Sequence[float], stiffnesses: Sequence[float]) -> TorsionalChain:
-    """Return the chain of these discs (kg m^2) and the springs between them (N m/rad).
+    """Return the torsional model of discs (kg m^2) joined by springs (N m/rad).
 
     >>> torsional_chain([2.0, 2.0], [1.0]).frequencies() * 2 * np.pi
     array([1.])
@@ -101,7 +101,7 @@ def torsional_chain(inertias: Sequence[float], stiffnesses: Sequence[float]) -> 
 
 
 def crank_torsional_chain(rotor: Rotor) -> TorsionalChain:
-    """Return the torsional chain of a crankshaft: discs at the middles of its journals, and at its ends.
+    """Return a crankshaft's torsional model: discs at its journals' middles and at its ends.
 
     A spring is 1 over the turn between two journals under a unit torque on the free crank; a node's
     inertia about W goes to the journals before and behind it in proportion to its place. Bearings that

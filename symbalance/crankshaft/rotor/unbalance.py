@@ -34,7 +34,7 @@ NEAR = 1e-6
 
 @dataclass(frozen=True, repr=False)
 class UnbalanceResponse(Result):
-    """Steady motion x = Re(a e^{iwt}) at `speeds` (s,) in rad/s.
+    """Steady response x = Re(a e^{iwt}) to unbalance at `speeds` (s,) in rad/s.
 
     `vertical`, `lateral` (s, n): complex amplitudes at the nodes, m; `forces` (s, b, 2): the shaft's on
     its supports, vertical and lateral, N. `unbalances` are pairs of place (m) and kg m; `supports` is
@@ -120,7 +120,7 @@ class UnbalanceResponse(Result):
 def unbalance_response(
     rotor: Rotor, supports: Supports, unbalances: Unbalances, speeds: Sequence[float]
 ) -> UnbalanceResponse:
-    """Return how a round rotor answers unbalances (kg m by place in m) at each speed (rad/s).
+    """Return an axisymmetric rotor's response to unbalances (kg m by place in m), by speed (rad/s).
 
     Jeffcott's rotor, e = 1 mm: at twice its critical speed it runs 4/3 mm out, opposite the unbalance.
 
@@ -170,7 +170,7 @@ def system_on_supports(
     weight: bool = False,
     thrust_stiffness: float = 1e9,
 ) -> PeriodicSystem:
-    """Return any rotor, round or not, turning at `omega` (rad/s) on its supports: for `steady_state`.
+    """Return the periodic system of any rotor at `omega` (rad/s) on its supports, for `steady_state`.
 
     One turn is a cycle; the Floquet multipliers are e^{sT}, T = 2 pi/omega. Unbalances, the rotor's own
     centrifugal forces and, with `weight`, gravity act. A spring at its first bearing holds it

@@ -44,7 +44,7 @@ GRID, NARROWINGS, CLOSE = 96, 60, 1e-12
 
 @dataclass(frozen=True, repr=False)
 class Whirl(Result):
-    """Motions at one `speed` (rad/s), slowest first: `roots` (k,) in rad/s, imaginary parts positive.
+    """Whirl modes at one `speed` (rad/s), slowest first: `roots` (k,) in rad/s, imaginary parts positive.
 
     `shapes` (n, 2, k): vertical and lateral at each node; `forward` (k,): the share, 0 to 1, of the
     motion that turns with the shaft. `overdamped`: the real roots, whose motions do not oscillate.
@@ -131,7 +131,7 @@ class Whirl(Result):
 
 @dataclass(frozen=True, repr=False)
 class CriticalSpeeds(Result):
-    """`speeds` (k,) in rad/s, rising, and the `forward` share (k,) of each: 0 means a backward whirl.
+    """Critical speeds (k,) in rad/s, rising, and the `forward` share (k,) of each: 0 is a backward whirl.
 
     On supports alike in all directions an unbalance excites those that are forward only. `supports` is
     None where they were given as a function of the speed, `most` where no speed was too large.
@@ -175,7 +175,7 @@ class CriticalSpeeds(Result):
 
 
 def whirl(rotor: Rotor, supports: Supports, speed: float) -> Whirl:
-    """Return how a round rotor whirls at `speed` (rad/s) on its supports, one for each bearing.
+    """Return the whirl modes of an axisymmetric rotor at `speed` (rad/s), one support for each bearing.
 
     A disc of 20 kg in the middle of a light shaft, one support softer sideways:
 
@@ -234,7 +234,7 @@ def forward_share(shapes: Complex) -> Array:
 
 
 def critical_speeds(rotor: Rotor, supports: Supports, most: float | None = None) -> CriticalSpeeds:
-    """Return the speeds (rad/s), to `most`, at which a whirl has the frequency of the turning itself.
+    """Return the speeds (rad/s) up to `most` at which a whirl's frequency equals the speed itself.
 
     Without damping, on constant supports, all at once: K a = w^2 (M - i G) a. Otherwise the crossings of
     the damped frequencies with the speed, for which `most` is needed.

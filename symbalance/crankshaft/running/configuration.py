@@ -39,7 +39,7 @@ Loads = Callable[[Array], Array]
 
 @dataclass(frozen=True)
 class RunConfiguration:
-    """An engine, its rotor (webs and big ends in it), and how it is solved.
+    """Settings of a run: the engine, its rotor with webs and big ends, and the solution method.
 
     `about` is what the films are linear about: orbit, the journals' own, or centre, as the paper has it
     (a table is always about the centre); up to `iterations` times
@@ -151,8 +151,7 @@ def configure_run(
     store: Path | None = None,
     say: Callable[[str], None] = lambda line: None,
 ) -> RunConfiguration:
-    """Return the configuration of a run; `say` is called with a line if a file of solved webs is not
-    valid.
+    """Return the configuration of a run; `say` gets a line if the file of solved webs is invalid.
 
     `webs` is the model of the webs' stiffness (see `assembly.WEBS`), `modes` how many are kept beside the
     static shapes, 0 for the full model; webs solved by the mesher are kept in the file `store`. Every

@@ -23,7 +23,7 @@ MEGA = 1e6
 
 @dataclass(frozen=True)
 class Comparison:
-    """A measured curve (degrees, MPa) beside the channel it was measured at, at one speed.
+    """A measured curve (degrees, MPa) compared with the computed stress channel, at one speed.
 
     `rms` and `peak` are the errors computed - measured, MPa: root mean square, and largest value minus
     largest value; `span` is the measured curve's whole range.

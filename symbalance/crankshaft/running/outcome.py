@@ -28,7 +28,7 @@ REMEDY = "name a folder you may write to"
 
 @dataclass(frozen=True)
 class SpeedOutcome:
-    """One speed's periodic state at even crank angles `theta` (s,) of a cycle, SI but for `rpm`.
+    """Periodic state at one speed, at even crank angles `theta` (s,) of a cycle; SI units but `rpm`.
 
     `values` (s, c) are the channels' (Pa, or degrees where `units` says so); `orbits` (s, b, 2) the
     journals' displacements in their bearings and `bearings` (s, b, 2) the shaft's forces on them,

@@ -38,8 +38,7 @@ Progress = Callable[[str], None]
 def run_speeds(
     configuration: RunConfiguration, folder: Path | None = None, progress: Progress = lambda line: None
 ) -> list[SpeedOutcome]:
-    """Return the outcome of every speed; with a `folder` each is saved at once and read back by the next
-    run.
+    """Return the outcome of every speed; each is saved in `folder`, if given, and reused by later runs.
 
     A saved one that is not of this engine, these settings and this program is solved anew, as is a
     damaged one; `progress` is called with a line that says why.

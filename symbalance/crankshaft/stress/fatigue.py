@@ -33,7 +33,7 @@ DIRECTIONS = 24
 
 @dataclass(frozen=True)
 class Durability:
-    """Equivalent amplitude and mean in Pa, Goodman's safety factor, damage a cycle."""
+    """Fatigue figures: equivalent amplitude and mean in Pa, Goodman's safety factor, damage per cycle."""
 
     amplitude: float
     mean: float

@@ -1,4 +1,4 @@
-r"""Balance weights of bounded size: they have a force and couple exactly where possible, else nearly.
+r"""Balance weights of bounded size with a given force and couple: exact if possible, else nearest.
 
 First the fewest planes are looked for over which the weights of least squares are small enough: these are
 exact. Else |force - sum of w_i|^2 + |couple - sum of z_i w_i|^2/length^2 with |w_i| <= most is convex; a

@@ -1,4 +1,4 @@
-"""A design as plain values for JSON and data frames: exact numbers as strings that SymPy reads."""
+"""A design as plain values for JSON and data frames; exact numbers as strings for SymPy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The document of a design: the weights proposed, their certificate, and what they leave."""
+"""The document of a design: the weights proposed, their certificate, the orders that remain."""
 
 from __future__ import annotations
 

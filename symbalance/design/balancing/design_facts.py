@@ -1,4 +1,4 @@
-"""Facts of a design that its document and its data share: weights, certificate, achievement in words."""
+"""Weights, certificate and summary of a design, as its document and its data both state them."""
 
 from __future__ import annotations
 

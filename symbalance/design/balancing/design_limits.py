@@ -17,7 +17,7 @@ MOST_SHAFTS = 1000
 
 @dataclass(frozen=True)
 class Weighting:
-    """What makes residuals comparable: weights of both directions, a length for couples (pitches)."""
+    """Weights of a residual: its vertical and lateral parts, and a length (pitches) for couples."""
 
     vertical: Fraction = Fraction(1)
     lateral: Fraction = Fraction(1)
@@ -31,7 +31,7 @@ class Weighting:
 
 @dataclass(frozen=True)
 class Limits:
-    """What a design may use, and how its residual is weighted."""
+    """Limits of a design: shafts, stations and sizes it may use, and how its residual is weighted."""
 
     shafts: int | None
     counter_rotation: bool

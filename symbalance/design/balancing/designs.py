@@ -41,7 +41,7 @@ LISTED_ORDERS = 12
 
 @dataclass(frozen=True)
 class Claim:
-    """One part of one order: `signed` order, of "force" or "couple", before and after."""
+    """What a design does to one part of one order: its `signed` order, force or couple, before, after."""
 
     signed: int
     kind: str
@@ -90,7 +90,7 @@ def certificate(before: Balance, after: Balance, orders: Sequence[int]) -> list[
 
 @dataclass(frozen=True, repr=False)
 class Design(Result):
-    """A proposal: `engine` as it was, `balanced` with the `devices` built in, and what follows.
+    """A balancing proposal: the `engine`, the `balanced` engine with the `devices`, the remaining orders.
 
     >>> from symbalance.engine.catalogue import load
     >>> four = design_balance(load("inline-4"), remove=[1, 2])
@@ -180,7 +180,7 @@ def design_balance(
     per_throw: bool = False,
     ratio: object = None,
 ) -> Design:
-    """Return the least counterweights and shafts that balance the orders to remove, or reduce them most.
+    """Return the design with the least counterweights and shafts that balance, or else reduce, orders.
 
     `shafts` is the most there may be (default: as many as it takes), `counter_rotation` whether they may
     turn against the crank, `counterweights` whether the crank may carry some; `stations` are the places

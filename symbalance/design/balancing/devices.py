@@ -31,7 +31,7 @@ from symbalance.forces.free_forces import Balance
 
 @dataclass(frozen=True)
 class Device:
-    """What turns at `speed` times the crank's speed: counterweights (the crank itself) or a shaft.
+    """Balance weights turning at `speed` times the crank's speed: counterweights, or a balance shaft's.
 
     `force` and `couple` (about the mean of the stations) are what its weights have, in the unit of the
     order; `weights` its (station, share) pairs, empty for counterweights that stand on throws.

@@ -1,4 +1,4 @@
-"""The document of an ellipse: semi-axes, where the long one points, in which sense it is drawn."""
+"""The document of an ellipse: its semi-axes, the major axis' direction, the sense of rotation."""
 
 from __future__ import annotations
 

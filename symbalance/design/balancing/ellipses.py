@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Ellipse(Result):
-    """What one order of a balance's "force" or "couple" (`of`) draws, in the balance's units.
+    """The ellipse drawn by one order of a balance's "force" or "couple" (`of`), in the balance's units.
 
     `forward` is c_n, which turns with the crank, and `backward` c_-n, both as directions at theta = 0;
     the unit is F_n = A_n m r omega^2 (couples F_n a), or m r omega^2 where cylinders are unlike.

@@ -39,7 +39,7 @@ OBJECTIVES = ("squares", "largest")
 
 
 def overbalanced(engine: Engine, share: object = Fraction(1, 2)) -> Engine:
-    """Return the engine with a counterweight on every throw: all its rotating mass, `share` of the other.
+    """Return the engine with every throw's rotating mass and `share` of its reciprocating mass balanced.
 
     >>> from symbalance.engine.catalogue import load
     >>> balance(overbalanced(load("v2-90")), 1).orders  # a 90 degree vee: complete
@@ -89,7 +89,7 @@ def best_overbalance(
     objective: str = "squares",
     kind: str = "force",
 ) -> sympy.Expr:
-    """Return the k on every throw that leaves the least first order, exactly.
+    """Return the overbalance k, alike on every throw, with the least residual of order 1, exactly.
 
     `vertical` and `lateral` weigh the squares of the amplitudes (objective "squares") or the amplitudes,
     of which the larger is made least ("largest"). Refused where no k makes a difference.
@@ -131,7 +131,7 @@ def _tilt(vertical: object, lateral: object) -> Fraction:
 
 
 def best_forward(backward: Amplitude, vertical: object = 1, lateral: object = 1) -> Amplitude:
-    """Return the forward part that leaves least beside a backward one that cannot be balanced.
+    """Return the forward part that makes the residual least, given an unbalanced backward part.
 
     -(v - l)/(v + l) conj(backward): 0, a circle, where both directions weigh the same; and likewise
     the backward part beside a forward one. It is best for squares, v and l weighing them, and for the

@@ -37,7 +37,7 @@ def in_planes(
     spread: str = "ends",
     length: Fraction,
 ) -> list[PlacedVector]:
-    """Return vectors at some of `arms` with that force and couple, in the unit of the two.
+    """Return weight vectors at some of `arms` that have a given force and couple, in their unit.
 
     `spread` "ends" takes as few planes as do, with the least total; "even" all planes, with the least sum
     of squares. With one plane only, both cannot be had unless it stands right: then what is missed is

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class RotatingBalance(Result):
-    """Counterweights in given planes against turning `weights`; a sequence of its `counterweights`.
+    """Counterweights in given planes that balance rotating `weights`; a sequence of them.
 
     `stations` are the planes, `spread` how the counterweights share them. Couples are about station 0,
     in the weights' unit times pitches; where no force is left, they are the same about any station.
@@ -171,7 +171,7 @@ def _rows(vectors: Iterable[tuple[Fraction, Amplitude]]) -> list[dict[str, Any]]
 
 
 def throw_unbalance(parts: Iterable[tuple[object, object]]) -> Fraction:
-    """Return sum of m_i r_i, the unbalance of what hangs on one throw: kg times mm give kg mm.
+    """Return the unbalance of one throw, the sum of m_i r_i over its parts: kg times mm give kg mm.
 
     Radii count from the crank's axis towards the pin; negative ones lie opposite, as a web's own
     counterweight does. The counterweight to it has the same mass times radius on the other side.
@@ -195,7 +195,7 @@ def _mass(value: object) -> Fraction:
 
 
 def rotating_weights(engine: Engine) -> list[Weight]:
-    """Return the rotating masses of an engine, in kg mm if its sizes are known, else in shares.
+    """Return an engine's rotating masses as weights: in kg mm if sizes are known, else relative.
 
     >>> from symbalance.engine.builders import inline
     >>> from symbalance.engine.crank_train import CrankTrain
@@ -212,7 +212,7 @@ def rotating_weights(engine: Engine) -> list[Weight]:
 
 
 def rotating_unbalance(weights: Iterable[Weight], plane: object = 0) -> tuple[Amplitude, Amplitude]:
-    """Return the force and the couple about a station that turning weights leave, in their unit.
+    """Return the force, and the couple about a station, of rotating weights, in their unit.
 
     >>> force, couple = rotating_unbalance([Weight(1, 0, unbalance=5), Weight(-1, 180, unbalance=5)])
     >>> force.is_zero(), couple.rational()
@@ -225,7 +225,7 @@ def rotating_unbalance(weights: Iterable[Weight], plane: object = 0) -> tuple[Am
 def balanced_weights(
     weights: Iterable[Weight], stations: Sequence[object], *, spread: str = "ends"
 ) -> RotatingBalance:
-    """Return counterweights at given stations that balance turning weights in force and couple.
+    """Return counterweights at given stations that balance rotating weights in force and couple.
 
     With two stations or more the balance is exact; `spread` "ends" takes the fewest planes and the least
     total, "even" all of them with the least sum of squares. With one station it is static, if it can be

@@ -1,4 +1,4 @@
-"""Engines whose parts differ: formulas with symbols left in, sensitivities, tolerances, weighed parts.
+"""Engines with unequal cylinders: symbolic formulas, sensitivities, tolerances, assignment of parts.
 
 symbolic_orders       one order with symbols for masses, stations and lengths
 derivatives           how each order changes with each size of each cylinder (`sensitivity`), also of

@@ -1,4 +1,4 @@
-"""Counterweights, balance shafts and rotating masses of an engine within tolerances, as they were built.
+"""Counterweights, balance shafts and rotating masses, which tolerances of cylinders leave as built.
 
 They have no errors here: a counterweight that was built for a nominal mass stays the same when a piston
 is heavier, and stands where it stands when a pin is out of place. In every order they add the same to

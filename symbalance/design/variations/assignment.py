@@ -54,7 +54,7 @@ GRAIN = 1e-10
 
 @dataclass(frozen=True, repr=False)
 class Assignment(Result):
-    """Which part goes to which cylinder; numbers are in N and N m, or in `units`.
+    """Weighed parts assigned to cylinders; forces and couples in N and N m, or in `units`.
 
     `places` maps a cylinder's number to its parts' names, by kind. `criterion` is the root mean square
     force left, couples at the lever `lever` counted in; `as_listed` the same with the parts in the
@@ -138,7 +138,7 @@ def assign_parts(
     lever: object = None,
     whole: bool = False,
 ) -> Assignment:
-    """Return the arrangement of weighed parts with the least residual.
+    """Return the assignment of weighed parts to cylinders with the least residual force and couple.
 
     `parts` are the pistons' masses in kg, or sets from `read_parts`; `orders` those that count; `lever`,
     in mm, is what a couple is divided by; with `rpm` and the engine's stroke (and pitch) results are in N

@@ -1,4 +1,4 @@
-"""The document of an assignment: which part goes where, what that leaves, and how it is counted."""
+"""The document of an assignment: each cylinder's parts, the residual by order, the criterion."""
 
 from __future__ import annotations
 

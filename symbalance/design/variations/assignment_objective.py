@@ -1,4 +1,4 @@
-"""The assignment of weighed parts as a sum of vectors to be made short, and what chance would give.
+"""The assignment of parts as minimisation of a vector sum, and its average over all arrangements.
 
 The vectors are taken on a basis of what they span, and places that a symmetry of the engine exchanges are
 tried once.

@@ -1,4 +1,4 @@
-"""Contributions of single cylinders to an order of the free force and couple: a direction and a size.
+"""The direction and size of one cylinder's contribution to an order of the free force and couple.
 
 With w = m r/(m_1 r_1) of cylinder 1 and f_n = A_n - i B_n the cylinder's part of the planar vector is
 

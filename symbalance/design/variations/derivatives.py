@@ -53,7 +53,7 @@ LENGTHS = ("stroke", "rod", "offset")
 def sensitivities(
     engine: Engine, order: int = 4, *, parameters: object = None, reference: object = None
 ) -> Sensitivities:
-    """Return all derivatives to an order, those of the worst steps (`STEPS`) first.
+    """Return derivatives of all orders by each cylinder's sizes, largest effects (of `STEPS`) first.
 
     `parameters` limits them to some of "mass", "throw", "bank", "station", "stroke", "rod", "offset",
     "rotating" (default: all but the last). Orders that cancel in the engine as drawn are among them.

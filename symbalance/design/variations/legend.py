@@ -1,4 +1,4 @@
-"""Units and letters that the documents of tolerances, sensitivities and weighed parts explain."""
+"""Explanation of units and letters, shared by the documents of `symbalance.design.variations`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Errors of one cylinder that make an objective largest: so a worst engine is reached in turns."""
+"""The worst errors of one cylinder, the others held fixed: a step of the search for worst cases."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ MOST_PARTS = 1000
 
 @dataclass(frozen=True, init=False)
 class Part:
-    """One weighed part: its name, the mass that moves with the piston and that which turns, kg."""
+    """A weighed part: its name, its reciprocating and its rotating mass in kg."""
 
     name: str
     reciprocating: Fraction
@@ -82,7 +82,7 @@ def read_parts(path: str | Path, *, paired: bool = False) -> tuple[PartSet, ...]
 
 
 def parse_parts(text: str, place: str, *, paired: bool = False) -> tuple[PartSet, ...]:
-    """Return the sets of parts in a CSV text; `place` is what errors call it.
+    """Return the sets of parts in a CSV text; error messages call the text `place`.
 
     >>> text = "piston,rod_reciprocating,rod_rotating\\n.4,.1,.3\\n.41,.1,.31"
     >>> pistons, rods = parse_parts(text, "p.csv")

@@ -122,7 +122,7 @@ class Sensitivity:
 
 @dataclass(frozen=True, repr=False)
 class Sensitivities(Result, Sequence[Sensitivity]):
-    """The derivatives of all orders to `order` by sizes of single cylinders, worst steps first.
+    """All derivatives of orders by each cylinder's sizes, largest effect of a step first: a sequence.
 
     A sequence of them. Forces are in m r omega^2 of cylinder 1, couples in m r omega^2 a about
     `reference`, None for the mean of all stations. `parameters` are the sizes they are by.

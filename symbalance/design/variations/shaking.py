@@ -53,7 +53,7 @@ def speed_scale(engine: Engine, speed: Fraction | None) -> Scale:
 
 @dataclass(frozen=True)
 class Shaking:
-    """What one arrangement leaves of one order: largest moduli over a turn, and root mean squares."""
+    """Residual of one order for an assignment: largest force and couple over a turn, and their RMS."""
 
     order: int
     force: float

@@ -56,7 +56,7 @@ UNIT: Polynomial = {(): Fraction(1)}
 
 @dataclass(frozen=True, eq=False)
 class SymbolResultant:
-    """One order of a force or couple with symbols left in: c_n as `positive`, c_-n as `negative`."""
+    """One order of a force or couple as a formula in symbols: c_n, c_-n as `positive`, `negative`."""
 
     positive: SymbolSum
     negative: SymbolSum
@@ -92,7 +92,7 @@ class SymbolResultant:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SymbolicOrder(Result):
-    """One order with symbols left in.
+    """One order of the free force and couple as formulas in symbols.
 
     Force and couple are in units of omega^2 times those of masses and radii (m and r where none are
     given), couples times that of stations (the pitch a where none are given). With a `coefficient` A_n

@@ -28,7 +28,7 @@ WIDEST_ANGLE = 45
 
 @dataclass(frozen=True, init=False)
 class Tolerances:
-    """Plus or minus, of every cylinder: kg, degrees and mm; 0 where nothing is given.
+    """Tolerances (plus or minus) of every cylinder, in kg, degrees and mm; 0 where none is given.
 
     `mass` is the reciprocating and `rotating` the rotating mass, `throw` the crank pin's angle, `bank`
     the axis' angle, `station` its place along the crank. `mass` and `rotating` may be percent of cylinder

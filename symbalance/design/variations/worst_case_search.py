@@ -1,4 +1,4 @@
-r"""Worst cases of an engine within its tolerances: what errors can add up to in each order, with proof.
+r"""Worst cases of an engine within its tolerances: the largest force and couple by order, with bounds.
 
 Cylinder j pushes along its axis with weight w_j: seen in the direction u, order n is
 
@@ -75,7 +75,7 @@ IMPROVEMENTS = 6
 
 @dataclass(frozen=True)
 class WorstCase:
-    """The worst of one order of the force or the couple, in the units of its `WorstCases`.
+    """The largest value of one order of the force or couple, in the units of its `WorstCases`.
 
     `quantity` is "force" or "couple", with "rotating" before it where the rotating masses' own errors
     alone are meant. `of` is "largest" (the largest modulus over a turn) or a component, whose amplitude
@@ -99,7 +99,7 @@ class WorstCase:
 
 @dataclass(frozen=True, repr=False)
 class WorstCases(Result, Sequence[WorstCase]):
-    """The worst that tolerances allow, of every order to `order` that they let exist: a sequence.
+    """The largest force and couple within tolerances, of every order that can occur, to `order`.
 
     Forces are in m r omega^2 of cylinder 1 and couples in m r omega^2 a, or with `rpm` in N and N m (in
     N a, a the pitch, where the engine gives none). `reference` is the station couples are taken about,
@@ -199,7 +199,7 @@ def worst_cases(
     reference: object = None,
     rpm: object = None,
 ) -> WorstCases:
-    """Return the worst that tolerances allow, for every order to `order` that they let exist.
+    """Return the largest force and couple within tolerances, of every order that can occur, to `order`.
 
     Orders whose A_n is below what a double holds (some 10^-308) are left out.
     `of` lists some of "largest", "vertical", "lateral", "forward" and "backward"; `reference` is the

@@ -1,4 +1,4 @@
-"""The document of worst cases: force and couple by order, then how the worst is meant."""
+"""The document of worst cases: largest force and couple by order, attained and proved."""
 
 from __future__ import annotations
 

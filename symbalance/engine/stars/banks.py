@@ -66,7 +66,7 @@ def natural_bank_angles(crank: Crank, strokes: int = 4) -> tuple[Fraction, ...]:
 
 
 def pin_offsets(crank: Crank, bank_angle: object, strokes: int = 4) -> tuple[Fraction, ...]:
-    """Return the offsets of the right cylinder's pin from the left's that make a vee fire evenly.
+    """Return the offsets of right cylinders' pins from left ones' with which a vee fires evenly.
 
     Degrees in (-180, 180], positive in the sense of rotation (the `splay` of `vee`), smallest first;
     (0, ...) where the bank angle is natural. `crank` as for `natural_bank_angles`.

@@ -140,7 +140,7 @@ class FiringOrders(SequenceResult[Firing]):
 def firing_orders(
     engine: Engine, *, even_only: bool = True, simultaneous: bool = False, within: object = 0
 ) -> FiringOrders:
-    """Return all firing orders a crank allows, its lowest-numbered cylinder first; `fires` is ignored.
+    """Return all firing orders a crank allows, from its lowest-numbered cylinder; ignores `fires`.
 
     `even_only`: equal intervals; otherwise every order, 2^(N-1) in a four-stroke whose cylinders all
     reach top dead centre apart. `simultaneous`: cylinders may fire together (interval 0, written by

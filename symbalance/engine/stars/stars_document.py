@@ -1,4 +1,4 @@
-"""What is written of crank stars, firing orders and even bank angles."""
+"""The documents of crank stars and of firing orders: one table of each."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Real cyclotomic numbers as people write them: radicals where they exist, cosines elsewhere.
+"""Closed forms of real cyclotomic numbers: radicals where they exist, else cosines.
 
 A real number of an abelian field splits exactly into one part for each conjugacy class of even
 characters of its Galois group (Z/m)*. The part of a character of order 1 is rational, the square of

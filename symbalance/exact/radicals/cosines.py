@@ -1,4 +1,4 @@
-"""Short sums of cosines or sines for a real cyclotomic number, by vanishing sums of roots of unity."""
+"""Real cyclotomic numbers as short sums of cosines or sines, by vanishing sums of roots of unity."""
 
 from __future__ import annotations
 

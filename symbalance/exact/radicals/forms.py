@@ -1,4 +1,4 @@
-"""The form in which a real cyclotomic number is written: radicals where they exist, else cosines."""
+"""The closed form of a real cyclotomic number as a SymPy expression: radicals, else cosines."""
 
 from __future__ import annotations
 

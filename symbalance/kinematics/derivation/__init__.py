@@ -1,4 +1,4 @@
-"""Derivation of one slider-crank's harmonics, step by step as a person would write it."""
+"""Step-by-step derivation of a slider-crank's harmonics, as one would write it by hand."""
 
 from symbalance.kinematics.derivation.request import Step
 from symbalance.kinematics.derivation.result import Derivation, derive

@@ -1,4 +1,4 @@
-"""A derivation as a document: each step a heading, paragraphs and displayed equations."""
+"""The document of a derivation: each step a heading, paragraphs and displayed equations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The last step of a derivation: the general term, the exact form, and what is left out, in figures.
+"""The last step of a derivation: general term, exact form, and truncation error in numbers.
 
 The coefficients printed lack terms of their own sign only, so that the printed formula differs from
 the exact quantity by at most

@@ -1,4 +1,4 @@
-"""Quantity, order and convention that a derivation is asked for, and the letters it is written with."""
+"""The checked request for a derivation: quantity, order, convention; and the letters it uses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The derivation of one slider-crank's harmonics, step by step, as a person would write it.
+"""The function `derive` and its result: a slider-crank's harmonics derived step by step.
 
     geometry -> root -> its series -> multiple angles -> harmonics -> derivatives -> what is left out
 

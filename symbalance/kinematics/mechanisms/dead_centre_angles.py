@@ -1,4 +1,4 @@
-"""Dead centres of a mechanism: the crank angles at which its piston turns round, and its stroke.
+"""Dead centres of a mechanism: the crank angles where its piston reverses, and its stroke.
 
 At its dead centres an offset slider-crank's crank and rod lie in one line, stretched or folded:
 

@@ -1,4 +1,4 @@
-"""The mechanisms between crank and piston, slider-crank and link rod, and whether the rod reaches.
+"""The mechanisms between crank and piston: slider-crank and link rod, with checks of their lengths.
 
 A rod reaches where |sin phi| < 1. For complex crank angles |Im p| <= a, with C = cosh a,
 
@@ -31,7 +31,7 @@ HALVINGS = 60
 
 @dataclass(frozen=True)
 class SliderCrank:
-    """A slider-crank: a crank, a rod and a piston whose axis passes the crank at a distance.
+    """A slider-crank, centred or with an offset between the cylinder's axis and the crank's.
 
     `ratio` is lambda = l/r, `offset` is eps = e/r, positive towards the side the pin moves to after
     p = 0; both are held exactly. Refused unless ratio > 1 + |offset|: the crank could not turn.
@@ -78,7 +78,7 @@ class SliderCrank:
 
 @dataclass(frozen=True)
 class LinkRod:
-    """A rod articulated on another cylinder's master rod, or fork and blade with link_radius 0.
+    """A link rod on another cylinder's master rod; `link_radius` 0 is a fork-and-blade rod.
 
     `link_angle`, in turns, is the link pin's direction seen from the crank pin, counted from the
     master rod (crank pin towards master piston) in the sense of rotation; `link_radius` is its distance

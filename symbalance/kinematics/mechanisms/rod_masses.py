@@ -40,7 +40,7 @@ from symbalance.text.reals import Complex, Exact, Real, cos, tan
 
 @dataclass(frozen=True)
 class RodSplit:
-    """A rod: mass, length, distance of the centre of gravity from the big end, and J about that centre.
+    """A rod's mass, length, centre of gravity (from the big end), and moment of inertia J about it.
 
     Any units that agree: kg, m, m, kg m^2 or kg, mm, mm, kg mm^2. All are held exactly, as fractions.
 

@@ -1,4 +1,4 @@
-"""Checks of what a slider-crank may be asked for: orders, powers, rod ratios, quantities."""
+"""Checks of arguments for slider-crank functions: orders, powers, rod ratios, quantities."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Polynomials in 1/lambda that state the power through which they are kept."""
+"""Truncated power series in 1/lambda: polynomials that know the highest power they are exact to."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Series:
-    """A polynomial in 1/lambda, exact through the power `through`; higher powers are left out.
+    """A truncated series in 1/lambda, exact through the power `through`.
 
     `terms` maps a power of 1/lambda to its coefficient. `complete` says that nothing is left out at all.
 

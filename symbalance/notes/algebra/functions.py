@@ -1,4 +1,4 @@
-"""Functions of normal forms: exponentials, circular and hyperbolic functions, logarithms, inverses.
+"""Exponentials, logarithms, circular and hyperbolic functions, and inverses, of normal forms.
 
 cos x and sin x are (e^(ix) ± e^(-ix))/2: an argument is split into monomials, each with its own
 generator e^(i m), and multiples of pi become turns. e^(i asin v) = √(1-v²) + i v, and the like.

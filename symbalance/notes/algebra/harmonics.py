@@ -1,4 +1,4 @@
-"""Coefficients of cos nθ, sin nθ and products of letters in a polynomial, and formulas written from them.
+"""Coefficients of cos nθ, sin nθ and products of letters in a polynomial, and formulas from them.
 
 C cos x + S sin x = c_+ e^(ix) + c_- e^(-ix) with C = c_+ + c_- and S = i (c_+ - c_-). The numbers C and S
 are polynomials in turns and primes only.

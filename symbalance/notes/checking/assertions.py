@@ -1,4 +1,4 @@
-"""Lines, and pieces of lines, that a sidecar binds to a quantity, compared with that quantity."""
+"""Check of lines that a sidecar file declares to be a known quantity, such as a force's order."""
 
 from __future__ import annotations
 

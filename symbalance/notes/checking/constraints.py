@@ -1,4 +1,4 @@
-"""Relations that state something rather than follow, such as l sin β = r sin θ, solved for a letter.
+"""Relations that are assumptions, not steps, such as l sin β = r sin θ, solved for a letter.
 
 A relation fixes a letter if the letter is new in the document, stands in it once, and can be reached by
 undoing sums, products, powers and functions. Both sides must hold letters of their own: in

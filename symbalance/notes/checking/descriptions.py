@@ -1,4 +1,4 @@
-"""Verdicts made from decisions: the word, the place, and the texts that go with it.
+"""Verdicts built from decisions: the verdict's word, its place, and the texts that explain it.
 
 Where two sides differ, the difference is given coefficient by coefficient: of which term, what is
 claimed, what is exact.

@@ -1,4 +1,4 @@
-"""What the checker needs to know of engines, as protocols that its caller implements.
+"""Interface to knowledge of engines: the protocols that a caller of the checker implements.
 
 Of itself the checker knows no engine. A caller hands in `Engines`, and the rest of the room sees no more
 of an engine than these protocols: it could be a library of its own, for derivations of another field.

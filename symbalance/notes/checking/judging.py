@@ -1,4 +1,4 @@
-"""Judging of a document's equations in order: letters defined, steps decided, assertions compared."""
+"""The class `Judge`: goes through a document's equations in order and gives each its verdict."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Quantities a line can be bound to, as formulas in the document's own letters.
+"""Formulas of quantities a line may be declared to be: piston motion, forces and couples of engines.
 
 One cylinder: displacement, position, velocity, acceleration, force. An engine: force and couple of an
 order, of the whole engine, of one bank or of one cylinder. The sum over cylinders of

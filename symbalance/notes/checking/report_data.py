@@ -1,4 +1,4 @@
-"""Verdicts as plain data for programs: an entry for each relation and each line that continues one."""
+"""Verdicts as plain data for JSON and tables: an entry for each relation and continued line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Roles a letter may be declared with, such as crank radius, and the ways they may be written."""
+"""The roles a letter may be declared to have, such as crank radius, and how each may be spelled."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Formulas that declared letters stand for, such as r = s/2, l = λ r and sin β = sin θ/λ."""
+"""Formulas for letters declared by role, such as r = s/2, l = λ r and sin β = sin θ/λ."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What reading a document yields: chains of relations, and the equations that could not be read."""
+"""Classes for what reading a document yields: chains of relations, and unreadable equations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where mathematics begins and ends in a line of prose."""
+"""Finding of mathematics within a line of prose: where it begins and ends."""
 
 from __future__ import annotations
 

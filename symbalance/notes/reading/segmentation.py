@@ -1,4 +1,4 @@
-"""The stretches of a document that may be equations, in order.
+"""Splitting of a document into the parts that may be equations, in order.
 
 What is no mathematics (comments, code, addresses) is blanked, so that every offset stays that of the
 document. Then delimited mathematics ($ $, \\( \\), \\[ \\], environments) is cut into rows and these at

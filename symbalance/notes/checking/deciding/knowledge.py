@@ -1,4 +1,4 @@
-"""What a step may use at its line: meanings of letters, the document's definitions, and assumptions."""
+"""Facts that a derivation's step may use: meanings of letters, earlier definitions, assumptions."""
 
 from __future__ import annotations
 

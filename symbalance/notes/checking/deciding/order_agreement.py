@@ -1,4 +1,4 @@
-"""Decisions whether two sides agree through an order, as ≈ and dots at the end of a sum state.
+"""Decisions whether two sides agree through an order of a small letter, as ≈ or "..." states.
 
 The small letter is the rod ratio where it occurs (ρ small, λ large), else a letter in which the line is
 a polynomial. The order a line keeps is the highest power of it there; both sides must agree through it.

@@ -1,4 +1,4 @@
-"""Decisions on one relation between two sides, each of which may be read in more than one way."""
+"""Decisions whether one relation (=, ≈, <, ...) holds, in any of the readings of its two sides."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Changed copies of formulas: a letter, or one part, replaced by another formula."""
+"""Substitution in formulas: a letter, or one part, replaced by another formula."""
 
 from __future__ import annotations
 

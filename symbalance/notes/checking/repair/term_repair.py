@@ -1,4 +1,4 @@
-"""Correction of a sum's wrong terms: the difference of two sides shared out among its terms."""
+"""Correction of the wrong terms in a sum, from the difference between its two sides."""
 
 from __future__ import annotations
 
