@@ -1,7 +1,7 @@
 """What tests share: tiers by cost, golden files (`pytest --update` rewrites them), a LaTeX compiler.
 
 The fast core, `-m "not slow"`, holds some of every kind of evidence. `slow` is all the rest, `rare` what
-of it needs programs that few machines have. A test's marks say where it belongs:
+of it takes minutes, or programs that few machines have. A test's marks say where it belongs:
 
     @pytest.mark.slow                        the test, or as `pytestmark` the module
     @pytest.mark.rare                        the same, and slow

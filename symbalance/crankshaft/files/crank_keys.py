@@ -1,7 +1,7 @@
 """The keys of [crankshaft], [bearings] and [running]: kind, unit, range, default and meaning of each.
 
 `FILE_KEYS` describes all of an engine file: the other tables are those of `engine.engine_keys`. A
-reference in Markdown for people and a JSON Schema for editors come from it; ENGINE_FILES.md and the
+reference in Markdown for people and a JSON Schema for editors come from it; docs/engine-files.md and the
 package hold them as text, so that nothing is computed when they are read.
 """
 

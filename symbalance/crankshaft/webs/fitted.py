@@ -1,4 +1,4 @@
-"""Webs as beams whose six flexibilities are fitted to the solid half throw, as in the paper.
+"""Webs as beams whose six flexibilities are fitted to those of the half throw meshed as a solid.
 
 The web is the nominal one's chain (stub, radial beam, stub), with the beam's six section flexibilities f
 (stretch, two shears, twist, two bendings) free. A section's loads under a load at the far end are

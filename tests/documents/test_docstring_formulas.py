@@ -107,7 +107,7 @@ def test_a_planted_fault_is_caught(name):
     assert undetected(name) == []
 
 
-@pytest.mark.slow  # the checker looks for a correction of each: two minutes
+@pytest.mark.rare  # the checker looks for a correction of each: two minutes
 def test_a_planted_fault_is_caught_in_every_formula():
     assert [f for name in sorted({e.name for e in marked_formulas()}) for f in undetected(name)] == []
 
