@@ -55,7 +55,7 @@ class MovingMass:
 def moving_masses(engine: Engine, measures: Sequence[str] = MASSES) -> list[MovingMass]:
     """Return the bodies that push: pistons, then what sits on link pins.
 
-    A rotating mass on the crank pin turns steadily and is a rotor; one on a link pin is that and, here,
+    A rotating mass on the crank pin turns steadily and is a rotating mass; one on a link pin is that and, here,
     what the link pin adds to the crank pin's circle.
     """
     _check_numbers(engine)
@@ -94,18 +94,18 @@ def planar_vectors(
         pushed = [geometry(engine, orders, of_each) for of_each in weights]
     else:
         pushed = _spectra_of(moving_masses(engine), engine, order, weights)
-    return _with_rotors(engine, order, plane, pushed)
+    return _with_rotating_masses(engine, order, plane, pushed)
 
 
 def turning_vectors(
     engine: Engine, order: int, reference: Fraction | None = None
 ) -> tuple[Spectrum, Spectrum]:
-    """Return the part of `planar_vectors` that rotors and masses on link pins add, in the same units."""
+    """Return the part of `planar_vectors` that rotating masses and masses on link pins add, in the same units."""
     plane = engine.mean_station if reference is None else reference
     # Where nothing is on a link pin angles may hold symbols, which moving masses may not.
     masses = moving_masses(engine, [ROTATING]) if engine.has_link_pin_masses else []
     pushed = _spectra_of(masses, engine, order, _weights(engine, plane))
-    return _with_rotors(engine, order, plane, pushed)
+    return _with_rotating_masses(engine, order, plane, pushed)
 
 
 def _weights(engine: Engine, plane: Fraction) -> tuple[list[Fraction], list[Fraction]]:
@@ -113,10 +113,10 @@ def _weights(engine: Engine, plane: Fraction) -> tuple[list[Fraction], list[Frac
     return [Fraction(1)] * len(engine.cylinders), engine.lever_arms(plane)
 
 
-def _with_rotors(
+def _with_rotating_masses(
     engine: Engine, order: int, plane: Fraction, pushed: Sequence[Spectrum]
 ) -> tuple[Spectrum, Spectrum]:
-    """Return a force, and a couple about `plane`, with what rotors add to them."""
+    """Return a force, and a couple about `plane`, with what rotating masses add to them."""
     force, couple = pushed
     return rotor_spectrum(engine, order, None) + force, rotor_spectrum(engine, order, plane) + couple
 
