@@ -55,7 +55,7 @@ class MovingMass:
 def moving_masses(engine: Engine, measures: Sequence[str] = MASSES) -> list[MovingMass]:
     """Return the bodies that push: pistons, then what sits on link pins.
 
-    A rotating mass on the crank pin turns steadily and is a rotating mass; one on a link pin is that and, here,
+    A mass on the crank pin turns steadily and is a rotating mass; one on a link pin is that and, here,
     what the link pin adds to the crank pin's circle.
     """
     _check_numbers(engine)
@@ -100,7 +100,7 @@ def planar_vectors(
 def turning_vectors(
     engine: Engine, order: int, reference: Fraction | None = None
 ) -> tuple[Spectrum, Spectrum]:
-    """Return the part of `planar_vectors` that rotating masses and masses on link pins add, in the same units."""
+    """Return what rotating masses and masses on link pins add to `planar_vectors`, in the same units."""
     plane = engine.mean_station if reference is None else reference
     # Where nothing is on a link pin angles may hold symbols, which moving masses may not.
     masses = moving_masses(engine, [ROTATING]) if engine.has_link_pin_masses else []
