@@ -1,8 +1,8 @@
 """The API, a page for each room: its docstring and every public name, with signature and docstring.
 
-A room is a package of the library; its public names are those of its `__all__` and those that the top of
-the package takes from it. A name is documented once, under the shortest name it has, in the room that
-defines it.
+A room is a package of the library, with the rooms within it, such as `crankshaft.rotor`. Its public names
+are those of its `__all__` and those that the top of the package takes from it. A name is documented
+once, under the shortest name it has, in the room that defines it, or else in the first that exports it.
 """
 
 from __future__ import annotations
@@ -47,11 +47,19 @@ def pages(root: Path) -> dict[str, bytes]:
 
 def _check_that_all_are_there(names: set[str]) -> None:
     """Fail the build if a name of the package's top has no place on any page."""
-    top = import_module(PACKAGE)
-    values = {name: getattr(top, name) for name in top.__all__ if name != "__version__"}
-    missing = sorted(name for name, v in values.items() if f"{PACKAGE}.{name}" not in names)
+    shorts = {name.rsplit(".", 1)[-1] for name in names}
+    public = {name for module in _public_modules() for name in module.__all__} - {"__version__"}
+    missing = sorted(public - shorts)
     if missing:
         raise RuntimeError(f"public names without a page: {', '.join(missing)}")
+
+
+def _public_modules() -> list[ModuleType]:
+    """Return the package and every package within it that lists its names in a stub."""
+    root = Path(import_module(PACKAGE).__file__ or "").parent
+    stubs = sorted(root.rglob("__init__.pyi"), key=lambda stub: (len(stub.parts), stub))
+    folders = (stub.parent.relative_to(root.parent) for stub in stubs)
+    return [import_module(".".join(folder.parts)) for folder in folders]
 
 
 def _rooms(root: Path) -> list[str]:
@@ -67,14 +75,20 @@ def _entries(room: str) -> list[Entry]:
     home = f"{PACKAGE}.{room}"
     top, module = import_module(PACKAGE), import_module(home)
     values = {name: getattr(module, name) for name in getattr(module, "__all__", [])}
+    deeper = {m.__name__: m for m in _public_modules() if m.__name__.startswith(home + ".")}
     on_top = {name: getattr(top, name) for name in top.__all__}
     names: dict[int, Entry] = {}
     for name, value in {**values, **on_top}.items():
-        owner = getattr(value, "__module__", home if name in values else "") or ""
+        owner = value.__module__ if callable(value) else home if name in values else ""
         if isinstance(value, ModuleType) or not (owner + ".").startswith(home + "."):
             continue
         full = f"{PACKAGE}.{name}" if on_top.get(name) is value else f"{home}.{name}"
         names[id(value)] = Entry(full, _kind(value), value)
+    for inner in deeper.values():
+        for name in inner.__all__:
+            value = getattr(inner, name)
+            if name not in {entry.short for entry in names.values()}:
+                names[id(value)] = Entry(f"{inner.__name__}.{name}", _kind(value), value)
     return sorted(names.values(), key=lambda entry: (entry.kind != "function", entry.short.lower()))
 
 

@@ -44,7 +44,7 @@ def ideal_engine() -> list[Measurement]:
 
 
 def whole() -> Balance:
-    """Return the balance as users ask for it, of a fresh layout."""
+    """Return the balance as users ask for it, of a fresh engine."""
     return balance(inline("1-3-4-2", ratio=Fraction(7, 2)), ORDER)
 
 

@@ -64,6 +64,9 @@ class Evaluator:
         exec(compile(self.source, place, "exec"), namespace)  # text of our own
         return namespace
 
+    def __repr__(self) -> str:
+        return f"Evaluator({', '.join(self.outputs)}; target {self.target}, rod ratio {self.ratio})"
+
     def __call__(self, theta: Any, **keywords: Any) -> Result:
         """Return the outputs at the crank angles `theta` (radians)."""
         return self._module["evaluate"](theta, **keywords)
@@ -154,7 +157,7 @@ def plan_for(
     names = checked_outputs(_default(result) if outputs is None else outputs, ALL_OUTPUTS)
     if isinstance(result, RunningTorque) and ratio is not None:
         rule = "is the running engine's own already"
-        raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give it to crank_torque")
+        raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give it to running_torque")
     number = rod_ratio(result, ratio)
     tolerance = None if tolerance is None else checked_tolerance(tolerance)
     highest = checked_order(_highest(result) if order is None else order)

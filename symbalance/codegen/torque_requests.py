@@ -113,7 +113,7 @@ def _within(result: Result, ratio: Fraction, tolerance: float) -> HarmonicSum:
 def _checked_running(result: Result, name: str) -> RunningTorque:
     if not isinstance(result, RunningTorque):
         rule = "is that of a running engine, with pressures in its cylinders"
-        remedy = "crank_torque(layout, trace, ...); on the command line --pressure or --compression"
+        remedy = "running_torque(engine, trace, ...); on the command line --pressure or --compression"
         raise SymbalanceError(f"output '{name}'", rule, remedy)
     return result
 

@@ -63,7 +63,7 @@ class Result:
         package = sys.modules[cls.__module__].__package__
         file = files(package) / f"{cls.kind}.schema.json" if package else None
         if file is None or not file.is_file():
-            remedy = "the results that symbalance computes have one"
+            remedy = f"put {cls.kind}.schema.json beside its module"
             raise SymbalanceError(cls.__name__, "has no JSON Schema", remedy)
         return json.loads(file.read_text(encoding="utf-8"))
 

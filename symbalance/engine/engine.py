@@ -252,6 +252,19 @@ class Engine:
         return Engine(self.cylinders, balancers=balancers, **about)
 
 
+def checked_engine(value: object) -> Engine:
+    """Return an engine, or refuse what is none.
+
+    >>> checked_engine("v12-60")  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    symbalance.errors.SymbalanceError: engine = v12-60: must be an Engine; load("v12-60"), or ...
+    """
+    if not isinstance(value, Engine):
+        remedy = 'load("v12-60"), or build one, as inline("1-3-4-2")'
+        raise SymbalanceError(f"engine = {brief(value)}", "must be an Engine", remedy)
+    return value
+
+
 def _is_centred(mechanism: Mechanism | None) -> bool:
     return mechanism is None or mechanism.is_centred
 

@@ -16,7 +16,7 @@ from typing import Any
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.crank_train import CYLINDER_SIZES
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
@@ -38,7 +38,7 @@ def engine_text(engine: Engine) -> str:
     >>> print(engine_text(inline("1")).splitlines()[3:6])
     ['[[cylinder]]', 'number = 1', 'throw = 0']
     """
-    sizes = [_written_sizes(c) for c in engine.cylinders]
+    sizes = [_written_sizes(c) for c in checked_engine(engine).cylinders]
     shared = _shared(engine, sizes)
     tables = [
         ("", [("name", engine.name), ("strokes", engine.strokes)]),

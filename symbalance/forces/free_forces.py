@@ -236,7 +236,7 @@ def checked_balance(result: object) -> Balance:
     """Return a balance, or refuse what is none."""
     if not isinstance(result, Balance):
         raise SymbalanceError(
-            f"result = {brief(result)}", "must be a Balance", "make one with balance(layout)"
+            f"result = {brief(result)}", "must be a Balance", "make one with balance(engine)"
         )
     return result
 

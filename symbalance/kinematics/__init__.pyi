@@ -5,6 +5,7 @@ from symbalance.kinematics.mechanisms import RodSplit as RodSplit
 from symbalance.kinematics.mechanisms import SliderCrank as SliderCrank
 from symbalance.kinematics.mechanisms import dead_centres as dead_centres
 from symbalance.kinematics.mechanisms import force_harmonics as force_harmonics
+from symbalance.kinematics.piston_torque import torque_series as torque_series
 from symbalance.kinematics.slider_crank import Series as Series
 from symbalance.kinematics.slider_crank import exact_coefficient as exact_coefficient
 from symbalance.kinematics.slider_crank import harmonics as harmonics

@@ -1,8 +1,3 @@
-from symbalance.forces.shaft_moments import has_shafts_aside as has_shafts_aside
-from symbalance.forces.shaft_moments import shaft_moment as shaft_moment
-from symbalance.kinematics.piston_torque import torque_left_out as torque_left_out
-from symbalance.kinematics.piston_torque import torque_series as torque_series
-from symbalance.kinematics.piston_torque import torque_values as torque_values
 from symbalance.torque.cylinder_gas import AMBIENT as AMBIENT
 from symbalance.torque.cylinder_gas import TangentialPressure as TangentialPressure
 from symbalance.torque.flywheel import Fluctuation as Fluctuation

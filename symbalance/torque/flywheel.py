@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from math import sqrt
 
 from symbalance.errors import SymbalanceError, brief
-from symbalance.text.measurements import measurement, positive_float
+from symbalance.text.measurements import as_float, measurement, positive_float
 
 POINTS = 1440
 """Of the grid on which extremes are sought: two a degree of a four-stroke's cycle."""
@@ -96,7 +96,8 @@ def flywheel_inertia(energy: float, omega: float, delta: object) -> float:
     >>> flywheel_inertia(500.0, 100.0, "1/50")
     2.5
     """
-    return energy / (positive_float(delta, "delta") * omega**2)
+    work, speed = as_float(energy, "energy"), positive_float(omega, "omega")
+    return work / (positive_float(delta, "delta") * speed**2)
 
 
 def checked_delta(delta: object, name: str = "delta") -> float:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.forces.free_forces import listed_orders
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
@@ -20,7 +20,7 @@ from symbalance.text.numbers import exact
 from symbalance.text.reals import Real
 from symbalance.torque.cylinder_gas import AMBIENT, TangentialPressure
 from symbalance.torque.ideal_cycles import IdealCycle
-from symbalance.torque.inertia_balance import checked_engine, checked_known
+from symbalance.torque.inertia_balance import checked_known
 from symbalance.torque.pressure import MOST_BAR, PressureTrace
 from symbalance.torque.star_diagrams import Star, firing_pin_passings, firing_stars, stars_of
 
@@ -60,7 +60,7 @@ class GasOrder:
 
     @property
     def amplitude(self) -> float:
-        """The size of the whole layout's order, in bar."""
+        """The size of the whole engine's order, in bar."""
         return abs(self.number)
 
 

@@ -27,7 +27,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import QUARTER, Component
 from symbalance.forces.free_forces import listed_orders
@@ -175,14 +175,6 @@ def checked_known(engine: Engine, ratio: object) -> Fraction:
         rule = "its torque's numbers need the rod ratio lambda = l/r"
         raise SymbalanceError(f"{engine.name} has no rod ratio", rule, "give ratio=4, or another")
     return checked_ratio(known)
-
-
-def checked_engine(engine: object) -> Engine:
-    """Return an engine, or refuse what is none."""
-    if not isinstance(engine, Engine):
-        remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"engine = {brief(engine)}", "must be an Engine", remedy)
-    return engine
 
 
 def inertia_torque(

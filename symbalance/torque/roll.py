@@ -25,7 +25,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
@@ -37,7 +37,6 @@ from symbalance.text.reals import DIGITS, Complex
 from symbalance.torque.body_groups import has_common_torque, torque_groups, total_moment, total_torque
 from symbalance.torque.inertia_balance import (
     TorqueBalance,
-    checked_engine,
     inertia_torque,
     sine_components,
 )
@@ -198,7 +197,7 @@ def torque_report(
     if running is not None and running.engine != engine:
         what = f"running = {brief(running.engine.name)}"
         rule = f"is another engine than {engine.name}, or has another rod ratio"
-        raise SymbalanceError(what, rule, "give the same engine and ratio to crank_torque")
+        raise SymbalanceError(what, rule, "give the same engine and ratio to running_torque")
     rod, rocking = rod_torque(engine, order), rod_couple(engine, order)
     beside, excess = beside_moment(engine, order), first_excess(engine)
     known = all(c.mechanism for c in engine.cylinders) and not engine.has_symbols

@@ -24,7 +24,7 @@ from math import pi
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.forces.shaft_moments import shaft_terms
 from symbalance.kinematics.slider_crank import checked_order
@@ -42,7 +42,7 @@ from symbalance.torque.flywheel import (
 )
 from symbalance.torque.gas import GasGroup, gas_groups
 from symbalance.torque.ideal_cycles import IdealCycle
-from symbalance.torque.inertia_balance import checked_engine, inertia_torque
+from symbalance.torque.inertia_balance import inertia_torque
 from symbalance.torque.pressure import PressureTrace
 from symbalance.torque.roll import MILLI, first_excess, rod_torque
 from symbalance.torque.star_diagrams import firing_pin_passings

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import SequenceResult
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
@@ -113,7 +113,7 @@ def firing_pin_passings(engine: Engine) -> dict[int, Fraction]:
     >>> {n: str(top) for n, top in firing_pin_passings(inline("1-3-4-2")).items()}
     {1: '0', 2: '540', 3: '180', 4: '360'}
     """
-    cycle = 180 * engine.strokes
+    cycle = 180 * checked_engine(engine).strokes
     first = next((c for c in engine.cylinders if c.fires is not None), None)
     start = Fraction(0) if first is None else _top(first) - (first.fires or 0)
     start %= 360

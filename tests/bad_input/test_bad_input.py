@@ -16,6 +16,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 
+import symbalance as sb
 from symbalance.codegen import to_function
 from symbalance.document.result import to_json, to_latex, to_text
 from symbalance.document.symbols import symbol
@@ -509,3 +510,28 @@ def test_a_refusal_names_the_line(text: str, line: int) -> None:
 def test_names_that_would_break_a_table_are_refused(name: str) -> None:
     with pytest.raises(SymbalanceError, match="one line"):
         Engine([Cylinder(1)], name=name)
+
+
+ROTOR = sb.crankshaft.rotor.shaft([sb.crankshaft.rotor.Tube(1.0, 0.05)], bearings=(0.0, 1.0))
+SPRINGS = [sb.crankshaft.rotor.Support(1e8)] * 2
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: sb.kinematics.dead_centres(sb.load("inline-4")), "mechanism = .*must be a SliderCrank"),
+        (lambda: sb.kinematics.force_harmonics(None, 4), "mechanism = None: must be a SliderCrank"),
+        (lambda: sb.torque.firing_pin_passings(None), "engine = None: must be an Engine"),
+        (lambda: sb.engine.engine_text(None), "engine = None: must be an Engine"),
+        (lambda: sb.torque.flywheel_inertia(None, 1, 2), "energy = None: must be a number"),
+        (lambda: sb.crankshaft.rotor.whirl(ROTOR, SPRINGS, "fast"), "speed = fast: must be a number"),
+        (lambda: sb.crankshaft.rotor.critical_speeds(ROTOR, SPRINGS, "x"), "most = x: must be a number"),
+        (
+            lambda: sb.crankshaft.rotor.unbalance_response(ROTOR, SPRINGS, [100], [1.0]),
+            "unbalances = .*must map places to amounts",
+        ),
+    ],
+)
+def test_what_public_functions_cannot_take_is_refused_at_their_door(call, words):
+    with pytest.raises(sb.SymbalanceError, match=words):
+        call()

@@ -15,6 +15,10 @@ from tests.results import EXAMPLES, example, result_classes
 VOID = {"meta", "img", "br", "hr", "link"}
 
 
+def test_every_kind_of_result_has_an_example_under_its_name() -> None:
+    assert {cls.kind for cls in result_classes()} <= set(EXAMPLES)
+
+
 @pytest.mark.slow
 def test_every_class_of_result_has_an_example() -> None:
     assert {type(example(name)) for name in EXAMPLES} == result_classes()

@@ -354,7 +354,7 @@ def test_the_smoothest_are_those_that_are_built():
         (lambda: firing_orders(radial(18), even_only=False), "131072 firing orders"),
         (lambda: firing_orders(inline(throws=[0] * 999), simultaneous=True, even_only=False), "too many"),
         (lambda: known_firing(radial(4)), "cylinder 1 of engine: has no firing angle"),
-        (lambda: intervals(inline(throws=[0, 180])), "firing_orders(layout)"),
+        (lambda: intervals(inline(throws=[0, 180])), "firing_orders(engine)"),
         (lambda: is_even(None), "must be an Engine"),  # pyright: ignore
         (lambda: crank_stars(11), "count = 11: makes more than 50000 stars"),
         (lambda: crank_stars(10, strokes=2), "makes more than 50000"),

@@ -60,8 +60,9 @@ def test_a_public_name_stays_itself_when_its_module_is_imported():
     """A module of the same name in the same room would take the function's place."""
     for room, name, _ in public_names():
         folder = PACKAGE.parent.joinpath(*room.split("."))
-        assert not (folder / name).is_dir(), f"{room}.{name}"
-        assert not (folder / f"{name}.py").exists(), f"{room}.{name}"
+        why = f"{room}.{name}: the module of that name would take the place of what is public"
+        assert not (folder / name).is_dir(), why
+        assert not (folder / f"{name}.py").exists(), why
 
 
 LONGEST_SENTENCE = 130

@@ -40,7 +40,7 @@ STEEL = Material()
 
 @dataclass(frozen=True)
 class Disc:
-    """A rigid body at an end of the crank: mass, moments of inertia, distance from the end of the crank.
+    """A rigid disc on a shaft, or `distance` beyond an end of a crank: mass and moments of inertia.
 
     `polar` about W and `diametral` about a line across it, through its centre of gravity, in kg m^2.
     """

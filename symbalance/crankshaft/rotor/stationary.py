@@ -24,6 +24,7 @@ from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.frames import QUARTER_TURN
 from symbalance.crankshaft.rotor.matrices import Rotor, check_rotor
 from symbalance.errors import SymbalanceError, brief, literal
+from symbalance.text.measurements import as_float
 from symbalance.text.numbers import as_list
 
 ROUND = 1e-8
@@ -111,11 +112,18 @@ class StationaryRotor:
         return damping, stiffness
 
 
+def checked_rotor_speed(value: object) -> float:
+    """Return a speed in rad/s, or refuse what is no finite number, or negative."""
+    speed = as_float(value, "speed")
+    if not 0 <= speed < np.inf:
+        raise SymbalanceError(f"speed = {brief(value)} rad/s", "must be finite, not negative")
+    return speed
+
+
 def supports_at(rotor: Rotor, supports: Supports, omega: float) -> Sequence[Support]:
     """Return the supports at a speed; refuses another number than that of the rotor's bearings."""
     check_rotor(rotor)
-    if not 0 <= omega < np.inf:
-        raise SymbalanceError(f"speed = {brief(omega)} rad/s", "must be finite, not negative")
+    checked_rotor_speed(omega)
     answer = as_list(
         supports(omega) if callable(supports) else supports,
         "supports",

@@ -216,6 +216,9 @@ def _force(rotor: Rotor, omega: float, unbalances: Unbalances, weight: bool) -> 
 
 
 def _unbalanced_nodes(rotor: Rotor, unbalances: Unbalances) -> list[tuple[int, complex]]:
+    if not isinstance(unbalances, Mapping):
+        remedy = "give {0.5: 1e-3}, kg m at a place in m"
+        raise SymbalanceError(f"unbalances = {brief(unbalances)}", "must map places to amounts", remedy)
     nodes = []
     for place, amount in unbalances.items():
         node = int(np.argmin(np.abs(rotor.points[:, 2] - place)))

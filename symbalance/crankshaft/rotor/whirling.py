@@ -24,11 +24,13 @@ from symbalance.crankshaft.rotor.stationary import (
     StationaryRotor,
     Support,
     Supports,
+    checked_rotor_speed,
     stationary_rotor,
     supports_at,
 )
 from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, brief
+from symbalance.text.measurements import as_float
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -188,7 +190,7 @@ def whirl(rotor: Rotor, supports: Supports, speed: float) -> Whirl:
     >>> motions.frequencies[:2].round(0)
     array([-1126.,  1163.])
     """
-    return _whirl(stationary_rotor(rotor), supports, float(speed))
+    return _whirl(stationary_rotor(rotor), supports, checked_rotor_speed(speed))
 
 
 def _whirl(matrices: StationaryRotor, supports: Supports, speed: float) -> Whirl:
@@ -247,7 +249,7 @@ def critical_speeds(rotor: Rotor, supports: Supports, most: float | None = None)
     array([1163., 1163.])
     """
     matrices = stationary_rotor(rotor)
-    if most is not None and not 0 < most < np.inf:
+    if most is not None and not 0 < as_float(most, "most") < np.inf:
         raise SymbalanceError(f"most = {brief(most)} rad/s", "must be positive and finite")
     if not callable(supports):
         damping, stiffness = matrices.at(supports, 0.0)

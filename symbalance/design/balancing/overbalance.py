@@ -91,6 +91,9 @@ def best_overbalance(
 ) -> sympy.Expr:
     """Return the overbalance k, alike on every throw, with the least residual of order 1, exactly.
 
+    k is the part of the reciprocating mass that counterweights balance beside all of the rotating mass.
+
+
     `vertical` and `lateral` weigh the squares of the amplitudes (objective "squares") or the amplitudes,
     of which the larger is made least ("largest"). Refused where no k makes a difference.
 
@@ -142,7 +145,7 @@ def best_forward(backward: Amplitude, vertical: object = 1, lateral: object = 1)
     """
     if not isinstance(backward, Amplitude):
         what, rule = f"backward = {brief(backward)}", "must be a part of an order, a Phasor"
-        raise SymbalanceError(what, rule, "give first_order(layout).backward")
+        raise SymbalanceError(what, rule, "give first_order(engine).backward")
     return backward.conjugate().scaled(-_tilt(vertical, lateral))
 
 

@@ -30,9 +30,10 @@ WIDEST_ANGLE = 45
 class Tolerances:
     """Tolerances (plus or minus) of every cylinder, in kg, degrees and mm; 0 where none is given.
 
-    `mass` is the reciprocating and `rotating` the rotating mass, `throw` the crank pin's angle, `bank`
-    the axis' angle, `station` its place along the crank. `mass` and `rotating` may be percent of cylinder
-    1's reciprocating mass ("0.5%"), `station` percent of the pitch.
+    Keywords: `mass` the reciprocating and `rotating` the rotating mass, `throw` the crank pin's angle,
+    `bank` the axis' angle, `station` its place along the crank, `stroke`, `rod` its length, `offset` of
+    the axis from the crank. `mass` and `rotating` may be percent of cylinder 1's reciprocating mass
+    ("0.5%"), `station` percent of the pitch.
 
     >>> Tolerances(mass=0.002, throw="0.1").mass
     Fraction(1, 500)

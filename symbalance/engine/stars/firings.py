@@ -213,7 +213,7 @@ def known_firing(engine: Engine) -> Firing:
         raise SymbalanceError(
             f"cylinder {missing} of {engine.name}",
             "has no firing angle",
-            "give fires, or ask firing_orders(layout) for those its crank allows",
+            "give fires, or ask firing_orders(engine) for those its crank allows",
         )
     if has_shifted_dead_centres(engine):
         return _firing(firing_dead_centres(engine), cycle)

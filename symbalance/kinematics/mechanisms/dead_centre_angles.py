@@ -24,7 +24,12 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
-from symbalance.kinematics.mechanisms.mechanism_types import Mechanism, SliderCrank, simplified
+from symbalance.kinematics.mechanisms.mechanism_types import (
+    Mechanism,
+    SliderCrank,
+    checked_mechanism,
+    simplified,
+)
 from symbalance.kinematics.mechanisms.motion import height, height_motion
 from symbalance.text.reals import DIGITS, Real, asin, nint, pi, sqrt
 
@@ -89,7 +94,7 @@ def dead_centres(mechanism: Mechanism, digits: int = DIGITS) -> DeadCentres:
     >>> nstr(dead_centres(SliderCrank(4, 1)).stroke, 12)
     '2.07055236082'
     """
-    mechanism = simplified(mechanism)
+    mechanism = simplified(checked_mechanism(mechanism))
     if isinstance(mechanism, SliderCrank):
         lam, eps = (Real(x, digits) for x in (mechanism.ratio, mechanism.offset))
         return _lined_up(lam, eps, sqrt, asin, pi(digits))

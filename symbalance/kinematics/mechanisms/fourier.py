@@ -25,6 +25,7 @@ from symbalance.kinematics.mechanisms.mechanism_types import (
     LinkRod,
     Mechanism,
     alternates,
+    checked_mechanism,
     depends_on_sine,
     simplified,
 )
@@ -75,6 +76,7 @@ def force_harmonics(mechanism: Mechanism, order: int, digits: int = 20) -> dict[
     >>> nstr(force_harmonics(SliderCrank(4), 4)[2][0], 12)
     '0.254025042307'
     """
+    checked_mechanism(mechanism)
     heights = harmonics_of(mechanism, order, digits)
     forces = {n: c * (2 * n * n) for n, c in heights.items() if n}
     return {n: (c.real, -c.imag) for n, c in forces.items()}

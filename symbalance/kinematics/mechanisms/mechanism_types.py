@@ -157,6 +157,19 @@ def has_link_pin(mechanism: Mechanism | None) -> TypeGuard[LinkRod]:
     return isinstance(mechanism, LinkRod) and mechanism.link_radius != 0
 
 
+def checked_mechanism(value: object) -> Mechanism:
+    """Return a mechanism, or refuse what is none.
+
+    >>> checked_mechanism(4)  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    symbalance.errors.SymbalanceError: mechanism = 4: must be a SliderCrank or a LinkRod; ...
+    """
+    if not isinstance(value, SliderCrank | LinkRod):
+        rule = "must be a SliderCrank or a LinkRod"
+        raise SymbalanceError(f"mechanism = {brief(value)}", rule, "as SliderCrank(4)")
+    return value
+
+
 def simplified(mechanism: Mechanism) -> Mechanism:
     """Return the slider-crank that a fork-and-blade rod is, and anything else as it stands.
 
