@@ -18,8 +18,8 @@ from symbalance.torque.pressure import pressure_trace as pressure_trace
 from symbalance.torque.pressure_files import parse_pressure as parse_pressure
 from symbalance.torque.pressure_files import read_pressure as read_pressure
 from symbalance.torque.roll import TorqueReport as TorqueReport
-from symbalance.torque.roll import beside_moment as beside_moment
-from symbalance.torque.roll import has_rods as has_rods
+from symbalance.torque.roll import has_rod_couples as has_rod_couples
+from symbalance.torque.roll import offset_moment as offset_moment
 from symbalance.torque.roll import rod_couple as rod_couple
 from symbalance.torque.roll import rod_torque as rod_torque
 from symbalance.torque.roll import roll_moment as roll_moment

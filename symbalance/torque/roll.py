@@ -53,7 +53,7 @@ BESIDE_MOMENT = "moment on the frame of inertia forces beside the crank's axis"
 ROLL_MOMENT = "roll moment on the frame about the crank's axis, of all inertia"
 
 
-def has_rods(engine: Engine) -> bool:
+def has_rod_couples(engine: Engine) -> bool:
     """Tell whether some rod's given inertia differs from that of two masses at its ends."""
     return any(excesses(engine))
 
@@ -77,7 +77,7 @@ def rod_couple(engine: Engine, order: int = 12, *, ratio: object = None) -> Torq
     return _of_rods(engine, order, ratio, ROCKING)
 
 
-def beside_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
+def offset_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
     """Return the moment about the crank's axis of inertia forces whose line of action misses it.
 
     They are those of pistons whose axes are offset, and of masses on link pins. Units of m r^2 omega^2
@@ -101,8 +101,8 @@ def roll_moment(engine: Engine, order: int = 12, *, ratio: object = None) -> Tor
     2.000521
     """
     engine = _at_ratio(engine, order, ratio)
-    excess = first_excess(engine) / _checked_scale(engine) if has_rods(engine) else Fraction(0)
-    parts = [(inertia_torque(engine, order), Fraction(-1)), (beside_moment(engine, order), Fraction(1))]
+    excess = first_excess(engine) / _checked_scale(engine) if has_rod_couples(engine) else Fraction(0)
+    parts = [(inertia_torque(engine, order), Fraction(-1)), (offset_moment(engine, order), Fraction(1))]
     if excess:
         parts += [(rod_torque(engine, order), -excess), (rod_couple(engine, order), excess)]
     terms = [(n, c, s, weight) for part, weight in parts for n, c, s in part.terms(digits=DIGITS)]
@@ -199,7 +199,7 @@ def torque_report(
         rule = f"is another engine than {engine.name}, or has another rod ratio"
         raise SymbalanceError(what, rule, "give the same engine and ratio to running_torque")
     rod, rocking = rod_torque(engine, order), rod_couple(engine, order)
-    beside, excess = beside_moment(engine, order), first_excess(engine)
+    beside, excess = offset_moment(engine, order), first_excess(engine)
     known = all(c.mechanism for c in engine.cylinders) and not engine.has_symbols
     needs = known and (mass_scale(engine) is not None or not excess)
     shafts = {n: c for n, c in shaft_moment(engine).items() if n <= order}

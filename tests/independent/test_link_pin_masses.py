@@ -13,7 +13,7 @@ from symbalance.cli import run
 from symbalance.design.variations.part_sets import parse_parts
 from symbalance.engine.engine_file import parse_engine
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_path, link_pin_tail
-from symbalance.torque import beside_moment
+from symbalance.torque import offset_moment
 from tests.cranks import engine, sheet
 from tests.cylinders import cylinder_with
 from tests.link_pins import force_series, torque_and_moment
@@ -130,7 +130,7 @@ def test_torque_gives_back_their_energy_and_the_frame_gets_their_moment(case):
     torque, moment = torque_and_moment(heavy, shares)
     parts = (
         (sb.inertia_torque(heavy, 8), sb.inertia_torque(light, 8), torque),
-        (beside_moment(heavy, 8), beside_moment(light, 8), moment),
+        (offset_moment(heavy, 8), offset_moment(light, 8), moment),
         (sb.torque.roll_moment(heavy, 8), sb.torque.roll_moment(light, 8), moment - torque),
     )
     for loaded, plain, expected in parts:
@@ -249,7 +249,7 @@ def test_even_orders_of_their_moment_vanish_on_a_master_without_offset():
         stroke=Fraction(90), rod=Fraction(200), reciprocating_mass=Fraction(1, 2)
     )
     for order in (3, 4, 12):
-        found = beside_moment(sb.engine.from_cylinders(rows, crank_train=train), order)
+        found = offset_moment(sb.engine.from_cylinders(rows, crank_train=train), order)
         assert list(found.components) == list(range(1, order + 1, 2))
     _, moment = torque_and_moment(sb.engine.from_cylinders(rows, crank_train=train), {2: 2.0})
     assert max(abs(moment[n]) for n in (2, 4, 6)) < 1e-12 < abs(moment[1])
@@ -261,7 +261,7 @@ def test_even_orders_of_their_moment_vanish_on_a_master_without_offset():
             (rows[1], {"rod": 150, "link": sb.engine.Link(1 + k, 67, 40), "rotating_mass": 1}),
         )
     ]
-    assert not beside_moment(sb.engine.from_cylinders(mirrored, crank_train=train), 12).components
+    assert not offset_moment(sb.engine.from_cylinders(mirrored, crank_train=train), 12).components
 
 
 def test_files_may_give_it_to_all_or_to_one_and_write_it_back(capsys, tmp_path):

@@ -28,10 +28,10 @@ from symbalance.kinematics.rod_torque import (
     rod_torque_values,
 )
 from symbalance.torque import (
-    beside_moment,
     gas_torque,
     ideal_cycle,
     inertia_torque,
+    offset_moment,
     pressure_trace,
     rod_couple,
     rod_torque,
@@ -191,7 +191,7 @@ def test_harmonics_of_a_link_rod_by_fourier_transform() -> None:
 def test_what_cancels_among_like_cylinders_is_gone() -> None:
     alike = sb.engine.from_cylinders(narrow_six().cylinders[::2], crank_train=SHARED)
     assert [o.order for o in inertia_torque(alike, 12).orders] == [3, 6, 9, 12]
-    assert [o.order for o in beside_moment(alike, 12).orders] == [3, 6, 9, 12]
+    assert [o.order for o in offset_moment(alike, 12).orders] == [3, 6, 9, 12]
 
 
 @pytest.mark.parametrize("ratio", [Fraction(4), Fraction(23, 20)])

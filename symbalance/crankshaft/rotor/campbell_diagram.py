@@ -101,7 +101,7 @@ class Campbell(Result):
     def summary(self) -> str:
         """Return modes, speeds and whether something grows, in one line."""
         speeds = len(self.speeds)
-        verdict = "something grows" if self.unstable.any() else "nothing grows"
+        verdict = "unstable at some speed" if self.unstable.any() else "stable"
         return (
             f"Frequencies of {self.rotating.shape[1]} modes at {speeds} speed{'s' * (speeds > 1)} to "
             f"{self.speeds.max() * 30 / np.pi:.6g} rpm: {verdict}"
