@@ -114,7 +114,7 @@ class StationaryRotor:
 
 def checked_rotor_speed(value: object) -> float:
     """Return a speed in rad/s, or refuse what is no finite number, or negative."""
-    speed = as_float(value, "speed")
+    speed = float(value) if isinstance(value, Real) else as_float(value, "speed")
     if not 0 <= speed < np.inf:
         raise SymbalanceError(f"speed = {brief(value)} rad/s", "must be finite, not negative")
     return speed
