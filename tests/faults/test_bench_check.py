@@ -43,6 +43,7 @@ def test_the_page_is_judged_as_its_truth_says(checked):
     assert sum(not right for right in truth(HERE).values()) == len(HERE.errors) == 12
 
 
+@pytest.mark.slow
 def test_lines_said_to_define_a_letter_do(checked):
     for line in HERE.defining:
         assert checked.at(line)[0].verdict == "definition"
@@ -53,6 +54,7 @@ def test_every_known_error_is_found_and_put_right(planter):
     assert planter.known_errors() == (12, 12)
 
 
+@pytest.mark.slow
 def test_the_page_put_right_raises_no_alarm(planter):
     assert planter.false_alarms == []
     assert all(v.verdict in POSITIVE for v in planter.judgement.verdicts)

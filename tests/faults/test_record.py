@@ -504,6 +504,7 @@ def test_a_place_with_brackets_is_allowed_by_its_name(written, planted):
     assert not comparison.differences
 
 
+@pytest.mark.slow
 def test_what_is_no_record_is_not_compared(written, tmp_path, capsys):
     assert main(["compare", str(written), str(tmp_path)]) == 2
     assert "no record" in capsys.readouterr().err
