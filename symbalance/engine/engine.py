@@ -252,8 +252,8 @@ class Engine:
         return Engine(self.cylinders, balancers=balancers, **about)
 
 
-def checked_engine(value: object) -> Engine:
-    """Return an engine, or refuse what is none.
+def checked_engine(value: object, ratio: object = None) -> Engine:
+    """Return an engine, with another rod ratio where one is given, or refuse what is none.
 
     >>> checked_engine("v12-60")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
@@ -262,7 +262,7 @@ def checked_engine(value: object) -> Engine:
     if not isinstance(value, Engine):
         remedy = 'load("v12-60"), or build one, as inline("1-3-4-2")'
         raise SymbalanceError(f"engine = {brief(value)}", "must be an Engine", remedy)
-    return value
+    return value if ratio is None else value.with_ratio(ratio)
 
 
 def _is_centred(mechanism: Mechanism | None) -> bool:

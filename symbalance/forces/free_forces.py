@@ -23,10 +23,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
 
 from symbalance.document.result import Result
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import Component, Spectrum
 from symbalance.forces.force_sums import planar_vectors
@@ -37,6 +37,9 @@ from symbalance.text.reals import Real
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
+
+DIGITS = 30
+"""Digits of a coefficient's value."""
 
 
 @dataclass(frozen=True)
@@ -161,27 +164,18 @@ class Balance(Result):
         )
 
     def __getitem__(self, order: int) -> Order:
-        for one in self.orders:
-            if one.order == order:
-                return one
-        present = ", ".join(str(o.order) for o in self.orders) or "none"
-        why = f"it cancels or lies above {self.highest} (left: {present})"
-        raise KeyError(f"order {order} is absent: {why}")
+        return order_of(self.orders, order, self.highest)
 
     def coefficient(self, order: int) -> Series | None:
         """Return A_order as a series in 1/lambda, through `power` or two terms; None if not apart."""
-        if self.kinematics is None:
-            return None
-        power = self.kinematics.power(order) if self.power is None else self.power
-        return self.kinematics.series(order, power)
+        return None if self.kinematics is None else self.kinematics.coefficient(order, self.power)
 
     @cached_property
     def values(self) -> dict[int, Real]:
         """A_n exact in lambda, to 30 digits, for the orders that survive; empty without a ratio."""
-        if self.ratio is None or not self.orders or self.kinematics is None:
+        if self.ratio is None or self.kinematics is None:
             return {}
-        values = self.kinematics.values(self.orders[-1].order, self.ratio, 30)
-        return {o.order: values[o.order] for o in self.orders}
+        return self.kinematics.values_of([o.order for o in self.orders], self.ratio, DIGITS)
 
 
 def balance(
@@ -206,13 +200,27 @@ def balance(
         with V the force.vertical of order 1 of v2-90; H the force.lateral of order 1 of v2-90
     """
     order = checked_order(order)
-    if not isinstance(engine, Engine):
-        raise SymbalanceError(
-            f"engine = {brief(engine)}", "must be an Engine", 'load one with load("v12-60"), or build one'
-        )
-    if ratio is None:
-        return _balance(engine, order, power, reference)
-    return _balance(engine.with_ratio(ratio), order, power, reference)
+    return _balance(checked_engine(engine, ratio), order, power, reference)
+
+
+class _Numbered(Protocol):
+    """What has an order: a whole or a half number."""
+
+    @property
+    def order(self) -> int | Fraction: ...
+
+
+OneOrder = TypeVar("OneOrder", bound=_Numbered)
+
+
+def order_of(orders: Sequence[OneOrder], number: int | Fraction, highest: int) -> OneOrder:
+    """Return the order of that number among those that survive to `highest`; KeyError if it is absent."""
+    for one_order in orders:
+        if one_order.order == number:
+            return one_order
+    present = ", ".join(str(o.order) for o in orders) or "none"
+    why = f"it cancels or lies above {highest} (left: {present})"
+    raise KeyError(f"order {number} is absent: {why}")
 
 
 def listed_orders(orders: Sequence[int | Fraction]) -> str:

@@ -13,7 +13,7 @@ Formulas:
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -42,6 +42,15 @@ class Kinematics:
     series: Callable[[int, int], Series]
     values: Callable[[int, Fraction, int], dict[int, Real]]
     power: Callable[[int], int]
+
+    def coefficient(self, order: int, power: int | None = None) -> Series:
+        """Return the coefficient of an order as a series in 1/lambda: through `power`, or two terms."""
+        return self.series(order, self.power(order) if power is None else power)
+
+    def values_of(self, orders: Collection[int], ratio: Fraction, digits: int) -> dict[int, Real]:
+        """Return the coefficients of some orders, exact in lambda = `ratio`, to so many digits."""
+        values = self.values(max(orders), ratio, digits) if orders else {}
+        return {n: values[n] for n in orders}
 
 
 def force_power(order: int) -> int:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
-from symbalance.forces.free_forces import listed_orders
+from symbalance.forces.free_forces import listed_orders, order_of
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.mechanism_types import simplified
 from symbalance.kinematics.slider_crank import checked_order
@@ -141,13 +141,7 @@ class GasTorque(Result):
         )
 
     def __getitem__(self, order: object) -> GasOrder:
-        number = exact(order, "order")
-        for gas_order in self.orders:
-            if gas_order.order == number:
-                return gas_order
-        present = ", ".join(str(o.order) for o in self.orders) or "none"
-        why = f"it cancels or lies above {self.highest} (left: {present})"
-        raise KeyError(f"order {number} is absent: {why}")
+        return order_of(self.orders, exact(order, "order"), self.highest)
 
     def terms(self) -> tuple[tuple[Fraction, Real, Real], ...]:
         """Return (order, C, S) in bar for each order; the digits are those of doubles."""

@@ -30,7 +30,7 @@ from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import QUARTER, Component
-from symbalance.forces.free_forces import listed_orders
+from symbalance.forces.free_forces import DIGITS, listed_orders, order_of
 from symbalance.kinematics.coefficients import INERTIA, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.text.reals import Real
@@ -40,7 +40,6 @@ from symbalance.torque.star_diagrams import unit_vector_sum
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
-DIGITS = 30
 INERTIA_TORQUE = "inertia torque on the crank"
 OPPOSITE = "opposite of the "
 
@@ -112,27 +111,18 @@ class TorqueBalance(Result):
         return tuple(TorqueOrder(n, self.coefficient(n), c) for n, c in self.components.items())
 
     def __getitem__(self, order: int) -> TorqueOrder:
-        for one in self.orders:
-            if one.order == order:
-                return one
-        present = ", ".join(map(str, self.components)) or "none"
-        why = f"it cancels or lies above {self.highest} (left: {present})"
-        raise KeyError(f"order {order} is absent: {why}")
+        return order_of(self.orders, order, self.highest)
 
     def coefficient(self, order: int) -> Series | None:
         """Return t_order as a series in 1/lambda: through `power`, or two terms."""
-        if self.kinematics is None:
-            return None
-        power = self.kinematics.power(order) if self.power is None else self.power
-        return self.kinematics.series(order, power)
+        return None if self.kinematics is None else self.kinematics.coefficient(order, self.power)
 
     @cached_property
     def values(self) -> dict[int, Real]:
         """t_n exact in lambda, to 30 digits, for the orders that survive; empty without a ratio."""
-        if self.ratio is None or not self.components or self.kinematics is None:
+        if self.ratio is None or self.kinematics is None:
             return {}
-        values = self.kinematics.values(max(self.components), self.ratio, DIGITS)
-        return {n: values[n] for n in self.components}
+        return self.kinematics.values_of(self.components, self.ratio, DIGITS)
 
     def reaction(self) -> TorqueBalance:
         """Return the opposite: without offset and rods' inertia, the torque on the frame."""
@@ -157,7 +147,7 @@ class TorqueBalance(Result):
             _check_own(self.engine, ratio)
             return tuple((Fraction(n), *c.decimal(digits)) for n, c in self.components.items())
         known = checked_known(self.engine, ratio)
-        values = self.kinematics.values(max(self.components), known, digits)
+        values = self.kinematics.values_of(self.components, known, digits)
         parts = {n: component.decimal(digits + 10) for n, component in self.components.items()}
         return tuple((Fraction(n), c * values[n], s * values[n]) for n, (c, s) in parts.items())
 

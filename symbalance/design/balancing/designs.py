@@ -23,9 +23,8 @@ from symbalance.design.balancing.design_limits import Limits, checked_limits, ch
 from symbalance.design.balancing.devices import Device, devices_for, rotating_counterweights
 from symbalance.design.balancing.order_selection import parts_of
 from symbalance.document.result import Result
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.engine.rotating_masses import unit_of_share
-from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Component
@@ -189,7 +188,7 @@ def design_balance(
     cannot be balanced is made least: mean squares, `vertical` and `lateral` weighted, couples over
     `length` (pitches). `most` bounds each weight, in kg mm; `ratio` overrides lambda.
     """
-    engine, orders = _checked(engine, ratio), checked_orders(remove)
+    engine, orders = checked_engine(engine, ratio), checked_orders(remove)
     limits = checked_limits(
         shafts=shafts,
         counter_rotation=counter_rotation,
@@ -209,10 +208,3 @@ def design_balance(
         *rotating_counterweights(engine, devices), *(p for d in devices for p in d.parts)
     )
     return Design(engine, balanced, orders, devices, limits, before, balance(balanced, highest))
-
-
-def _checked(engine: object, ratio: object) -> Engine:
-    if not isinstance(engine, Engine):
-        remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"engine = {brief(engine)}", "must be an Engine", remedy)
-    return engine if ratio is None else engine.with_ratio(ratio)

@@ -25,7 +25,7 @@ from fractions import Fraction
 import sympy
 
 from symbalance.engine.balance_masses import Counterweight, directed
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.arithmetic import quotient, total
@@ -46,12 +46,8 @@ def overbalanced(engine: Engine, share: object = Fraction(1, 2)) -> Engine:
     ()
     """
     part = exact(share, "overbalance")
-    if not isinstance(engine, Engine):
-        remedy = 'load one with load("v12-60"), or build one'
-        raise SymbalanceError(f"engine = {brief(engine)}", "must be an Engine", remedy)
-    return engine.balanced_by(
-        *(Counterweight(throw=c.number, overbalance=part) for c in engine.cylinders)
-    )
+    added = (Counterweight(throw=c.number, overbalance=part) for c in checked_engine(engine).cylinders)
+    return engine.balanced_by(*added)
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.engine import Engine
-from symbalance.errors import SymbalanceError, brief
+from symbalance.engine.engine import Engine, checked_engine
+from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import Mechanism, SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import piston_force
 from symbalance.kinematics.slider_crank import checked_order
@@ -37,11 +37,9 @@ class Contribution:
     """f_n to 40 digits."""
 
 
-def checked_numeric_engine(engine: object) -> Engine:
+def checked_numeric_engine(value: object) -> Engine:
     """Return an engine whose angles and rod ratios are numbers, or refuse."""
-    if not isinstance(engine, Engine):
-        remedy = 'load one: load("v12-60")'
-        raise SymbalanceError(f"engine = {brief(engine)}", "must be an Engine", remedy)
+    engine = checked_engine(value)
     if engine.has_symbols:
         rule, remedy = "has symbols for angles", "give numbers, or use symbolic_order"
         raise SymbalanceError(f"engine {engine.name!r}", rule, remedy)

@@ -14,7 +14,6 @@ from symbalance.text.files import file_name, read_text
 from symbalance.text.numbers import as_list, exact
 
 COLUMNS = ("name", "piston", "rod_reciprocating", "rod_rotating")
-SETS = ("piston", "rod")
 HEAVIEST = 10_000
 """Kilogrammes that a part may weigh."""
 MOST_PARTS = 1000
@@ -44,11 +43,6 @@ class PartSet:
 
     kind: str
     parts: tuple[Part, ...]
-
-    @property
-    def is_level(self) -> bool:
-        """Whether all its parts weigh the same."""
-        return len({(p.reciprocating, p.rotating) for p in self.parts}) <= 1
 
 
 def checked_sets(parts: object, count: int) -> tuple[PartSet, ...]:

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.engine.cylinders import Cylinder
-from symbalance.engine.engine import Engine
+from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.phasor import Phasor
@@ -228,10 +228,7 @@ def symbolic_order(
     True
     """
     n = checked_order(order)
-    if not isinstance(engine, Engine):
-        raise SymbalanceError(
-            f"engine = {brief(engine)}", "must be an Engine", "build one with inline(...)"
-        )
+    checked_engine(engine)
     mass, radius = (
         cylinder_symbols(engine, v, k) or [UNIT] * len(engine.cylinders)
         for v, k in ((masses, "masses"), (radii, "radii"))
