@@ -40,8 +40,7 @@ def pages(root: Path) -> dict[str, bytes]:
     entries = {room: names for room, names in entries.items() if names}
     _check_that_all_are_there({entry.name for names in entries.values() for entry in names})
     contents = {f"{room}.rst": _room_page(room, names) for room, names in entries.items()}
-    formulas = _formulas_page()
-    contents |= {"index.rst": _index(entries, bool(formulas)), **formulas}
+    contents |= {"index.rst": _index(entries), "formulas.rst": _formulas_page()}
     return {name: text.encode() for name, text in contents.items()}
 
 
@@ -146,11 +145,9 @@ def _role(entry: Entry) -> str:
     return f":py:{role}:`~{entry.name}`"
 
 
-def _formulas_page() -> dict[str, str]:
+def _formulas_page() -> str:
     """Return the page of all formulas of docstrings that are read, with what is proved of each."""
     survey = all_entries()
-    if not survey:
-        return {}
     counts = Counter(entry.status for entry in survey)
     ordered = sorted(counts.items(), key=lambda item: (item[0] == "unread", -item[1]))
     page = _title("Formulas and proofs", "=")
@@ -168,10 +165,10 @@ def _formulas_page() -> dict[str, str]:
     rows = "".join(
         f"   * - {name}\n     - {formula}\n     - {status}\n" for name, formula, status in cells
     )
-    return {"formulas.rst": f"{page}.. list-table::\n   :class: formulas\n\n{rows}"}
+    return f"{page}.. list-table::\n   :class: formulas\n\n{rows}"
 
 
-def _index(entries: dict[str, list[Entry]], with_formulas: bool) -> str:
+def _index(entries: dict[str, list[Entry]]) -> str:
     page = _title("API", "=")
     page += "What ``import symbalance as sb`` offers, and the rooms that hold it, from the top down.\n\n"
     for room, names in reversed(entries.items()):
@@ -181,7 +178,5 @@ def _index(entries: dict[str, list[Entry]], with_formulas: bool) -> str:
         for name in sorted(on_top, key=lambda entry: entry.name.lower()):
             page += f"   {_role(name)}\n"
         page += "\n" if on_top else ""
-    toctree = "\n".join(
-        f"   {page}" for page in [*reversed(entries), *(["formulas"] if with_formulas else [])]
-    )
+    toctree = "\n".join(f"   {name}" for name in [*reversed(entries), "formulas"])
     return page + f".. toctree::\n   :hidden:\n\n{toctree}\n"

@@ -163,11 +163,9 @@ def _escape(text: str) -> str:
 
 @cache
 def _survey() -> tuple[Any, ...]:
-    """Return the docstrings' formulas and what is proved of each; none without the tests' survey."""
-    try:
-        from tests.docstring_formulas import survey
-    except ImportError:
-        return ()
+    """Return the docstrings' formulas and what is proved of each, by the survey of the tests."""
+    from tests.docstring_formulas import survey
+
     return tuple(survey())
 
 
@@ -177,7 +175,7 @@ def entries_of(name: str) -> list[Any]:
 
 
 def all_entries() -> tuple[Any, ...]:
-    """Return all entries of the survey, none where it cannot be imported."""
+    """Return all entries of the survey."""
     return _survey()
 
 

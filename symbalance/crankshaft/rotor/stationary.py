@@ -112,9 +112,14 @@ class StationaryRotor:
         return damping, stiffness
 
 
+def number_of(value: object, name: str) -> float:
+    """Return a number as a float, infinite or NaN too, for the caller to bound; refuse what is none."""
+    return float(value) if isinstance(value, Real) else as_float(value, name)
+
+
 def checked_rotor_speed(value: object) -> float:
     """Return a speed in rad/s, or refuse what is no finite number, or negative."""
-    speed = float(value) if isinstance(value, Real) else as_float(value, "speed")
+    speed = number_of(value, "speed")
     if not 0 <= speed < np.inf:
         raise SymbalanceError(f"speed = {brief(value)} rad/s", "must be finite, not negative")
     return speed

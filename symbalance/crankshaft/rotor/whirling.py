@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from numbers import Real
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
@@ -26,12 +25,12 @@ from symbalance.crankshaft.rotor.stationary import (
     Support,
     Supports,
     checked_rotor_speed,
+    number_of,
     stationary_rotor,
     supports_at,
 )
 from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError, brief
-from symbalance.text.measurements import as_float
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -250,7 +249,7 @@ def critical_speeds(rotor: Rotor, supports: Supports, most: float | None = None)
     array([1163., 1163.])
     """
     matrices = stationary_rotor(rotor)
-    if most is not None and not 0 < (most if isinstance(most, Real) else as_float(most, "most")) < np.inf:
+    if most is not None and not 0 < number_of(most, "most") < np.inf:
         raise SymbalanceError(f"most = {brief(most)} rad/s", "must be positive and finite")
     if not callable(supports):
         damping, stiffness = matrices.at(supports, 0.0)

@@ -7,11 +7,10 @@ of a web of the length R - 0.2 (D_j + D_p) bent in its plane:
     L_e = D^4 [ (L_j + 0.4 D_j)/D_j^4 + (L_p + 0.4 D_p)/D_p^4 + (R - 0.2 (D_j + D_p))/(h W^3) ],
 
 the throw's flexibility (both webs in the last term) being 32 L_e/(pi G D^4); h is a web's thickness, W
-its width. Carter's formula
-(1928) has L_j + 0.8 h, 0.75 L_p, 1.5 R instead. Both are assumed in this form: neither print was seen.
+its width. It is assumed in this form: the print was not seen.
 
 The bending, axial and shear terms are a beam's of the same clear length and stubs: no published formula
-gives all six. The error of either against the solid is in `derivations/crankshaft-model.md`.
+gives all six. Its error against the solid is in `derivations/crankshaft-model.md`.
 
 The nominal web is what a beam program gives when every part is drawn as a beam: a radial beam of the
 web's rectangle from axis to axis, with shear and Saint-Venant torsion, between stubs of journal and pin
@@ -71,18 +70,6 @@ def _clear_web(arm: Arm) -> list[tuple[Array, Array]]:
 def clear_length(arm: Arm) -> float:
     """Return R - 0.2 (D_j + D_p), kept above a tenth of the reach where journal and pin overlap."""
     return max(arm.reach - INTO * (arm.near.diameter + arm.far.diameter), 0.1 * arm.reach, 1e-9)
-
-
-def carter_torsion(journal: Journal, pin: Pin, thickness: float, width: float, shear: float) -> float:
-    """Return a whole throw's torsional flexibility by Carter's formula, rad/(N m).
-
-    One journal, two webs, one pin: 32/(pi G) [ (L_j + 0.8 h)/(D_j^4 - d_j^4) + 0.75 L_p/(D_p^4 - d_p^4)
-    + 1.5 R/(h W^3) ].
-    """
-    parts = (journal.length + 0.8 * thickness) / (journal.diameter**4 - journal.bore**4)
-    parts += 0.75 * pin.length / (pin.diameter**4 - pin.bore**4)
-    parts += 1.5 * pin.radius / (thickness * width**3)
-    return 32 / (pi * shear) * parts
 
 
 def ker_wilson_torsion(journal: Journal, pin: Pin, thickness: float, width: float, shear: float) -> float:
