@@ -62,8 +62,3 @@ def symbol(name: str) -> sympy.Symbol:
     if not isinstance(name, str) or name not in MEANINGS:
         raise SymbalanceError(f"symbol = {brief(name)}", "is unknown", f"known: {', '.join(MEANINGS)}")
     return sympy.Symbol(name, real=True) if name in _REAL_ONLY else sympy.Symbol(name, positive=True)
-
-
-def latex_names() -> dict[sympy.Symbol, str]:
-    """Return what `sympy.latex` needs as `symbol_names` to print these symbols."""
-    return {symbol(name): meaning.latex for name, meaning in MEANINGS.items()}
