@@ -7,10 +7,12 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any, cast
 
+from symbalance.budgets import Budget
 from symbalance.engine.catalogue import load
 from symbalance.kinematics.slider_crank import acceleration_series, acceleration_value, surviving
 from symbalance.notes.checking import documents
 from symbalance.notes.checking.engines import KnownEngine
+from symbalance.notes.checking.judging import PAGE
 from symbalance.notes.checking.verdicts import Checked
 from symbalance.text.reals import nstr
 
@@ -40,7 +42,12 @@ class LibraryEngines:
         return Fraction(nstr(acceleration_value(order, ratio, VALUE_DIGITS), VALUE_DIGITS))
 
 
-def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None = None) -> Checked:
+def check(
+    document: str | Path,
+    symbols: Mapping[str, Any] | str | Path | None = None,
+    *,
+    budget: Budget = PAGE,
+) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
     `document` is a file (a Path, or a text that ends in .tex, .md or .txt, or `-` for standard input) or
@@ -48,6 +55,8 @@ def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None =
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. Lines are bound to this library's presets and engine files.
+    `budget` is what the document may take, in seconds and MB (`symbalance.budgets.Budget`); each relation
+    may take a 60th of that time and a quarter of the memory, and is "undecided" where it takes more.
 
         >>> checked = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
         >>> checked.verdicts[0].verdict, checked.verdicts[0].fix.text
@@ -56,4 +65,4 @@ def check(document: str | Path, symbols: Mapping[str, Any] | str | Path | None =
     Raises SymbalanceError for a file or a declaration that cannot be used; an equation that cannot be
     read is a verdict, not an error.
     """
-    return documents.check(document, symbols, engines=LibraryEngines())
+    return documents.check(document, symbols, engines=LibraryEngines(), budget=budget)

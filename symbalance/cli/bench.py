@@ -6,6 +6,7 @@ import argparse
 import os
 from importlib import import_module
 
+from symbalance.cli.budget import ENDLESS
 from symbalance.cli.options import command
 from symbalance.cli.output import write, write_all
 from symbalance.errors import SymbalanceError
@@ -13,7 +14,8 @@ from symbalance.errors import SymbalanceError
 
 def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
-    parser = command(commands, "bench", run, "Measurements on this machine, against named alternatives.")
+    summary = "Measurements on this machine, against named alternatives."
+    parser = command(commands, "bench", run, summary, ENDLESS)
     parser.add_argument(
         "topic",
         choices=("derive", "check", "accuracy", "stability", "crankshaft"),

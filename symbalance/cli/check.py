@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from symbalance.cli.budget import read_budget
 from symbalance.cli.options import add_output, command
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
 from symbalance.cli.output import show, write
@@ -13,7 +14,9 @@ from symbalance.errors import SymbalanceError
 
 def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
-    parser = command(commands, "check", run, "A hand derivation, judged equation by equation.")
+    parser = command(
+        commands, "check", run, "A hand derivation, judged equation by equation.", divides_budget=True
+    )
     parser.add_argument(
         "notes", metavar="NOTES", help="a .tex, .md or .txt file, left as it is; - is standard input"
     )
@@ -49,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
                 raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
         write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")
         return DONE
-    checked = check(Path(options.notes), options.symbols)
+    checked = check(Path(options.notes), options.symbols, budget=read_budget(options.budget))
     show(checked, options)
     for verdict in checked.faults:
         place = f"line {verdict.line} of {file_name(options.notes)}"

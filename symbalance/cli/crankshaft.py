@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from symbalance.cli.budget import ENDLESS
 from symbalance.cli.options import add_output, command
 from symbalance.cli.output import medium, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
@@ -20,9 +21,8 @@ MOST_SPEEDS = 1000
 
 def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
-    parser = command(
-        commands, "crankshaft", run, "The running crankshaft: stress against the crank angle."
-    )
+    summary = "The running crankshaft: stress against the crank angle."
+    parser = command(commands, "crankshaft", run, summary, ENDLESS)
     parser.add_argument(
         "engine",
         metavar="ENGINE",

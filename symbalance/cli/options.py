@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 
+from symbalance.budgets import Budget
+from symbalance.cli.budget import USUAL, add_budget, read_budget, run_with_budget
 from symbalance.cli.named_files import check_named_files
 from symbalance.cli.output import MEDIA
 
@@ -16,15 +18,25 @@ def command(
     name: str,
     run: Callable[[argparse.Namespace], int],
     summary: str,
+    budget: Budget = USUAL,
+    divides_budget: bool = False,
 ) -> argparse.ArgumentParser:
-    """Return the parser of a command, which `run` does once its files are known to be in order."""
+    """Return the parser of a command, which `run` does once its files are known to be in order.
+
+    It ends within its budget; a command that divides that among the parts of its work, so that what is
+    finished stands, sees to that itself.
+    """
 
     def checked_run(options: argparse.Namespace) -> int:
         check_named_files(options)
-        return run(options)
+        limit = read_budget(options.budget)
+        if divides_budget:
+            return run(options)
+        return run_with_budget(name, limit, lambda: run(options))
 
     parser = commands.add_parser(name, help=summary, description=summary, allow_abbrev=False)
     parser.set_defaults(command=name, run=checked_run)
+    add_budget(parser, budget)
     return parser
 
 

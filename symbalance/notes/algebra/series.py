@@ -7,6 +7,7 @@ angles and logarithms by Taylor's series where the letter stands inside them.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -78,6 +79,7 @@ class Expansion:
         self.number = domain.symbol(letter)
         self._powers: dict[tuple[int, Fraction | int], FormSeries] = {}
         self._half_powers: set[int] = set()
+        self._depends: dict[int, bool] = {}
 
     def of(self, form: Form) -> FormSeries:
         """Return the series of a form; raises NoFormError where there is none in whole powers."""
@@ -108,23 +110,23 @@ class Expansion:
         return result.shifted(_whole(shift))
 
     def depends(self, number: int) -> bool:
-        """Tell whether a generator holds the letter."""
-        generator = self.domain.generators[number]
-        if number == self.number:
-            return True
-        if generator.kind in ("exponential", "growth"):
-            return any(self.depends(g) for g, _ in generator.content)
-        if generator.kind == "radical":
-            return any(self.depends(g) for m in generator.content for g, _ in m)
-        if generator.kind == "opaque":
-            argument = generator.content[1]
-            return any(
-                self.depends(g)
-                for p in (argument.numerator, argument.denominator)
-                for m in p
-                for g, _ in m
+        """Tell whether a generator holds the letter; each is looked into once."""
+        if number not in self._depends:
+            self._depends[number] = number == self.number or any(
+                self.depends(g) for monomial in self._inside(number) for g, _ in monomial
             )
-        return False
+        return self._depends[number]
+
+    def _inside(self, number: int) -> Iterator[Monomial]:
+        """Yield the monomials that a generator's angle, root or function holds."""
+        generator = self.domain.generators[number]
+        if generator.kind in ("exponential", "growth"):
+            yield generator.content
+        elif generator.kind == "radical":
+            yield from generator.content
+        elif generator.kind == "opaque":
+            argument = generator.content[1]
+            yield from (*argument.numerator, *argument.denominator)
 
     def power(self, number: int, exponent: Fraction | int) -> FormSeries:
         """Return the series of generator^exponent; of one in `_half_powers`, times letter^(1/2)."""

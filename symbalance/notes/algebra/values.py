@@ -25,23 +25,38 @@ def context() -> Any:
 
 def letters(form: Form) -> list[str]:
     """Return the letters a form depends on, those inside roots, angles and functions included."""
-    names: dict[str, None] = {}
-    _collect(form.domain, form.numerator, names)
-    _collect(form.domain, form.denominator, names)
-    return [name for name in names if name not in ("pi", "e")]
+    walk = _Letters()
+    walk.visit(form)
+    return [name for name in walk.names if name not in ("pi", "e")]
 
 
-def _collect(domain: Domain, polynomial: Polynomial, names: dict[str, None]) -> None:
-    for number in sorted({g for monomial in polynomial for g, _ in monomial}):
-        generator = domain.generators[number]
-        if generator.kind == "symbol":
-            names[generator.content] = None
-        elif generator.kind in ("exponential", "growth"):
-            _collect(domain, {generator.content: Fraction(1)}, names)
-        elif generator.kind == "radical":
-            _collect(domain, generator.content, names)
-        elif generator.kind == "opaque":
-            names |= dict.fromkeys(letters(generator.content[1]))
+class _Letters:
+    """A walk over generators that enters each once: nested functions hold the same one many times."""
+
+    def __init__(self) -> None:
+        self.names: dict[str, None] = {}
+        self._entered: set[tuple[int, int]] = set()
+
+    def visit(self, form: Form) -> None:
+        """Collect the letters of a form."""
+        self.collect(form.domain, form.numerator)
+        self.collect(form.domain, form.denominator)
+
+    def collect(self, domain: Domain, polynomial: Polynomial) -> None:
+        """Collect the letters of a polynomial over a domain."""
+        for number in sorted({g for monomial in polynomial for g, _ in monomial}):
+            if (id(domain), number) in self._entered:
+                continue
+            self._entered.add((id(domain), number))
+            generator = domain.generators[number]
+            if generator.kind == "symbol":
+                self.names[generator.content] = None
+            elif generator.kind in ("exponential", "growth"):
+                self.collect(domain, {generator.content: Fraction(1)})
+            elif generator.kind == "radical":
+                self.collect(domain, generator.content)
+            elif generator.kind == "opaque":
+                self.visit(generator.content[1])
 
 
 def random_point(names: list[str], domain: Domain, seed: int) -> Point:
@@ -86,9 +101,9 @@ class Valuation:
         polynomials = self.domain.positive_polynomials[self._check_count :]
         self._check_count += len(polynomials)
         for polynomial in polynomials:
-            names: dict[str, None] = {}
-            _collect(self.domain, polynomial, names)
-            if names.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
+            walk = _Letters()
+            walk.collect(self.domain, polynomial)
+            if walk.names.keys() <= {*self.point, "pi", "e"} and self.polynomial(polynomial).real < 0:
                 raise NoFormError("a denominator under a root is negative at this point")
 
     def polynomial(self, polynomial: Polynomial) -> Any:

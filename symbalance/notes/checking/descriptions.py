@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from traceback import format_exception
 
+from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document.formula import Decimal, Formula, Number, Quotient, Span, Upright, walk
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import fault_of
@@ -33,6 +34,8 @@ from symbalance.notes.checking.verdicts import (
 from symbalance.notes.reading.equations import Chain, ReadNotes, Side, Unreadable
 
 MOST_DIFFERENCES = 12
+DETAILS = Budget(2)
+"""For the exact value and the differences: a line that is decided stays so without them."""
 LONGEST_VALUE = 600
 """Characters of an exact value; a longer one is left out of the report."""
 
@@ -43,7 +46,12 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
     line = chain.relations[k].line
     word = word_for(decision)
     bad = word in (REFUTED, UNDECIDED)
-    exact, exact_node = exact_value(decision) if bad else ("", None)
+    (exact, exact_node), terms, notes = ("", None), (), chain.notes
+    if bad:
+        try:
+            (exact, exact_node), terms = run_within(DETAILS, lambda: _details(decision, word))
+        except OverBudgetError as problem:
+            notes = (*notes, f"where the sides differ was not worked out within {problem.spent}")
     return Verdict(
         line=line,
         link=1,
@@ -56,15 +64,20 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
         exact=exact,
         exact_node=exact_node,
         witness=decision.witness if bad else {},
-        differences=differences(decision) if word == REFUTED else (),
+        differences=terms,
         lines=source_lines(document, side, line),
         column=document.column_of(side.span[0]),
         inline=chain.inline,
-        notes=chain.notes,
+        notes=notes,
         tag=chain.tag,
         span=side.span,
         node=side.node,
     )
+
+
+def _details(decision: Decision, word: str) -> tuple[tuple[str, Formula | None], tuple[Difference, ...]]:
+    """Return a decision's exact value and, if it is refuted, where the sides differ."""
+    return exact_value(decision), differences(decision) if word == REFUTED else ()
 
 
 def word_for(decision: Decision) -> str:
@@ -84,22 +97,30 @@ def source_lines(document: ReadNotes, side: Side, line: int) -> tuple[int, ...]:
     return tuple(range(line, max(last, line) + 1))
 
 
-def undecided_by_fault(
-    document: ReadNotes, span: Span, line: int, problem: Exception, lines: tuple[int, ...] = ()
+def undecided(
+    document: ReadNotes, span: Span, line: int, reason: str, lines: tuple[int, ...] = ()
 ) -> Verdict:
-    """Return the verdict on a relation whose judging failed, by a fault that is not the document's."""
+    """Return the verdict on a relation that was not judged, for a reason that stands in the report."""
     return Verdict(
         line,
         1,
         document.source(span).strip(),
         UNDECIDED,
-        f"not judged, by a fault of symbalance: {fault_of(problem)}; please report it",
+        reason,
         lines=lines or (line,),
         column=document.column_of(span[0]),
         span=span,
-        fault=fault_of(problem),
-        traceback="".join(format_exception(problem)),
+        is_unjudged=True,
     )
+
+
+def undecided_by_fault(
+    document: ReadNotes, span: Span, line: int, problem: Exception, lines: tuple[int, ...] = ()
+) -> Verdict:
+    """Return the verdict on a relation whose judging failed, by a fault that is not the document's."""
+    reason = f"not judged, by a fault of symbalance: {fault_of(problem)}; please report it"
+    verdict = undecided(document, span, line, reason, lines)
+    return replace(verdict, fault=fault_of(problem), traceback="".join(format_exception(problem)))
 
 
 def with_fault(

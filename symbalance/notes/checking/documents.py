@@ -7,14 +7,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+from symbalance.budgets import Budget, run_within
 from symbalance.document.formula import Name
 from symbalance.document.text_writer import formula_text
 from symbalance.errors import SymbalanceError, brief
 from symbalance.notes.checking.engines import Engines, NoEngines, Sources
-from symbalance.notes.checking.judging import Judge
+from symbalance.notes.checking.judging import PAGE, Judge
 from symbalance.notes.checking.sidecar import (
     Declarations,
     declarations_in,
@@ -38,6 +40,7 @@ def check(
     symbols: Mapping[str, Any] | str | Path | None = None,
     *,
     engines: Engines | None = None,
+    budget: Budget = PAGE,
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
@@ -46,6 +49,8 @@ def check(
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
     the document. `engines` knows the engines that lines are bound to; without it such a line is refused.
+    `budget` is what the document may take, each relation a 60th of the time and a quarter of the memory;
+    what takes more is "undecided" with that reason.
 
         >>> from symbalance.notes.checking import check
         >>> checked = check("$$\\\\sin^2 x = \\\\frac{1 - \\\\cos 2x}{3}$$", {"x": "angle"})
@@ -57,9 +62,9 @@ def check(
     """
     text, name, folder = text_of(document)
     declarations, text = declarations_of(document, symbols, text, name)
-    page = read_document(text, name, _letters_by_line(declarations))
+    page = run_within(budget, partial(read_document, text, name, _letters_by_line(declarations)))
     beside = Path(declarations.place).parent if declarations.place.endswith(".toml") else folder
-    return Judge(page, declarations, Sources(engines or NoEngines(), beside)).check()
+    return Judge(page, declarations, Sources(engines or NoEngines(), beside), budget).check()
 
 
 def declarations_of(

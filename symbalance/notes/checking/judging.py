@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import partial
 
-from symbalance.document.formula import Formula, Name, Span
+from symbalance.budgets import Budget, OverBudgetError, run_within
+from symbalance.document.formula import Formula, Name, Span, names
 from symbalance.errors import SymbalanceError
 from symbalance.notes.checking import assertions, constraints
 from symbalance.notes.checking.deciding.cases import decide_numeric_case, decide_with_ratio, states_a_case
@@ -16,6 +18,7 @@ from symbalance.notes.checking.deciding.relations import decide, decide_inequali
 from symbalance.notes.checking.definitions import Definitions
 from symbalance.notes.checking.descriptions import (
     describe,
+    undecided,
     undecided_by_fault,
     unreadable_verdict,
     with_fault,
@@ -40,18 +43,27 @@ UNIVERSAL = (
     "crank ratio r/l",
     "integer",
 )
+PAGE = Budget(600, 4000)
+"""What a whole document may take, where nobody says otherwise."""
+RELATIONS, IN_MEMORY = 60, 4
+"""A relation may take a 60th of the document's time, 10 s as a rule, and a quarter of its memory: one
+that needs more is no line of a derivation, and the others are still to be judged."""
 
 
 @dataclass
 class Judge:
-    """Judges one document; the letters defined so far are its state."""
+    """Judges one document, within its budget; the letters defined so far are its state."""
 
     document: ReadNotes
     declarations: Declarations
     sources: Sources = field(default_factory=Sources)
+    budget: Budget = PAGE
 
     def __post_init__(self) -> None:
         self.definitions = Definitions(self.declarations)
+        self.start = time.monotonic()
+        self.not_judged: dict[str, int] = {}
+        """Letters that a relation may define which was not judged, with its line."""
 
     def check(self) -> Checked:
         """Return the document with its verdicts."""
@@ -70,15 +82,36 @@ class Judge:
         return Checked(self.document, tuple(number_verdicts(verdicts)))
 
     def guard(self, verdict: Callable[[], Verdict], span: Span, line: int = 0) -> Verdict:
-        """Return a verdict; a fault of the checker leaves its relation undecided, the report whole."""
+        """Return a verdict; one that takes too much, or a fault of the checker, is "undecided"."""
+        at = line or self.document.line_of(span[0])
+        left = self._time_left()
+        if left is not None and left <= 0:
+            reason = f"not judged: the document's budget of {self.budget} was spent before; see --budget"
+            return undecided(self.document, span, at, reason)
         try:
-            return verdict()
+            return run_within(self._budget_of_relation(left), verdict)
+        except OverBudgetError as problem:
+            reason = f"not judged within its budget of {problem.spent}; --budget gives it more"
+            return undecided(self.document, span, at, reason)
+        except MemoryError:
+            return undecided(self.document, span, at, "not judged: it needs more memory than there is")
         except SymbalanceError:
             raise  # a declaration that cannot be used
         except Exception as problem:
-            return undecided_by_fault(
-                self.document, span, line or self.document.line_of(span[0]), problem
-            )
+            return undecided_by_fault(self.document, span, at, problem)
+
+    def _time_left(self) -> float | None:
+        """Return the seconds left of the document's budget, None where it has no end."""
+        if self.budget.seconds is None:
+            return None
+        return self.budget.seconds - (time.monotonic() - self.start)
+
+    def _budget_of_relation(self, left: float | None) -> Budget:
+        seconds, memory = self.budget
+        return Budget(
+            None if seconds is None or left is None else min(seconds / RELATIONS, left),
+            None if memory is None else memory / IN_MEMORY,
+        )
 
     def piece(self, binding: Binding) -> Verdict:
         """Return the verdict on a piece of a line that is bound to a quantity."""
@@ -145,6 +178,8 @@ class Judge:
                 is_excused = bad or isinstance(chain.sides[k].node, Name)
                 verdict = self.assertion(chain, k + 1, bound[k + 1], verdict, is_excused)
             verdicts.append(verdict)
+            if verdict.is_unjudged:
+                self.not_judged |= dict.fromkeys(_lone_letters(chain, k), relation.line)
             bad = verdict.verdict == REFUTED or (bad and verdict.reason == FOLLOWS)
             if not bad:
                 sound = k + 1
@@ -208,6 +243,10 @@ class Judge:
         if decision.status == REFUTED:
             case = decide_numeric_case(chain, k, decision, knowledge)
             decision = case or decide_with_ratio(against.node, right.node, knowledge) or decision
+        unknown = [name for name in self.not_judged if name in names(left.node) | names(right.node)]
+        if decision.status == REFUTED and unknown:
+            reason = f"may rest on line {self.not_judged[unknown[0]]}, which was not judged"
+            decision = replace(decision, status=UNDECIDED, reason=reason)
         condition = self.definitions.condition_behind(decision, chain.lines[0])
         if decision.status == REFUTED and condition is not None:
             reason = f"may rest on line {condition}, which sets two quantities equal; give it in a scope"
@@ -236,6 +275,13 @@ class Judge:
         lone = isinstance(left.node, Name)
         other = None if lone else (left, proves_left)
         return add_fix(verdict, self.document, right, decision, knowledge, proves_right, other)
+
+
+def _lone_letters(chain: Chain, k: int) -> Iterator[str]:
+    """Yield the letters that the k-th relation of a chain may define."""
+    for side in (chain.sides[0], chain.sides[k], chain.sides[k + 1]):
+        if isinstance(side.node, Name):
+            yield side.node.name
 
 
 def number_verdicts(verdicts: list[Verdict]) -> Iterator[Verdict]:

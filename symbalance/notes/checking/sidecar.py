@@ -34,6 +34,8 @@ from symbalance.text.sections import Section, SourceText, read_sections
 CONVENTIONS = ("l/r", "r/l", "l/s")
 _MOST = 10**9
 _COUNT = Whole(1, _MOST)
+_ORDER = Whole(1, 1000)
+"""As far as every command goes: a series through 10^9 would fill the memory."""
 _SYMBOLS = "Letters and their meanings or units"
 SCOPE = TableKeys(
     "scope",
@@ -60,13 +62,14 @@ BIND = TableKeys(
         Key("text", Text(), "The piece of the line that is meant"),
         Key("scale", Text(), "What it is a multiple of"),
         Key("unit", Text(), "Its unit"),
+        Key("order", _ORDER, "Of which order", remedy="write order = 2"),
         *(
             Key(name, _COUNT, "Of which " + name, remedy=f"write {name} = 2")
-            for name in ("order", "column", "cylinder")
+            for name in ("column", "cylinder")
         ),
         Key("bank", Whole(-_MOST, _MOST), "Of which bank", remedy="write bank = 2"),
-        Key("through", _COUNT, "The highest order", remedy="write through = 4"),
-        Key("power", Whole(-_MOST, _MOST), "Of the series", remedy="write power = 2"),
+        Key("through", _ORDER, "The highest order", remedy="write through = 4"),
+        Key("power", Whole(-1000, 1000), "Of the series", remedy="write power = 2"),
     ),
 )
 SIDECAR = TableKeys(

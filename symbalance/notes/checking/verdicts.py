@@ -100,6 +100,8 @@ class Verdict(Result):
     fault: str = ""
     """A fault of symbalance that kept the relation from being judged or corrected."""
     traceback: str = ""
+    is_unjudged: bool = False
+    """Whether judging was not finished: by its budget, or by a fault."""
 
     @property
     def is_bad(self) -> bool:

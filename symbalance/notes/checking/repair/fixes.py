@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from traceback import format_exception
 
+from symbalance.budgets import Budget, OverBudgetError, run_within
 from symbalance.document import formula
 from symbalance.document.formula import Formula, Name, Number, Product, Quotient
 from symbalance.document.text_writer import formula_text
@@ -48,6 +49,8 @@ MOST_PROOFS = 8
 """Changes that fit in floats and are tried by proof, cheapest first: a proof may cost a second."""
 LARGEST = 10**7
 """Of a whole number put for a printed one."""
+SEARCH = Budget(5)
+"""What a search may take: a refuted line stays refuted without it."""
 
 
 def add_fix(
@@ -66,7 +69,12 @@ def add_fix(
     if verdict.verdict != REFUTED or decision.left is None:
         return verdict
     try:
-        return _with_fix(verdict, document, side, decision, knowledge, proves, other)
+        return run_within(
+            SEARCH, lambda: _with_fix(verdict, document, side, decision, knowledge, proves, other)
+        )
+    except OverBudgetError as problem:
+        note = f"no correction was found within {problem.spent}"
+        return replace(verdict, notes=(*verdict.notes, note))
     except SymbalanceError:
         raise  # a declaration that cannot be used
     except Exception as problem:  # refuted all the same: only its correction is lost
