@@ -15,8 +15,8 @@ import sympy
 
 import symbalance
 import symbalance as sb
-from symbalance.crankshaft.system import UnsolvedError
 from symbalance.budgets import OverBudgetError
+from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import MissingPartError, SymbalanceError
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Spectrum
