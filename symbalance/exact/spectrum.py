@@ -22,7 +22,7 @@ Formulas:
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -32,7 +32,8 @@ from symbalance.exact.amplitude import QUARTER, Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.exact.radicals import exact_form, square_root_form
+from symbalance.exact.exact_forms import Direction, ExactForm, FromSymPy
+from symbalance.exact.radicals import ZERO_FORM, exact_form, multiple_of_pi, square_root_form
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.text.reals import Real, atan2, pi
 
@@ -52,8 +53,8 @@ MOST_IN_A_SQUARE = 60
 class Component:
     """One order of one component: C cos n theta + S sin n theta = amplitude cos(n theta - phase).
 
-    `number` is C + iS; the properties are exact SymPy expressions, computed on first use. With the
-    amplitude R and the phase d:
+    `number` is C + iS. `form` gives each of the four exactly, to be printed; the properties are the same
+    as SymPy expressions, computed on first use. With the amplitude R and the phase d:
 
     Formulas:
         C cos n theta + S sin n theta = R cos(n theta - d)
@@ -77,55 +78,52 @@ class Component:
 
     def as_formula(self) -> Formula:
         """Return C cos n theta + S sin n theta as a formula."""
-        from symbalance.document.expressions import formula_of
         from symbalance.document.formula import Name, cos, sin
 
         angle = Name("n") * Name("theta")
-        return formula_of(self.cos) * cos(angle) + formula_of(self.sin) * sin(angle)
+        return self.form("cos").as_formula() * cos(angle) + self.form("sin").as_formula() * sin(angle)
+
+    def form(self, name: str) -> ExactForm:
+        """Return cos, sin, amplitude or phase as an exact form, of a plain number without SymPy."""
+        if name not in self._forms:
+            self._forms[name] = _FORMS[name](self)
+        return self._forms[name]
 
     @cached_property
+    def _forms(self) -> dict[str, ExactForm]:
+        return {}
+
+    @property
     def cos(self) -> sympy.Expr:
         """The coefficient of cos n theta."""
-        return _real_form(self.number)
+        return self.form("cos").expression()
 
-    @cached_property
+    @property
     def sin(self) -> sympy.Expr:
         """The coefficient of sin n theta."""
-        return _real_form(self.number.rotated(-QUARTER))
+        return self.form("sin").expression()
 
-    @cached_property
+    @property
     def amplitude(self) -> sympy.Expr:
         """The amplitude, zero or positive; with symbols in it and a fixed phase, of either sign."""
-        import sympy
+        return self.form("amplitude").expression()
 
-        if isinstance(self.number, SymbolicPhasor):
-            return _symbolic_amplitude(self.number)
-        if isinstance(self.number, DecimalPhasor):
-            return _float(self.number.size())
-        aligned = self._aligned
-        if aligned is not None:
-            return exact_form(aligned[1])
-        square = self.number.times(self.number.conjugate())
-        if len(square.terms) > MOST_IN_A_SQUARE:
-            # SymPy would ask both squares whether they are infinite, and take seconds to know.
-            return sympy.Pow(self.cos**2 + self.sin**2, sympy.S.Half, evaluate=False)
-        return square_root_form(square)
-
-    @cached_property
+    @property
     def phase(self) -> sympy.Expr:
         """The phase in (-pi, pi], a fraction of pi or else an unevaluated atan2."""
-        import sympy
+        return self.form("phase").expression()
 
-        if isinstance(self.number, DecimalPhasor):
-            return _decimal_phase(self.number)
-        if self.is_zero() or (self.sin == 0 and isinstance(self.number, SymbolicPhasor)):
-            return sympy.S.Zero
-        if self.cos == 0 and isinstance(self.number, SymbolicPhasor):
-            return sympy.pi / 2
-        aligned = self._aligned
-        if aligned is None:
-            return sympy.atan2(self.sin, self.cos, evaluate=False)
-        return 2 * sympy.pi * sympy.Rational(aligned[0].numerator, aligned[0].denominator)
+    @property
+    def phase_in_turns(self) -> Fraction | None:
+        """The phase in turns where it is an exact fraction of one, None where it is not."""
+        number = self.number
+        if isinstance(number, DecimalPhasor):
+            return _axis(number)
+        if isinstance(number, SymbolicPhasor):
+            if self.is_zero() or self.form("sin").is_zero():
+                return Fraction(0)
+            return QUARTER if self.form("cos").is_zero() else None
+        return None if self._aligned is None else self._aligned[0]
 
     @cached_property
     def _aligned(self) -> tuple[Fraction, Phasor] | None:
@@ -147,8 +145,51 @@ class Component:
         return {}
 
 
-def _real_form(number: Amplitude) -> sympy.Expr:
-    """Return the real part as a SymPy expression."""
+def _cos(component: Component) -> ExactForm:
+    return _real_form(component.number)
+
+
+def _sin(component: Component) -> ExactForm:
+    return _real_form(component.number.rotated(-QUARTER))
+
+
+def _amplitude(component: Component) -> ExactForm:
+    number = component.number
+    if isinstance(number, SymbolicPhasor):
+        return _symbolic_amplitude(component)
+    if isinstance(number, DecimalPhasor):
+        return _float(number.size())
+    if component._aligned is not None:
+        return exact_form(component._aligned[1])
+    square = number.times(number.conjugate())
+    if len(square.terms) > MOST_IN_A_SQUARE:
+        import sympy
+
+        # SymPy would ask both squares whether they are infinite, and take seconds to know.
+        return FromSymPy(sympy.Pow(component.cos**2 + component.sin**2, sympy.S.Half, evaluate=False))
+    return square_root_form(square)
+
+
+def _phase(component: Component) -> ExactForm:
+    turns = component.phase_in_turns
+    if turns is not None:
+        return multiple_of_pi(2 * turns)
+    if isinstance(component.number, DecimalPhasor):
+        value = component.number.evaluated()
+        return _float(atan2(value.imag, value.real))
+    return Direction(component.form("cos"), component.form("sin"))
+
+
+_FORMS: dict[str, Callable[[Component], ExactForm]] = {
+    "cos": _cos,
+    "sin": _sin,
+    "amplitude": _amplitude,
+    "phase": _phase,
+}
+
+
+def _real_form(number: Amplitude) -> ExactForm:
+    """Return the real part as an exact form."""
     if isinstance(number, Phasor):
         return exact_form(number.real())
     if isinstance(number, DecimalPhasor):
@@ -159,36 +200,39 @@ def _real_form(number: Amplitude) -> sympy.Expr:
     terms = []
     for symbols, phasor in number.parts.items():
         angle = Angle(Fraction(0), symbols).expression()
-        terms.append(exact_form(phasor.real()) * sympy.cos(angle))
-        terms.append(-exact_form(phasor.imaginary()) * sympy.sin(angle))
-    return sympy.Add(*terms)
+        terms.append(exact_form(phasor.real()).expression() * sympy.cos(angle))
+        terms.append(-exact_form(phasor.imaginary()).expression() * sympy.sin(angle))
+    return FromSymPy(sympy.Add(*terms))
 
 
-def _float(value: Real) -> sympy.Expr:
+def _float(value: Real) -> ExactForm:
     """Return a number of 40 digits as SymPy writes it, to `SHOWN`; 0 stays a plain 0."""
+    if not value:
+        return ZERO_FORM
     import sympy
 
-    return sympy.Float(value, SHOWN) if value else sympy.S.Zero
+    return FromSymPy(sympy.Float(value, SHOWN))
 
 
-def _decimal_phase(number: DecimalPhasor) -> sympy.Expr:
-    import sympy
-
+def _axis(number: DecimalPhasor) -> Fraction | None:
+    """Return the direction in turns of a number in decimals that lies on an axis."""
     value = number.evaluated()
     cos, sin = value.real, value.imag
     if not sin:
-        return sympy.S.Zero if cos >= 0 else sympy.pi
+        return Fraction(0) if cos >= 0 else Fraction(1, 2)
     if not cos:
-        return sympy.pi / 2 if sin > 0 else -sympy.pi / 2
-    return _float(atan2(sin, cos))
+        return QUARTER if sin > 0 else -QUARTER
+    return None
 
 
-def _symbolic_amplitude(number: SymbolicPhasor) -> sympy.Expr:
+def _symbolic_amplitude(component: Component) -> ExactForm:
     """Return C where S is 0 and S where C is 0, else the root of C^2 + S^2."""
     import sympy
 
-    cos, sin = _real_form(number), _real_form(number.rotated(-QUARTER))
-    return sympy.sqrt(_real_form(number.norm())) if cos != 0 and sin != 0 else cos + sin
+    cos, sin = component.form("cos"), component.form("sin")
+    if cos.is_zero() or sin.is_zero():
+        return cos if sin.is_zero() else sin
+    return FromSymPy(sympy.sqrt(_real_form(component.number.norm()).expression()))
 
 
 def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:

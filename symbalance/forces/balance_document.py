@@ -7,7 +7,6 @@ from fractions import Fraction
 from typing import Protocol
 
 from symbalance.document.decimals import short_decimal
-from symbalance.document.expressions import formula_of
 from symbalance.document.formula import (
     Decimal,
     Dots,
@@ -150,7 +149,7 @@ def _cells(row: Row) -> tuple[Cell, ...]:
     if row.is_decimal and decimals is not None:
         cosine, sine, amplitude = (Decimal(d) for d in decimals[:3])
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
-    values = [formula_of(part) for part in row.exact()]
+    values = row.exact()
     if decimals is None:
         return (*head, *map(Exact, values))
     near = [Decimal(d) for d in decimals]
@@ -169,8 +168,7 @@ def _short_phase(value: Formula, decimal: str) -> Words:
 
 
 def _phase(row: Row, decimal: str) -> Formula:
-    fraction = row.phase_in_turns()
-    return Decimal(decimal) if fraction is None else formula_of(fraction)
+    return row.phase_in_decimals() or Decimal(decimal)
 
 
 def _rotating(balance: Balance, name: str) -> tuple[Block, ...]:
@@ -195,7 +193,7 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
     decimals = row.decimals()
     if row.is_decimal and decimals is not None:
         return Decimal(decimals[2]), _phase(row, decimals[3])
-    amplitude, phase = (formula_of(part) for part in row.exact()[2:])
+    amplitude, phase = row.exact()[2:]
     if decimals is None:
         return Exact(amplitude), Exact(phase)
     near = Decimal(decimals[2])
