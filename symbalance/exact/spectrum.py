@@ -31,8 +31,8 @@ from typing import TYPE_CHECKING
 from symbalance.exact.amplitude import QUARTER, Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.decimal_phasor import DecimalPhasor
-from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.exact.exact_forms import Direction, ExactForm, FromSymPy
+from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.exact.radicals import ZERO_FORM, exact_form, multiple_of_pi, square_root_form
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.text.reals import Real, atan2, pi

@@ -216,9 +216,7 @@ def _root_of_rational(value: Fraction) -> ClosedForm:
     exact = _rational_root(value)
     if exact is not None:
         return ClosedForm.rational(exact)
-    outside, inside = _without_squares(
-        value.numerator * value.denominator, LARGEST_PRIME_OF_A_RATIONAL
-    )
+    outside, inside = _without_squares(value.numerator * value.denominator, LARGEST_PRIME_OF_A_RATIONAL)
     return ClosedForm({SquareRoot(inside): Fraction(outside, value.denominator)})
 
 
@@ -227,7 +225,9 @@ def _rational_root(value: Fraction) -> Fraction | None:
     if value < 0:
         return None
     above, below = isqrt(value.numerator), isqrt(value.denominator)
-    return Fraction(above, below) if above**2 == value.numerator and below**2 == value.denominator else None
+    return (
+        Fraction(above, below) if above**2 == value.numerator and below**2 == value.denominator else None
+    )
 
 
 @lru_cache(maxsize=1024)
@@ -333,7 +333,12 @@ def _short_cosines() -> dict[Fraction, ClosedForm]:
         Fraction(5, 12): (root[6] + root[2].scaled(-1)).scaled(quarter),
         Fraction(1, 2): ZERO_FORM,
     }
-    for angle, sign in ((Fraction(1, 8), 1), (Fraction(3, 8), -1), (Fraction(1, 10), 1), (Fraction(3, 10), -1)):
+    for angle, sign in (
+        (Fraction(1, 8), 1),
+        (Fraction(3, 8), -1),
+        (Fraction(1, 10), 1),
+        (Fraction(3, 10), -1),
+    ):
         double = min(2 * angle, 1 - 2 * angle)
         square = (root[1] + cosines[double].scaled(sign)).scaled(half)
         cosines[angle] = ClosedForm({SquareRoot(square): Fraction(1)})
