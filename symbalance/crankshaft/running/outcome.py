@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from symbalance.crankshaft.arrays import Array
-from symbalance.crankshaft.digests import digest, program_digest
+from symbalance.jobs.digests import digest, program_digest
 from symbalance.crankshaft.files.operation import speed_text
 from symbalance.errors import SymbalanceError
 from symbalance.text.writing import write_file

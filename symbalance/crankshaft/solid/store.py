@@ -24,7 +24,7 @@ import numpy as np
 
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Crank
-from symbalance.crankshaft.digests import digest
+from symbalance.jobs.digests import digest
 from symbalance.crankshaft.webs.arm import Arm, WebCompliance, arms
 from symbalance.errors import SymbalanceError, brief
 from symbalance.text.writing import write_file
