@@ -185,7 +185,7 @@ def _crankshaft() -> Result:
     with TemporaryDirectory() as folder:
         engine = read_running_engine(written(Path(folder), sheet())).at_speeds((1000.0, 1500.0, 2000.0))
         made = configure_run(engine, webs="nominal", steps=120, about="centre")
-        outcomes = [replace(one, seconds=0.25) for one in run_speeds(made, None, lambda line: None)]
+        outcomes = [replace(one, seconds=0.25) for one in run_speeds(made)]
     lost = replace(outcomes[-1], reason="films do not settle at 120 steps a cycle")
     return summarise_run(made, [*outcomes[:-1], lost])
 

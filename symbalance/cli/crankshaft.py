@@ -8,7 +8,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from symbalance.cli.options import add_output, command
+from symbalance.cli.long_work import long_work, take_one_blas_thread
+from symbalance.cli.options import add_jobs, add_output, command
 from symbalance.cli.output import medium, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
 
@@ -55,6 +56,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--passes", metavar="N", default="9", help="orbit: most iterations of the films; default: 9"
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
+    add_jobs(parser, "speeds")
     add_output(parser, "FOLDER")
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
@@ -71,6 +73,7 @@ def run(options: argparse.Namespace) -> int:
     folder = _checked_folder(options.output)
     terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
     form = medium(terminal)
+    take_one_blas_thread()
 
     from symbalance.crankshaft.files import read_running_engine
     from symbalance.crankshaft.reports import summarise_run
@@ -99,7 +102,8 @@ def run(options: argparse.Namespace) -> int:
         names = [channel.name for channel in configuration.channels]
         check_overlay(engine.operation.overlay, names, engine.engine.strokes * 180)
     speeds = None if folder is None else folder / "speeds"
-    outcomes = run_speeds(configuration, speeds, _progress)
+    with long_work(options, speeds) as means:
+        outcomes = run_speeds(configuration, speeds, **means)
     summary = summarise_run(configuration, outcomes)
     if not options.no_plots and (folder is not None or form == "html"):
         summary = summary.with_pictures()

@@ -23,7 +23,7 @@ WRITTEN = ("output", "write", "picture")
 PIPED = "-"
 """Stands for standard input, and among what is written for the terminal."""
 IN_FOLDER = ("report.*", "curves-*.csv", "loads-*.csv", "*.png", "webs.json")
-"""What `crankshaft` writes into its folder, beside speeds/*.npz."""
+"""What `crankshaft` writes into its folder, beside speeds/*.result."""
 
 
 def check_named_files(options: argparse.Namespace) -> None:

@@ -74,3 +74,14 @@ def add_running(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--mass", metavar="KG", help="reciprocating mass of a cylinder, where the engine gives none"
     )
+
+
+def add_jobs(parser: argparse.ArgumentParser, what: str) -> None:
+    """Add where the parts of long work run, `what` they are said to be; see `long_work`."""
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument(
+        "--jobs", metavar="N", default="1", help=f"processes that share the {what}; default: 1"
+    )
+    where.add_argument(
+        "--dask", metavar="ADDRESS", help=f"a Dask scheduler, whose workers share the {what}"
+    )

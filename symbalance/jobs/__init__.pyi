@@ -5,7 +5,6 @@ from symbalance.jobs.progress import LogProgress as LogProgress
 from symbalance.jobs.progress import Progress as Progress
 from symbalance.jobs.progress import terminal_progress as terminal_progress
 from symbalance.jobs.running import Job as Job
-from symbalance.jobs.running import JobFaultError as JobFaultError
 from symbalance.jobs.running import JobOutcome as JobOutcome
 from symbalance.jobs.running import note as note
 from symbalance.jobs.running import run_jobs as run_jobs

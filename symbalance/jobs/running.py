@@ -19,7 +19,7 @@ from functools import partial
 from traceback import format_exception
 from typing import Any
 
-from symbalance.errors import SymbalanceError, fault_of
+from symbalance.errors import JobFaultError, SymbalanceError, fault_of
 from symbalance.jobs.digests import program_digest
 from symbalance.jobs.pools import MOST_WORKERS, end_pool, killed_worker, lost_executor, process_pool
 from symbalance.jobs.progress import Progress
@@ -75,17 +75,6 @@ class JobOutcome:
         if self.fault:
             raise JobFaultError(f"{place}: {self.fault}" if place else self.fault, self.traceback)
         return self.value
-
-
-class JobFaultError(RuntimeError):
-    """A fault of symbalance that ended a job, with the traceback of the process that it happened in."""
-
-    def __init__(self, fault: str, traceback: str = "") -> None:
-        super().__init__(fault, traceback)
-        self.fault, self.traceback = fault, traceback
-
-    def __str__(self) -> str:
-        return self.fault
 
 
 def note(line: str) -> None:
