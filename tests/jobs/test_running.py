@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import signal
 import subprocess
 import sys
 import time
@@ -174,8 +173,8 @@ def test_no_worker_outlives_a_parent_that_is_killed(tmp_path):
     parent = _parent(tmp_path, 40, 0.5)
     _until(lambda: len(marks(tmp_path, "begun")) >= 2)
     pids = {int(path.name.rsplit("-", 1)[1]) for path in marks(tmp_path, "begun")}
-    parent.send_signal(signal.SIGKILL)
-    parent.wait()
+    parent.kill()
+    parent.communicate()
     _until(lambda: not any(_is_alive(pid) for pid in pids))
 
 
@@ -252,8 +251,8 @@ def test_twenty_kills_of_the_parent_lose_nothing_that_was_finished(tmp_path):
         before = len(marks(tmp_path, "begun"))
         _until(lambda before=before: len(marks(tmp_path, "begun")) > before)
         time.sleep(0.013 * kill)
-        parent.send_signal(signal.SIGKILL)
-        parent.wait()
+        parent.kill()
+        parent.communicate()
         stored = len([*(tmp_path / "store").glob("*.result")])
         assert stored >= kept
         kept = stored
