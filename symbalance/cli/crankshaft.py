@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from symbalance.cli.long_work import long_work, take_one_blas_thread
+from symbalance.cli.long_work import long_work, output_folder, take_one_blas_thread
 from symbalance.cli.options import add_jobs, add_output, command
 from symbalance.cli.output import medium, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
@@ -70,7 +69,7 @@ def run(options: argparse.Namespace) -> int:
     modes = whole_number(options.modes, "modes")
     steps = whole_number(options.steps, "steps")
     iterations = whole_number(options.passes, "passes")
-    folder = _checked_folder(options.output)
+    folder = None if options.output is None else output_folder(options.output)
     terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
     form = medium(terminal)
     take_one_blas_thread()
@@ -144,21 +143,6 @@ def _write_all(folder: Path, summary: Summary) -> None:
     older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
     if older:
         _progress(f"{folder}: of earlier runs, no part of this report: {', '.join(older)}")
-
-
-def _checked_folder(output: str | None) -> Path | None:
-    """Return the folder, created if need be; refused before the long run, not after it."""
-    if output is None:
-        return None
-    folder = Path(output)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as problem:
-        rule = f"cannot be made ({problem.strerror})"
-        raise SymbalanceError(f"--output {output}", rule, "name a folder you may write to") from None
-    if not os.access(folder, os.W_OK):
-        raise SymbalanceError(f"--output {output}", "is write-protected", "name another folder")
-    return folder
 
 
 def _check_libraries() -> None:

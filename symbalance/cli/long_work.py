@@ -5,13 +5,14 @@ from __future__ import annotations
 import argparse
 import os
 import shlex
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypedDict
 
 from symbalance.cli.outcomes import say
-from symbalance.cli.output import whole_number
+from symbalance.cli.output import MEDIA, whole_number
+from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -72,3 +73,34 @@ def interrupted(progress: Progress, kept: Path | None, command: Any) -> str:
     if not progress.finished:
         return f"{finished}; begin again with: {shlex.join(command)}"
     return f"{finished}, kept in {kept}; go on with: {shlex.join(command)}"
+
+
+def output_folder(output: str) -> Path:
+    """Return the folder of -o, made if need be: refused before the long work, not after it."""
+    folder = Path(output)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as problem:
+        rule = f"cannot be made ({problem.strerror})"
+        raise SymbalanceError(f"--output {output}", rule, "name a folder you may write to") from None
+    if not os.access(folder, os.W_OK):
+        raise SymbalanceError(f"--output {output}", "is write-protected", "name another folder")
+    return folder
+
+
+def report_paths(folder: Path, names: Iterable[str], form: str, inputs: Iterable[Path]) -> list[Path]:
+    """Return a file in a folder for each of several reports in a medium; none may be one that is read.
+
+    Nor may two be one, which differ in capitals only: some file systems take them for the same.
+    """
+    paths = [folder / f"{name}{MEDIA[form][0]}" for name in names]
+    read = [os.stat(path) for path in inputs if path.is_file()]
+    claims: dict[str, Path] = {}
+    for path in paths:
+        if path.is_file() and any(os.path.samestat(os.stat(path), status) for status in read):
+            rule = "is a file that is read, and would be replaced"
+            raise SymbalanceError(f"--output {path}", rule, "name another folder")
+        if claims.setdefault(str(path).casefold(), path) is not path:
+            rule = "would be the report of two, and one would be lost"
+            raise SymbalanceError(f"--output {path}", rule, "give them names of their own")
+    return paths
