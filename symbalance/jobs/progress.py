@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, TextIO
 
 from symbalance.errors import printable
@@ -32,21 +32,22 @@ class Progress:
         """The jobs done, those from before among them."""
         return self.saved + self.computed
 
-    def start(self, weights: list[float]) -> None:
-        """Begin with jobs of these weights: what they are expected to cost, in any unit."""
-        self.total, self._weight = len(weights), sum(weights)
-        self.saved = self.computed = 0
-        self._weight_computed = self._weight_saved = 0.0
-        self._began = self._clock()
+    def start(self, weights: Sequence[float], saved: Sequence[float] = ()) -> None:
+        """Begin with jobs of these weights: what they are expected to cost, in any unit.
 
-    def advance(self, weight: float = 1.0, *, saved: bool = False) -> None:
-        """Count a job as done; `saved` tells that it was read back from a store."""
+        Those of the weights `saved` are done: they were read back from a store.
+        """
+        self.total, self._weight = len(weights), sum(weights)
+        self.saved, self.computed = len(saved), 0
+        self._weight_computed, self._weight_saved = 0.0, sum(saved)
+        self._began = self._clock()
         if saved:
-            self.saved += 1
-            self._weight_saved += weight
-        else:
-            self.computed += 1
-            self._weight_computed += weight
+            self.show()
+
+    def advance(self, weight: float = 1.0) -> None:
+        """Count a job as done."""
+        self.computed += 1
+        self._weight_computed += weight
         self.show()
 
     def seconds_left(self) -> float | None:

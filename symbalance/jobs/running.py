@@ -124,10 +124,8 @@ def _ordered(
     attempts: int,
 ) -> Iterator[tuple[Job, JobOutcome]]:
     """Yield outcomes in the order of the jobs from those that come in any order."""
-    progress.start([job.weight for job in jobs])
     outcomes = {i: o for i, job in enumerate(jobs) if (o := _saved(job, store, codec, progress))}
-    for place in outcomes:
-        progress.advance(jobs[place].weight, saved=True)
+    progress.start([job.weight for job in jobs], [jobs[place].weight for place in outcomes])
     places = [place for place in range(len(jobs)) if place not in outcomes]
     if executor is None and workers > 1 and len(places) > 1:
         pool: _Workers = _Pool(min(workers, len(places)))

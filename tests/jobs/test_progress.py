@@ -18,9 +18,7 @@ class Clock:
 def test_there_is_no_estimate_before_a_job_is_computed_and_saved_ones_do_not_count():
     clock = Clock()
     progress = Progress(clock)
-    progress.start([1.0] * 10)
-    for _ in range(4):
-        progress.advance(saved=True)
+    progress.start([1.0] * 10, [1.0] * 4)
     assert progress.seconds_left() is None
     assert progress.line() == "4 of 10 done (4 from before)"
     clock.now = 60.0
@@ -33,8 +31,7 @@ def test_there_is_no_estimate_before_a_job_is_computed_and_saved_ones_do_not_cou
 def test_weights_count_in_the_estimate():
     clock = Clock()
     progress = Progress(clock)
-    progress.start([1.0, 3.0, 6.0, 2.0])
-    progress.advance(2.0, saved=True)
+    progress.start([1.0, 3.0, 6.0, 2.0], [2.0])
     clock.now = 10.0
     progress.advance(1.0)
     assert progress.seconds_left() == 90.0
@@ -73,8 +70,7 @@ def test_a_bar_says_the_same_words():
 
     clock, stream = Clock(), io.StringIO()
     progress = BarProgress(tqdm, stream, clock)
-    progress.start([1.0] * 4)
-    progress.advance(saved=True)
+    progress.start([1.0] * 4, [1.0])
     clock.now = 60.0
     progress.advance()
     progress.say("a line above")

@@ -32,6 +32,8 @@ from symbalance.notes.checking.verdicts import (
 
 RIGHT = (HOLDS, HOLDS_TO_ORDER, CONDITIONAL, DEFINITION)
 """The verdicts that the table counts as holding."""
+LONGEST = 28
+"""Characters of a name in the table, which has no room for more."""
 WRONG = (REFUTED, UNDECIDED, UNREADABLE)
 
 
@@ -71,8 +73,11 @@ class DocumentTable(Result):
 
     def document(self) -> Document:
         """Return a table with a line for each document, then what kept some from being checked."""
-        heads = ("document", "relations", "hold", *WRONG, "exit")
-        rows = tuple((printable(row.name), *_cells(row), number(row.exit_code)) for row in self.rows)
+        heads = ("document", "seen", "hold", *WRONG, "exit")
+        rows = tuple(
+            (name, *_cells(row), number(row.exit_code))
+            for name, row in zip(_short_names(self.rows), self.rows, strict=True)
+        )
         problems = [(Code(row.name), f": {row.problem}") for row in self.rows if row.problem]
         legend = (
             (
@@ -98,7 +103,7 @@ class DocumentTable(Result):
 
     def records(self) -> list[dict[str, Any]]:
         """Return a row for each document."""
-        names = ("relations", "hold", *WRONG)
+        names = ("seen", "hold", *WRONG)
         return [
             {
                 "document": row.name,
@@ -108,6 +113,18 @@ class DocumentTable(Result):
             }
             for row in self.rows
         ]
+
+
+def _short_names(rows: tuple[DocumentRow, ...]) -> list[str]:
+    """Return names that fit a column: without the folders that all share, and of long ones the end."""
+    folders = [row.name.split("/")[:-1] for row in rows]
+    shared = 0
+    while len(rows) > 1 and len({tuple(folder[: shared + 1]) for folder in folders}) == 1:
+        if shared == len(folders[0]):
+            break
+        shared += 1
+    names = ["/".join(printable(row.name).split("/")[shared:]) for row in rows]
+    return [name if len(name) <= LONGEST else f"…{name[1 - LONGEST :]}" for name in names]
 
 
 def _cells(row: DocumentRow) -> tuple[Any, ...]:
