@@ -62,6 +62,14 @@ class MissingPartError(SymbalanceError):
     """An optional part that is not installed; the remedy is the command that installs it."""
 
 
+class JobFaultError(PicklableError, RuntimeError):
+    """A fault of symbalance that ended a job elsewhere, with the traceback of the process it was in."""
+
+    def __init__(self, fault: str, traceback: str = "") -> None:
+        super().__init__(fault)
+        self.fault, self.traceback = fault, traceback
+
+
 def printable(text: str) -> str:
     r"""Return a text on one line, what cannot be printed by its code; a name stays the name it is.
 

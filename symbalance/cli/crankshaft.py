@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symbalance.cli.budget import ENDLESS
-from symbalance.cli.options import add_output, command
+from symbalance.cli.long_work import long_work, output_folder, take_one_blas_thread
+from symbalance.cli.options import add_jobs, add_output, command
 from symbalance.cli.output import medium, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
 
@@ -55,6 +55,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--passes", metavar="N", default="9", help="orbit: most iterations of the films; default: 9"
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
+    add_jobs(parser, "speeds")
     add_output(parser, "FOLDER")
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
@@ -68,9 +69,10 @@ def run(options: argparse.Namespace) -> int:
     modes = whole_number(options.modes, "modes")
     steps = whole_number(options.steps, "steps")
     iterations = whole_number(options.passes, "passes")
-    folder = _checked_folder(options.output)
+    folder = None if options.output is None else output_folder(options.output)
     terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
     form = medium(terminal)
+    take_one_blas_thread()
 
     from symbalance.crankshaft.files import read_running_engine
     from symbalance.crankshaft.reports import summarise_run
@@ -99,7 +101,8 @@ def run(options: argparse.Namespace) -> int:
         names = [channel.name for channel in configuration.channels]
         check_overlay(engine.operation.overlay, names, engine.engine.strokes * 180)
     speeds = None if folder is None else folder / "speeds"
-    outcomes = run_speeds(configuration, speeds, _progress)
+    with long_work(options, speeds) as means:
+        outcomes = run_speeds(configuration, speeds, **means)
     summary = summarise_run(configuration, outcomes)
     if not options.no_plots and (folder is not None or form == "html"):
         summary = summary.with_pictures()
@@ -140,21 +143,6 @@ def _write_all(folder: Path, summary: Summary) -> None:
     older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
     if older:
         _progress(f"{folder}: of earlier runs, no part of this report: {', '.join(older)}")
-
-
-def _checked_folder(output: str | None) -> Path | None:
-    """Return the folder, created if need be; refused before the long run, not after it."""
-    if output is None:
-        return None
-    folder = Path(output)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as problem:
-        rule = f"cannot be made ({problem.strerror})"
-        raise SymbalanceError(f"--output {output}", rule, "name a folder you may write to") from None
-    if not os.access(folder, os.W_OK):
-        raise SymbalanceError(f"--output {output}", "is write-protected", "name another folder")
-    return folder
 
 
 def _check_libraries() -> None:

@@ -24,9 +24,9 @@ import numpy as np
 
 from symbalance.crankshaft.arrays import DOF, Array
 from symbalance.crankshaft.crank import Crank
-from symbalance.crankshaft.digests import digest
 from symbalance.crankshaft.webs.arm import Arm, WebCompliance, arms
 from symbalance.errors import SymbalanceError, brief
+from symbalance.jobs.digests import digest
 from symbalance.text.writing import write_file
 
 FORMAT = 2

@@ -7,6 +7,7 @@ value whose content cannot be told is refused, not abbreviated: `repr` leaves th
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from fractions import Fraction
@@ -15,14 +16,16 @@ from hashlib import sha256
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
-
-import numpy as np
+from typing import Any
 
 import symbalance
 from symbalance.errors import SymbalanceError
 
-LIBRARIES = ("numpy", "scipy")
+LIBRARIES = ("numpy", "scipy", "sympy")
 """Their versions count: where films hardly settle, rounding decides which orbit results."""
+
+SOURCES = (".py", ".toml", ".json")
+"""The endings of the program's own files that decide what it computes."""
 
 
 def digest(*parts: object) -> str:
@@ -44,9 +47,12 @@ def digest(*parts: object) -> str:
 def _pieces(value: object) -> Iterator[bytes]:
     """Yield a value's content; types are part of it, and every sequence says how long it is."""
     kind = type(value).__qualname__
-    if value is None or isinstance(value, bool | int | float | complex | str | Fraction | np.generic):
+    # Where nothing has loaded NumPy, no value is one of its own, and this room does without it.
+    numpy: Any = sys.modules.get("numpy")
+    plain = bool | int | float | complex | str | bytes | Fraction
+    if value is None or isinstance(value, plain if numpy is None else plain | numpy.generic):
         yield f"{kind} {value!r}".encode()
-    elif isinstance(value, np.ndarray):
+    elif numpy is not None and isinstance(value, numpy.ndarray):
         yield f"array {value.dtype} {value.shape}".encode()
         yield value.tobytes()
     elif isinstance(value, Path):
@@ -78,9 +84,10 @@ def _content(path: Path) -> bytes:
 
 @cache
 def program_digest() -> str:
-    """Return a digest of the program: its version, its source files, the libraries it computes with.
+    """Return a digest of the program: its version, its files, the libraries it computes with.
 
-    The sources count so that a changed checkout, whose version stays, does not believe older results.
+    Of its files the sources count, the presets and what else it reads: a changed checkout, whose version
+    stays, does not believe older results.
     """
     sources = {name: source.read_bytes() for name, source in _sources(files(symbalance), "")}
     libraries = {name: _version(name) for name in LIBRARIES}
@@ -93,7 +100,7 @@ def _sources(folder: Traversable, inside: str) -> Iterator[tuple[str, Traversabl
         name = f"{inside}{entry.name}"
         if entry.is_dir():
             yield from _sources(entry, f"{name}/")
-        elif entry.name.endswith(".py"):
+        elif entry.name.endswith(SOURCES):
             yield name, entry
 
 
