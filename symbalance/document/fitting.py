@@ -6,7 +6,7 @@ place it belongs to.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -20,6 +20,7 @@ from symbalance.document.nodes import (
     Inline,
     Strong,
     Table,
+    TooLong,
     Words,
     inlines,
 )
@@ -67,14 +68,16 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
 
     The widest column gives way first, its short cells last.
     """
-    filled = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in table.rows)]
+    readable = [tuple(map(_readable, row)) for row in table.rows]
+    filled = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in readable)]
     columns = tuple(table.columns[i] for i in filled)
-    cells = [tuple(_readable(row[i]) for i in filled) for row in table.rows]
-    unread = sum(
-        cell is not row[i]
-        for row, row_cells in zip(table.rows, cells, strict=True)
-        for i, cell in zip(filled, row_cells, strict=True)
-    )
+    cells = [tuple(row[i] for i in filled) for row in readable]
+    unread = [
+        cell
+        for row, shown in zip(table.rows, readable, strict=True)
+        for cell, words in zip(row, shown, strict=True)
+        if words is not cell
+    ]
     longest: dict[int, int] = {}  # by column: how long an exact form may be
 
     def width_of(i: int) -> float:
@@ -95,18 +98,27 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
 
 
 def _readable(cell: Cell) -> Cell:
-    """Return a cell; of an exact form with a number longer than a line its decimal alone."""
+    """Return a cell; of an exact form too long to read, or with a number longer than a line, its decimal."""
+    if isinstance(cell, TooLong):
+        return cell.near
     if not isinstance(cell, Exact) or cell.near is None:
         return cell
     pieces = formula_text(cell.value).split(" ")
     return cell if max(map(len, pieces)) <= LONGEST_PIECE else cell.near
 
 
-def _remark(unread: int) -> str:
-    if not unread:
-        return ""
-    forms = "exact form has numbers" if unread == 1 else "exact forms have numbers"
-    return f"{unread} {forms} longer than a line: the JSON of this result has them"
+def _remark(unread: Sequence[Cell]) -> str:
+    long = sum(isinstance(cell, TooLong) for cell in unread)
+    whys = (
+        (long, "fills", "fill", "a page"),
+        (len(unread) - long, "has", "have", "numbers longer than a line"),
+    )
+    parts = [
+        f"{count} exact form{'' if count == 1 else 's'} {one if count == 1 else several} {what}"
+        for count, one, several, what in whys
+        if count
+    ]
+    return f"{' and '.join(parts)}: the JSON of this result has them" if parts else ""
 
 
 def _full(cell: Cell) -> Words:
