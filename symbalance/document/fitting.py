@@ -98,7 +98,7 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
 
 
 def _readable(cell: Cell) -> Cell:
-    """Return a cell; of an exact form too long to read, or with a number longer than a line, its decimal."""
+    """Return a cell; of an exact form that nobody reads its decimal alone."""
     if isinstance(cell, TooLong):
         return cell.near
     if not isinstance(cell, Exact) or cell.near is None:

@@ -86,6 +86,10 @@ def balancer_entries(engine: Engine) -> list[tuple[Words, Words]]:
     return [("balanced by", words) for words in balancer_facts(engine)]
 
 
+MOST_FIRINGS = 60
+"""Cylinders up to which the firing order and its intervals are listed whole."""
+SHOWN_FIRINGS = 12
+"""Of more, how many are listed."""
 NEAR = 20
 """Degrees from a dead centre within which it is named."""
 
@@ -114,15 +118,40 @@ def firing(engine: Engine) -> str:
     order = engine.firing_order()
     if order is None or len(order) < 2:
         return ""
-    numbers = "-".join(map(str, order))
+    numbers = "-".join(_shortened([str(number) for number in order]))
     steps = firing_intervals(engine)
     apart = ", dead centres apart by" if has_shifted_dead_centres(engine) else " at intervals of"
     if len(set(steps)) == 1:
         return numbers
-    period = next(k for k in range(1, len(steps) + 1) if steps == (steps[:k] * len(steps))[: len(steps)])
-    intervals = [f"{degrees_text(step)}°" for step in steps[:period]]
+    period = _period(steps)
+    intervals = _shortened([f"{degrees_text(step)}°" for step in steps[:period]])
     intervals += ["and so on"] if period < len(steps) else []
     return f"{numbers}{apart} {', '.join(intervals)}"
+
+
+def _shortened(names: list[str]) -> list[str]:
+    """Return what is listed in firing order; of very many the first, and how many they are."""
+    if len(names) <= MOST_FIRINGS:
+        return names
+    return [*names[:SHOWN_FIRINGS], f"… ({len(names)} in all, by cylinder in the JSON of a balance)"]
+
+
+def _period(steps: list[Fraction]) -> int:
+    """Return after how many steps they repeat, by the longest proper prefix that is a suffix too.
+
+    D. E. Knuth, J. H. Morris and V. R. Pratt, Fast pattern matching in strings, SIAM Journal on Computing
+    6 (1977): it costs what there are steps, where comparing every period would cost the square.
+
+    >>> _period([Fraction(n) for n in (1, 2, 1, 2, 1)]), _period([Fraction(1), Fraction(2)])
+    (2, 2)
+    """
+    borders = [0]
+    for step in steps[1:]:
+        border = borders[-1]
+        while border and steps[border] != step:
+            border = borders[border - 1]
+        borders.append(border + 1 if steps[border] == step else 0)
+    return len(steps) - borders[-1]
 
 
 def firing_intervals(engine: Engine) -> list[Fraction]:

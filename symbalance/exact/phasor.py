@@ -23,7 +23,7 @@ Formulas:
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache
@@ -271,8 +271,13 @@ class Phasor(Amplitude):
 
         Whether it is exactly 0 is only asked where digits do not show that it is not.
         """
+        fine = 4 * self.modulus
+        if len(self.terms) == 1:  # as of one cylinder alone: nothing cancels
+            ((k, c),) = self.terms.items()
+            wave = _cosine((4 * k - quarters * self.modulus) % fine, fine, digits + 15)
+            return (wave * c).rounded(digits + 5)
         whole, below = common_denominator(self.terms)
-        size, working, fine = sum(map(abs, whole.values())), digits + 15, 4 * self.modulus
+        size, working = sum(map(abs, whole.values())), digits + 15
         while True:
             places = (((4 * k - quarters * self.modulus) % fine, c) for k, c in whole.items())
             value = fsum((_cosine(place, fine, working) * c for place, c in places), working)
@@ -322,3 +327,23 @@ class Phasor(Amplitude):
 
 ZERO = Phasor(1, {})
 ONE = Phasor(1, {0: 1})
+
+
+def amplitude_sum(numbers: Sequence[Amplitude]) -> Any:
+    """Return the sum of at least one number; exact ones are added up in one field, all at once.
+
+    One by one each step would copy all terms so far.
+
+    >>> amplitude_sum([Phasor.root(Fraction(k, 5)) for k in range(4)]) == -Phasor.root(Fraction(4, 5))
+    True
+    """
+    exact = [number for number in numbers if isinstance(number, Phasor)]
+    if len(exact) < len(numbers):
+        first, *others = numbers
+        return sum(others, first)
+    modulus = lcm(*(number.modulus for number in exact))
+    total: dict[int, Coefficient] = {}
+    for number in exact:
+        for exponent, coefficient in number.lifted(modulus).terms.items():
+            total[exponent] = total.get(exponent, 0) + coefficient
+    return Phasor.of(modulus, total)

@@ -47,7 +47,7 @@ SHOWN = 30
 MOST_IN_A_SQUARE = 60
 """An amplitude whose square has more terms is written as the root of C^2 + S^2."""
 MOST_WRITTEN = 100
-"""A number of more terms is written exactly for programs alone: a page of cosines tells a reader nothing."""
+"""A number of more terms is written exactly for programs alone: nobody reads a page of cosines."""
 
 
 @dataclass(frozen=True, eq=False)
