@@ -35,7 +35,7 @@ def add(commands: argparse._SubParsersAction) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Load the engine and the parts, find the best arrangement, show it; 1 where it is not proved best."""
+    """Load engine and parts, show the best arrangement; return 1 where it is not proved best."""
     orders = [whole_number(part, "orders") for part in options.orders.split(",")]
 
     from symbalance.design.variations import assign_parts, read_parts

@@ -211,6 +211,8 @@ def degrees_text(number: Fraction) -> str:
     return f"{float(number):.12g}" if 10_000 % number.denominator == 0 else str(number)
 
 
+MOST_GROUPS = 100
+"""Kinds of cylinders that are listed."""
 MOST_NAMED = 8
 """Cylinders of one kind that are named one by one."""
 _L, _R, _E, _LINK = Name("l"), Name("r"), Name("e"), Name("L")
@@ -232,24 +234,28 @@ def group_table(engine: Engine) -> Table:
     >>> [row[0] for row in group_table(load("vw-vr6")).rows]
     ['1, 3, 5', '2, 4, 6']
     """
-    rows = tuple(_cells(engine, group) for group in engine.groups)
-    return Table("Cylinders by kind", _COLUMNS, rows)
+    attached = any(c.link for c in engine.cylinders)
+    rows = tuple(_cells(group, attached) for group in engine.groups[:MOST_GROUPS])
+    more = len(engine.groups) > MOST_GROUPS
+    which = f", the first {MOST_GROUPS} of {len(engine.groups)}: the engine file has all" if more else ""
+    return Table(f"Cylinders by kind{which}", _COLUMNS, rows)
 
 
 def group_facts(engine: Engine) -> list[tuple[Words, Words]]:
     """Return what the letters of the table's columns mean, those that occur."""
-    rows = [_cells(engine, group) for group in engine.groups]
+    mechanisms = [group.mechanism for group in engine.groups]
     entries: list[tuple[Words, Words]] = [(_L, "length of the rod")]
-    if any(row[3] != "" for row in rows):
+    if any(kind and kind.offset for kind in mechanisms):
         about = "offset of the axis, + towards the side the pin moves to after top dead centre"
         entries.append((_E, about))
-    if any(row[4] != "" for row in rows):
+    if any(isinstance(kind, LinkRod) for kind in mechanisms):
         about = "link pin's distance from the crank pin, and angle from the master rod"
         entries.append(((_LINK, ", ", Name("psi")), about))
     return entries
 
 
-def _cells(engine: Engine, group: Group) -> tuple[Cell, ...]:
+def _cells(group: Group, attached: bool) -> tuple[Cell, ...]:
+    """Return a kind's cells; `attached` says that some rods of the engine run on others."""
     kind, cylinders = group.mechanism, group.cylinders
     numbers = [str(c.number) for c in cylinders]
     if len(numbers) > MOST_NAMED:
@@ -259,8 +265,7 @@ def _cells(engine: Engine, group: Group) -> tuple[Cell, ...]:
     length = _decimal(kind.length) if kind else ""
     share = "" if group.size == 1 else _decimal(group.size)
     if not isinstance(kind, LinkRod):
-        hangs = any(c.link for c in engine.cylinders)
-        return named, "crank pin" if hangs else "", length, offset, "", "", share
+        return named, "crank pin" if attached else "", length, offset, "", "", share
     masters = sorted({c.link.master for c in cylinders if c.link})
     on = "rod of " + (str(masters[0]) if len(masters) == 1 else "its master")
     radius, angle = _decimal(kind.link_radius), _decimal(kind.link_angle * 360)
