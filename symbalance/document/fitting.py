@@ -97,7 +97,7 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
     return Fitted(columns, rows, _left_out(keys, columns, cells, longest), _remark(unread))
 
 
-def _readable(cell: Cell) -> Cell:
+def _readable(cell: Cell) -> Words | Exact:
     """Return a cell; of an exact form that nobody reads its decimal alone."""
     if isinstance(cell, TooLong):
         return cell.near
@@ -121,7 +121,7 @@ def _remark(unread: Sequence[Cell]) -> str:
     return f"{' and '.join(parts)}: the JSON of this result has them" if parts else ""
 
 
-def _full(cell: Cell) -> Words:
+def _full(cell: Words | Exact) -> Words:
     """Return a cell with its exact form, and its decimal where both are wanted."""
     if not isinstance(cell, Exact):
         return cell
@@ -130,22 +130,25 @@ def _full(cell: Cell) -> Words:
     return cell.value
 
 
-def _gives_way(cell: Cell, limit: int | None) -> bool:
+def _gives_way(cell: Words | Exact, limit: int | None) -> bool:
     return limit is not None and isinstance(cell, Exact) and len(formula_text(cell.value)) > limit
 
 
-def _words_in(cell: Cell, limit: int | None) -> Words:
+def _words_in(cell: Words | Exact, limit: int | None) -> Words:
     if isinstance(cell, Exact) and _gives_way(cell, limit):
         return "below" if cell.near is None else cell.near
     return _full(cell)
 
 
-def _can_give_way(cells: list[tuple[Cell, ...]], column: int, limit: int) -> bool:
+def _can_give_way(cells: list[tuple[Words | Exact, ...]], column: int, limit: int) -> bool:
     return any(_gives_way(row[column], limit) for row in cells)
 
 
 def _left_out(
-    keys: int, columns: tuple[Column, ...], cells: list[tuple[Cell, ...]], longest: dict[int, int]
+    keys: int,
+    columns: tuple[Column, ...],
+    cells: list[tuple[Words | Exact, ...]],
+    longest: dict[int, int],
 ) -> tuple[LeftOut, ...]:
     """Return the exact forms that gave way, each once, with all the rows it belongs to.
 
