@@ -89,12 +89,18 @@ WORK: dict[str, Callable[[sb.Engine], object]] = {
 }
 
 
+# Not the source of uneven throws: the formula of its closed form takes 2.9 times the calls, and 4 s of 1000.
+CASES = [
+    (work, family)
+    for work in WORK
+    for family in (uneven, unlike, linked)
+    if (work, family) != ("source", uneven)
+]
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("family", [uneven, unlike, linked])
-@pytest.mark.parametrize("work", WORK)
+@pytest.mark.parametrize(("work", "family"), CASES)
 def test_twice_the_cylinders_take_twice_the_calls(work: str, family: Callable[[int], sb.Engine]) -> None:
-    if work == "source" and family is uneven:
-        pytest.skip("the closed form's terms are shared by comparing all pairs: 2.9 times the calls")
     WORK[work](family(6))  # imports, and tables that all engines share
     once, twice = (effort(lambda count=count: WORK[work](family(count))) for count in (COUNT, 2 * COUNT))
     assert twice < MOST_GROWTH * once, f"{once} calls, then {twice}"
