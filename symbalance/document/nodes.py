@@ -62,7 +62,14 @@ class Exact:
     beside: bool = False
 
 
-Cell = Words | Exact
+@dataclass(frozen=True, eq=False)
+class TooLong:
+    """A cell whose exact value no medium has room for: `near` stands there, and the table says so."""
+
+    near: Words
+
+
+Cell = Words | Exact | TooLong
 UNKNOWN = "–"
 """The cell of a number that is not known: it stands among the numbers of its column."""
 

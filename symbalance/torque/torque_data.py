@@ -97,8 +97,8 @@ def orders_records(balance: TorqueBalance) -> list[dict[str, Any]]:
                 "cos": cos,
                 "sin": sin,
                 "amplitude": None if cos is None or sin is None else hypot(cos, sin),
-                "exact_cos": str(part.cos),
-                "exact_sin": str(part.sin),
+                "exact_cos": part.texts[0],
+                "exact_sin": part.texts[1],
                 "coefficient": None if value is None else float(value),
                 "unit": unit,
             }
