@@ -42,6 +42,8 @@ _TEXT = (Path(__file__).parent / "textbook.toml").read_text(encoding="utf-8")
 ROWS: list[Row] = tomllib.loads(_TEXT)["row"]
 every_row = pytest.mark.parametrize("row", ROWS, ids=[row["engine"] for row in ROWS])
 KINDS = ("force", "couple")
+PUBLISHED = ("innio-v16",)
+"""Engines whose maker publishes their forces: tests/independent/test_published_v16.py holds those."""
 
 
 def entries(row: Row, kind: str) -> list[Row]:
@@ -86,8 +88,9 @@ def firing_intervals(layout: Engine) -> list[Fraction]:
 
 def test_every_preset_has_a_row_and_every_row_a_preset() -> None:
     """Engines with unlike cylinders have theirs in `unlike.toml` (`test_real_engines`)."""
+    alike = [name for name in preset_names() if load(name).has_common_harmonics]
     named = [name for row in ROWS for name in (row["engine"], *row.get("like", ()))]
-    assert sorted(named) == sorted(name for name in preset_names() if load(name).has_common_harmonics)
+    assert sorted([*named, *PUBLISHED]) == sorted(alike)
 
 
 def test_every_preset_says_what_it_is_and_where_it_comes_from() -> None:
@@ -103,8 +106,7 @@ def test_every_preset_says_what_it_is_and_where_it_comes_from() -> None:
 def test_an_engine_like_another_stands_and_turns_as_that_does(name: str, engine: str) -> None:
     """Then its forces and couples are the other's, and its firing intervals too."""
     places = [
-        [(c.number, c.bank, c.throw, c.station) for c in by_number(load(each))]
-        for each in (name, engine)
+        [(c.number, c.bank, c.throw, c.station) for c in by_number(load(each))] for each in (name, engine)
     ]
     assert places[0] == places[1]
     assert firing_intervals(load(name)) == firing_intervals(load(engine))

@@ -200,9 +200,7 @@ def _one_of(word: str, words: Iterable[str], name: str) -> str:
 def _words(preset: Preset) -> str:
     """Return a preset's description, its sizes, its source and its estimates."""
     values = {**preset.lengths, **preset.masses}
-    sizes = [
-        f"{key.replace('_', ' ')} {float(value):.10g} {UNITS[key]}" for key, value in values.items()
-    ]
+    sizes = [f"{key.replace('_', ' ')} {float(value):.10g} {UNITS[key]}" for key, value in values.items()]
     after = f"; {', '.join(sizes)}" if sizes else ""
     reasons = [f"{key.replace('_', ' ')}: {reason}" for key, reason in preset.estimates.items()]
     estimates = f" [estimates: {'; '.join(reasons)}]" if reasons else ""
