@@ -126,7 +126,7 @@ def test_row_is_complete(row: Row) -> None:
 @every_row
 def test_pins(row: Row) -> None:
     pins = [c.throw.in_degrees() for c in by_number(load(row["engine"]))]
-    assert [(pin - pins[0]) % 360 for pin in pins] == row["pins"]
+    assert [(pin - pins[0]) % 360 for pin in pins] == [Fraction(pin) for pin in row["pins"]]
 
 
 @every_row
