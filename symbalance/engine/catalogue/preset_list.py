@@ -173,10 +173,9 @@ class Presets(SequenceResult[Preset]):
         columns = (
             Column("name"),
             Column("sizes"),
-            Column("masses"),
             Column("what it is, its sizes, and where its figures come from"),
         )
-        rows = tuple((Code(p.name), p.sizes, p.weights, _words(p)) for p in self)
+        rows = tuple((Code(p.name), p.sizes, _words(p)) for p in self)
         return Document("Preset engines", (Table("", columns, rows),))
 
     def data(self) -> dict[str, Any]:
