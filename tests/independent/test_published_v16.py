@@ -2,8 +2,8 @@
 
 Figures: github.com/miriam-innio/Balancing-tool-crankshaft, Balancing_HeatenV16.xlsm (throw angles) and
 Tool_Results.xlsx (N and N mm at 1500 rpm, here to four places). The tool cuts a cylinder's series short;
-its own coefficients are divided out, and it looks at whole degrees only, as is done here: what is compared
-is exact but for rounding. "H" of a moment is about the horizontal axis: our vertical couple.
+its own coefficients are divided out, and it looks at whole degrees only, as is done here: what is
+compared is exact but for rounding. "H" of a moment is about the horizontal axis: our vertical couple.
 """
 
 from __future__ import annotations
