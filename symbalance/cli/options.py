@@ -80,7 +80,7 @@ def add_running(parser: argparse.ArgumentParser) -> None:
         metavar="Q",
         help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
-    parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
+    parser.add_argument("--bore", metavar="MM", help="bore, where the engine gives none")
     parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
     parser.add_argument("--stroke", metavar="MM", help="stroke, where the engine gives none")
     parser.add_argument(

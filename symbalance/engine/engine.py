@@ -54,7 +54,8 @@ class Group:
 class Engine:
     """An engine: its cylinders, strokes per cycle, counterweights and balance shafts.
 
-    `pitch` is the distance of neighbouring cylinders in mm, None if not known. The cylinder of the
+    `pitch` is the distance of neighbouring cylinders in mm, `bore` that of all cylinders, which plays a
+    part in gas torque alone; None if not known. The cylinder of the
     lowest number is the unit: forces count in its m r omega^2. Sizes shared by all cylinders are put
     into each by whoever makes the engine: `from_cylinders` and the other builders, or an engine file.
 
@@ -67,6 +68,7 @@ class Engine:
     strokes: int
     name: str
     pitch: Fraction | None
+    bore: Fraction | None
     balancers: Balancers
 
     def __init__(
@@ -76,6 +78,7 @@ class Engine:
         strokes: int = 4,
         name: str = "engine",
         pitch: object = None,
+        bore: object = None,
         balancers: Balancers | None = None,
     ) -> None:
         set_field = object.__setattr__
@@ -86,6 +89,7 @@ class Engine:
         set_field(self, "name", checked_name(name))
         _check_fires(self.cylinders)
         set_field(self, "pitch", None if pitch is None else checked_size("pitch", pitch))
+        set_field(self, "bore", None if bore is None else checked_size("bore", bore))
         set_field(self, "balancers", checked_balancers(balancers, self.cylinders))
         if self.balancers.shafts and self.has_common_harmonics:
             check_shares(self.balancers.shafts)
@@ -248,7 +252,7 @@ class Engine:
         weights = tuple(a for a in added if not isinstance(a, BalanceShaft))
         shafts = tuple(a for a in added if isinstance(a, BalanceShaft))
         balancers = Balancers(had.counterweights + weights, had.shafts + shafts)
-        about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch}
+        about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch, "bore": self.bore}
         return Engine(self.cylinders, balancers=balancers, **about)
 
 
