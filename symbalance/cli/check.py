@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from symbalance.cli.options import add_output, command
+from symbalance.cli.options import add_output, add_trust, command
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
 from symbalance.cli.output import show, write
 from symbalance.errors import SymbalanceError
@@ -30,6 +30,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
     )
+    add_trust(parser, "the symbols file")
     add_output(parser)
 
 
@@ -49,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
                 raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
         write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")
         return DONE
-    checked = check(Path(options.notes), options.symbols)
+    checked = check(Path(options.notes), options.symbols, trust_paths=options.trust_paths)
     show(checked, options)
     for verdict in checked.faults:
         place = f"line {verdict.line} of {file_name(options.notes)}"

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from symbalance.cli.options import add_output, command
+from symbalance.cli.options import add_output, add_trust, command
 from symbalance.cli.output import medium, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
 
@@ -55,6 +55,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--passes", metavar="N", default="9", help="orbit: most iterations of the films; default: 9"
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
+    add_trust(parser, "the engine file")
     add_output(parser, "FOLDER")
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
@@ -81,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
     _check_libraries()
     if not options.no_plots:
         check_drawing()
-    engine = read_running_engine(options.engine)
+    engine = read_running_engine(options.engine, trust_paths=options.trust_paths)
     if options.rpm is not None:
         engine = engine.at_speeds(_speeds(options.rpm))
     configuration = configure_run(
