@@ -202,15 +202,8 @@ def test_an_outcome_comes_back_as_it_was_and_one_with_a_reason_too(tmp_path):
         restored = load_outcome(tmp_path, "key", OUTCOME.rpm).outcome
         assert restored is not None
         for field in fields(SpeedOutcome):
-            assert (
-                np.array_equal(
-                    getattr(restored, field.name),
-                    getattr(outcome, field.name),
-                    equal_nan=field.type != "str",
-                )
-                if field.type in ("Array", "float")
-                else getattr(restored, field.name) == getattr(outcome, field.name)
-            )
+            before, after = getattr(outcome, field.name), getattr(restored, field.name)
+            assert np.array_equal(before, after, equal_nan=field.type in ("Array", "float")), field.name
         assert "another engine" in load_outcome(tmp_path, "other", OUTCOME.rpm).reason
         with np.load(saved.file_of(tmp_path, OUTCOME.rpm)) as data:  # it is an archive like any other
             assert data["rpm"] == 2200

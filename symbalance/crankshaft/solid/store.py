@@ -2,9 +2,9 @@
 
 A store is a JSON file {"format": 3, "mesher": digest, "checksum": digest of the webs, "webs": {key:
 {"web": what it is of, "flexibility": 144 numbers, "body": 3 numbers}}}. The key is that of the geometry
-in own axes (sizes to the nanometre), Poisson's ratio and, where it is not the usual one, the elements' size;
-the flexibility is E S, which does not depend on Young's modulus. The package's own store holds the worked
-cranks'.
+in own axes (sizes to the nanometre), Poisson's ratio and, where it is not the usual one, the elements'
+size; the flexibility is E S, which does not depend on Young's modulus. The package's own store holds the
+worked cranks'.
 
 `mesher` is a digest of the sources that draw, mesh and solve a web: what other sources have solved is not
 believed but solved anew, and a line to `say` tells the user; so it does of a file that is damaged, which
