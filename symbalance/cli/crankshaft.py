@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symbalance.cli.options import add_output, add_trust, command
-from symbalance.cli.output import medium, printed, show, whole_number, write_all
+from symbalance.cli.outcomes import say
+from symbalance.cli.output import medium, printed, show, whole_number, write_folder
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -111,7 +112,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _progress(line: str) -> None:
-    print(line, file=sys.stderr, flush=True)
+    say(line)
 
 
 REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
@@ -119,7 +120,7 @@ REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
 
 
 def _write_all(folder: Path, summary: Summary) -> None:
-    """Write every report, curve and picture: all whole before the first is put in place."""
+    """Write every report, curve and picture: who reads the folder has those of one run."""
     from symbalance.crankshaft.files.operation import speed_text
     from symbalance.crankshaft.reports import curves_csv, loads_csv
 
@@ -136,7 +137,7 @@ def _write_all(folder: Path, summary: Summary) -> None:
         },
         **summary.pictures,
     }
-    write_all({str(folder / name): content for name, content in contents.items()})
+    write_folder(folder, contents, _progress)
     patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")
     older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
     if older:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EINVAL
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symbalance.errors import SymbalanceError, encodable_name
@@ -100,6 +101,14 @@ def write(text: str, output: str | None, form: str = "text") -> None:
 def write_all(contents: Mapping[str, str | bytes]) -> None:
     """Write several files, texts or bytes, all of them whole before the first is put in place."""
     writing.write_files({name: _encodable(name, content) for name, content in contents.items()})
+
+
+def write_folder(folder: Path, contents: Mapping[str, str | bytes], say: Callable[[str], None]) -> None:
+    """Write a run's results into a folder, texts or bytes by their names: all of them, or none."""
+    from symbalance.text.result_folders import write_results
+
+    ready = {name: _encodable(name, content) for name, content in contents.items()}
+    write_results(folder, ready, say=say)
 
 
 def _encodable(name: str, content: str | bytes) -> str | bytes:

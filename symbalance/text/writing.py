@@ -259,10 +259,11 @@ class Folder:
 
 
 @contextmanager
-def open_folder(path: str) -> Iterator[Folder]:
+def open_folder(path: str, alone: float | None = None) -> Iterator[Folder]:
     """Open a folder to write in it: what killed writers left there is cleared first.
 
-    As long as it is open it is known to have a writer, and what that writes is cleared by nobody.
+    As long as it is open it is known to have a writer, and what that writes is cleared by nobody. With
+    `alone` nobody else writes there meanwhile; the number is the seconds to wait for that.
     """
     path = path or os.curdir
     if os.open not in os.supports_dir_fd or not hasattr(os, "O_DIRECTORY"):
@@ -279,7 +280,10 @@ def open_folder(path: str) -> Iterator[Folder]:
     try:
         if readable:
             _clear_left_over(folder)
-            _lock(folder, "LOCK_SH")
+            if alone is None:
+                _lock(folder, "LOCK_SH")
+            elif _lock(folder, "LOCK_EX", alone) is False:
+                raise OSError(0, "another run writes there; run this again when it is finished")
         yield folder
     finally:
         os.close(descriptor)
@@ -316,7 +320,8 @@ def _clear_left_over(folder: Folder) -> None:
     for name in left_over:
         with suppress(FileNotFoundError, PermissionError):
             status = folder.lstat(name)
-            own = stat.S_ISREG(status.st_mode) and status.st_uid == os.geteuid()
+            is_file = stat.S_ISREG(status.st_mode) or stat.S_ISLNK(status.st_mode)
+            own = is_file and status.st_uid == os.geteuid()
             if own and (alone or time.time() - status.st_mtime > OLDEST):
                 folder.unlink(name)
 

@@ -24,7 +24,9 @@ GENERATIONS = {
 
 def emit(folder: Path, generation: str) -> Path:
     folder.mkdir()
-    assert run(["emit", *GENERATIONS[generation].split(), "--target", "c", "-o", str(folder / "e.c")]) == 0
+    assert (
+        run(["emit", *GENERATIONS[generation].split(), "--target", "c", "-o", str(folder / "e.c")]) == 0
+    )
     return folder
 
 
