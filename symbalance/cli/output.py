@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
@@ -11,7 +12,7 @@ from errno import EINVAL
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from symbalance.errors import SymbalanceError, encodable_name
+from symbalance.errors import SymbalanceError, encodable_name, visible
 from symbalance.text import writing
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ def write(text: str, output: str | None, form: str = "text") -> None:
     spelled in ASCII, "json" escapes them, and any other form, "latex" or "source", is for programs and
     stays UTF-8 whatever the locale.
     """
-    text = encodable_name(text, ESCAPES.get(form, "\\"))
+    text = _safe(encodable_name(text, ESCAPES.get(form, "\\")))
     if output in (None, "-"):
         _to_stdout(text, form)
         return
@@ -115,7 +116,20 @@ def _encodable(name: str, content: str | bytes) -> str | bytes:
     """Return a text with the bytes of file names that are no text spelled by their codes."""
     if isinstance(content, bytes):
         return content
-    return encodable_name(content, ESCAPES["json"] if name.endswith(".json") else "\\")
+    return _safe(encodable_name(content, ESCAPES["json"] if name.endswith(".json") else "\\"))
+
+
+def _safe(text: str) -> str:
+    """Return a text that no terminal obeys; documents are so, and here is all that is none of them.
+
+    The invisible signs of MathML stay, which a page of formulas holds.
+    """
+    return text if not _OBEYED.search(text) else _OBEYED.sub(lambda match: visible(match[0]), text)
+
+
+_OBEYED = re.compile(
+    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2066-\u2069\ufeff]|\r(?!\n)"
+)
 
 
 def finish() -> None:

@@ -52,33 +52,31 @@ def write_results(
     they were. `say` hears of results of two runs, where an earlier one was killed on a system without
     links.
     """
-    place = str(path)
-    try:
-        with open_folder(resolved(place), PATIENCE) as folder:
-            _Swap(folder, contents, lambda line: say(f"{path}: {line}"), place).run()
-    except _NotWrittenError as problem:
-        raise SymbalanceError(f"{what}{path}/{problem.name}", problem.rule, remedy) from None
-    except (OSError, ValueError) as problem:
+
+    def refusal(name: str, problem: OSError | ValueError) -> SymbalanceError:
         rule = f"cannot be written ({getattr(problem, 'strerror', None) or problem})"
-        raise SymbalanceError(f"{what}{place}", rule, remedy) from None
+        return SymbalanceError(f"{what}{os.path.join(path, name) if name else path}", rule, remedy)
 
-
-class _NotWrittenError(Exception):
-    """A result that cannot be written: its name, and what is refused of it."""
-
-    def __init__(self, name: str, problem: OSError | ValueError) -> None:
-        self.name = name
-        self.rule = f"cannot be written ({getattr(problem, 'strerror', None) or problem})"
-        super().__init__(self.rule)
+    try:
+        with open_folder(resolved(str(path)), PATIENCE) as folder:
+            _Swap(folder, contents, lambda line: say(f"{path}: {line}"), refusal).run()
+    except SymbalanceError:
+        raise
+    except (OSError, ValueError) as problem:
+        raise refusal("", problem) from None
 
 
 class _Swap:
     """One change of a folder's results; every step leaves those of one run under the plain names."""
 
     def __init__(
-        self, folder: Folder, contents: Mapping[str, str | bytes], say: Callable[[str], None], place: str
+        self,
+        folder: Folder,
+        contents: Mapping[str, str | bytes],
+        say: Callable[[str], None],
+        refusal: Callable[[str, OSError | ValueError], SymbalanceError],
     ) -> None:
-        self.folder, self.contents, self.say, self.place = folder, contents, say, place
+        self.folder, self.contents, self.say, self.refusal = folder, contents, say, refusal
 
     def run(self) -> None:
         """Change the results."""
@@ -91,7 +89,7 @@ class _Swap:
                 try:
                     self.write(f"{new}/{name}", data, modes[name])
                 except (OSError, ValueError) as problem:
-                    raise _NotWrittenError(name, problem) from None
+                    raise self.refusal(name, problem) from None
             self.sync_within(new)
             if self.lead_to_old():
                 self.point(RESULTS, new)
@@ -206,11 +204,11 @@ class _Swap:
         except FileNotFoundError:
             return None
         if stat.S_ISDIR(status.st_mode):
-            raise _NotWrittenError(name, OSError(0, "it is a directory"))
+            raise self.refusal(name, OSError(0, "it is a directory"))
         if not stat.S_ISREG(status.st_mode):
-            raise _NotWrittenError(name, OSError(0, "it is a pipe or a device"))
+            raise self.refusal(name, OSError(0, "it is a pipe or a device"))
         if not os.access(self.at(name), os.W_OK, dir_fd=self.folder.descriptor):
-            raise _NotWrittenError(name, OSError(0, "it is write-protected"))
+            raise self.refusal(name, OSError(0, "it is write-protected"))
         return stat.S_IMODE(status.st_mode) & 0o777
 
     def write(self, name: str, data: bytes, permissions: int | None) -> None:
