@@ -13,6 +13,7 @@ import stat
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -389,15 +390,15 @@ def test_a_full_disk_is_one_line_and_leaves_the_old_file(tmp_path):
     try:
         out = disk / "out.txt"
         out.write_text("old")
-        (disk / "rest").write_bytes(bytes(280_000))
+        with open(disk / "rest", "wb", 0) as rest, suppress(OSError):
+            while True:
+                rest.write(bytes(1000))
         command = [
             sys.executable,
             "-m",
             "symbalance",
             "balance",
             "v12-60",
-            "--order",
-            "300",
             "-o",
             str(out),
         ]
