@@ -59,6 +59,15 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
         parser.add_argument("-o", "--output", metavar="FILE", help=help_)
 
 
+def add_trust(parser: argparse.ArgumentParser, what: str) -> None:
+    """Add the option by which a file may name files outside its folder."""
+    parser.add_argument(
+        "--trust-paths",
+        action="store_true",
+        help=f"{what} may name files anywhere; without it: in its own folder and below",
+    )
+
+
 def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:
     """Add the engine, its rod ratio, and the highest order where one is asked for."""
     parser.add_argument("engine", metavar="ENGINE", help=ENGINE)

@@ -19,8 +19,10 @@ from pathlib import Path
 from typing import Any
 
 import symbalance
-from symbalance.errors import SymbalanceError
+from symbalance.text.files import read_bytes
 
+LARGEST_FILE = 20_000_000
+"""Bytes of a file that counts by its content: no reader of the files an engine names takes more."""
 LIBRARIES = ("numpy", "scipy", "sympy")
 """Their versions count: where films hardly settle, rounding decides which orbit results."""
 
@@ -75,11 +77,7 @@ def _pieces(value: object) -> Iterator[bytes]:
 
 
 def _content(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as problem:
-        rule = f"cannot be read ({problem.strerror})"
-        raise SymbalanceError(str(path), rule, "name a file that you may read") from None
+    return read_bytes(path, LARGEST_FILE, "a file", pipes=False)
 
 
 @cache

@@ -60,12 +60,15 @@ def load(engine: str | Path) -> Engine:
     [1, 2, 9, 10, 5, 6, 11, 12, 3, 4, 7, 8]
     """
     name = str(engine)
-    if (
-        isinstance(engine, Path)
-        or name == STANDARD_INPUT
-        or name.endswith(".toml")
-        or "/" in name
-        or "\\" in name
-    ):
+    if isinstance(engine, Path) or name == STANDARD_INPUT or is_engine_file(name):
         return read_engine_file(engine)
     return parse_engine(preset_text(name), f"{name}.toml")
+
+
+def is_engine_file(name: str) -> bool:
+    """Tell whether a name is that of an engine file, not of a preset.
+
+    >>> is_engine_file("v6.toml"), is_engine_file("my/v6"), is_engine_file("v6-60")
+    (True, True, False)
+    """
+    return name.endswith(".toml") or "/" in name or "\\" in name
