@@ -19,7 +19,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         commands, "balance", run, "Free forces and couples of an engine, order by order, exactly."
     )
     parser.add_argument(
-        "engines",
+        "engine",
         metavar="ENGINE",
         nargs="+",
         action=_Engines,

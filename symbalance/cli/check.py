@@ -17,7 +17,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
     parser = command(commands, "check", run, "A hand derivation, judged equation by equation.")
     parser.add_argument(
-        "documents",
+        "notes",
         metavar="NOTES",
         nargs="+",
         action=_Documents,

@@ -205,6 +205,7 @@ def test_every_class_that_users_construct_is_among_them():
         "MainBearings",
         "Member",
         "Operation",
+        "SweepPoint",
         "Orbit",
         "Order",
         "Overlay",
