@@ -109,14 +109,11 @@ def _with_bank(engine: Engine, angle: object) -> Engine:
     banks = sorted({c.bank.in_degrees() for c in engine.cylinders})
     if len(banks) != 2:
         raise SymbalanceError(what, f"is of two banks, and {engine.name} has {len(banks)}", "take a vee")
-    first, second = banks
-    if second - first > 180:  # the narrow side is the other one
-        first, second = second, first + 360
-    middle = (first + second) / 2
-    turn = {first: middle - value / 2 - first, second % 360: middle + value / 2 - second}
-    by_bank = {bank: turn.get(bank, turn.get(bank % 360)) for bank in banks}
-    shifts = [by_bank[c.bank.in_degrees()] for c in engine.cylinders]
-    start = by_bank[engine.first.bank.in_degrees()]
+    lower, upper = banks if banks[1] - banks[0] <= 180 else banks[::-1]  # across the narrow side
+    opening = (value - (upper - lower) % 360) / 2
+    shift_of = {lower: -opening, upper: opening}
+    shifts = [shift_of[c.bank.in_degrees()] for c in engine.cylinders]
+    start = shift_of[engine.first.bank.in_degrees()]
     cylinders = [
         unchecked_copy(
             c,
