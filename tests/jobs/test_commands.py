@@ -266,6 +266,25 @@ def test_ctrl_c_says_what_is_kept_and_how_to_go_on(tmp_path, count):
     assert not _group(process.pid)
 
 
+@pytest.mark.slow
+def test_ctrl_c_while_workers_start_shows_no_traceback(tmp_path):
+    """They hear of it in the midst of their imports, which are as long as half a second."""
+    keep = tmp_path / "kept"
+    arguments = ["sweep", "v12-60", "--vary", "ratio=3:6:0.005", "--quantities", "force.500"]
+    process = _started(*arguments, "--keep", str(keep), "--jobs", "2")
+    end = time.monotonic() + 60
+    while len(_group(process.pid)) < 4:  # the command, what keeps count of its resources, two workers
+        assert time.monotonic() < end
+        assert process.poll() is None
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "Traceback" not in err
+    assert "interrupted: " in err.splitlines()[-1]
+    assert not _group(process.pid)
+
+
 def _group(leader: int) -> list[int]:
     """Return the processes of a group that still run."""
     alive = []
