@@ -65,7 +65,7 @@ class MissingPartError(SymbalanceError):
 class JobFaultError(PicklableError, RuntimeError):
     """A fault of symbalance that ended a job elsewhere, with the traceback of the process it was in."""
 
-    def __init__(self, fault: str, traceback: str = "") -> None:
+    def __init__(self, fault: str = "", traceback: str = "") -> None:
         super().__init__(fault)
         self.fault, self.traceback = fault, traceback
 

@@ -19,6 +19,7 @@ from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.reports import summarise_run
 from symbalance.crankshaft.running import configure_run, run_speeds
 from symbalance.document.result import Result
+from symbalance.engine.crank_train import CrankTrain
 from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
 from tests.cranks import sheet, written
 
@@ -38,6 +39,12 @@ def _worst_cases() -> Result:
 
 def _sensitivities() -> Result:
     return sb.sensitivities(sb.load("v8-90"), 4)
+
+
+def _sweep() -> Result:
+    vary = {"ratio": ["7/2", 4, 1.1], "bank": [60, 90], "offset": [0, 10]}
+    engine = sb.vee(90, pins=[0], crank_train=CrankTrain(stroke=Fraction(80)))
+    return sb.sweep(engine, vary, ["force.1", "force.2.lateral", "torque.2"])
 
 
 def _assignment() -> Result:
@@ -203,6 +210,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance-unlike": _balance_unlike,
     "worst-cases": _worst_cases,
     "sensitivities": _sensitivities,
+    "sweep": _sweep,
     "assignment": _assignment,
     "assignment-of-many": _assignment_of_many,
     "symbolic-order": _symbolic_order,

@@ -22,7 +22,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         commands, "balance", run, summary, divides_budget=lambda options: options.engine is None
     )
     parser.add_argument(
-        "engines",
+        "engine",
         metavar="ENGINE",
         nargs="+",
         action=_Engines,
@@ -84,8 +84,8 @@ def _balance_several(options: argparse.Namespace, order: int, power: int | None)
     from symbalance.jobs.running import Job, run_jobs
     from symbalance.jobs.store import Store, key_of
 
-    folder = output_folder(options.output)
     names = [_result_name(engine) for engine in options.engines]
+    folder = output_folder(options.output)
     paths = report_paths(folder, names, form, map(Path, options.engines))
     settings = (order, options.ratio, power, form, options.standalone)
     loaded = [_loaded(engine) for engine in options.engines]

@@ -19,7 +19,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     summary = "A hand derivation, judged equation by equation."
     parser = command(commands, "check", run, summary, divides_budget=lambda options: True)
     parser.add_argument(
-        "documents",
+        "notes",
         metavar="NOTES",
         nargs="+",
         action=_Documents,

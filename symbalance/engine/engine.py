@@ -84,7 +84,7 @@ class Engine:
         set_field = object.__setattr__
         listed_cylinders = checked_cylinders(cylinders)
         _check_links(listed_cylinders)
-        set_field(self, "cylinders", _joined(listed_cylinders))
+        set_field(self, "cylinders", joined_cylinders(listed_cylinders))
         set_field(self, "strokes", checked_strokes(strokes))
         set_field(self, "name", checked_name(name))
         _check_fires(self.cylinders)
@@ -239,7 +239,7 @@ class Engine:
             rule = f"cannot be set for {self.name}, whose cylinders have ratios of their own"
             raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give each its stroke and rod")
         changed = [c if c.link else c.with_ratio(known) for c in self.cylinders]
-        return unchecked_copy(self, cylinders=_joined(changed))
+        return unchecked_copy(self, cylinders=joined_cylinders(changed))
 
     def balanced_by(self, *added: Counterweight | BalanceShaft) -> Engine:
         """Return the engine with counterweights and balance shafts added to those it has.
@@ -273,7 +273,7 @@ def _is_centred(mechanism: Mechanism | None) -> bool:
     return mechanism is None or mechanism.is_centred
 
 
-def _joined(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
+def joined_cylinders(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
     """Return the cylinders, those on link rods each with its master's."""
     by_number = {c.number: c for c in cylinders}
     joined = [c.on_master(by_number[c.link.master]) if c.link else c for c in cylinders]

@@ -30,6 +30,10 @@ SOURCES = (".py", ".toml", ".json")
 """The endings of the program's own files that decide what it computes."""
 
 
+PLAIN = (bool, int, float, complex, str, bytes, Fraction)
+"""Values whose `repr` is their whole content."""
+
+
 def digest(*parts: object) -> str:
     """Return 32 hexadecimal digits that differ where any content of some part does.
 
@@ -46,13 +50,12 @@ def digest(*parts: object) -> str:
     return total.hexdigest()[:32]
 
 
-def _pieces(value: object) -> Iterator[bytes]:
+def _pieces(value: Any) -> Iterator[bytes]:
     """Yield a value's content; types are part of it, and every sequence says how long it is."""
     kind = type(value).__qualname__
     # Where nothing has loaded NumPy, no value is one of its own, and this room does without it.
     numpy: Any = sys.modules.get("numpy")
-    plain = bool | int | float | complex | str | bytes | Fraction
-    if value is None or isinstance(value, plain if numpy is None else plain | numpy.generic):
+    if value is None or isinstance(value, PLAIN if numpy is None else (*PLAIN, numpy.generic)):
         yield f"{kind} {value!r}".encode()
     elif numpy is not None and isinstance(value, numpy.ndarray):
         yield f"array {value.dtype} {value.shape}".encode()

@@ -19,7 +19,7 @@ from functools import partial
 from traceback import format_exception
 from typing import Any
 
-from symbalance.errors import JobFaultError, SymbalanceError, fault_of
+from symbalance.errors import JobFaultError, PicklableError, SymbalanceError, fault_of
 from symbalance.jobs.digests import program_digest
 from symbalance.jobs.pools import MOST_WORKERS, end_pool, killed_worker, lost_executor, process_pool
 from symbalance.jobs.progress import Progress
@@ -187,10 +187,10 @@ def _lost(progress: Progress, store: Store | None, problem: _NobodyLeftError) ->
     return SymbalanceError(problem.who, f"{problem.why}; {kept}", remedy)
 
 
-class _NobodyLeftError(Exception):
+class _NobodyLeftError(PicklableError):
     """There is nobody any more to do the work."""
 
-    def __init__(self, who: str, why: str) -> None:
+    def __init__(self, who: str = "", why: str = "") -> None:
         super().__init__(who, why)
         self.who, self.why = who, why
 

@@ -82,6 +82,9 @@ class Store:
     what: str = "store"
     """What a refusal calls the folder: the option that named it."""
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "folder", Path(self.folder))
+
     def path(self, slot: str) -> Path:
         """Return where a result lies.
 

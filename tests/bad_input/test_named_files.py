@@ -222,7 +222,6 @@ def test_the_sidecar_beside_is_no_result_though_another_is_read(name, more, fold
     ("command", "wanted"),
     [
         ("balance {}", "an engine file"),
-        ("check {}", "a .tex, .md or .txt file"),
         ("check notes.md --symbols {}", "a symbols file"),
         ("assign e.toml --parts {}", "a CSV file of parts"),
         ("torque e.toml --bore 80 --rpm 1000 --pressure {}", "a CSV file of angles and pressures"),
