@@ -76,7 +76,10 @@ def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
 
 def size(vector: Amplitude) -> tuple[Any, ...]:
     """Return a weight's size in words: exactly if that is short, else ≈ and its decimal."""
-    exact = Component(vector).form("amplitude").as_formula()
+    component = Component(vector)
+    if component.is_long:
+        return ("≈ ", Decimal(five_digits(vector.size())))
+    exact = component.form("amplitude").as_formula()
     if vector.has_symbols or (not vector.is_decimal and len(formula_text(exact)) <= LONGEST):
         return (exact,)
     return ("≈ ", Decimal(five_digits(vector.size())))

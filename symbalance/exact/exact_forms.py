@@ -1,7 +1,7 @@
 """Exact numbers as they are printed: a formula for every medium, text that SymPy reads, an expression.
 
-Three kinds: a `ClosedForm` of radicals and cosines, which needs no SymPy; a SymPy expression, where
-symbols stand in a number or it has only decimals; and a direction that is no fraction of a turn.
+A `ClosedForm` of radicals and cosines, which needs no SymPy; a SymPy expression, where symbols stand in
+a number or it has only decimals; an angle that is no fraction of a turn, and a root that stays a root.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol
 
-from symbalance.document.formula import Apply, Formula
+from symbalance.document.formula import Apply, Formula, sqrt
 
 if TYPE_CHECKING:
     import sympy
@@ -87,3 +87,31 @@ class Direction:
         import sympy
 
         return sympy.atan2(self.sin.expression(), self.cos.expression(), evaluate=False)
+
+
+@dataclass(frozen=True)
+class RootOfSquares:
+    """The distance of the point (cos, sin) from 0, as the root of a sum that is not multiplied out."""
+
+    cos: ExactForm
+    sin: ExactForm
+
+    @property
+    def spelling(self) -> str:
+        """The root as text that SymPy reads; SymPy would spell its terms in another order."""
+        return f"sqrt(({self.cos.spelling})**2 + ({self.sin.spelling})**2)"
+
+    def is_zero(self) -> bool:
+        """Tell whether it is 0."""
+        return self.cos.is_zero() and self.sin.is_zero()
+
+    def as_formula(self) -> Formula:
+        """Return it as a root of squares."""
+        return sqrt(self.cos.as_formula() ** 2 + self.sin.as_formula() ** 2)
+
+    def expression(self) -> sympy.Expr:
+        """Return it as a SymPy expression, not evaluated: SymPy would ask each square for its size."""
+        import sympy
+
+        squares = self.cos.expression() ** 2 + self.sin.expression() ** 2
+        return sympy.Pow(squares, sympy.S.Half, evaluate=False)

@@ -31,7 +31,7 @@ from typing import TYPE_CHECKING
 from symbalance.exact.amplitude import QUARTER, Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.decimal_phasor import DecimalPhasor
-from symbalance.exact.exact_forms import Direction, ExactForm, FromSymPy
+from symbalance.exact.exact_forms import Direction, ExactForm, FromSymPy, RootOfSquares
 from symbalance.exact.phasor import ZERO, Phasor
 from symbalance.exact.radicals import ZERO_FORM, exact_form, multiple_of_pi, square_root_form
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
@@ -47,6 +47,8 @@ SHOWN = 30
 """Digits of a number that has no exact form."""
 MOST_IN_A_SQUARE = 60
 """An amplitude whose square has more terms is written as the root of C^2 + S^2."""
+MOST_WRITTEN = 100
+"""A number of more terms is written exactly for programs alone: nobody reads a page of cosines."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +77,14 @@ class Component:
     def is_zero(self) -> bool:
         """Tell whether the component is exactly zero."""
         return self.number.is_zero()
+
+    @cached_property
+    def is_long(self) -> bool:
+        """Whether it is exact, and a sum of more terms than documents write (`MOST_WRITTEN`)."""
+        number = self.number
+        if not isinstance(number, Phasor) or len(number.terms) <= MOST_WRITTEN:
+            return False
+        return len(number.normal) > MOST_WRITTEN
 
     def as_formula(self) -> Formula:
         """Return C cos n theta + S sin n theta as a formula."""
@@ -161,6 +171,9 @@ def _amplitude(component: Component) -> ExactForm:
         return _float(number.size())
     if component._aligned is not None:
         return exact_form(component._aligned[1])
+    if component.is_long:
+        # Its square takes the square of its terms, and is as good as always longer still.
+        return RootOfSquares(component.form("cos"), component.form("sin"))
     square = number.times(number.conjugate())
     if len(square.terms) > MOST_IN_A_SQUARE:
         import sympy

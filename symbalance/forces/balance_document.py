@@ -28,6 +28,7 @@ from symbalance.document.nodes import (
     Facts,
     Paragraph,
     Table,
+    TooLong,
     Words,
     blocks,
 )
@@ -149,6 +150,8 @@ def _cells(row: Row) -> tuple[Cell, ...]:
     if row.is_decimal and decimals is not None:
         cosine, sine, amplitude = (Decimal(d) for d in decimals[:3])
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
+    if row.component.is_long and decimals is not None:
+        return (*head, *(TooLong(Decimal(d)) for d in decimals[:3]), _rounded_phase(row, decimals[3]))
     values = row.exact()
     if decimals is None:
         return (*head, *map(Exact, values))
@@ -165,6 +168,13 @@ def _cells(row: Row) -> tuple[Cell, ...]:
 
 def _short_phase(value: Formula, decimal: str) -> Words:
     return value if len(formula_text(value)) <= LONGEST_PHASE else ("≈ ", Decimal(decimal))
+
+
+def _rounded_phase(row: Row, decimal: str) -> Words:
+    """Return the phase of a component that is not written exactly: a fraction of pi, or rounded."""
+    if row.component.phase_in_turns is None:
+        return ("≈ ", Decimal(decimal))
+    return _short_phase(row.component.form("phase").as_formula(), decimal)
 
 
 def _phase(row: Row, decimal: str) -> Formula:
@@ -193,6 +203,8 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
     decimals = row.decimals()
     if row.is_decimal and decimals is not None:
         return Decimal(decimals[2]), _phase(row, decimals[3])
+    if row.component.is_long and decimals is not None:
+        return TooLong(Decimal(decimals[2])), _rounded_phase(row, decimals[3])
     amplitude, phase = row.exact()[2:]
     if decimals is None:
         return Exact(amplitude), Exact(phase)

@@ -97,8 +97,8 @@ def orders_records(balance: TorqueBalance) -> list[dict[str, Any]]:
                 "cos": cos,
                 "sin": sin,
                 "amplitude": None if cos is None or sin is None else hypot(cos, sin),
-                "exact_cos": str(part.cos),
-                "exact_sin": str(part.sin),
+                "exact_cos": part.form("cos").spelling,
+                "exact_sin": part.form("sin").spelling,
                 "coefficient": None if value is None else float(value),
                 "unit": unit,
             }
