@@ -11,7 +11,7 @@ from symbalance.cli.budget import read_budget
 from symbalance.cli.long_work import long_work, output_folder, report_paths
 from symbalance.cli.options import ENGINE, add_jobs, add_output, command
 from symbalance.cli.outcomes import DONE, FAULT, REFUSED, say_fault
-from symbalance.cli.output import medium, printed, show, whole_number, write_all
+from symbalance.cli.output import medium_of_several, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
 
 
@@ -78,8 +78,7 @@ def _balance_several(options: argparse.Namespace, order: int, power: int | None)
     if options.output in (None, "-"):
         rule = "have no place on the terminal together"
         raise SymbalanceError(f"{len(options.engines)} engines", rule, "name a folder with -o FOLDER")
-    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
-    form = medium(terminal)
+    form = medium_of_several(options)
 
     from symbalance.jobs.running import Job, run_jobs
     from symbalance.jobs.store import Store, key_of
@@ -127,7 +126,7 @@ def _loaded(engine: str) -> Any:
         return problem
 
 
-def _balanced(value: tuple[Budget, Any, int, str | None, int | None, str, bool]) -> str:
+def _balanced(value: tuple[Budget, Any, int, str | None, int | None, str, bool]) -> str | bytes:
     """Return the balance of an engine in a medium, within the budget of one engine."""
     from symbalance.forces.free_forces import balance
 
@@ -135,7 +134,7 @@ def _balanced(value: tuple[Budget, Any, int, str | None, int | None, str, bool])
     if isinstance(engine, SymbalanceError):
         raise engine
 
-    def work() -> str:
+    def work() -> str | bytes:
         result = balance(engine, order, ratio=ratio, power=power)
         return printed(result, form, "file", standalone=standalone)
 

@@ -86,14 +86,14 @@ def run(options: argparse.Namespace) -> int:
         ratio=options.ratio,
     )
     form = medium(options)
-    text = printed(design, form, options.output, standalone=options.standalone)
+    content = printed(design, form, options.output, standalone=options.standalone, label=options.label)
     files = _files(design, options)
     if options.output in (None, "-"):
         if files:
             write_all(files)
-        write(text, None, form)
+        write(content, None, form)
     else:
-        write_all({**files, options.output: text})
+        write_all({**files, options.output: content})
     return 0
 
 

@@ -109,7 +109,7 @@ def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tu
 
 def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
     surviving = rows(balance, name)
-    table = component_table(title, surviving, empty=f"none, to order {balance.highest}")
+    table = component_table(title, surviving, empty=f"none, to order {balance.highest}", topic=name)
     return (table, *_rotating(balance, name)) if surviving else (table,)
 
 
@@ -117,7 +117,7 @@ def _roll(balance: Balance) -> tuple[Block, ...]:
     surviving = roll_rows(balance)
     moment = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
     title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", moment)
-    return (component_table(title, surviving),) if surviving else ()
+    return (component_table(title, surviving, topic="roll"),) if surviving else ()
 
 
 _HEAD = (
@@ -130,12 +130,14 @@ _HEAD = (
 )
 
 
-def component_table(title: Words, surviving: Sequence[Row], empty: str = "none") -> Table:
+def component_table(
+    title: Words, surviving: Sequence[Row], empty: str = "none", topic: str = ""
+) -> Table:
     """Return a table of components, exact where there is room, in decimals where there is not.
 
     Rows without a name leave the column of components out.
     """
-    return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty)
+    return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty, topic=topic)
 
 
 def order_cell(order: int | Fraction) -> Formula:
@@ -194,7 +196,7 @@ def _rotating(balance: Balance, name: str) -> tuple[Block, ...]:
         Column("phase"),
     )
     cells = tuple((number(f.order), *_turning(f), *_turning(b)) for f, b in pairs)
-    return (Table("as rotating parts", columns, cells),)
+    return (Table("as rotating parts", columns, cells, topic=f"{name}-rotating"),)
 
 
 def _turning(row: Row) -> tuple[Cell, Cell]:
@@ -251,4 +253,9 @@ def coefficient_table(
         value_cell = "" if value is None else Decimal(short_decimal(value))
         cells.append((number(order.order), _series(order.coefficient), value_cell))
     columns = (Column("order"), Column((letter, " in powers of ", 1 / _LAM)), Column(at))
-    return Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells))
+    return Table(
+        "Coefficients of one cylinder (the value is exact in λ, rounded)",
+        columns,
+        tuple(cells),
+        topic="coefficients",
+    )

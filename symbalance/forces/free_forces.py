@@ -117,6 +117,10 @@ class Balance(Result):
     kinematics: Kinematics | None = FORCE
 
     kind: ClassVar[str] = "balance"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("order", "of", "component", "cos", "sin", "amplitude", "exact_cos", "exact_sin"),
+        *("unit", "coefficient"),
+    )
 
     def summary(self) -> str:
         """Return which orders are left free, in one line."""

@@ -75,6 +75,9 @@ class TorqueBalance(Result):
     quantity: str = INERTIA_TORQUE
 
     kind: ClassVar[str] = "torque-orders"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("order", "of", "cos", "sin", "amplitude", "exact_cos", "exact_sin", "coefficient", "unit"),
+    )
 
     def summary(self) -> str:
         """Return which orders are left, in one line."""

@@ -87,7 +87,8 @@ def _orders(balance: TorqueBalance) -> Table:
     title = balance.quantity[0].upper() + balance.quantity[1:]
     rows = [Row(n, "", component) for n, component in balance.components.items()]
     empty = f"none, to order {balance.highest}"
-    return component_table((f"{title}, unit ", _unit(balance)), rows, empty=empty)
+    topic = balance.quantity.replace(" ", "-")
+    return component_table((f"{title}, unit ", _unit(balance)), rows, empty=empty, topic=topic)
 
 
 def _unit(balance: TorqueBalance) -> Formula | Equation:

@@ -101,7 +101,7 @@ def design_records(design: Design) -> list[dict[str, Any]]:
     (None where sizes do not say). A counterweight on a throw has throw and overbalance instead: it
     balances the throw's rotating mass and that part of its reciprocating mass.
     """
-    none = dict.fromkeys(_KEYS)
+    none = dict.fromkeys(design.record_keys)
     rows = []
     for weight in design_weights(design):
         part = Component(weight.vector)
@@ -121,17 +121,3 @@ def design_records(design: Design) -> list[dict[str, Any]]:
         on = {"speed": 1, "on": "crank", "throw": counterweight.throw, "overbalance": overbalance}
         rows.append({**none, **on})
     return rows
-
-
-_KEYS = (
-    "speed",
-    "on",
-    "throw",
-    "station",
-    "share",
-    "direction_deg",
-    "exact_up",
-    "exact_right",
-    "unbalance_kg_mm",
-    "overbalance",
-)
