@@ -115,11 +115,11 @@ def columns() -> int:
 
 
 def write(content: str | bytes, output: str | None, form: str = "text") -> None:
-    """Write a text to stdout (None or "-") or to the file `output`, replaced in one step; bytes to a file.
+    """Write a text to stdout (None or "-") or to the file `output`, replaced in one step.
 
-    A file is UTF-8. On stdout `form` says what may become of characters that it cannot take: a "text" is
-    spelled in ASCII, "json" escapes them, and any other form, "latex" or "source", is for programs and
-    stays UTF-8 whatever the locale.
+    A file is UTF-8, or holds the bytes that `content` is. On stdout `form` says what may become of
+    characters that it cannot take: a "text" is spelled in ASCII, "json" escapes them, and any other form,
+    "latex" or "source", is for programs and stays UTF-8 whatever the locale.
     """
     if isinstance(content, bytes):
         write_all({str(output): content})

@@ -52,6 +52,8 @@ def table_of(result: Result) -> tuple[tuple[str, ...], list[list[Any]]]:
     """
     flat = [dict(_flattened("", record)) for record in result.records()]
     keys = tuple(dict.fromkeys(key for record in flat for key in record)) or result.record_keys
+    heads = list(dict.fromkeys(key.partition(".")[0] for key in keys))
+    keys = tuple(sorted(keys, key=lambda key: heads.index(key.partition(".")[0])))  # parts stand together
     if not keys:
         rule = "has no rows, and so no table"
         raise SymbalanceError(f"the result {result.kind!r}", rule, "take another format, such as json")

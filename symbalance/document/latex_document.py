@@ -12,6 +12,7 @@ import re
 import unicodedata
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from math import ceil
 
 from symbalance.document import nodes
@@ -239,6 +240,7 @@ class _LabellingWriter(_Writer):
         self.about = ""
         self.topics: Counter[str] = Counter()
         self.topic = ""
+        self.head = ""
 
     def document(self, document: nodes.Document) -> str:
         self.about = self.words(document.title)
@@ -246,6 +248,10 @@ class _LabellingWriter(_Writer):
 
     def table(self, block: nodes.Table) -> str:
         self.topic = block.topic or _topic(block.title)
+        if plain_words(block.title)[:1].islower():  # it goes on from the table above, as its title does
+            words = inlines(block.title)
+            return super().table(replace(block, title=(f"{self.head} ", *words) if self.head else words))
+        self.head = re.split(r"[,(:;=]", plain_words(block.title))[0].strip()
         return super().table(block)
 
     def tabular(

@@ -1,7 +1,8 @@
 """A result's rows as an Excel workbook: one sheet, heads in bold that stay in view, numbers as numbers.
 
 The same rows as in CSV. Every text is stored as a text, marked as one, so that no spreadsheet takes it
-for a formula. What is unknown is an empty cell. The writer of workbooks, openpyxl, is an extra and imported here alone.
+for a formula. What is unknown is an empty cell. The writer of workbooks, openpyxl, is an extra, and is
+imported here alone.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ def result_xlsx(result: Result) -> bytes:
         from openpyxl.utils import get_column_letter
     except ImportError:
         rule, remedy = "is not installed", "pip install 'symbalance[xlsx]'"
-        raise MissingPartError("openpyxl, which writes workbooks,", rule, remedy) from None
+        raise MissingPartError("openpyxl", rule, remedy) from None
     keys, rows = table_of(result)
     if len(rows) >= MOST_ROWS:
         rule = f"has {len(rows)} rows, and a sheet holds {MOST_ROWS - 1}"

@@ -87,7 +87,7 @@ def _orders(balance: TorqueBalance) -> Table:
     title = balance.quantity[0].upper() + balance.quantity[1:]
     rows = [Row(n, "", component) for n, component in balance.components.items()]
     empty = f"none, to order {balance.highest}"
-    topic = balance.quantity.replace(" ", "-")
+    topic = balance.quantity.partition(" ")[0]
     return component_table((f"{title}, unit ", _unit(balance)), rows, empty=empty, topic=topic)
 
 
