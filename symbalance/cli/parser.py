@@ -10,6 +10,7 @@ from symbalance.cli import (
     balance,
     bench,
     check,
+    completion,
     crankshaft,
     derive,
     design,
@@ -37,6 +38,7 @@ COMMANDS = (
     check,
     engines,
     bench,
+    completion,
 )
 """One module each: `add` adds its options, `run` does what it is for; in the order of the help."""
 
