@@ -190,9 +190,11 @@ def to_csv(result: Result) -> str:
     RFC 4180: lines end in CR LF; write it with `newline=""`. Numbers are decimals with a point. A text
     that a spreadsheet would take for a formula has an apostrophe before it.
 
-    >>> from symbalance.kinematics import truncation_bounds
-    >>> to_csv(truncation_bounds("force", 4, 2))
-    'order,bound\r\n1,0.25812372500511274\r\n2,0.004172486970163563\r\n'
+    >>> from symbalance.kinematics.slider_crank import harmonics
+    >>> print(to_csv(harmonics("force", 2, 1)).replace("\r", ""), end="")
+    order,function,power,coefficient,value
+    1,cos,0,1,1.0
+    2,cos,1,1,1.0
     """
     from symbalance.document.csv_document import result_csv
 

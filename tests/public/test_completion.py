@@ -98,7 +98,8 @@ FISH = {
 
 @pytest.mark.slow
 def test_zsh_reads_its_script(script, folder):
-    stubs = "compdef() { print $2 }; compadd() { shift; (( $# )) && print -l -- $@; return 0 }; _files() { print FILES }\n"
+    stubs = "compdef() { print $2 }; _files() { print FILES }\n"
+    stubs += "compadd() { shift; (( $# )) && print -l -- $@; return 0 }\n"
     typed = "words=(symbalance balance --format j); CURRENT=4; _symbalance\n"
     typed += "words=(symbalance check x); CURRENT=3; _symbalance\n"
     printed = lines(shell("zsh"), stubs + script("zsh") + typed, folder)

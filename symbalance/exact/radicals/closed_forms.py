@@ -97,13 +97,17 @@ class ClosedForm:
         """Return the number in decimals, good enough to compare terms by size."""
         return fsum((_value(irrational) * c for irrational, c in self.terms.items()), DIGITS)
 
-    @cached_property
+    @property
     def spelling(self) -> str:
         """The number as SymPy spells it: terms by size, but a positive rational before what is taken off.
 
         >>> (ClosedForm.rational(-1) + square_root(ClosedForm.rational(5))).spelling
         '-1 + sqrt(5)'
         """
+        return self._spelling
+
+    @cached_property
+    def _spelling(self) -> str:
         if not self.terms:
             return "0"
         spelled = [_spelled(irrational, c) for irrational, c in self._in_order()]
