@@ -1,4 +1,4 @@
-"""Durability and measured curves against another count of cycles, Goodman's line and known differences."""
+"""Durability against another count of cycles, measured curves against differences known beforehand."""
 
 from __future__ import annotations
 

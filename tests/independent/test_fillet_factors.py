@@ -24,7 +24,7 @@ JOURNAL, WEB, PIN = (
 
 
 def factors(**ratios: float) -> FilletFactors:
-    """Return a web's factors at ratios of the pin's diameter: s, w, b, r, r_G, d_G, d_H as M53 has them."""
+    """Return a web's factors at ratios of the pin's diameter, named as M53 has them."""
     at = {"s": 0.3, "w": 0.4, "b": 1.6, "r": 0.07, "r_G": 0.06, "d_G": 0.0, "d_H": 0.0, **ratios}
     journal = replace(JOURNAL, fillet=at["r_G"] * D, bore=at["d_G"] * D)
     pin = replace(PIN, fillet=at["r"] * D, bore=at["d_H"] * D)
@@ -204,7 +204,7 @@ def test_a_load_on_the_pin_of_an_uneven_throw():
 def test_a_load_across_the_throw_twists_by_what_the_held_front_bears():
     load = 7e3
     by_name = stresses(load * ACROSS, "pin")
-    # about the pin's own axis: the front bearing's force has the lever of the radius, and the front is held
+    # about the pin's axis the front bearing's force has the lever of the radius
     held = load * 0.044 - load * FRONT * 0.044
     assert by_name["pin 1 torsion"] == pytest.approx(-held / (2 * moduli(PARTS[2])), rel=1e-9)
     bent = load * FRONT * BEFORE_PIN / moduli(PARTS[2])
