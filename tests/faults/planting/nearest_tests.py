@@ -90,6 +90,8 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "independent/test_stars",
         "public/test_design_command",
         "bad_input/test_bad_input",
+        "independent/test_worst_case_corners",
+        "independent/test_design_vectors",
     ),
     "codegen": (
         "independent/test_evaluators",
@@ -99,6 +101,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "public/test_emit",
         "bad_input/test_emitted_guards",
         "independent/test_torque",
+        "laws/test_rounding_bounds",
     ),
     "notes": (
         "known_truth/test_single_lines",
@@ -115,6 +118,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "public/test_check_command",
         "documents/test_checked_documents",
         "bad_input/test_hostile_pages",
+        "known_truth/test_printed_decimals",
     ),
     "checking": ("known_truth/test_hand_pages", "public/test_check_command"),
     "crankshaft": (
@@ -130,6 +134,10 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "textbook/test_crank_model",
         "documents/test_rotor_documents",
         "public/test_crankshaft_command",
+        "independent/test_fatigue",
+        "independent/test_fillet_factors",
+        "laws/test_crank_masses",
+        "independent/test_crank_reports",
     ),
     "cli": (
         "public/test_command_line",
