@@ -151,6 +151,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "bad_input/test_writing",
         "bad_input/test_named_files",
         "public/test_crankshaft_command",
+        "public/test_commands_are_calls",
     ),
     "bench": (
         "faults/test_bench_accuracy",
