@@ -205,3 +205,49 @@ def test_the_records_and_the_json_state_the_certificate():
         assert list(row["errors"]["1"]) == ["weight", "station", "throw", "bank"]
     force = max((w for w in result if w.quantity == "force"), key=lambda w: w.bound)
     assert f"force ≤ {force.bound:.6g} N (order {force.order})" in result.summary()
+
+
+def rows_of(text: str) -> list[list[str]]:
+    """Return the lines of the tables, by columns; the words of a line's end are no number."""
+    lines = [line.split() for line in text.splitlines() if line.startswith("  ")]
+    return [line for line in lines if line and line[0].isdigit()]
+
+
+@pytest.mark.parametrize("names", [("mass",), ("bank",), ("mass", "rotating"), ("rotating",)])
+def test_the_tables_hold_each_worst_case_once_and_what_is_nothing_not_at_all(names):
+    tolerances = sb.design.Tolerances(
+        **{name: {"rotating": "2%"}.get(name) or ALONE[name][0] for name in names}
+    )
+    result = sb.worst_cases(engine(), tolerances, 2, of=["largest", "forward"])
+    text = sb.to_text(result)
+    assert ("rotating masses' errors alone" in text) == ("rotating" in names)
+    shown = [w for w in result if w.nominal or w.attained or w.bound or w.statistical]
+    rows = rows_of(text)
+    assert sorted((r[0], r[1]) for r in rows) == sorted((str(w.order), w.of) for w in shown)
+    by_size = sorted(shown, key=lambda w: (w.order, w.of, w.bound))
+    rows.sort(key=lambda r: (int(r[0]), r[1], float(r[4].replace("−", "-"))))
+    for worst, row in zip(by_size, rows, strict=True):
+        values = [float(x.replace("−", "-")) for x in row[2:6]]
+        met = worst.bound <= worst.attained * (1 + 1e-6) + 1e-15
+        expected = [
+            worst.nominal,
+            worst.attained,
+            worst.attained if met else worst.bound,
+            worst.statistical,
+        ]
+        assert values == pytest.approx(expected, rel=1e-5)
+
+
+def test_without_a_pitch_a_couple_at_a_speed_is_in_newtons_times_it():
+    bare = sb.engine.from_cylinders(
+        engine().cylinders,
+        crank_train=sb.engine.CrankTrain(
+            stroke=Fraction(80), rod=Fraction(140), reciprocating_mass=Fraction(1, 2)
+        ),
+    )
+    result = sb.worst_cases(bare, sb.design.Tolerances(mass="1%"), 1, rpm="1500")
+    plain = sb.worst_cases(bare, sb.design.Tolerances(mass="1%"), 1)
+    newtons = 0.5 * 0.04 * (50 * np.pi) ** 2
+    for one, other in zip(plain, result, strict=True):
+        assert other.bound == pytest.approx(newtons * one.bound)
+    assert [result.unit(w).split(" (")[0] for w in result] == ["N", "N a"]
