@@ -119,6 +119,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "documents/test_checked_documents",
         "bad_input/test_hostile_pages",
         "known_truth/test_printed_decimals",
+        "known_truth/test_motion_letters",
     ),
     "checking": ("known_truth/test_hand_pages", "public/test_check_command"),
     "crankshaft": (
