@@ -492,3 +492,10 @@ def test_the_products_of_vectors_are_those_of_geometry():
     assert ring.matrix_times_vector(ring.transpose(rows), a) == [
         row[0] for row in ring.matrix_product(ring.transpose(rows), [[x] for x in a])
     ]
+
+
+def test_the_printed_energy_is_the_one_whose_lagrange_equations_these_are():
+    """d/dt dE/dp - dE/dq = M p' + w (B - B^T) p + w^2 dK q - w^2 F_M, term by term of what is printed."""
+    text = sb.to_text(node_equations("vector"))
+    assert "E = ½p^T M p + ω (p^T B q + c^T p) + ω² (F_M^T q − ½q^T ΔK q)" in text
+    assert "G = B − B^T is skew" in text

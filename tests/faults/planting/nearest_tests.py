@@ -139,6 +139,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "independent/test_fillet_factors",
         "laws/test_crank_masses",
         "independent/test_crank_reports",
+        "bad_input/test_crank_sizes",
     ),
     "cli": (
         "public/test_command_line",
