@@ -370,3 +370,8 @@ def test_a_stroke_or_rod_of_a_cylinders_own_ends_the_shared_ratio():
     assert given.overridden(sb.engine.CrankTrain(stroke=Fraction(80), rod=Fraction(160))).ratio == 4
     assert given.overridden(sb.engine.CrankTrain(offset=Fraction(3))).ratio == Fraction(7, 2)
     assert given.overridden(sb.engine.CrankTrain(stroke=Fraction(80))).ratio is None
+
+
+def test_a_refusal_says_a_letter_as_it_was_typed(capsys):
+    assert run(["balance", "inline-4", "--ratio", "λ"]) == 2
+    assert "λ" in capsys.readouterr().err
