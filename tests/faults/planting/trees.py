@@ -87,7 +87,7 @@ class Tree:
     def changed(self, path: str, text: str) -> Iterator[None]:
         """Hold another text in one file of the copy.
 
-        Each text has a time of its own: Python takes a compiled module for valid by size and whole seconds.
+        Each text has a time of its own: Python knows a compiled module by size and whole seconds.
         """
         file = self.folder / path
         before, times = file.read_bytes(), file.stat()
