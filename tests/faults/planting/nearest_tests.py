@@ -53,6 +53,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "independent/test_unlike",
     ),
     "engine": (
+        "laws/test_engine_sizes",
         "independent/test_stars",
         "independent/test_dead_centres",
         "independent/test_real_engines",
