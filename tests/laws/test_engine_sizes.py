@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from fractions import Fraction
 
 import pytest
@@ -63,3 +64,21 @@ def test_an_offset_reaches_as_far_as_the_crank_can_turn(side: int) -> None:
     for aside in (most, most + 1):
         with pytest.raises(SymbalanceError, match=f"{most} mm"):
             engine(f"stroke = {stroke}\nrod = {rod}\noffset = {side * aside}")
+
+
+@pytest.mark.spread("r-985", "vw-vr6", "v8-90")
+@pytest.mark.parametrize("name", [row["name"] for row in sb.presets().records()])
+def test_a_written_engine_is_the_same_and_says_nothing_twice(name: str) -> None:
+    """Reading what is written gives the engine back; a cylinder repeats no size that all share."""
+    first = sb.load(name)
+    text = sb.engine.engine_text(first)
+    again = parse_engine(text, "again.toml")
+    assert again.cylinders == first.cylinders
+    assert [c.mechanism for c in again.cylinders] == [c.mechanism for c in first.cylinders]
+    assert (again.pitch, again.balancers, again.strokes) == (first.pitch, first.balancers, first.strokes)
+    assert sb.engine.engine_text(again) == text
+    file = tomllib.loads(text)
+    shared = {key: value for key, value in file.get("crank_train", {}).items() if key != "pitch"}
+    for row in file["cylinder"]:
+        if "link" not in str(row):
+            assert not {(key, row.get(key)) for key in shared} & set(shared.items())

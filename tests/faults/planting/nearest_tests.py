@@ -54,6 +54,8 @@ NEAREST: dict[str, tuple[str, ...]] = {
     ),
     "engine": (
         "laws/test_engine_sizes",
+        "laws/test_written_numbers",
+        "public/test_design_command",
         "independent/test_stars",
         "independent/test_dead_centres",
         "independent/test_real_engines",
