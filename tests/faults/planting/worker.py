@@ -34,6 +34,7 @@ HANG = 40
 
 def main() -> None:
     """Answer jobs until standard input ends."""
+    signal.signal(signal.SIGTERM, _end)
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     for name in (
         "sympy",
@@ -52,6 +53,17 @@ def main() -> None:
         print(json.dumps(run(json.loads(line))), file=answers, flush=True)
 
 
+_running: list[int] = []
+
+
+def _end(*_: object) -> None:
+    """Take the child along when this process is ended: a fault may never come to an end by itself."""
+    for child in _running:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(child, signal.SIGKILL)
+    os._exit(143)
+
+
 def run(job: dict[str, Any]) -> dict[str, Any]:
     """Do a job in a child, with a limit."""
     with tempfile.TemporaryDirectory(prefix="symbalance-planting-") as scratch:
@@ -60,9 +72,11 @@ def run(job: dict[str, Any]) -> dict[str, Any]:
         over, held = os.pipe()
         child = os.fork()
         if child == 0:
+            signal.signal(signal.SIGTERM, signal.SIG_DFL)
             os.close(over)
             os.setpgid(0, 0)
             _child(job, Path(scratch), answer)
+        _running.append(child)
         os.close(held)
         ended, _, _ = select.select([over], [], [], job["limit"])
         if not ended:
@@ -71,6 +85,7 @@ def run(job: dict[str, Any]) -> dict[str, Any]:
                     kill(target, signal.SIGKILL)
         os.close(over)
         _, status = os.waitpid(child, 0)
+        _running.remove(child)
         with contextlib.suppress(ProcessLookupError):
             os.killpg(child, signal.SIGKILL)  # what the tests had started
         if answer.exists():
