@@ -240,7 +240,7 @@ def line_of(outcome: Outcome) -> str:
 
 
 def report(outcomes: dict[str, list[Outcome]]) -> str:
-    """Return a table of what was planted, what changes a result and what was caught, and the faults that live."""
+    """Return a table of what was planted, changes a result and was caught, and the faults that live."""
     lines = [f"{'room':<12}{'planted':>9}{'changing':>10}{'caught':>8}{'share':>8}"]
     totals = [0, 0, 0]
     for room, each in outcomes.items():

@@ -86,7 +86,8 @@ _OPERATORS = {
     ast.Mod: ("%", "//", "times and over"),
     ast.Pow: ("**", "*", "times and over"),
 }
-_TYPE_TESTS = {"isinstance", "issubclass", "getattr", "hasattr", "setattr", "cast", "field"}
+_TYPE_TESTS = {"isinstance", "issubclass", "getattr", "hasattr", "setattr", "cast", "field", "attach"}
+"""Calls whose arguments, exchanged, only raise: nothing would be learnt of the tests."""
 
 
 def faults_of(path: str, source: str) -> list[Fault]:

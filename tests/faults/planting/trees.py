@@ -47,6 +47,8 @@ class Tree:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.stamp = 0
+        scratch = folder.with_name(f"{folder.name}-scratch")
+        scratch.mkdir()
         kept = {
             k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "PYTEST", "SYMBALANCE"))
         }
@@ -59,6 +61,7 @@ class Tree:
             "OPENBLAS_NUM_THREADS": "1",  # a process with threads is not safely forked
             "OMP_NUM_THREADS": "1",
             "COLUMNS": "80",
+            "TMPDIR": str(scratch),  # goes with the copy, even where a job was cut off
         }
         self.process = subprocess.Popen(
             [sys.executable, "-m", WORKER],
@@ -87,7 +90,7 @@ class Tree:
     def changed(self, path: str, text: str) -> Iterator[None]:
         """Hold another text in one file of the copy.
 
-        Each text has a time of its own: Python takes a compiled module for valid by size and whole seconds.
+        Each text has a time of its own: Python knows a compiled module by size and whole seconds.
         """
         file = self.folder / path
         before, times = file.read_bytes(), file.stat()
@@ -102,8 +105,12 @@ class Tree:
 
     def end(self) -> None:
         """End the worker."""
-        self.process.kill()
-        self.process.wait()
+        self.process.terminate()
+        try:
+            self.process.wait(timeout=10)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
         for stream in (self.process.stdin, self.process.stdout):
             if stream is not None:
                 with contextlib.suppress(OSError):

@@ -1,8 +1,8 @@
-"""A process that has the other libraries loaded, not this one, and forks for each job: a child starts at once.
+"""A process that has all libraries but this one loaded, and forks: jobs start at once.
 
-`python -m tests.faults.planting.worker` stands in a copy of the tree and reads a JSON object a line on standard
-input: `do` (`list`, `cover`, `results` or `tests`), its arguments and `limit` in seconds. It answers with a line:
-`value`, or `ended` if the child gave none.
+`python -m tests.faults.planting.worker` stands in a copy of the tree and reads a JSON object a line on
+standard input: `do` (`list`, `cover`, `results` or `tests`), its arguments and `limit` in seconds. It
+answers with a line: `value`, or `ended` if the child gave none.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ LIBRARY = str(ROOT / "symbalance") + os.sep
 MEMORY = 12 << 30
 """Bytes of address space: a fault that fills the machine ends its own process instead."""
 HANG = 40
-"""Seconds of one test beyond ten times what it takes without a fault: longer, and the fault is caught by it."""
+"""Seconds of one test beyond ten times what it takes without a fault: longer, and that catches it."""
 
 
 def main() -> None:
     """Answer jobs until standard input ends."""
+    signal.signal(signal.SIGTERM, _end)
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     for name in (
-        "hypothesis",
         "sympy",
         "numpy",
         "mpmath",
@@ -53,6 +53,17 @@ def main() -> None:
         print(json.dumps(run(json.loads(line))), file=answers, flush=True)
 
 
+_running: list[int] = []
+
+
+def _end(*_: object) -> None:
+    """Take the child along when this process is ended: a fault may never come to an end by itself."""
+    for child in _running:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(child, signal.SIGKILL)
+    os._exit(143)
+
+
 def run(job: dict[str, Any]) -> dict[str, Any]:
     """Do a job in a child, with a limit."""
     with tempfile.TemporaryDirectory(prefix="symbalance-planting-") as scratch:
@@ -61,9 +72,11 @@ def run(job: dict[str, Any]) -> dict[str, Any]:
         over, held = os.pipe()
         child = os.fork()
         if child == 0:
+            signal.signal(signal.SIGTERM, signal.SIG_DFL)
             os.close(over)
             os.setpgid(0, 0)
             _child(job, Path(scratch), answer)
+        _running.append(child)
         os.close(held)
         ended, _, _ = select.select([over], [], [], job["limit"])
         if not ended:
@@ -72,6 +85,7 @@ def run(job: dict[str, Any]) -> dict[str, Any]:
                     kill(target, signal.SIGKILL)
         os.close(over)
         _, status = os.waitpid(child, 0)
+        _running.remove(child)
         with contextlib.suppress(ProcessLookupError):
             os.killpg(child, signal.SIGKILL)  # what the tests had started
         if answer.exists():
@@ -241,9 +255,11 @@ class Covering:
 
 def cover_tests(job: dict[str, Any], scratch: Path) -> Any:
     """Run the fast tests of some files and return what each calls."""
-    _settle_hypothesis()
     plugin = Covering()
-    pytest.main([*QUIET, "-m", "not slow", f"--basetemp={scratch}/tmp", *job["files"]], plugins=[plugin])
+    pytest.main(
+        [*QUIET, "-m", "not slow", f"--basetemp={scratch}/tmp", *job["files"]],
+        plugins=[plugin, Settling()],
+    )
     return plugin.tests
 
 
@@ -307,9 +323,11 @@ class Running:
 
 def run_tests(job: dict[str, Any], scratch: Path) -> Any:
     """Run tests up to the first failure."""
-    _settle_hypothesis()
     plugin = Running(job, scratch)
-    pytest.main([*QUIET, "-x", f"--basetemp={scratch}/tmp", "--tb=no", *job["files"]], plugins=[plugin])
+    pytest.main(
+        [*QUIET, "-x", f"--basetemp={scratch}/tmp", "--tb=no", *job["files"]],
+        plugins=[plugin, Settling()],
+    )
     signal.alarm(0)
     return {
         "failed": plugin.failed,
@@ -319,12 +337,15 @@ def run_tests(job: dict[str, Any], scratch: Path) -> Any:
     }
 
 
-def _settle_hypothesis() -> None:
-    """Draw the same examples each time, and let no busy machine fail a test."""
-    from hypothesis import settings
+class Settling:
+    """A pytest plugin: Hypothesis draws the same examples each time, and no busy machine fails a test."""
 
-    settings.register_profile("planting", deadline=None, derandomize=True, database=None)
-    settings.load_profile("planting")
+    def pytest_sessionstart(self) -> None:
+        """Load Hypothesis only now: pytest warns of a plugin that was there before it."""
+        from hypothesis import settings
+
+        settings.register_profile("planting", deadline=None, derandomize=True, database=None)
+        settings.load_profile("planting")
 
 
 JOBS: dict[str, Callable[[dict[str, Any], Path], Any]] = {
