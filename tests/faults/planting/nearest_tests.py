@@ -129,6 +129,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "bad_input/test_hostile_pages",
         "known_truth/test_printed_decimals",
         "known_truth/test_motion_letters",
+        "documents/test_results_golden",
     ),
     "checking": ("known_truth/test_hand_pages", "public/test_check_command"),
     "crankshaft": (
@@ -149,6 +150,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "laws/test_crank_masses",
         "independent/test_crank_reports",
         "bad_input/test_crank_sizes",
+        "documents/test_results_golden",
     ),
     "cli": (
         "public/test_command_line",
