@@ -16,10 +16,11 @@ from mpmath import mp
 from numpy.polynomial import chebyshev
 
 import symbalance as sb
-from symbalance.codegen import rounding
+from symbalance.codegen import plan_for, rounding
 from symbalance.codegen.harmonic_sum import FORCE, HarmonicSum, HarmonicTerm
 from symbalance.codegen.plans import choose_plan
 from symbalance.codegen.polynomials import decompositions, powers
+from symbalance.codegen.reinsch import ARGUMENT_ERROR, reinsch_rounding
 from symbalance.codegen.requests import fewest_within, visible_terms
 from symbalance.codegen.targets import files
 from symbalance.text.reals import Real
@@ -196,6 +197,36 @@ def test_clenshaws_rounding_is_that_of_its_operations(row, kind):
 
 
 @pytest.mark.parametrize("row", ROWS)
+@pytest.mark.parametrize("kind", ["T", "U"])
+def test_reinschs_rounding_covers_its_operations_and_is_not_far_above(row, kind):
+    """d_k = s^k a_k + d_{k+1} - m b_{k+1}, b_k = b_{k+1} + d_k; then d_1 - m b_1/2, or sin times b_1."""
+    trough = np.pi / 2 < PSI
+    near, sign = np.where(trough, np.pi - PSI, PSI), np.where(trough, -1.0, 1.0)
+    exact_m = 4 * np.sin(near / 2) ** 2
+
+    def reinsch(rounded: Disturbed, m: np.ndarray = exact_m) -> np.ndarray:
+        top = len(row) - 1
+        d = b = rounded(np.full_like(PSI, row[top])) * sign**top
+        for k in range(top - 1, 0, -1):
+            first = rounded(rounded(np.full_like(PSI, row[k])) * sign**k + d) if row[k] else d
+            d = rounded(first - rounded(m * b))
+            b = rounded(b + d)
+        # the last sum, or product, is counted with the output's own
+        return sign * np.sin(near) * b if kind == "U" else d - rounded(m * b) / 2
+
+    plain = sum(a * (np.cos if kind == "T" else np.sin)(k * PSI) for k, a in enumerate(row))
+    whole = reinsch(Disturbed(-1, 0.0))
+    assert whole == pytest.approx(plain, abs=1e-12)
+    by_hand = effects(reinsch)
+    if kind == "T":  # what the argument's own error does
+        shifted = reinsch(Disturbed(-1, 0.0), exact_m * (1 + 1e-6))
+        by_hand = by_hand + ARGUMENT_ERROR * np.abs(shifted - whole) / 1e-6
+    bound = reinsch_rounding(row, PSI, kind)
+    assert (bound >= by_hand * (1 - 1e-4)).all()
+    assert (bound <= (2.5 if kind == "T" else 20) * by_hand + 6).all()
+
+
+@pytest.mark.parametrize("row", ROWS)
 def test_derivatives_in_the_cosine_are_those_of_the_polynomials(row):
     c, ends = np.cos(PSI), np.array([0.0, np.pi])
     slope = chebyshev.chebval(c, chebyshev.chebder(row))
@@ -297,6 +328,10 @@ def test_all_orders_at_once_are_the_pistons_motion(target, ratio):
     )  # fmt: skip
     values = function(ANGLES)
     lam = Fraction(ratio)
+    # what a source tests itself with is no less exact
+    result = sb.balance(sb.load("inline-1"), ratio=ratio)
+    plan = plan_for(result, None, [*PISTONS, "force.vertical"], target, 0.0)
+    values_of = {o.harmonic_sum.name: lambda theta, o=o: float(o.value(theta)) for o in plan.outputs}
     with mp.workdps(40):
         for name in (*PISTONS, "force.vertical"):
             part = name.split(".")[1] if name in PISTONS else "acceleration"
@@ -306,6 +341,9 @@ def test_all_orders_at_once_are_the_pistons_motion(target, ratio):
             worst = max(abs(mp.mpf(float(v)) - t) for v, t in zip(values[name], truth, strict=True))
             assert worst <= function.rounding[name] * U * size, name
             grid = [motion(2 * mp.pi * j / 500, kinematics.number(lam)) for j in range(0, 500, 4)]
+            assert values_of[name](0.7) == pytest.approx(
+                float(motion(mp.mpf(0.7), kinematics.number(lam))), rel=1e-14
+            )
             assert size == pytest.approx(float(max(map(abs, grid))), rel=1e-2)
 
 
