@@ -15,6 +15,8 @@ import numpy as np
 import pytest
 
 import symbalance as sb
+from symbalance.design.variations.annular_sectors import support
+from symbalance.design.variations.tolerance_intervals import tolerance_boxes
 from tests.pistons import Piston, harmonics
 
 ORDERS, MODES = (1, 2, 3, 4), ("largest", "vertical", "lateral", "forward", "backward")
@@ -251,3 +253,38 @@ def test_without_a_pitch_a_couple_at_a_speed_is_in_newtons_times_it():
     for one, other in zip(plain, result, strict=True):
         assert other.bound == pytest.approx(newtons * one.bound)
     assert [result.unit(w).split(" (")[0] for w in result] == ["N", "N a"]
+
+
+@pytest.mark.parametrize("offset", [0, 6])
+@pytest.mark.parametrize(
+    "names", [("throw",), ("bank",), ("mass", "station", "stroke"), tuple(ALONE)], ids=str
+)
+def test_each_cylinder_stays_within_the_sectors_that_the_bound_adds_up(names, offset):
+    """Errors at random: c_n and c_-n, and each component as C + iS would turn, in every direction."""
+    draw = np.random.default_rng(len(names) + offset)
+    tolerances = sb.design.Tolerances(**{name: ALONE[name][0] for name in names})
+    boxes = tolerance_boxes(engine(offset), tolerances.relative(engine(offset)), 4)
+    looks = np.linspace(0, 2 * np.pi, 25)
+    for n, rows in boxes.items():
+        nearest = {}
+        for place, quantity in product(range(2), ("force", "couple")):
+            box, piston = rows[place], pistons(offset)[place]
+            for trial in range(12):
+                x = draw.choice([-1, 1], len(names)) if trial % 2 else draw.uniform(-1, 1, len(names))
+                moves = {ALONE[name][1]: ALONE[name][2] * at for name, at in zip(names, x, strict=True)}
+                own = harmonics([piston.changed(**moves)], quantity == "couple")
+                forward, backward = own[n], own[-n]
+                for sign, value in ((1, forward), (-1, backward)):
+                    sectors = box.rotating_sectors(quantity, sign)
+                    reach = np.array([sum(support(s, u) for s in sectors) for u in looks])
+                    room = reach - (np.exp(-1j * looks) * value).real
+                    assert room.min() > -1e-12, (n, quantity, sign)
+                    key = (quantity, sign, place)
+                    nearest[key] = min(nearest.get(key, np.inf), room.min() / (abs(value) + 1e-9))
+                direction = draw.uniform(0, 2 * np.pi)
+                # the component along u: Re of e^(-iu) (c_n e^(i n t) + c_-n e^(-i n t))
+                turned = forward * np.exp(-1j * direction) + np.conj(backward * np.exp(-1j * direction))
+                sectors = box.component_sectors(quantity, direction)
+                reach = np.array([sum(support(s, u) for s in sectors) for u in looks])
+                assert (reach - (np.exp(-1j * looks) * turned).real).min() > -1e-12, (n, quantity)
+        assert max(nearest.values()) < 0.5
