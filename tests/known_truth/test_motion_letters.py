@@ -6,12 +6,14 @@ letters stand for, and a note with one sign, factor or power changed must not.
 
 from __future__ import annotations
 
+import unicodedata
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
 import symbalance as sb
+from symbalance.notes.reading.lexer import VULGAR
 from symbalance.notes.reading.units import (
     bracketed_unit_at,
     follows_number,
@@ -264,3 +266,35 @@ def test_where_a_unit_begins_and_ends():
 )
 def test_relations_of_numbers_with_units(relation, right):
     assert (verdict(f"$${relation}$$", {}) in ("holds", "holds_to_order")) == right
+
+
+# Signs that stand for more than themselves
+
+
+@pytest.mark.parametrize("character", sorted(VULGAR))
+def test_a_fraction_of_one_sign_is_worth_what_unicode_says(character):
+    value = Fraction(unicodedata.numeric(character)).limit_denominator(12)
+    assert verdict(f"$$60 k {character} = {60 * value} k$$", {"k": "any"}) == "holds"
+    assert verdict(f"$$60 k {character} = {60 * value + 1} k$$", {"k": "any"}) == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        (r"$$k = 2r {\cos}^2 \theta + r - 2r (\cos\theta)^2$$", "definition"),
+        (r"$$2r {\cos}^2 \theta = r (1 + \cos 2\theta)$$", "holds"),
+        (r"$$r + 2r {\sin}^2 \theta + r = r (3 - {\cos} 2\theta)$$", "holds"),
+        (r"$$r + 2r {\sin}^2 \theta + r = r (3 + {\cos} 2\theta)$$", "refuted"),
+    ],
+)
+def test_braces_around_a_functions_name_are_nothing(text, word):
+    assert verdict(text, {"k": "any", "r": "crank radius", "theta": "crank angle"}) == word
+
+
+@pytest.mark.parametrize("bullet", ["* ", "-   ", "+ ", "  *   "])
+def test_a_bullet_is_no_sign_of_the_formula_behind_it(bullet, tmp_path):
+    path = tmp_path / "notes.md"
+    path.write_text(f"Hence:\n\n{bullet}$2r = r + r$\n{bullet}$2r = r$\n", encoding="utf-8")
+    (tmp_path / "notes.symbols.toml").write_text(SYMBOLS, encoding="utf-8")
+    found = sb.check(path).verdicts
+    assert [(v.line, v.verdict) for v in found] == [(3, "holds"), (4, "refuted")]
