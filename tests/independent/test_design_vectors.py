@@ -60,7 +60,7 @@ def design_of(name: str, limits: dict[str, Any]) -> sb.design.Design:
     )
 
 
-@pytest.mark.spread(3)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(("name", "limits"), DESIGNS, ids=str)
 def test_the_weights_turned_by_hand_leave_what_the_json_says(name, limits):
     design = design_of(name, limits)
@@ -116,7 +116,7 @@ def check_ellipse(row: dict[str, Any] | None, forward: complex, backward: comple
         assert (row["shape"] == "line") == (minor < 1e-9)
 
 
-@pytest.mark.spread(3)
+@pytest.mark.spread(2)
 @pytest.mark.parametrize(("name", "limits"), DESIGNS, ids=str)
 def test_rows_and_unbalances_are_the_same_weights(name, limits):
     design = design_of(name, limits)
@@ -142,6 +142,7 @@ def test_rows_and_unbalances_are_the_same_weights(name, limits):
         assert float(weight["unbalance"]) == pytest.approx(unbalance, rel=1e-9)
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize(("name", "order"), [("v2-45", 1), ("v2-60", 2), ("inline-5", 1), ("v6-90", 2)])
 @pytest.mark.parametrize("kind", ["force", "couple"])
 def test_an_ellipse_in_decimals_is_the_exact_one(name, order, kind):
@@ -170,6 +171,7 @@ def test_an_ellipse_in_decimals_is_the_exact_one(name, order, kind):
         assert float(shape.reach(angle)) == pytest.approx(seen_along, rel=1e-4, abs=1e-12)
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("in_kg_mm", [True, False])
 @pytest.mark.parametrize("planes", [[2, -2], [3, 1, "-5/2"], [0], ["1/2"]])
 def test_counterweights_to_turning_weights_are_in_balance_with_them(in_kg_mm, planes):

@@ -101,10 +101,14 @@ CASES = [
     (-6, ("stroke", "offset")),
     (0, EXACT),
     (0, ("mass", "throw", "bank")),
-    pytest.param(6, tuple(ALONE), marks=pytest.mark.slow),
+    (6, tuple(ALONE)),
 ]
 
 
+FAST = (("mass",), ("throw",), ("bank",), ("stroke", "offset"))
+
+
+@pytest.mark.spread(*map(str, FAST))
 @pytest.mark.parametrize(("offset", "names"), CASES, ids=str)
 def test_every_corner_lies_below_the_bound_and_the_worst_is_reached(offset, names):
     tolerances = sb.design.Tolerances(**{name: ALONE[name][0] for name in names})
@@ -255,6 +259,7 @@ def test_without_a_pitch_a_couple_at_a_speed_is_in_newtons_times_it():
     assert [result.unit(w).split(" (")[0] for w in result] == ["N", "N a"]
 
 
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("offset", [0, 6])
 @pytest.mark.parametrize(
     "names", [("throw",), ("bank",), ("mass", "station", "stroke"), tuple(ALONE)], ids=str

@@ -95,7 +95,7 @@ def verdict(text: str, symbols: dict[str, str]) -> str:
     return found[-1].verdict
 
 
-@pytest.mark.spread(6)
+@pytest.mark.spread(3)
 @pytest.mark.parametrize("letter", QUANTITIES)
 @pytest.mark.parametrize("letters", LETTERS)
 def test_the_exact_motion_holds_in_its_letters_and_not_with_one_thing_changed(letters, letter):
@@ -116,6 +116,7 @@ SERIES = {
 }
 
 
+@pytest.mark.spread(1)
 @pytest.mark.parametrize("letters", SERIES)
 def test_the_series_in_the_small_letter_holds_to_its_order(letters):
     radius, small, _ = SERIES[letters]
@@ -271,6 +272,7 @@ def test_relations_of_numbers_with_units(relation, right):
 # Signs that stand for more than themselves
 
 
+@pytest.mark.spread(4)
 @pytest.mark.parametrize("character", sorted(VULGAR))
 def test_a_fraction_of_one_sign_is_worth_what_unicode_says(character):
     value = Fraction(unicodedata.numeric(character)).limit_denominator(12)

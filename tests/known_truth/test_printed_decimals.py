@@ -45,6 +45,7 @@ CASES = [
 ]
 
 
+@pytest.mark.spread(6)
 @pytest.mark.parametrize(("relation", "value"), CASES, ids=[c[0] for c in CASES])
 @pytest.mark.parametrize("places", [1, 2, 3])
 def test_a_lone_decimal_is_the_nearest_and_no_other(relation, value, places):
@@ -102,6 +103,7 @@ def test_decimals_on_the_way_to_a_result(relation, right):
     assert passes(relation) == right
 
 
+@pytest.mark.spread(10)
 @pytest.mark.parametrize("letters", [r"\cos x", "k", r"k \sin x"])
 @pytest.mark.parametrize(
     ("exact", "printed", "right"),

@@ -69,7 +69,7 @@ def exact(rows: tuple[HarmonicTerm, ...], theta: float, mean: float = 0.0) -> mp
     )
 
 
-@pytest.mark.spread("one phase", "first and even", "half orders", "far apart", "sines")
+@pytest.mark.spread("first and even", "half orders", "sines")
 @pytest.mark.parametrize("name", SUMS)
 @pytest.mark.parametrize("target", ["numpy", "array-api"])
 def test_an_emitted_sum_errs_by_no_more_than_it_says(name, target):
@@ -319,6 +319,7 @@ def test_harmonics_nobody_can_see_and_none_at_all():
 PISTONS = ("piston.displacement", "piston.velocity", "piston.acceleration")
 
 
+@pytest.mark.spread(2)
 @pytest.mark.parametrize("target", ["numpy", "array-api"])
 @pytest.mark.parametrize("ratio", ["1.05", "1.3", "4"])
 def test_all_orders_at_once_are_the_pistons_motion(target, ratio):

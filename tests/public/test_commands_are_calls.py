@@ -289,6 +289,7 @@ def coefficient(n: int, power: int) -> sympy.Expr:
 LAM = sympy.Symbol("lam")
 
 
+@pytest.mark.spread(5)
 @pytest.mark.parametrize("power", range(3, 13))
 def test_a_power_is_the_highest_that_is_kept(power, folder, capsys):
     import json
