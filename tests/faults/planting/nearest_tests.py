@@ -70,6 +70,8 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "laws/test_laws",
     ),
     "forces": (
+        "laws/test_truncation",
+        "independent/test_shaft_moments",
         "independent/test_against_quadrature",
         "independent/test_summation",
         "independent/test_unlike",
@@ -81,6 +83,8 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "independent/test_torque",
     ),
     "torque": (
+        "laws/test_truncation",
+        "independent/test_shaft_moments",
         "independent/test_torque",
         "independent/test_torque_unlike",
         "documents/test_results_golden",
