@@ -36,7 +36,7 @@ def main(arguments: Sequence[str]) -> int:
         type=float,
         default=default.limit,
         metavar="S",
-        help="seconds of tests for a fault; default: 240",
+        help="processor seconds of tests for a fault; default: 180",
     )
     options = parser.parse_args(arguments)
     unknown = sorted(set(options.rooms) - set(NEAREST))

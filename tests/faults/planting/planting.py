@@ -16,8 +16,10 @@ from .nearest_tests import nearest_files
 from .single_faults import Fault, choose, faults_of
 from .trees import ROOT, Crew, Tree, grown_trees
 
-RESULTS_BUDGET = 25.0
-"""Seconds of results that run the line, after which a fault is said to change none."""
+RESULTS_BUDGET = 15.0
+"""Processor seconds of results that run the line, after which a fault is said to change none."""
+PATIENCE = 6
+"""Seconds of the clock for each of the processor: other work may hold the machine."""
 MOST_RESULTS = 40
 FIRST_FILES = 8
 """Files of the fast tests that are run first: collecting more would take longer than running them."""
@@ -43,8 +45,8 @@ class Settings:
     seed: int = 1
     count: int = 10
     jobs: int = 2
-    limit: float = 240.0
-    """Seconds of tests for one fault."""
+    limit: float = 180.0
+    """Processor seconds of tests for one fault."""
 
 
 def plant(
@@ -120,7 +122,7 @@ def change_of(tree: Tree, fault: Fault, baseline: Baseline) -> str:
     chosen = few + rest[:: max(1, len(rest) // (MOST_RESULTS // 2))]
     answer = tree.do(
         "results",
-        RESULTS_BUDGET * 4,
+        RESULTS_BUDGET * PATIENCE,
         results={name: baseline.commands[name] for name in chosen},
         expected=baseline.digests,
         budget=RESULTS_BUDGET,
@@ -150,7 +152,7 @@ def catch(
         if file not in files and len(files) < FIRST_FILES:
             files.append(file)
     first = [name for name in calling if name.split("::")[0] in files]
-    started = time.monotonic()
+    spent = 0.0
     source = fault.planted_in(_source(fault.path))
     ran: set[str] = set()
     left = 0
@@ -163,7 +165,7 @@ def catch(
     for stage_files, names in stages:
         if not stage_files:
             continue
-        budget = settings.limit - (time.monotonic() - started)
+        budget = settings.limit - spent
         if budget <= 0:
             return "", "the time limit left tests out"
         without = {*unsound, *ran}
@@ -171,7 +173,7 @@ def catch(
             with tree.changed(fault.path, source):
                 answer = tree.do(
                     "tests",
-                    budget + 60,
+                    (budget + 60) * PATIENCE,
                     files=stage_files,
                     tests=names,
                     without=sorted(without),
@@ -181,6 +183,7 @@ def catch(
             if "value" not in answer:
                 return f"{answer['last'] or 'the run'} ({_ending(answer['ended'])})", ""
             value = answer["value"]
+            spent += value["busy"]
             ran |= set(value["ran"])
             if not value["failed"]:
                 left += value["left"]
