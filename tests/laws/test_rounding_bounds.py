@@ -375,3 +375,25 @@ def test_a_shaft_faster_than_the_crank_is_in_no_cylinders_closed_form():
                 if fast in shafts:
                     total += 3 * a2 * mp.cos(-2 * angle + mp.radians(70))
                 assert value(theta) == pytest.approx(float(total), abs=1e-13)
+
+
+@pytest.mark.parametrize("ratio", ["1.1", "4"])
+def test_a_closed_form_holds_the_first_order_once_and_all_others(ratio):
+    """Of one cylinder and of a vee: its value is the motion itself, whether or not a plan takes it."""
+    lam = kinematics.number(Fraction(ratio))
+    with mp.workdps(30):
+        plan = plan_for(sb.balance(sb.load("inline-1"), ratio=ratio), None, PISTONS, "numba", 0.0)
+        for output in plan.outputs:
+            form = output.harmonic_sum.closed_form
+            assert form is not None
+            motion = getattr(kinematics, output.harmonic_sum.name.split(".")[1])
+            assert float(form.value(0.7)) == pytest.approx(float(motion(mp.mpf(0.7), lam)), rel=1e-14)
+        vee = sb.load("v2-45")
+        (output,) = plan_for(sb.balance(vee, ratio=ratio), None, "force.vertical", "numba", 0.0).outputs
+        form = output.harmonic_sum.closed_form
+        assert form is not None
+        total = mp.mpf(0)
+        for cylinder in vee.cylinders:
+            bank, throw = (kinematics.radians(x.in_degrees()) for x in (cylinder.bank, cylinder.throw))
+            total += mp.cos(bank) * kinematics.acceleration(mp.mpf(0.7) + throw - bank, lam)
+        assert float(form.value(0.7)) == pytest.approx(float(total), rel=1e-13)
