@@ -308,7 +308,7 @@ def test_orders_that_leave_nothing_are_said_to(form, tmp_path, capsys):
 
 @pytest.mark.parametrize(("count", "sets"), [(1, 1), (3, 1), (4, 2), (5, 1)])
 def test_the_expected_length_is_the_root_mean_square_of_all_arrangements(count, sets):
-    """With a constant and columns that do not sum to nothing: every order of every set, each as likely."""
+    """With a constant, and columns that do not sum to nothing: every order of every set alike."""
     from symbalance.design.variations.assignment_objective import expected_length
 
     draw = np.random.default_rng(count)
