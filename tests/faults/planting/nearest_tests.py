@@ -30,6 +30,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "public/test_json_schemas",
     ),
     "exact": (
+        "laws/test_amplitudes_and_phases",
         "laws/test_amplitudes",
         "laws/test_angles_modulo",
         "laws/test_laws",
@@ -71,6 +72,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "laws/test_laws",
     ),
     "forces": (
+        "laws/test_amplitudes_and_phases",
         "laws/test_truncation",
         "independent/test_shaft_moments",
         "independent/test_counterweights",
@@ -85,6 +87,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "independent/test_torque",
     ),
     "torque": (
+        "laws/test_amplitudes_and_phases",
         "laws/test_truncation",
         "independent/test_shaft_moments",
         "independent/test_counterweights",
@@ -98,6 +101,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "bad_input/test_named_files",
     ),
     "design": (
+        "laws/test_amplitudes_and_phases",
         "independent/test_balancing",
         "independent/test_variations",
         "independent/test_tolerances",
