@@ -55,6 +55,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
     ),
     "engine": (
         "laws/test_engine_sizes",
+        "laws/test_truncation",
         "independent/test_counterweights",
         "documents/test_results_golden",
         "laws/test_written_numbers",
