@@ -61,3 +61,22 @@ def test_orders_are_left_out_and_nothing_else(name: str, kind: str) -> None:
                     assert value == pytest.approx(whole[key][name_of], rel=1e-12, abs=1e-12)
                 else:
                     assert str(value)[:18] == str(whole[key][name_of])[:18]
+
+
+@pytest.mark.parametrize(("name", "highest"), [("v12-60", 6), ("v12-60", 12), ("inline-4", 4)])
+def test_an_order_needs_the_power_of_its_leading_term(name: str, highest: int) -> None:
+    """A_n begins with lambda^-(n-1): kept to that power it has one term, to a lower one it is refused."""
+    engine = sb.load(name)
+    assert sb.balance(engine, highest, power=highest - 1).orders[-1].order == highest
+    with pytest.raises(sb.SymbalanceError, match=f"order {highest}"):
+        sb.balance(engine, highest, power=highest - 2)
+
+
+@pytest.mark.parametrize("strokes", [2, 4])
+def test_cylinders_fire_in_the_order_of_their_angles_in_a_cycle(strokes: int) -> None:
+    """A cylinder that fires just before the cycle ends is the last of it, wherever it is listed."""
+    cycle = 180 * strokes
+    at = [0, cycle - 1, cycle // 2, 7]
+    cylinders = [sb.Cylinder(n, throw=-fires % 360, fires=fires) for n, fires in enumerate(at, 1)]
+    engine = sb.engine.from_cylinders(cylinders, strokes=strokes)
+    assert engine.firing_order() == [1, 4, 3, 2]

@@ -61,7 +61,7 @@ def measure(rooms: Iterable[str], crew: Crew, say: Callable[[str], None]) -> Bas
         )
         or (name.startswith(("derivations/", "tests/")) and name.endswith(".toml"))
     )
-    results = kept(f"results-{library}-{inputs}", lambda: _results(crew, say))
+    results = recall(f"results-{library}-{inputs}", lambda: _results(crew, say))
     shared = digest_of(
         name
         for name in names
@@ -133,7 +133,7 @@ def digest_of(names: Iterable[str]) -> str:
     return digest.hexdigest()[:12]
 
 
-def kept(key: str, compute: Callable[[], Any]) -> Any:
+def recall(key: str, compute: Callable[[], Any]) -> Any:
     """Return what is kept under a key, computed if there is nothing."""
     if not (STORE / f"{key}.json").exists():
         keep(key, compute())

@@ -30,6 +30,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "public/test_json_schemas",
     ),
     "exact": (
+        "laws/test_amplitudes_and_phases",
         "laws/test_amplitudes",
         "laws/test_angles_modulo",
         "laws/test_laws",
@@ -54,6 +55,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
     ),
     "engine": (
         "laws/test_engine_sizes",
+        "laws/test_truncation",
         "independent/test_counterweights",
         "documents/test_results_golden",
         "laws/test_written_numbers",
@@ -71,6 +73,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "laws/test_laws",
     ),
     "forces": (
+        "laws/test_amplitudes_and_phases",
         "laws/test_truncation",
         "independent/test_shaft_moments",
         "independent/test_counterweights",
@@ -85,6 +88,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "independent/test_torque",
     ),
     "torque": (
+        "laws/test_amplitudes_and_phases",
         "laws/test_truncation",
         "independent/test_shaft_moments",
         "independent/test_counterweights",
@@ -98,6 +102,7 @@ NEAREST: dict[str, tuple[str, ...]] = {
         "bad_input/test_named_files",
     ),
     "design": (
+        "laws/test_amplitudes_and_phases",
         "independent/test_balancing",
         "independent/test_variations",
         "independent/test_tolerances",

@@ -155,7 +155,7 @@ def catch(
     spent = 0.0
     source = fault.planted_in(_source(fault.path))
     ran: set[str] = set()
-    left = 0
+    omitted = 0
     others = [name for name in calling if name.split("::")[0] not in files]
     stages = [
         (files, first),
@@ -186,13 +186,13 @@ def catch(
             spent += value["busy"]
             ran |= set(value["ran"])
             if not value["failed"]:
-                left += value["left"]
+                omitted += value["omitted"]
                 break
             if _passes_alone(tree, value["failed"], clean):
                 return value["failed"], ""
             without.add(value["failed"])  # it fails without the fault too, so it says nothing about it
             without |= ran
-    return "", f"the time limit left {left} tests out" if left else ""
+    return "", f"the time limit left {omitted} tests out" if omitted else ""
 
 
 def _is_steady(tree: Tree, name: str, baseline: Baseline, clean: dict[str, bool]) -> bool:

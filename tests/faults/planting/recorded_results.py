@@ -103,7 +103,7 @@ def digest_of_case(case: Case, inputs: Path) -> str:
         folder.mkdir()
         (folder / "inputs").symlink_to(inputs)
         os.chdir(folder)
-        kept = [os.dup(1), os.dup(2)]
+        handles = [os.dup(1), os.dup(2)]
         out = os.open(Path(name) / "out", os.O_WRONLY | os.O_CREAT, 0o600)
         err = os.open(Path(name) / "err", os.O_WRONLY | os.O_CREAT, 0o600)
         sys.stdout.flush()
@@ -126,7 +126,7 @@ def digest_of_case(case: Case, inputs: Path) -> str:
                 with contextlib.suppress(OSError, ValueError):
                     stream.close()
             sys.stdout, sys.stderr = streams
-            for handle, number in zip(kept, (1, 2), strict=True):
+            for handle, number in zip(handles, (1, 2), strict=True):
                 os.dup2(handle, number)
                 os.close(handle)
             os.close(out)

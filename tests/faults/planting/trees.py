@@ -49,10 +49,10 @@ class Tree:
         self.stamp = 0
         scratch = folder.with_name(f"{folder.name}-scratch")
         scratch.mkdir()
-        kept = {
+        inherited = {
             k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "PYTEST", "SYMBALANCE"))
         }
-        environment = kept | {
+        environment = inherited | {
             "PYTHONPATH": str(
                 folder
             ),  # before the installed library, in this process and in those of tests

@@ -280,32 +280,32 @@ class Running:
         self.progress = scratch / "progress"
         self.failed = ""
         self.ran: dict[str, float] = {}
-        self.left = 0
+        self.omitted = 0
         self.collected = 0
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
         """Choose and order."""
-        kept = [
+        chosen = [
             item
             for item in items
             if item.nodeid not in self.without and not item.get_closest_marker("rare")
         ]
         if self.order:
-            kept = [item for item in kept if item.nodeid in self.order]
-            kept.sort(key=lambda item: self.order[item.nodeid])
+            chosen = [item for item in chosen if item.nodeid in self.order]
+            chosen.sort(key=lambda item: self.order[item.nodeid])
         else:
-            kept.sort(
+            chosen.sort(
                 key=lambda item: item.get_closest_marker("slow") is not None
             )  # stable: fast ones first
-        items[:] = kept
-        self.collected = len(kept)
+        items[:] = chosen
+        self.collected = len(chosen)
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> bool | None:
         """Leave the rest when the budget is spent; give one test a limit."""
         if _busy() > self.until:
-            self.left += 1
+            self.omitted += 1
             return True
         self.progress.write_text(item.nodeid, encoding="utf-8")
         signal.signal(signal.SIGPROF, self._hang)
@@ -338,7 +338,7 @@ def run_tests(job: dict[str, Any], scratch: Path) -> Any:
     return {
         "failed": plugin.failed,
         "ran": plugin.ran,
-        "left": plugin.left,
+        "omitted": plugin.omitted,
         "collected": plugin.collected,
         "busy": _busy(),
     }
