@@ -16,9 +16,9 @@ from symbalance.crankshaft.rotor.beams import circular, rectangular
 from symbalance.crankshaft.rotor.parts import Material
 from symbalance.crankshaft.running.outcome import (
     SpeedOutcome,
+    decode_outcome,
+    encode_outcome,
     harmonic_content,
-    load_outcome,
-    save_outcome,
 )
 from symbalance.crankshaft.webs.sector import sector_counterweight
 from tests.cranks import engine, sheet
@@ -243,18 +243,12 @@ def outcome(reason: str = "") -> SpeedOutcome:
 
 
 @pytest.mark.parametrize("reason", ["", "the films do not settle"])
-def test_a_saved_speed_comes_back_as_it_was(reason, tmp_path):
-    save_outcome(tmp_path / "speeds", "key", outcome(reason))
-    saved = load_outcome(tmp_path / "speeds", "key", 1800.5)
-    assert saved.reason == ""
-    assert saved.outcome is not None
+def test_a_saved_speed_comes_back_as_it_was(reason):
+    saved = decode_outcome(encode_outcome(outcome(reason)))
     for field in fields(SpeedOutcome):
-        old, new = getattr(outcome(reason), field.name), getattr(saved.outcome, field.name)
+        old, new = getattr(outcome(reason), field.name), getattr(saved, field.name)
         assert type(old) is type(new), field.name
         assert np.array_equal(old, new), field.name
-    assert load_outcome(tmp_path / "speeds", "key", 1800.4) == type(saved)(None)
-    other = load_outcome(tmp_path / "speeds", "another", 1800.5)
-    assert (other.outcome, "another engine" in other.reason) == (None, True)
 
 
 def test_the_figures_of_an_outcome_are_its_curves():
