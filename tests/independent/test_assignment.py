@@ -341,3 +341,31 @@ def test_orders_that_leave_nothing_are_said_to(form, tmp_path, capsys):
     assert run(["assign", "inline-4", "--parts", str(parts), "--orders", "7", "--format", form]) == 0
     printed = capsys.readouterr().out
     assert {"text": "none: these orders leave nothing", "json": '"left": []'}.get(form, "") in printed
+
+
+@pytest.mark.parametrize(("count", "sets"), [(1, 1), (3, 1), (4, 2), (5, 1)])
+def test_the_expected_length_is_the_root_mean_square_of_all_arrangements(count, sets):
+    """With a constant, and columns that do not sum to nothing: every order of every set alike."""
+    from symbalance.design.variations.assignment_objective import expected_length
+
+    draw = np.random.default_rng(count)
+    tables, start = draw.normal(0.7, 1, (sets, count, count, 3)), draw.normal(size=3)
+    orders = [list(itertools.permutations(range(count)))] * sets
+    squares = []
+    for choice in itertools.product(*orders):
+        total = start + sum(
+            t[p, place] for t, own in zip(tables, choice, strict=True) for place, p in enumerate(own)
+        )
+        squares.append(total @ total)
+    rows = [[[tuple(v) for v in row] for row in table] for table in tables.tolist()]
+    assert expected_length(tuple(start), rows) == pytest.approx(np.mean(squares) ** 0.5, rel=1e-12)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("count", "proved"), [(10, True), (11, False)])
+def test_ten_places_are_the_last_whose_best_arrangement_is_proved(count, proved):
+    from symbalance.design.variations.arrangement_search import best_arrangement
+
+    draw = np.random.default_rng(2)
+    table = [[tuple(v) for v in row] for row in draw.normal(size=(count, count, 2)).tolist()]
+    assert best_arrangement((0.0, 0.0), [table]).proved == proved

@@ -117,10 +117,11 @@ def test_an_engine_that_a_sidecar_names_counts_by_its_content(tmp_path, capsys):
     (notes / "a.symbols.toml").write_text(bind, encoding="utf-8")
     saved = []
     from symbalance.cli.check_several import _job
+    from symbalance.notes.checking.judging import PAGE
 
     for ratio in (4, 4, 3):
         (notes / "own.toml").write_text(engine.format(ratio), encoding="utf-8")
-        saved.append(_job(notes / "a.md", None, "text", False, True).key)
+        saved.append(_job(notes / "a.md", None, PAGE, False, "text", False, True).key)
     assert saved[0] == saved[1] != saved[2]
     assert not out.exists()
 
