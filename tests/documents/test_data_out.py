@@ -125,6 +125,12 @@ def test_a_labelled_table_says_what_it_is_of():
     ]
 
 
+def test_where_nothing_takes_a_label_that_is_said():
+    assert "% No table stands here" in sb.to_latex(sb.derive("force", 2), label="force")
+    assert "% No table" not in sb.to_latex(sb.derive("force", 2))
+    assert "% No table" not in sb.to_latex(sb.balance(sb.load("v8-90"), 1), label="v8")
+
+
 @pytest.mark.slow
 def test_an_article_refers_to_the_tables_of_two_engines(compile_latex, tmp_path):
     tables = "".join(sb.to_latex(sb.balance(sb.load(name)), label=name) for name in ("v8-90", "v12-60"))
