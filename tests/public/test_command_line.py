@@ -122,7 +122,7 @@ def test_without_a_ratio_values_are_null(capsys, tmp_path):
 def test_engines_lists_every_preset_with_its_source(capsys):
     from symbalance.engine.catalogue import presets
 
-    out = printed(capsys, "engines")
+    out = printed(capsys, "engines", "--full")
     assert max(map(len, out.splitlines())) <= 80
     joined = " ".join(out.split())
     for preset in presets():
