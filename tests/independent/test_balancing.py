@@ -52,7 +52,7 @@ def assert_ended(design: sb.design.Design, pistons=rotating_model.like_pistons, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", different_presets()[::4])  # the others' certificates: the next test
+@pytest.mark.parametrize("name", different_presets()[::5])  # the others' certificates: the next test
 def test_a_preset_balanced_is_smooth_in_the_time_domain(name):
     layout = sb.load(name)
     design = sb.design_balance(layout, [1, 2, 4])
