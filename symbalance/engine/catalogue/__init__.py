@@ -32,7 +32,7 @@ def presets() -> Presets:
     """Return every preset: what it is, its sizes, where its figures come from.
 
     >>> presets()[0].name
-    'audi-v10'
+    'audi-ea855'
     """
     tables = ((name, toml_table(preset_text(name), name)) for name in preset_names())
     return Presets(tuple(preset_from(name, table) for name, table in tables))
