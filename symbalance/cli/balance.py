@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.options import ENGINE, add_output, command
+from symbalance.cli.options import ENGINE, add_operating_point, add_output, command, engine_of
 from symbalance.cli.output import show, whole_number
 
 
@@ -25,6 +25,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's: 4, 3.7 or 147.15/36.65"
     )
+    add_operating_point(parser)
     add_output(parser)
 
 
@@ -33,8 +34,16 @@ def run(options: argparse.Namespace) -> int:
     order = whole_number(options.order, "order")
     power = None if options.power is None else whole_number(options.power, "power")
 
-    from symbalance.engine.catalogue import load
     from symbalance.forces.free_forces import balance
 
-    show(balance(load(options.engine), order, ratio=options.ratio, power=power), options)
+    engine = engine_of(options)
+    result = balance(engine, order, power=power)
+    if options.rpm is None:
+        show(result, options)
+        return 0
+    from symbalance.forces.operating_point import checked_speeds
+    from symbalance.forces.over_speeds import over_speeds
+
+    speeds = checked_speeds(options.rpm)
+    show(result.at(rpm=speeds[0]) if len(speeds) == 1 else over_speeds(result, speeds), options)
     return 0

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from symbalance.budgets import Budget
 from symbalance.cli.budget import USUAL, add_budget, read_budget, run_with_budget
 from symbalance.cli.named_files import check_named_files
 from symbalance.cli.output import MEDIA
+
+if TYPE_CHECKING:
+    from symbalance.engine.engine import Engine
 
 ENGINE = "a preset (symbalance engines), a .toml file, or - for standard input"
 
@@ -66,6 +70,33 @@ def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> Non
         help_ = f"highest order, 1 to 1000; default: {order}"
         parser.add_argument("--order", metavar="N", default=order, help=help_)
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+
+
+def add_operating_point(parser: argparse.ArgumentParser, speeds: str = "N or FROM:TO:STEP") -> None:
+    """Add the speed that values in N and N m are for, and the sizes that an engine may lack."""
+    about = "for values in N and N m" + ("; several make a table" if ":" in speeds else "")
+    parser.add_argument("--rpm", metavar=speeds.split()[0], help=f"speed, {speeds}, {about}")
+    for option, unit, what in (
+        ("mass", "KG", "reciprocating mass of a cylinder"),
+        ("stroke", "MM", "stroke"),
+        ("rod", "MM", "rod's length"),
+        ("pitch", "MM", "pitch of the cylinders"),
+    ):
+        parser.add_argument(f"--{option}", metavar=unit, help=f"{what}, where the engine gives none")
+
+
+def engine_of(options: argparse.Namespace) -> Engine:
+    """Return the engine a command is about, with the rod ratio and the sizes that its options give."""
+    from symbalance.engine.catalogue import load
+
+    engine = load(options.engine)
+    if options.ratio is not None:
+        engine = engine.with_ratio(options.ratio)
+    values = {name: getattr(options, name, None) for name in ("stroke", "rod", "pitch")}
+    sizes = {name: value for name, value in values.items() if value is not None}
+    if getattr(options, "mass", None) is not None:
+        sizes["reciprocating_mass"] = options.mass
+    return engine.with_sizes(**sizes) if sizes else engine
 
 
 def add_running(parser: argparse.ArgumentParser) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
@@ -236,6 +236,50 @@ class Engine:
             raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give each its stroke and rod")
         changed = [c if c.link else c.with_ratio(known) for c in self.cylinders]
         return unchecked_copy(self, cylinders=_joined(changed))
+
+    def with_sizes(
+        self,
+        *,
+        stroke: object = None,
+        rod: object = None,
+        reciprocating_mass: object = None,
+        pitch: object = None,
+    ) -> Engine:
+        """Return the engine with sizes that it lacks, mm and kg, the same for every cylinder.
+
+        A size that some cylinder has already is refused: which of the two counts would be a guess.
+
+        >>> from symbalance.engine.builders import inline
+        >>> inline("1-3-4-2").with_sizes(stroke=80, rod=140).ratio
+        Fraction(7, 2)
+        """
+        sizes = {"stroke": stroke, "rod": rod, "reciprocating_mass": reciprocating_mass}
+        added = {key: checked_size(key, value) for key, value in sizes.items() if value is not None}
+        for key, value in added.items():
+            has_own = [c for c in self.cylinders if c.link is None or key == "reciprocating_mass"]
+            present = {getattr(c.sizes, key) for c in has_own} - {None}
+            if present:
+                rule = f"is given by the engine already, as {brief(min(present))}"
+                raise SymbalanceError(f"{key} = {brief(value)}", rule, "leave it out, or change the file")
+        if pitch is not None and self.pitch is not None:
+            rule = f"is given by the engine already, as {brief(self.pitch)}"
+            raise SymbalanceError(f"pitch = {brief(pitch)}", rule, "leave it out, or change the file")
+        ratios = {c.sizes.given_ratio for c in self.cylinders} - {None}
+        if "rod" in added and ratios:
+            rule = f"is given already by the ratio {brief(min(r for r in ratios if r))}"
+            raise SymbalanceError(f"rod = {brief(rod)}", rule, "leave it out: rod = ratio * stroke/2")
+        of_link_rods = {key: value for key, value in added.items() if key == "reciprocating_mass"}
+        with_sizes = [
+            unchecked_copy(c, sizes=replace(c.sizes, **(of_link_rods if c.link else added)))
+            for c in self.cylinders
+        ]
+        return Engine(
+            with_sizes,
+            strokes=self.strokes,
+            name=self.name,
+            pitch=self.pitch if pitch is None else pitch,
+            balancers=self.balancers,
+        )
 
     def balanced_by(self, *added: Counterweight | BalanceShaft) -> Engine:
         """Return the engine with counterweights and balance shafts added to those it has.

@@ -28,8 +28,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
-from symbalance.exact.spectrum import Component, Spectrum
+from symbalance.exact.spectrum import COMPONENTS, Component, Spectrum
 from symbalance.forces.force_sums import planar_vectors
+from symbalance.forces.operating_point import OperatingPoint, operating_point
 from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import exact
@@ -37,6 +38,7 @@ from symbalance.text.reals import Real
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
+    from symbalance.forces.turn_maximum import TurnMaximum
 
 DIGITS = 30
 """Digits of a coefficient's value."""
@@ -115,6 +117,8 @@ class Balance(Result):
     reference: Fraction | None = None
     power: int | None = None
     kinematics: Kinematics | None = FORCE
+    operating_point: OperatingPoint | None = None
+    """The speed and sizes that values in N and N m are for; None where none is asked for."""
 
     kind: ClassVar[str] = "balance"
 
@@ -149,10 +153,84 @@ class Balance(Result):
         """The rod ratio lambda = l/r, if known."""
         return self.engine.ratio
 
+    def at(self, *, rpm: object, **sizes: object) -> Balance:
+        """Return the same balance with its values in N and N m at a speed.
+
+        `stroke`, `rod`, `pitch` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are sizes
+        that the engine lacks. A couple needs the pitch, an order above the first the rod ratio.
+
+        >>> from symbalance.engine.catalogue import load
+        >>> four = balance(load("inline-4"), 2).at(rpm=6000, stroke=80, mass="0.5", rod=160)
+        >>> [round(x) for x in four.in_newtons(2, "force.vertical")]
+        [8018, 0]
+        """
+        unknown = set(sizes) - {"stroke", "rod", "pitch", "mass"}
+        if unknown:
+            raise TypeError(f"at() takes stroke, rod, pitch and mass, not {min(unknown)!r}")
+        engine = self.engine
+        if sizes:
+            mass = sizes.pop("mass", None)
+            engine = engine.with_sizes(reciprocating_mass=mass, **sizes)
+        if self.kinematics is not None and engine.ratio is None and max(self._numbers, default=1) > 1:
+            rule = "needs the rod ratio for newtons: orders above the first depend on it"
+            remedy = "add rod to [crank_train], or say --rod MM or --ratio λ"
+            raise SymbalanceError(f"rpm = {brief(rpm)}", rule, remedy)
+        point = operating_point(engine, rpm, bool(self.couple.orders()))
+        return replace(self, engine=engine, operating_point=point)
+
+    def in_newtons(self, order: int, output: str) -> tuple[Real, Real]:
+        """Return (cos, sin) of an output of an order, as "force.lateral" or "couple.vertical", N or N m."""
+        of, _, name = output.partition(".")
+        if of not in ("force", "couple") or name not in COMPONENTS:
+            rule = "must be force. or couple. with vertical, lateral, forward or backward"
+            raise SymbalanceError(f"output = {brief(output)}", rule, 'write "force.vertical"')
+        resultant = Resultant(self.force if of == "force" else self.couple, order)
+        factor = self.unit_value(of) * self.share(order)
+        cos, sin = resultant.component(name).decimal(DIGITS)
+        return cos * factor, sin * factor
+
+    def unit_value(self, of: str) -> Real:
+        """Return m r omega^2 in N, or of a "couple" m r omega^2 a in N m, at the operating point."""
+        point = self.operating_point
+        if point is None:
+            remedy = "put the balance at one: balance(engine).at(rpm=6000)"
+            raise SymbalanceError("the balance", "has no operating point", remedy)
+        unit = point.force if of == "force" else point.couple
+        if unit is None:
+            raise SymbalanceError(
+                "pitch", "is not known", "add pitch to [crank_train], or say --pitch MM"
+            )
+        return unit
+
+    def share(self, order: int) -> Real:
+        """Return what 1 of an order is in one piston's first order, m r omega^2: A_n, or 1."""
+        return Real(1, DIGITS) if self.kinematics is None else self._coefficients[order]
+
+    @cached_property
+    def _coefficients(self) -> dict[int, Real]:
+        assert self.kinematics is not None
+        if self.ratio is None:
+            return {1: Real(1, DIGITS)}
+        return self.kinematics.values_of([1, *self._numbers], self.ratio, DIGITS)
+
+    @cached_property
+    def _numbers(self) -> list[int]:
+        return sorted({*self.force.orders(), *self.couple.orders()})
+
+    @cached_property
+    def turn_maxima(self) -> dict[str, TurnMaximum]:
+        """The largest force and couple of all orders together over a turn, with proved bounds, N, N m.
+
+        Keys are force.vertical, force.lateral, force (its size, whatever its direction), and those of
+        the couple. Orders above `highest` count too.
+        """
+        from symbalance.forces.all_orders import turn_maxima
+
+        return turn_maxima(self)
+
     @cached_property
     def orders(self) -> tuple[Order, ...]:
         """The orders that survive, lowest first; those that cancel are absent."""
-        numbers = sorted({*self.force.orders(), *self.couple.orders()})
         return tuple(
             Order(
                 n,
@@ -160,7 +238,7 @@ class Balance(Result):
                 Resultant(self.force, n),
                 Resultant(self.couple, n),
             )
-            for n in numbers
+            for n in self._numbers
         )
 
     def __getitem__(self, order: int) -> Order:
