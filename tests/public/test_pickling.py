@@ -15,6 +15,7 @@ import sympy
 
 import symbalance
 import symbalance as sb
+from symbalance.budgets import OverBudgetError
 from symbalance.crankshaft.system import UnsolvedError
 from symbalance.errors import MissingPartError, SymbalanceError
 from symbalance.exact.phasor import Phasor
@@ -28,6 +29,7 @@ ARGUMENTS = {
     UnsolvedError: ("films at 3000 rpm", "do not settle", "take more steps"),
     ReadingError: (3, "unknown command", "write it out"),
     UndeclaredError: (4, "q_1"),
+    OverBudgetError: ("10 s",),
 }
 """What each class of the package is constructed with, where that is not nothing."""
 
