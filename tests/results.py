@@ -30,6 +30,15 @@ def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
 
 
+def _balance_in_newtons() -> Result:
+    return sb.balance(sb.load("vq30de"), 6).at(rpm=6000)
+
+
+def _balance_over_speeds() -> Result:
+    speeds = [Fraction(rpm) for rpm in (1000, 4000, 7000)]
+    return sb.forces.over_speeds(sb.balance(sb.load("vq30de"), 4), speeds)
+
+
 def _worst_cases() -> Result:
     tolerances = sb.design.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
     return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
@@ -193,6 +202,8 @@ def _crankshaft() -> Result:
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
+    "balance-in-newtons": _balance_in_newtons,
+    "balance-over-speeds": _balance_over_speeds,
     "worst-cases": _worst_cases,
     "sensitivities": _sensitivities,
     "assignment": _assignment,

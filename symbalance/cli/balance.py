@@ -42,7 +42,7 @@ def run(options: argparse.Namespace) -> int:
         show(result, options)
         return 0
     from symbalance.forces.operating_point import checked_speeds
-    from symbalance.forces.over_speeds import over_speeds
+    from symbalance.forces.speed_table import over_speeds
 
     speeds = checked_speeds(options.rpm)
     show(result.at(rpm=speeds[0]) if len(speeds) == 1 else over_speeds(result, speeds), options)

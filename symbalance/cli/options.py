@@ -10,6 +10,7 @@ from symbalance.budgets import Budget
 from symbalance.cli.budget import USUAL, add_budget, read_budget, run_with_budget
 from symbalance.cli.named_files import check_named_files
 from symbalance.cli.output import MEDIA
+from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
     from symbalance.engine.engine import Engine
@@ -75,7 +76,7 @@ def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> Non
 def add_operating_point(parser: argparse.ArgumentParser, speeds: str = "N or FROM:TO:STEP") -> None:
     """Add the speed that values in N and N m are for, and the sizes that an engine may lack."""
     about = "for values in N and N m" + ("; several make a table" if ":" in speeds else "")
-    parser.add_argument("--rpm", metavar=speeds.split()[0], help=f"speed, {speeds}, {about}")
+    parser.add_argument("--rpm", metavar=speeds.split(maxsplit=1)[0], help=f"speed, {speeds}, {about}")
     for option, unit, what in (
         ("mass", "KG", "reciprocating mass of a cylinder"),
         ("stroke", "MM", "stroke"),
@@ -90,6 +91,9 @@ def engine_of(options: argparse.Namespace) -> Engine:
     from symbalance.engine.catalogue import load
 
     engine = load(options.engine)
+    if options.ratio is not None and getattr(options, "rod", None) is not None:
+        rule = "gives the rod ratio, and so does --ratio"
+        raise SymbalanceError(f"--rod {options.rod}", rule, "leave one out")
     if options.ratio is not None:
         engine = engine.with_ratio(options.ratio)
     values = {name: getattr(options, name, None) for name in ("stroke", "rod", "pitch")}

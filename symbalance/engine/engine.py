@@ -247,27 +247,32 @@ class Engine:
     ) -> Engine:
         """Return the engine with sizes that it lacks, mm and kg, the same for every cylinder.
 
-        A size that some cylinder has already is refused: which of the two counts would be a guess.
+        A size that some cylinder has already otherwise is refused: which of the two counts would be a
+        guess. A rod takes the place of a ratio that is given alone.
 
         >>> from symbalance.engine.builders import inline
         >>> inline("1-3-4-2").with_sizes(stroke=80, rod=140).ratio
         Fraction(7, 2)
         """
         sizes = {"stroke": stroke, "rod": rod, "reciprocating_mass": reciprocating_mass}
-        added = {key: checked_size(key, value) for key, value in sizes.items() if value is not None}
+        added: dict[str, Fraction | None] = {
+            key: checked_size(key, value) for key, value in sizes.items() if value is not None
+        }
         for key, value in added.items():
             has_own = [c for c in self.cylinders if c.link is None or key == "reciprocating_mass"]
-            present = {getattr(c.sizes, key) for c in has_own} - {None}
+            present = [v for c in has_own if (v := getattr(c.sizes, key)) not in (None, value)]
             if present:
-                rule = f"is given by the engine already, as {brief(min(present))}"
+                rule = f"is given by the engine already, as {brief(present[0])}"
                 raise SymbalanceError(f"{key} = {brief(value)}", rule, "leave it out, or change the file")
-        if pitch is not None and self.pitch is not None:
+        if pitch is not None and self.pitch not in (None, checked_size("pitch", pitch)):
             rule = f"is given by the engine already, as {brief(self.pitch)}"
             raise SymbalanceError(f"pitch = {brief(pitch)}", rule, "leave it out, or change the file")
-        ratios = {c.sizes.given_ratio for c in self.cylinders} - {None}
-        if "rod" in added and ratios:
-            rule = f"is given already by the ratio {brief(min(r for r in ratios if r))}"
-            raise SymbalanceError(f"rod = {brief(rod)}", rule, "leave it out: rod = ratio * stroke/2")
+        on_pins = [c for c in self.cylinders if c.link is None]
+        if "rod" in added and "stroke" not in added and any(c.sizes.stroke is None for c in on_pins):
+            rule = "makes a rod ratio with the stroke only, which is not known"
+            raise SymbalanceError(f"rod = {brief(rod)}", rule, "give the stroke too, mm")
+        if "rod" in added:
+            added["given_ratio"] = None  # as a cylinder's own rod ends the ratio that all share
         of_link_rods = {key: value for key, value in added.items() if key == "reciprocating_mass"}
         with_sizes = [
             unchecked_copy(c, sizes=replace(c.sizes, **(of_link_rods if c.link else added)))

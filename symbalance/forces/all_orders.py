@@ -43,7 +43,8 @@ def turn_maxima(balance: Balance) -> dict[str, TurnMaximum]:
 
 def _maxima(balance: Balance, of: str) -> dict[str, TurnMaximum]:
     """Return the maxima of the force or the couple in m r omega^2 (a)."""
-    orders = FIRST_ORDERS
+    # What turns is in the sum as a whole: only the pistons' harmonics are bounded above it.
+    orders = max([FIRST_ORDERS, *(abs(mass.speed) for mass in balance.engine.rotating_masses)])
     while True:
         harmonics = _harmonics(balance, of, orders)
         left_out = _left_out(balance, of, orders)

@@ -43,7 +43,7 @@ from symbalance.engine.engine_document import (
     origin_facts,
     size_facts,
 )
-from symbalance.forces.free_forces import Balance, listed_orders
+from symbalance.forces.free_forces import NEGLIGIBLE, Balance, slight_orders
 from symbalance.forces.operating_point import OperatingPoint
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, roll_rows, rotating, rows
 from symbalance.kinematics.coefficients import Kinematics
@@ -122,10 +122,6 @@ def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
     return (table, *parts, *slight)
 
 
-NEGLIGIBLE = 1e-6
-"""Of one piston's first order: what is below is named in a line instead of tabled."""
-
-
 def _by_weight(balance: Balance, surviving: list[Row]) -> tuple[list[Row], tuple[Block, ...]]:
     """Return the rows that matter, and a line that names the orders that do not.
 
@@ -142,9 +138,7 @@ def _by_weight(balance: Balance, surviving: list[Row]) -> tuple[list[Row], tuple
     slight = [n for n, size in largest.items() if size < NEGLIGIBLE]
     if not slight:
         return surviving, ()
-    word = "order" if len(slight) == 1 else "orders"
-    line = f"{word} {listed_orders(slight)}: below 10⁻⁶ of one piston's first order"
-    return [row for row in surviving if row.order not in slight], (Paragraph(line),)
+    return [row for row in surviving if row.order not in slight], (Paragraph(slight_orders(slight)),)
 
 
 def _roll(balance: Balance) -> tuple[Block, ...]:

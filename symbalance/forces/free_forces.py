@@ -42,6 +42,8 @@ if TYPE_CHECKING:
 
 DIGITS = 30
 """Digits of a coefficient's value."""
+NEGLIGIBLE = 1e-6
+"""Of one piston's first order: an order below is named in a line instead of tabled."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +164,7 @@ class Balance(Result):
         >>> from symbalance.engine.catalogue import load
         >>> four = balance(load("inline-4"), 2).at(rpm=6000, stroke=80, mass="0.5", rod=160)
         >>> [round(x) for x in four.in_newtons(2, "force.vertical")]
-        [8018, 0]
+        [8023, 0]
         """
         unknown = set(sizes) - {"stroke", "rod", "pitch", "mass"}
         if unknown:
@@ -179,7 +181,7 @@ class Balance(Result):
         return replace(self, engine=engine, operating_point=point)
 
     def in_newtons(self, order: int, output: str) -> tuple[Real, Real]:
-        """Return (cos, sin) of an output of an order, as "force.lateral" or "couple.vertical", N or N m."""
+        """Return (cos, sin) of an output ("force.lateral", "couple.vertical") of an order, N or N m."""
         of, _, name = output.partition(".")
         if of not in ("force", "couple") or name not in COMPONENTS:
             rule = "must be force. or couple. with vertical, lateral, forward or backward"
@@ -309,6 +311,12 @@ def listed_orders(orders: Sequence[int | Fraction]) -> str:
     """
     printed = [str(n) if n == int(n) else str(float(n)) for n in orders]
     return ", ".join([*printed[:6], "…", printed[-1]] if len(printed) > 8 else printed)
+
+
+def slight_orders(orders: Sequence[int | Fraction]) -> str:
+    """Return in a line which orders are negligible."""
+    word = "order" if len(orders) == 1 else "orders"
+    return f"{word} {listed_orders(orders)}: below 10⁻⁶ of one piston's first order"
 
 
 def _balance(engine: Engine, order: int, power: int | None, reference: object) -> Balance:

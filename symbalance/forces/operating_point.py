@@ -31,7 +31,7 @@ class OperatingPoint:
     """A speed with the sizes of cylinder 1: `mass` reciprocates, kg; `radius` and `pitch` in m.
 
     >>> OperatingPoint(Fraction(6000), Fraction(1, 2), Fraction(4, 100)).force.rounded(6)
-    Real('7895.68')
+    Real('7895.68', 6)
     """
 
     rpm: Fraction

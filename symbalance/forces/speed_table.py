@@ -10,10 +10,14 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError
-from symbalance.forces.free_forces import Balance
+from symbalance.forces.free_forces import NEGLIGIBLE, Balance, slight_orders
 
 if TYPE_CHECKING:
-    from symbalance.document.nodes import Document
+    from symbalance.document.nodes import Block, Document
+
+MOST_COLUMNS = 6
+"""Orders of a table, which fits 80 columns so."""
+UNITS = {"force": "N", "couple": "N m"}
 
 
 @dataclass(frozen=True, repr=False)
@@ -69,18 +73,38 @@ class SpeedTable(Result):
         return {"engine": first.engine.name, **sizes, "speeds": self.records()}
 
     def document(self) -> Document:
-        """Return a table with a row for each speed."""
-        from symbalance.document.decimals import decimal
-        from symbalance.document.nodes import Column, Document, Table
+        """Return a table of the force and one of the couple, with a row for each speed."""
+        from symbalance.document.nodes import Document, Paragraph
         from symbalance.engine.engine_document import engine_title
 
-        columns = [Column("rpm")]
-        for of, n in self._outputs:
-            unit = "N" if of == "force" else "N m"
-            columns.append(Column(f"{of}, {f'order {n}' if n else 'all orders'}, {unit}"))
-        rows = tuple(tuple(decimal(value, 5) for value in record.values()) for record in self.records())
-        title = "Largest over a turn, in whatever direction"
-        return Document(engine_title(self.balances[0].engine), (Table(title, tuple(columns), rows),))
+        title = engine_title(self.balances[0].engine)
+        if not self._outputs:
+            return Document(title, (Paragraph(f"no order is free, to order {self.balances[0].highest}"),))
+        blocks = tuple(block for of in ("force", "couple") for block in self._blocks(of))
+        return Document(title, blocks)
+
+    def _blocks(self, of: str) -> list[Block]:
+        """Return the tables of the force or the couple, and a line of the orders that are slight."""
+        from symbalance.document.decimals import decimal
+        from symbalance.document.nodes import Column, Paragraph, Table
+
+        first, records = self.balances[0], self.records()
+        free = [n for which, n in self._outputs if which == of and n]
+        one_piston = float(first.unit_value(of)) if free else 0.0
+        slight = [n for n in free if self._value(first, of, n) < NEGLIGIBLE * one_piston]
+        shown = [n for n in free if n not in slight] + [0] * bool(free)
+        blocks: list[Block] = []
+        for start in range(0, len(shown), MOST_COLUMNS):
+            part = shown[start : start + MOST_COLUMNS]
+            columns = (Column("rpm"), *(Column(f"order {n}" if n else "all orders") for n in part))
+            rows = tuple(
+                tuple(decimal(record[key], 5) for key in ("rpm", *(_key(of, n) for n in part)))
+                for record in records
+            )
+            goes_on = ", further orders" if start else ""
+            title = f"Free {of} in {UNITS[of]}, largest over a turn in whatever direction{goes_on}"
+            blocks.append(Table(title, columns, rows))
+        return blocks + ([Paragraph(slight_orders(slight))] if slight else [])
 
 
 def _key(of: str, order: int) -> str:
