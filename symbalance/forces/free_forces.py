@@ -186,7 +186,12 @@ class Balance(Result):
         if of not in ("force", "couple") or name not in COMPONENTS:
             rule = "must be force. or couple. with vertical, lateral, forward or backward"
             raise SymbalanceError(f"output = {brief(output)}", rule, 'write "force.vertical"')
+        if not 1 <= order <= self.highest:
+            rule = f"is not among those of the balance, 1 to {self.highest}"
+            raise SymbalanceError(f"order = {brief(order)}", rule, "balance the engine to a higher order")
         resultant = Resultant(self.force if of == "force" else self.couple, order)
+        if resultant.is_zero():
+            return Real(0, DIGITS), Real(0, DIGITS)
         factor = self.unit_value(of) * self.share(order)
         cos, sin = resultant.component(name).decimal(DIGITS)
         return cos * factor, sin * factor
