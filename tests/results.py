@@ -221,6 +221,8 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "ellipse": _ellipse,
     "rotating-balance": _rotating_balance,
     "torque": lambda: sb.torque.torque_report(sb.load("v10-72"), 10),
+    "torque-in-newton-metres": lambda: sb.torque.torque_report(sb.load("vq30de"), 6).at(rpm=6000),
+    "torque-orders-in-newton-metres": lambda: sb.inertia_torque(sb.load("vq30de"), 4).at(rpm=6000),
     "torque-unlike": lambda: sb.torque.torque_report(sb.load("vw-vr6"), 6),
     "torque-symbolic": lambda: sb.torque.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),
     "torque-running": _torque_running,

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.options import ENGINE, add_operating_point, add_output, command, engine_of
+from symbalance.cli.options import (
+    ENGINE,
+    add_operating_point,
+    add_output,
+    check_speed_for_sizes,
+    command,
+    engine_of,
+)
 from symbalance.cli.output import show, whole_number
 
 
@@ -36,6 +43,7 @@ def run(options: argparse.Namespace) -> int:
 
     from symbalance.forces.free_forces import balance
 
+    check_speed_for_sizes(options)
     engine = engine_of(options)
     result = balance(engine, order, power=power)
     if options.rpm is None:

@@ -73,15 +73,18 @@ def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> Non
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
 
 
-def add_operating_point(parser: argparse.ArgumentParser, speeds: str = "N or FROM:TO:STEP") -> None:
+def add_operating_point(
+    parser: argparse.ArgumentParser, speeds: str = "N or FROM:TO:STEP", *, pitch: bool = True
+) -> None:
     """Add the speed that values in N and N m are for, and the sizes that an engine may lack."""
     about = "for values in N and N m" + ("; several make a table" if ":" in speeds else "")
-    parser.add_argument("--rpm", metavar=speeds.split(maxsplit=1)[0], help=f"speed, {speeds}, {about}")
+    speed = f"speed, {speeds}, {about}" if " " in speeds else f"speed, {about}"
+    parser.add_argument("--rpm", metavar=speeds.split(maxsplit=1)[0], help=speed)
     for option, unit, what in (
         ("mass", "KG", "reciprocating mass of a cylinder"),
         ("stroke", "MM", "stroke"),
         ("rod", "MM", "rod's length"),
-        ("pitch", "MM", "pitch of the cylinders"),
+        *((("pitch", "MM", "pitch of the cylinders"),) if pitch else ()),
     ):
         parser.add_argument(f"--{option}", metavar=unit, help=f"{what}, where the engine gives none")
 
@@ -103,8 +106,23 @@ def engine_of(options: argparse.Namespace) -> Engine:
     return engine.with_sizes(**sizes) if sizes else engine
 
 
-def add_running(parser: argparse.ArgumentParser) -> None:
-    """Add what makes an engine run: its pressure and sizes."""
+def check_speed_for_sizes(options: argparse.Namespace) -> None:
+    """Refuse sizes that play a part at a speed only, where none is given."""
+    if (
+        options.rpm is not None
+        or getattr(options, "pressure", None)
+        or getattr(options, "compression", None)
+    ):
+        return
+    for name in ("mass", "pitch", *(() if options.rod is not None else ("stroke",))):
+        if getattr(options, name) is not None:
+            raise SymbalanceError(
+                f"--{name}", "plays a part at a speed only", "add --rpm N, or leave it out"
+            )
+
+
+def add_running(parser: argparse.ArgumentParser, *, pitch: bool = False) -> None:
+    """Add what makes an engine run: its pressure, speed and sizes."""
     pressure = parser.add_mutually_exclusive_group()
     pressure.add_argument(
         "--pressure", metavar="FILE", help="CSV: degrees after firing top dead centre, bar absolute"
@@ -116,8 +134,4 @@ def add_running(parser: argparse.ArgumentParser) -> None:
         help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
     parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
-    parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
-    parser.add_argument("--stroke", metavar="MM", help="stroke, where the engine gives none")
-    parser.add_argument(
-        "--mass", metavar="KG", help="reciprocating mass of a cylinder, where the engine gives none"
-    )
+    add_operating_point(parser, "N", pitch=pitch)

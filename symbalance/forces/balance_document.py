@@ -208,15 +208,7 @@ def _all_orders(balance: Balance) -> tuple[Block, ...]:
     point = balance.operating_point
     if point is None:
         return ()
-    facts: list[tuple[Words, Words]] = [("speed", f"{float(point.rpm):.8g} rpm")]
-    facts += [
-        ((_M, ", ", _R, *(() if point.pitch is None else (", ", _A))), _sizes_of(point)),
-        (
-            equal(_F_1, _MR),
-            (Decimal(short_decimal(point.force, SHOWN)), " N, one piston's first order"),
-        ),
-    ]
-    at = Facts(tuple(facts), "Operating point")
+    at = operating_facts(point)
     if balance.engine.has_symbols:
         return (at,)
     rows = []
@@ -236,13 +228,27 @@ def _all_orders(balance: Balance) -> tuple[Block, ...]:
     return (at, Table("All orders together, over a turn", columns, tuple(rows)))
 
 
+def operating_facts(point: OperatingPoint, of: str = "force") -> Facts:
+    """Return the speed and the sizes that values are for, and what the unit of a "torque" is there."""
+    pitch = point.pitch if of == "force" else None
+    letters: Words = (_M, ", ", _R, *(() if pitch is None else (", ", _A)))
+    unit: tuple[Words, Words] = (
+        equal(_F_1, _MR),
+        (Decimal(short_decimal(point.force, SHOWN)), " N, one piston's first order"),
+    )
+    if of == "torque":
+        unit = (_M * _R**2 * _OMEGA**2, (Decimal(short_decimal(point.torque, SHOWN)), " N m"))
+    speed: tuple[Words, Words] = ("speed", f"{float(point.rpm):.8g} rpm")
+    return Facts((speed, (letters, _sizes_of(point, pitch)), unit), "Operating point")
+
+
 def _upwards(bound: float) -> float:
     """Return a bound that is still one when its eight digits are rounded."""
     return bound * (1 + 5e-8)
 
 
-def _sizes_of(point: OperatingPoint) -> str:
-    lengths = [point.radius] if point.pitch is None else [point.radius, point.pitch]
+def _sizes_of(point: OperatingPoint, pitch: Fraction | None) -> str:
+    lengths = [point.radius] if pitch is None else [point.radius, pitch]
     in_mm = ", ".join(f"{float(length * 1000):.8g} mm" for length in lengths)
     return f"{float(point.mass):.8g} kg, {in_mm}"
 

@@ -30,7 +30,7 @@ from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import COMPONENTS, Component, Spectrum
 from symbalance.forces.force_sums import planar_vectors
-from symbalance.forces.operating_point import OperatingPoint, operating_point
+from symbalance.forces.operating_point import OperatingPoint, operating_point, sized
 from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import exact
@@ -166,19 +166,16 @@ class Balance(Result):
         >>> [round(x) for x in four.in_newtons(2, "force.vertical")]
         [8023, 0]
         """
-        unknown = set(sizes) - {"stroke", "rod", "pitch", "mass"}
-        if unknown:
-            raise TypeError(f"at() takes stroke, rod, pitch and mass, not {min(unknown)!r}")
+        if sizes:  # what holds the kinematics too, or weights in kg mm, depends on them
+            engine = sized(self.engine, sizes)
+            return _balance(engine, self.highest, self.power, self.reference).at(rpm=rpm)
         engine = self.engine
-        if sizes:
-            mass = sizes.pop("mass", None)
-            engine = engine.with_sizes(reciprocating_mass=mass, **sizes)
         if self.kinematics is not None and engine.ratio is None and max(self._numbers, default=1) > 1:
             rule = "needs the rod ratio for newtons: orders above the first depend on it"
             remedy = "add rod to [crank_train], or say --rod MM or --ratio λ"
             raise SymbalanceError(f"rpm = {brief(rpm)}", rule, remedy)
         point = operating_point(engine, rpm, bool(self.couple.orders()))
-        return replace(self, engine=engine, operating_point=point)
+        return replace(self, operating_point=point)
 
     def in_newtons(self, order: int, output: str) -> tuple[Real, Real]:
         """Return (cos, sin) of an output ("force.lateral", "couple.vertical") of an order, N or N m."""

@@ -54,6 +54,11 @@ class OperatingPoint:
         """The unit of couples, m r omega^2 a, in N m; None where no pitch is known."""
         return None if self.pitch is None else self.force * self.pitch
 
+    @property
+    def torque(self) -> Real:
+        """The unit of torques, m r^2 omega^2, in N m."""
+        return self.force * self.radius
+
     def data(self) -> dict[str, Any]:
         """Return the speed, the mass, the radius and the pitch as strings, SI but for rpm."""
         return {
@@ -99,6 +104,21 @@ def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> Op
     return OperatingPoint(speed, first.reciprocating_mass, first.radius * MILLI, pitch)
 
 
+def sized(engine: Engine, sizes: dict[str, object]) -> Engine:
+    """Return an engine with sizes that it lacks: `stroke`, `rod`, `pitch` in mm, `mass` in kg.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> sized(load("inline-4"), {"stroke": 80, "mass": "0.5"}).unit_unbalance
+    Fraction(20, 1)
+    """
+    unknown = [name for name in sizes if name not in SIZES]
+    if unknown:
+        raise TypeError(f"the sizes are {', '.join(SIZES)}, not {unknown[0]!r}")
+    return engine.with_sizes(**{SIZES[name]: value for name, value in sizes.items()}) if sizes else engine
+
+
+SIZES = {"stroke": "stroke", "rod": "rod", "pitch": "pitch", "mass": "reciprocating_mass"}
+"""What the sizes of an operating point are called, and their keys in an engine file."""
 OPTIONS = {"stroke": "--stroke MM", "reciprocating_mass": "--mass KG", "pitch": "--pitch MM"}
 """How the command line gives what an engine file lacks."""
 

@@ -84,7 +84,7 @@ def _on_three_throws() -> tuple[Turning, ...]:
 
 
 def _unlike_shaft() -> sb.Engine:
-    """Unlike cylinders, a shaft of fixed weight at 30 times the speed: above every order summed at first."""
+    """Unlike cylinders, a shaft at 30 times the speed: above every order summed at first."""
     shaft = sb.BalanceShaft(-30, [sb.engine.Weight(1, 40, unbalance="0.05")], phase=20)
     return _file("unlike-strokes-four")().balanced_by(shaft)
 
@@ -151,6 +151,29 @@ def _heights(engine: sb.Engine, cylinder: sb.Cylinder) -> np.ndarray:
 
 def _outputs(name: str) -> list[str]:
     return ["force"] if _at(name).engine.pitch is None else ["force", "couple"]
+
+
+TURNED = ("vee", "in line", "boxer", "offset", "link rods", "unlike", "unlike masses")
+"""Engines whose weights, if they have any, turn steadily: torque is the pistons'."""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", TURNED)
+def test_the_inertia_torque_in_newton_metres(name: str) -> None:
+    """By energy: the crank gets what the pistons' kinetic energy loses a radian."""
+    engine = _at(name).engine
+    energy = np.zeros(POINTS)
+    n = np.fft.fftfreq(POINTS, 1 / POINTS)
+    for cylinder in engine.cylinders:
+        assert cylinder.reciprocating_mass is not None
+        speed = np.fft.ifft(1j * n * np.fft.fft(_heights(engine, cylinder) / 1000)).real * OMEGA
+        energy += float(cylinder.reciprocating_mass) * speed**2 / 2
+    series = -1j * n * np.fft.fft(energy) / POINTS
+    torque = sb.inertia_torque(engine, ORDERS).at(rpm=RPM)
+    for order in range(1, ORDERS + 1):
+        expected = 2 * series[order].real, -2 * series[order].imag
+        values = [float(x) for x in torque.in_newton_metres(order)]
+        assert np.allclose(values, expected, rtol=1e-8, atol=1e-9 * abs(series).max()), order
 
 
 def _wave(harmonics: np.ndarray) -> np.ndarray:
