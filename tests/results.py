@@ -206,6 +206,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance-over-speeds": _balance_over_speeds,
     "worst-cases": _worst_cases,
     "sensitivities": _sensitivities,
+    "sensitivities-at-speed": lambda: sb.sensitivities(sb.load("vq30de"), 1, rpm=6000),
     "assignment": _assignment,
     "assignment-of-many": _assignment_of_many,
     "symbolic-order": _symbolic_order,

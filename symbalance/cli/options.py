@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from symbalance.budgets import Budget
@@ -89,36 +89,32 @@ def add_operating_point(
         parser.add_argument(f"--{option}", metavar=unit, help=f"{what}, where the engine gives none")
 
 
-def engine_of(options: argparse.Namespace) -> Engine:
-    """Return the engine a command is about, with the rod ratio and the sizes that its options give."""
+def engine_of(options: argparse.Namespace, sizes: Mapping[str, str] | None = None) -> Engine:
+    """Return the engine a command is about, with the rod ratio and the sizes that its options give.
+
+    `sizes` are those of a command whose options of these names mean something else.
+    """
     from symbalance.engine.catalogue import load
+    from symbalance.forces.operating_point import SIZES, sized
 
     engine = load(options.engine)
-    if options.ratio is not None and getattr(options, "rod", None) is not None:
+    if sizes is None:
+        sizes = {name: text for name in SIZES if (text := getattr(options, name, None)) is not None}
+    ratio = getattr(options, "ratio", None)
+    if ratio is not None and "rod" in sizes:
         rule = "gives the rod ratio, and so does --ratio"
-        raise SymbalanceError(f"--rod {options.rod}", rule, "leave one out")
-    if options.ratio is not None:
-        engine = engine.with_ratio(options.ratio)
-    values = {name: getattr(options, name, None) for name in ("stroke", "rod", "pitch")}
-    sizes = {name: value for name, value in values.items() if value is not None}
-    if getattr(options, "mass", None) is not None:
-        sizes["reciprocating_mass"] = options.mass
-    return engine.with_sizes(**sizes) if sizes else engine
+        raise SymbalanceError(f"--rod {sizes['rod']}", rule, "leave one out")
+    return sized(engine if ratio is None else engine.with_ratio(ratio), sizes)
 
 
 def check_speed_for_sizes(options: argparse.Namespace) -> None:
     """Refuse sizes that play a part at a speed only, where none is given."""
-    if (
-        options.rpm is not None
-        or getattr(options, "pressure", None)
-        or getattr(options, "compression", None)
-    ):
+    if any(getattr(options, name, None) is not None for name in ("rpm", "pressure", "compression")):
         return
     for name in ("mass", "pitch", *(() if options.rod is not None else ("stroke",))):
-        if getattr(options, name) is not None:
-            raise SymbalanceError(
-                f"--{name}", "plays a part at a speed only", "add --rpm N, or leave it out"
-            )
+        if getattr(options, name, None) is not None:
+            remedy = "add --rpm N, or leave it out"
+            raise SymbalanceError(f"--{name}", "plays a part at a speed only", remedy)
 
 
 def add_running(parser: argparse.ArgumentParser, *, pitch: bool = False) -> None:

@@ -10,6 +10,7 @@ Formulas:
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -92,10 +93,7 @@ def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> Op
         if value is None
     ]
     if missing:
-        keys = " and ".join([", ".join(missing[:-1]), missing[-1]] if missing[1:] else missing)
-        options = ", ".join(OPTIONS[key] for key in missing)
-        remedy = f"add {keys} to [crank_train], or say {options}"
-        raise SymbalanceError(f"rpm = {brief(rpm)}", f"needs the engine's {keys} for newtons", remedy)
+        raise needed(rpm, missing)
     if not first.reciprocating_mass:
         rule = "is the unit that forces are in, and must be above 0"
         raise SymbalanceError("reciprocating_mass = 0", rule, "give it in kg")
@@ -104,7 +102,14 @@ def operating_point(engine: Engine, rpm: object, needs_pitch: bool = True) -> Op
     return OperatingPoint(speed, first.reciprocating_mass, first.radius * MILLI, pitch)
 
 
-def sized(engine: Engine, sizes: dict[str, object]) -> Engine:
+def needed(rpm: object, missing: Sequence[str]) -> SymbalanceError:
+    """Return the refusal of a speed without the sizes that it needs, by their keys in an engine file."""
+    keys = " and ".join([", ".join(missing[:-1]), missing[-1]] if missing[1:] else missing)
+    remedy = f"add {keys} to [crank_train], or say {', '.join(OPTIONS[key] for key in missing)}"
+    return SymbalanceError(f"rpm = {brief(rpm)}", f"needs the engine's {keys} for newtons", remedy)
+
+
+def sized(engine: Engine, sizes: Mapping[str, object]) -> Engine:
     """Return an engine with sizes that it lacks: `stroke`, `rod`, `pitch` in mm, `mass` in kg.
 
     >>> from symbalance.engine.catalogue import load

@@ -14,11 +14,9 @@ from symbalance.design.variations.assignment_bounds import Generators, Vector
 from symbalance.design.variations.contributions import Contribution, rotating_pair
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief
+from symbalance.forces.operating_point import needed
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import exact
-
-FASTEST = 100_000
-"""Turns a minute."""
 
 
 class Scale(NamedTuple):
@@ -29,22 +27,14 @@ class Scale(NamedTuple):
     units: tuple[str, str]
 
 
-def checked_rpm(rpm: object) -> Fraction:
-    """Return a speed in turns a minute, or refuse."""
-    speed = exact(rpm, "rpm")
-    if not 0 < speed <= FASTEST:
-        raise SymbalanceError(f"rpm = {brief(rpm)}", f"must lie in (0, {FASTEST}]", "turns a minute")
-    return speed
-
-
 def speed_scale(engine: Engine, speed: Fraction | None) -> Scale:
     """Return what m r omega^2 and m r omega^2 a of cylinder 1 are at a speed, in N and N m."""
     if speed is None:
         return Scale(1.0, 1.0, ("m r ω²", "m r ω² a"))
     mass, radius, pitch = engine.first.reciprocating_mass, engine.first.radius, engine.pitch
     if not mass or radius is None:
-        key = "stroke" if radius is None else "reciprocating_mass"
-        raise SymbalanceError("rpm", f"needs the engine's {key}", f"give {key} in [crank_train]")
+        missing = {"stroke": radius is None, "reciprocating_mass": not mass}
+        raise needed(speed, [key for key, lacks in missing.items() if lacks])
     force = float(mass * radius) / 1000 * (float(speed) * pi / 30) ** 2
     if pitch is None:
         return Scale(force, force, ("N", "N a (the engine gives no pitch)"))
@@ -80,7 +70,7 @@ def units_of(
     force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
     if speed is not None:
         if radius is None:
-            raise SymbalanceError("rpm", "needs the engine's stroke", "give stroke in [crank_train]")
+            raise needed(speed, ["stroke"])
         force, names = float(radius) / 1000 * (float(speed) * pi / 30) ** 2, ("N", "N a")
     if pitch is not None and speed is not None:
         arm, names = float(pitch) / 1000, (names[0], "N m")
