@@ -218,6 +218,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "truncation-bounds": _truncation_bounds,
     "harmonics": _harmonics,
     "design": _design,
+    "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
     "rotating-balance": _rotating_balance,

@@ -70,7 +70,7 @@ def balance_document(balance: Balance) -> Document:
     """Return a balance as a document: the components that are free, the coefficients, the conventions."""
     return Document(
         engine_title(balance.engine),
-        resultant_blocks(balance) + _all_orders(balance) + conventions(balance),
+        resultant_blocks(balance) + turn_blocks(balance) + conventions(balance),
     )
 
 
@@ -203,7 +203,7 @@ SHOWN = 5
 """Digits of a value in N: its masses and lengths have no more."""
 
 
-def _all_orders(balance: Balance) -> tuple[Block, ...]:
+def turn_blocks(balance: Balance) -> tuple[Block, ...]:
     """Return the largest force and couple over a turn, and the operating point they are for."""
     point = balance.operating_point
     if point is None:
