@@ -6,6 +6,7 @@ import argparse
 
 from symbalance.cli.options import (
     ENGINE,
+    add_full,
     add_operating_point,
     add_output,
     check_speed_for_sizes,
@@ -33,6 +34,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's: 4, 3.7 or 147.15/36.65"
     )
     add_operating_point(parser)
+    add_full(parser)
     add_output(parser)
 
 

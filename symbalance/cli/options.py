@@ -64,6 +64,12 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
         parser.add_argument("-o", "--output", metavar="FILE", help=help_)
 
 
+def add_full(parser: argparse.ArgumentParser) -> None:
+    """Add the option that shows what a short document names in its last line."""
+    help_ = "text, latex: all tables, those that few readers need too"
+    parser.add_argument("--full", action="store_true", help=help_)
+
+
 def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:
     """Add the engine, its rod ratio, and the highest order where one is asked for."""
     parser.add_argument("engine", metavar="ENGINE", help=ENGINE)

@@ -154,10 +154,14 @@ class Source:
 
 @dataclass(frozen=True, eq=False)
 class Details:
-    """What a reader may skip; folded where a medium can fold."""
+    """What a reader may skip; folded where a medium can fold.
+
+    What is `optional` is left out where it cannot, unless all is asked for: see `Document.unfolded`.
+    """
 
     summary: str
     blocks: tuple[Block, ...]
+    optional: bool = False
 
 
 Block = Heading | Paragraph | Facts | Table | Formulas | Figure | Source | Details
@@ -170,6 +174,29 @@ class Document:
     title: Words
     blocks: tuple[Block, ...]
     lead: Words = ""
+
+    def unfolded(self, full: bool) -> Document:
+        """Return the document for a medium that cannot fold: optional details in full, or their names."""
+        omitted: dict[str, None] = {}
+        shown = _unfolded(self.blocks, full, omitted)
+        if omitted:
+            shown = (*shown, Paragraph(f"in full also: {', '.join(omitted)} (--full)"))
+        return Document(self.title, shown, self.lead)
+
+
+def _unfolded(blocks: tuple[Block, ...], full: bool, omitted: dict[str, None]) -> tuple[Block, ...]:
+    """Return blocks with optional details opened or left out, whose names are put into `omitted`."""
+    shown: list[Block] = []
+    for block in blocks:
+        if not isinstance(block, Details):
+            shown.append(block)
+        elif not block.optional:
+            shown.append(Details(block.summary, _unfolded(block.blocks, full, omitted)))
+        elif full:
+            shown += _unfolded(block.blocks, full, omitted)
+        else:
+            omitted[block.summary] = None
+    return tuple(shown)
 
 
 def inlines(words: Words) -> tuple[Inline, ...]:

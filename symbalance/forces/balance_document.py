@@ -25,6 +25,7 @@ from symbalance.document.nodes import (
     Block,
     Cell,
     Column,
+    Details,
     Document,
     Exact,
     Facts,
@@ -38,6 +39,7 @@ from symbalance.engine.engine_document import (
     ORDER,
     SIGNS,
     balancer_entries,
+    drawing_blocks,
     engine_title,
     group_table,
     origin_facts,
@@ -70,7 +72,12 @@ def balance_document(balance: Balance) -> Document:
     """Return a balance as a document: the components that are free, the coefficients, the conventions."""
     return Document(
         engine_title(balance.engine),
-        resultant_blocks(balance) + turn_blocks(balance) + conventions(balance),
+        blocks(
+            resultant_blocks(balance),
+            turn_blocks(balance),
+            drawing_blocks(balance.engine),
+            conventions(balance),
+        ),
     )
 
 
@@ -293,6 +300,7 @@ def _rotating(balance: Balance, name: str, orders: Collection[int | Fraction]) -
     pairs = [pair for pair in rotating(balance, name) if pair[0].order in orders]
     if not pairs:
         return (Paragraph(IN_ONE_PLANE),)
+    what = f"{name} as rotating parts"
     columns = (
         Column("order"),
         Column("forward (with the crank)"),
@@ -301,7 +309,7 @@ def _rotating(balance: Balance, name: str, orders: Collection[int | Fraction]) -
         Column("phase"),
     )
     cells = tuple((number(f.order), *_turning(f), *_turning(b)) for f, b in pairs)
-    return (Table("as rotating parts", columns, cells),)
+    return (Details(what, (Table("as rotating parts", columns, cells),), optional=True),)
 
 
 def _turning(row: Row) -> tuple[Cell, Cell]:
@@ -331,7 +339,13 @@ def _series(series: Series) -> Words:
 def _coefficients(balance: Balance) -> tuple[Block, ...]:
     if not balance.orders or balance.kinematics is None:
         return ()
-    return (coefficient_table(balance.kinematics, balance.orders, balance.values, balance.ratio),)
+    tabled = {
+        row.order for of in ("force", "couple") for row in _by_weight(balance, rows(balance, of))[0]
+    }
+    orders = [order for order in balance.orders if order.order in tabled]
+    return (
+        (coefficient_table(balance.kinematics, orders, balance.values, balance.ratio),) if orders else ()
+    )
 
 
 class _Ordered(Protocol):
