@@ -24,7 +24,7 @@ made at every start.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from symbalance.document.formula import Equation, Formula
@@ -152,6 +152,10 @@ class Source:
     lines: tuple[SourceLine, ...]
 
 
+LONGEST = 20
+"""Characters of an exact number in a short document's table."""
+
+
 @dataclass(frozen=True, eq=False)
 class Details:
     """What a reader may skip; folded where a medium can fold.
@@ -180,7 +184,7 @@ class Document:
         omitted: dict[str, None] = {}
         shown = _unfolded(self.blocks, full, omitted)
         if omitted:
-            shown = (*shown, Paragraph(f"in full also: {', '.join(omitted)} (--full)"))
+            shown = (*shown, Paragraph((f"in full also: {', '.join(omitted)} (", Code("--full"), ")")))
         return Document(self.title, shown, self.lead)
 
 
@@ -188,7 +192,9 @@ def _unfolded(blocks: tuple[Block, ...], full: bool, omitted: dict[str, None]) -
     """Return blocks with optional details opened or left out, whose names are put into `omitted`."""
     shown: list[Block] = []
     for block in blocks:
-        if not isinstance(block, Details):
+        if isinstance(block, Table) and not full:
+            shown.append(_rounded(block, omitted))
+        elif not isinstance(block, Details):
             shown.append(block)
         elif not block.optional:
             shown.append(Details(block.summary, _unfolded(block.blocks, full, omitted)))
@@ -197,6 +203,20 @@ def _unfolded(blocks: tuple[Block, ...], full: bool, omitted: dict[str, None]) -
         else:
             omitted[block.summary] = None
     return tuple(shown)
+
+
+def _rounded(table: Table, omitted: dict[str, None]) -> Table:
+    """Return a table whose long exact cells are in decimals, and say so in `omitted`."""
+    from symbalance.document.text_writer import formula_text
+
+    def short(cell: Cell) -> Cell:
+        if not isinstance(cell, Exact) or cell.near is None or len(formula_text(cell.value)) <= LONGEST:
+            return cell
+        omitted["the exact form of what is rounded"] = None
+        return cell.near
+
+    rows = tuple(tuple(map(short, row)) for row in table.rows)
+    return replace(table, rows=rows)
 
 
 def inlines(words: Words) -> tuple[Inline, ...]:
