@@ -19,6 +19,8 @@ from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.reports import summarise_run
 from symbalance.crankshaft.running import configure_run, run_speeds
 from symbalance.document.result import Result
+from symbalance.engine.crank_train import CrankTrain
+from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
 from tests.cranks import sheet, written
 
 
@@ -46,6 +48,12 @@ def _worst_cases() -> Result:
 
 def _sensitivities() -> Result:
     return sb.sensitivities(sb.load("v8-90"), 4)
+
+
+def _sweep() -> Result:
+    vary = {"ratio": ["7/2", 4, 1.1], "bank": [60, 90], "offset": [0, 10]}
+    engine = sb.vee(90, pins=[0], crank_train=CrankTrain(stroke=Fraction(80)))
+    return sb.sweep(engine, vary, ["force.1", "force.2.lateral", "torque.2"])
 
 
 def _assignment() -> Result:
@@ -140,6 +148,13 @@ def _check() -> Result:
     return sb.check(PAGE, LETTERS)
 
 
+def _document_table() -> Result:
+    """A document with every verdict, and one that is not there."""
+    read = DocumentRow("notes/page.md", _check().data(), 1)
+    missing = DocumentRow("notes/lost.md", None, 2, "notes/lost.md: cannot be read; check the path")
+    return DocumentTable((read, missing))
+
+
 def _verdict() -> Result:
     x = sympy.Symbol("x")
     return sb.check_equal(sympy.sin(x) ** 2, (1 + sympy.cos(2 * x)) / 2)
@@ -194,7 +209,7 @@ def _crankshaft() -> Result:
     with TemporaryDirectory() as folder:
         engine = read_running_engine(written(Path(folder), sheet())).at_speeds((1000.0, 1500.0, 2000.0))
         made = configure_run(engine, webs="nominal", steps=120, about="centre")
-        outcomes = [replace(one, seconds=0.25) for one in run_speeds(made, None, lambda line: None)]
+        outcomes = [replace(one, seconds=0.25) for one in run_speeds(made)]
     lost = replace(outcomes[-1], reason="films do not settle at 120 steps a cycle")
     return summarise_run(made, [*outcomes[:-1], lost])
 
@@ -207,6 +222,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "worst-cases": _worst_cases,
     "sensitivities": _sensitivities,
     "sensitivities-at-speed": lambda: sb.sensitivities(sb.load("vq30de"), 1, rpm=6000),
+    "sweep": _sweep,
     "assignment": _assignment,
     "assignment-of-many": _assignment_of_many,
     "symbolic-order": _symbolic_order,
@@ -235,6 +251,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "ideal-cycle": lambda: sb.torque.ideal_cycle(16, heat=20, peak_pressure=100),
     "pressure-trace": lambda: sb.torque.ideal_cycle(10, heat=20).trace(4, 720),
     "check": _check,
+    "document-table": _document_table,
     "verdict": _verdict,
     "campbell": _campbell,
     "crank-node": _crank_node,

@@ -21,6 +21,7 @@ from symbalance.crankshaft.loads import firing_crank_angles
 from symbalance.crankshaft.reports import summarise_run
 from symbalance.crankshaft.reports.pictures import draw_pictures
 from symbalance.crankshaft.running import RunConfiguration, SpeedOutcome, configure_run, run_speeds
+from symbalance.jobs import LogProgress
 
 HERE = Path(__file__).parent
 SHOWN = ("pin-bending", "pin-torsion", "films", "orbits", "frequencies", "campbell", "waterfall")
@@ -44,7 +45,7 @@ def _run(name: str, kept: Path | None) -> dict[str, Any]:
     engine = read_running_engine(HERE / f"{name}.toml").at_speeds(SPEEDS[name])
     made = configure_run(engine)
     folder = None if kept is None else kept / name
-    outcomes = run_speeds(made, folder, lambda line: print(name, line, file=sys.stderr, flush=True))
+    outcomes = run_speeds(made, folder, LogProgress())
     if refused := [f"{name}, {o.rpm:g} rpm: {o.reason}" for o in outcomes if o.reason]:
         sys.exit("\n".join(refused))
     found = summarise_run(made, outcomes)

@@ -18,6 +18,7 @@ def run(arguments: Sequence[str]) -> int:
     try:
         try:
             options = build_parser().parse_args(arguments)
+            options.command_line = ("symbalance", *arguments)
             code = options.run(options)
         except SystemExit:  # --help and --version
             code = DONE

@@ -35,7 +35,7 @@ def add(commands: argparse._SubParsersAction) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Load the engine and the parts, find the best arrangement, show it."""
+    """Load engine and parts, show the best arrangement; return 1 where it is not proved best."""
     orders = [whole_number(part, "orders") for part in options.orders.split(",")]
 
     from symbalance.design.variations import assign_parts, read_parts
@@ -46,4 +46,4 @@ def run(options: argparse.Namespace) -> int:
         engine, parts, orders=orders, rpm=options.rpm, lever=options.lever, whole=options.whole
     )
     show(places, options)
-    return 0
+    return 0 if places.proved else 1

@@ -1,12 +1,14 @@
-"""`symbalance check`: a person's derivation, judged equation by equation."""
+"""`symbalance check`: a person's derivation, judged equation by equation; or several, a line for each."""
 
 from __future__ import annotations
 
 import argparse
+import os
 from pathlib import Path
+from typing import Any
 
 from symbalance.cli.budget import read_budget
-from symbalance.cli.options import add_output, command
+from symbalance.cli.options import add_jobs, add_output, add_trust, command
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
 from symbalance.cli.output import show, write
 from symbalance.errors import SymbalanceError
@@ -14,11 +16,15 @@ from symbalance.errors import SymbalanceError
 
 def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
-    parser = command(
-        commands, "check", run, "A hand derivation, judged equation by equation.", divides_budget=True
-    )
+    summary = "A hand derivation, judged equation by equation."
+    parser = command(commands, "check", run, summary, divides_budget=lambda options: True)
     parser.add_argument(
-        "notes", metavar="NOTES", help="a .tex, .md or .txt file, left as it is; - is standard input"
+        "notes",
+        metavar="NOTES",
+        nargs="+",
+        action=_Documents,
+        help="a .tex, .md or .txt file, left as it is; - is standard input; several, and folders of "
+        "them, are a line each of a table, and with -o FOLDER a report each",
     )
     parser.add_argument(
         "--symbols",
@@ -33,7 +39,20 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
     )
+    add_jobs(parser, "documents")
+    add_trust(parser, "the symbols file")
     add_output(parser)
+
+
+class _Documents(argparse.Action):
+    """Puts what is named into `documents`, and into `notes` a single one that is no folder."""
+
+    def __call__(
+        self, parser: argparse.ArgumentParser, namespace: argparse.Namespace, values: Any, *_: object
+    ) -> None:
+        namespace.documents = values
+        is_one = len(values) == 1 and not os.path.isdir(values[0])
+        namespace.notes = values[0] if is_one else None
 
 
 def run(options: argparse.Namespace) -> int:
@@ -44,6 +63,12 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.checking import check
     from symbalance.text.files import file_name
 
+    if options.notes is None:
+        from symbalance.cli.check_several import check_several
+
+        return check_several(options)
+    if options.dask is not None:
+        raise SymbalanceError("--dask", "is for several documents", "leave it out, or name a folder")
     if options.declare:
         from symbalance.notes.checking import sidecar_draft
 
@@ -52,7 +77,8 @@ def run(options: argparse.Namespace) -> int:
                 raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
         write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")
         return DONE
-    checked = check(Path(options.notes), options.symbols, budget=read_budget(options.budget))
+    limit = read_budget(options.budget)
+    checked = check(Path(options.notes), options.symbols, budget=limit, trust_paths=options.trust_paths)
     show(checked, options)
     for verdict in checked.faults:
         place = f"line {verdict.line} of {file_name(options.notes)}"

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from symbalance.cli.budget import ENDLESS
-from symbalance.cli.options import add_output, command
-from symbalance.cli.output import medium, printed, show, whole_number, write_all
+from symbalance.cli.long_work import long_work, output_folder, take_one_blas_thread
+from symbalance.cli.options import add_jobs, add_output, add_trust, command
+from symbalance.cli.outcomes import say
+from symbalance.cli.output import medium, printed, show, whole_number, write_folder
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -55,6 +56,8 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--passes", metavar="N", default="9", help="orbit: most iterations of the films; default: 9"
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
+    add_jobs(parser, "speeds")
+    add_trust(parser, "the engine file")
     add_output(parser, "FOLDER")
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
@@ -68,9 +71,10 @@ def run(options: argparse.Namespace) -> int:
     modes = whole_number(options.modes, "modes")
     steps = whole_number(options.steps, "steps")
     iterations = whole_number(options.passes, "passes")
-    folder = _checked_folder(options.output)
+    folder = None if options.output is None else output_folder(options.output)
     terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
     form = medium(terminal)
+    take_one_blas_thread()
 
     from symbalance.crankshaft.files import read_running_engine
     from symbalance.crankshaft.reports import summarise_run
@@ -81,7 +85,7 @@ def run(options: argparse.Namespace) -> int:
     _check_libraries()
     if not options.no_plots:
         check_drawing()
-    engine = read_running_engine(options.engine)
+    engine = read_running_engine(options.engine, trust_paths=options.trust_paths)
     if options.rpm is not None:
         engine = engine.at_speeds(_speeds(options.rpm))
     configuration = configure_run(
@@ -99,7 +103,8 @@ def run(options: argparse.Namespace) -> int:
         names = [channel.name for channel in configuration.channels]
         check_overlay(engine.operation.overlay, names, engine.engine.strokes * 180)
     speeds = None if folder is None else folder / "speeds"
-    outcomes = run_speeds(configuration, speeds, _progress)
+    with long_work(options, speeds) as means:
+        outcomes = run_speeds(configuration, speeds, **means)
     summary = summarise_run(configuration, outcomes)
     if not options.no_plots and (folder is not None or form == "html"):
         summary = summary.with_pictures()
@@ -110,7 +115,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _progress(line: str) -> None:
-    print(line, file=sys.stderr, flush=True)
+    say(line)
 
 
 REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
@@ -118,7 +123,7 @@ REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
 
 
 def _write_all(folder: Path, summary: Summary) -> None:
-    """Write every report, curve and picture: all whole before the first is put in place."""
+    """Write every report, curve and picture: who reads the folder has those of one run."""
     from symbalance.crankshaft.files.operation import speed_text
     from symbalance.crankshaft.reports import curves_csv, loads_csv
 
@@ -135,26 +140,11 @@ def _write_all(folder: Path, summary: Summary) -> None:
         },
         **summary.pictures,
     }
-    write_all({str(folder / name): content for name, content in contents.items()})
+    write_folder(folder, contents, _progress)
     patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")
     older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
     if older:
         _progress(f"{folder}: of earlier runs, no part of this report: {', '.join(older)}")
-
-
-def _checked_folder(output: str | None) -> Path | None:
-    """Return the folder, created if need be; refused before the long run, not after it."""
-    if output is None:
-        return None
-    folder = Path(output)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as problem:
-        rule = f"cannot be made ({problem.strerror})"
-        raise SymbalanceError(f"--output {output}", rule, "name a folder you may write to") from None
-    if not os.access(folder, os.W_OK):
-        raise SymbalanceError(f"--output {output}", "is write-protected", "name another folder")
-    return folder
 
 
 def _check_libraries() -> None:

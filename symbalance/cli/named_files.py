@@ -23,7 +23,7 @@ WRITTEN = ("output", "write", "picture")
 PIPED = "-"
 """Stands for standard input, and among what is written for the terminal."""
 IN_FOLDER = ("report.*", "curves-*.csv", "loads-*.csv", "*.png", "webs.json")
-"""What `crankshaft` writes into its folder, beside speeds/*.npz."""
+"""What `crankshaft` writes into its folder, beside speeds/*.result."""
 
 
 def check_named_files(options: argparse.Namespace) -> None:
@@ -112,11 +112,17 @@ def _inputs(options: argparse.Namespace) -> Iterator[Path]:
 
 def _passed_over(options: argparse.Namespace) -> list[Path]:
     """Return the sidecars beside the notes where another is named: not read, but no place for results."""
-    if options.command != "check" or options.symbols is None:
+    if options.command != "check" or options.symbols is None or options.notes is None:
         return []
     from symbalance.notes.checking.documents import sidecars_beside
 
     return sidecars_beside(Path(options.notes))
+
+
+def declared_files(notes: Path, symbols: str | None) -> list[Path]:
+    """Return what decides, beside a document, what is said of it: sidecars, and engines they name."""
+    named = _declared(notes, True) if symbols is None else (Path(symbols), *_named_in(Path(symbols)))
+    return [path for path in named if _regular(path) is not None]
 
 
 def _is_file(engine: str) -> bool:

@@ -24,18 +24,18 @@ def command(
     run: Callable[[argparse.Namespace], int],
     summary: str,
     budget: Budget = USUAL,
-    divides_budget: bool = False,
+    divides_budget: Callable[[argparse.Namespace], bool] = lambda options: False,
 ) -> argparse.ArgumentParser:
     """Return the parser of a command, which `run` does once its files are known to be in order.
 
-    It ends within its budget; a command that divides that among the parts of its work, so that what is
-    finished stands, sees to that itself.
+    It ends within its budget; a command that `divides_budget` among the parts of its work, so that what
+    is finished stands, sees to that itself.
     """
 
     def checked_run(options: argparse.Namespace) -> int:
         check_named_files(options)
         limit = read_budget(options.budget)
-        if divides_budget:
+        if divides_budget(options):
             return run(options)
         return run_with_budget(name, limit, lambda: run(options))
 
@@ -70,6 +70,15 @@ def add_full(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--full", action="store_true", help=help_)
 
 
+def add_trust(parser: argparse.ArgumentParser, what: str) -> None:
+    """Add the option by which a file may name files outside its folder."""
+    parser.add_argument(
+        "--trust-paths",
+        action="store_true",
+        help=f"{what} may name files anywhere; without it: in its own folder and below",
+    )
+
+
 def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:
     """Add the engine, its rod ratio, and the highest order where one is asked for."""
     parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
@@ -101,9 +110,16 @@ def engine_of(options: argparse.Namespace, sizes: Mapping[str, str] | None = Non
     `sizes` are those of a command whose options of these names mean something else.
     """
     from symbalance.engine.catalogue import load
+
+    return resized(load(options.engine), options, sizes)
+
+
+def resized(
+    engine: Engine, options: argparse.Namespace, sizes: Mapping[str, str] | None = None
+) -> Engine:
+    """Return an engine with the rod ratio and the sizes that a command line gives."""
     from symbalance.forces.operating_point import SIZES, sized
 
-    engine = load(options.engine)
     if sizes is None:
         sizes = {name: text for name in SIZES if (text := getattr(options, name, None)) is not None}
     ratio = getattr(options, "ratio", None)
@@ -135,5 +151,16 @@ def add_running(parser: argparse.ArgumentParser, *, pitch: bool = False) -> None
         metavar="Q",
         help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
-    parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
+    parser.add_argument("--bore", metavar="MM", help="bore, where the engine gives none")
     add_operating_point(parser, "N", pitch=pitch)
+
+
+def add_jobs(parser: argparse.ArgumentParser, what: str) -> None:
+    """Add where the parts of long work run, `what` they are said to be; see `long_work`."""
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument(
+        "--jobs", metavar="N", default="1", help=f"processes that share the {what}; default: 1"
+    )
+    where.add_argument(
+        "--dask", metavar="ADDRESS", help=f"a Dask scheduler, whose workers share the {what}"
+    )

@@ -7,7 +7,7 @@ import sys
 from contextlib import suppress
 from pathlib import Path
 
-from symbalance.errors import SymbalanceError, fault_of, printable
+from symbalance.errors import JobFaultError, SymbalanceError, fault_of, printable
 
 DONE = 0
 FAILED = 1
@@ -56,6 +56,9 @@ def ended(problem: BaseException) -> int:
         where = problem.filename or "a file, a pipe or a process"
         say(f"symbalance: {where}: cannot be used ({problem.strerror or problem}); see to it, run again")
         return REFUSED
+    if isinstance(problem, JobFaultError):
+        say_fault(problem.fault, problem.traceback)
+        return FAULT
     from traceback import format_exception
 
     say_fault(fault_of(problem), "".join(format_exception(problem)))

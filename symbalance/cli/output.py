@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EINVAL
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from symbalance.errors import SymbalanceError, encodable_name
+from symbalance.errors import SymbalanceError, encodable_name, visible
 from symbalance.text import writing
 
 if TYPE_CHECKING:
@@ -94,7 +96,7 @@ def write(text: str, output: str | None, form: str = "text") -> None:
     spelled in ASCII, "json" escapes them, and any other form, "latex" or "source", is for programs and
     stays UTF-8 whatever the locale.
     """
-    text = encodable_name(text, ESCAPES.get(form, "\\"))
+    text = _safe(encodable_name(text, ESCAPES.get(form, "\\")))
     if output in (None, "-"):
         _to_stdout(text, form)
         return
@@ -106,11 +108,32 @@ def write_all(contents: Mapping[str, str | bytes]) -> None:
     writing.write_files({name: _encodable(name, content) for name, content in contents.items()})
 
 
+def write_folder(folder: Path, contents: Mapping[str, str | bytes], say: Callable[[str], None]) -> None:
+    """Write a run's results into a folder, texts or bytes by their names: all of them, or none."""
+    from symbalance.text.result_folders import write_results
+
+    ready = {name: _encodable(name, content) for name, content in contents.items()}
+    write_results(folder, ready, say=say)
+
+
 def _encodable(name: str, content: str | bytes) -> str | bytes:
     """Return a text with the bytes of file names that are no text spelled by their codes."""
     if isinstance(content, bytes):
         return content
-    return encodable_name(content, ESCAPES["json"] if name.endswith(".json") else "\\")
+    return _safe(encodable_name(content, ESCAPES["json"] if name.endswith(".json") else "\\"))
+
+
+def _safe(text: str) -> str:
+    """Return a text that no terminal obeys; documents are so, and here is all that is none of them.
+
+    The invisible signs of MathML stay, which a page of formulas holds.
+    """
+    return text if not _OBEYED.search(text) else _OBEYED.sub(lambda match: visible(match[0]), text)
+
+
+_OBEYED = re.compile(
+    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2066-\u2069\ufeff]|\r(?!\n)"
+)
 
 
 def finish() -> None:

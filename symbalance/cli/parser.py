@@ -16,6 +16,7 @@ from symbalance.cli import (
     emit,
     engines,
     sensitivities,
+    sweep,
     tolerances,
     torque,
 )
@@ -29,6 +30,7 @@ COMMANDS = (
     crankshaft,
     design,
     sensitivities,
+    sweep,
     tolerances,
     assign,
     derive,

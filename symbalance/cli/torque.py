@@ -59,7 +59,7 @@ def running_engine(options: argparse.Namespace, engine: Any, whole: bool = True,
     """
     from symbalance.torque import ideal_cycle, read_pressure, running_torque
 
-    if not _is_running(options, whole):
+    if not _is_running(options, engine, whole):
         return None
     if options.pressure is not None:
         gas = read_pressure(options.pressure, strokes=engine.strokes)
@@ -72,7 +72,7 @@ def running_engine(options: argparse.Namespace, engine: Any, whole: bool = True,
     )
 
 
-def _is_running(options: argparse.Namespace, whole: bool) -> bool:
+def _is_running(options: argparse.Namespace, engine: Any, whole: bool) -> bool:
     """Tell whether a pressure is given, or refuse what makes no sense with it or without."""
     if options.pressure is None and options.compression is None:
         for name in ("bore", "heat"):
@@ -81,9 +81,10 @@ def _is_running(options: argparse.Namespace, whole: bool) -> bool:
         return False
     if options.pressure is not None and options.heat is not None:
         raise SymbalanceError("--heat", "is the ideal cycle's", "leave it out, or give --compression")
-    for name, what in (("bore", "the cylinder's bore in mm"), ("rpm", "the crank's speed")):
-        if getattr(options, name) is None and (whole or name == "bore"):
-            raise SymbalanceError(f"--{name}", "is missing", f"a pressure needs {what}")
+    if options.bore is None and engine.bore is None:
+        raise SymbalanceError("--bore", "is missing", "a pressure needs the cylinder's bore in mm")
+    if options.rpm is None and whole:
+        raise SymbalanceError("--rpm", "is missing", "a pressure needs the crank's speed")
     return True
 
 

@@ -14,6 +14,7 @@ from symbalance.design.balancing.design_limits import Limits as Limits
 from symbalance.design.balancing.design_limits import Weighting as Weighting
 from symbalance.design.variations import Assignment as Assignment
 from symbalance.design.variations import Sensitivities as Sensitivities
+from symbalance.design.variations import Sweep as Sweep
 from symbalance.design.variations import SymbolicOrder as SymbolicOrder
 from symbalance.design.variations import Tolerances as Tolerances
 from symbalance.design.variations import WorstCases as WorstCases

@@ -6,7 +6,7 @@ place it belongs to.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -20,6 +20,7 @@ from symbalance.document.nodes import (
     Inline,
     Strong,
     Table,
+    TooLong,
     Words,
     inlines,
 )
@@ -67,14 +68,16 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
 
     The widest column gives way first, its short cells last.
     """
-    filled = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in table.rows)]
+    readable = [tuple(map(_readable, row)) for row in table.rows]
+    filled = [i for i in range(len(table.columns)) if any(inlines(_full(row[i])) for row in readable)]
     columns = tuple(table.columns[i] for i in filled)
-    cells = [tuple(_readable(row[i]) for i in filled) for row in table.rows]
-    unread = sum(
-        cell is not row[i]
-        for row, row_cells in zip(table.rows, cells, strict=True)
-        for i, cell in zip(filled, row_cells, strict=True)
-    )
+    cells = [tuple(row[i] for i in filled) for row in readable]
+    unread = [
+        cell
+        for row, shown in zip(table.rows, readable, strict=True)
+        for cell, words in zip(row, shown, strict=True)
+        if words is not cell
+    ]
     longest: dict[int, int] = {}  # by column: how long an exact form may be
 
     def width_of(i: int) -> float:
@@ -94,22 +97,31 @@ def fit_table(table: Table, width: Callable[[Words], float], room: float, gap: f
     return Fitted(columns, rows, _left_out(keys, columns, cells, longest), _remark(unread))
 
 
-def _readable(cell: Cell) -> Cell:
-    """Return a cell; of an exact form with a number longer than a line its decimal alone."""
+def _readable(cell: Cell) -> Words | Exact:
+    """Return a cell; of an exact form that nobody reads its decimal alone."""
+    if isinstance(cell, TooLong):
+        return cell.near
     if not isinstance(cell, Exact) or cell.near is None:
         return cell
     pieces = formula_text(cell.value).split(" ")
     return cell if max(map(len, pieces)) <= LONGEST_PIECE else cell.near
 
 
-def _remark(unread: int) -> str:
-    if not unread:
-        return ""
-    forms = "exact form has numbers" if unread == 1 else "exact forms have numbers"
-    return f"{unread} {forms} longer than a line: the JSON of this result has them"
+def _remark(unread: Sequence[Cell]) -> str:
+    long = sum(isinstance(cell, TooLong) for cell in unread)
+    whys = (
+        (long, "fills", "fill", "a page"),
+        (len(unread) - long, "has", "have", "numbers longer than a line"),
+    )
+    parts = [
+        f"{count} exact form{'' if count == 1 else 's'} {one if count == 1 else several} {what}"
+        for count, one, several, what in whys
+        if count
+    ]
+    return f"{' and '.join(parts)}: the JSON of this result has them" if parts else ""
 
 
-def _full(cell: Cell) -> Words:
+def _full(cell: Words | Exact) -> Words:
     """Return a cell with its exact form, and its decimal where both are wanted."""
     if not isinstance(cell, Exact):
         return cell
@@ -118,22 +130,25 @@ def _full(cell: Cell) -> Words:
     return cell.value
 
 
-def _gives_way(cell: Cell, limit: int | None) -> bool:
+def _gives_way(cell: Words | Exact, limit: int | None) -> bool:
     return limit is not None and isinstance(cell, Exact) and len(formula_text(cell.value)) > limit
 
 
-def _words_in(cell: Cell, limit: int | None) -> Words:
+def _words_in(cell: Words | Exact, limit: int | None) -> Words:
     if isinstance(cell, Exact) and _gives_way(cell, limit):
         return "below" if cell.near is None else cell.near
     return _full(cell)
 
 
-def _can_give_way(cells: list[tuple[Cell, ...]], column: int, limit: int) -> bool:
+def _can_give_way(cells: list[tuple[Words | Exact, ...]], column: int, limit: int) -> bool:
     return any(_gives_way(row[column], limit) for row in cells)
 
 
 def _left_out(
-    keys: int, columns: tuple[Column, ...], cells: list[tuple[Cell, ...]], longest: dict[int, int]
+    keys: int,
+    columns: tuple[Column, ...],
+    cells: list[tuple[Words | Exact, ...]],
+    longest: dict[int, int],
 ) -> tuple[LeftOut, ...]:
     """Return the exact forms that gave way, each once, with all the rows it belongs to.
 

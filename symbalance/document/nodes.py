@@ -16,6 +16,9 @@ Source         lines somebody wrote, each with its verdict and notes
 Details        what a reader may skip
 =============  ==================================================================================
 
+A `Document` holds no character that a reader does not see: what a file's words hold of such is written by
+its code.
+
 Words are an `Inline` or several: a string, a formula, an equation, `Code` (taken literally) or `Strong`.
 
 Nodes are compared by identity: classes that compare by content take twice as long to make, and they are
@@ -24,10 +27,12 @@ made at every start.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
+from operator import is_
 from typing import Any
 
 from symbalance.document.formula import Equation, Formula
+from symbalance.errors import visible
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +67,14 @@ class Exact:
     beside: bool = False
 
 
-Cell = Words | Exact
+@dataclass(frozen=True, eq=False)
+class TooLong:
+    """A cell whose exact value no medium has room for: `near` stands there, and the table says so."""
+
+    near: Words
+
+
+Cell = Words | Exact | TooLong
 UNKNOWN = "–"
 """The cell of a number that is not known: it stands among the numbers of its column."""
 
@@ -179,6 +191,10 @@ class Document:
     blocks: tuple[Block, ...]
     lead: Words = ""
 
+    def __post_init__(self) -> None:
+        for name in ("title", "blocks", "lead"):
+            object.__setattr__(self, name, _visible(getattr(self, name)))
+
     def unfolded(self, full: bool) -> Document:
         """Return the document for a medium that cannot fold: optional details in full, or their names."""
         omitted: dict[str, None] = {}
@@ -217,6 +233,28 @@ def _rounded(table: Table, omitted: dict[str, None]) -> Table:
 
     rows = tuple(tuple(map(short, row)) for row in table.rows)
     return replace(table, rows=rows)
+
+
+def _visible(value: Any) -> Any:
+    """Return words or blocks with every text in them `visible`, whatever file it is from.
+
+    Here, where every document passes, and not in the writers: a medium that forgot it would hand a
+    terminal, or a page, what a stranger's file tells it to do.
+    """
+    if isinstance(value, str):
+        return visible(value)
+    if isinstance(value, tuple):
+        parts = tuple(map(_visible, value))
+        return value if all(map(is_, parts, value)) else parts
+    if isinstance(value, Formula | Equation) or not is_dataclass(value):
+        return value
+    changed: dict[str, Any] = {}
+    for field in fields(value):
+        part = getattr(value, field.name)
+        clean = part if field.name == "picture" else _visible(part)  # drawn here, and XML of its own
+        if clean is not part:
+            changed[field.name] = clean
+    return replace(value, **changed) if changed else value  # type: ignore[type-var]
 
 
 def inlines(words: Words) -> tuple[Inline, ...]:

@@ -13,11 +13,12 @@ Balance of inline-4 to order 4: free force of order 2, 4; no free couple
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
-from symbalance.errors import SymbalanceError
+from symbalance.errors import SymbalanceError, printable, visible
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -68,7 +69,7 @@ class Result:
         return json.loads(file.read_text(encoding="utf-8"))
 
     def __repr__(self) -> str:
-        return self.summary()
+        return printable(self.summary())
 
     def _repr_html_(self) -> str:
         return to_html(self)
@@ -164,7 +165,22 @@ def to_json(result: Result) -> str:
     """
     checked = _checked(result)
     schema = {"result": checked.kind, "version": checked.schema_version}
-    return json.dumps({"schema": schema, **checked.data()}, indent=1, ensure_ascii=False)
+    text = json.dumps({"schema": schema, **checked.data()}, indent=1, ensure_ascii=False)
+    # What is in a file's words stays in them, but no terminal obeys it: outside of strings is none of it.
+    return text if not _HIDDEN.search(text) else _HIDDEN.sub(_json_escape, text)
+
+
+def _json_escape(match: re.Match[str]) -> str:
+    if "\ud800" <= match[0] <= "\udfff" or match[0] == visible(match[0]):
+        return match[0]
+    units = match[0].encode("utf-16-be")
+    return "".join(f"\\u{units[i : i + 2].hex()}" for i in range(0, len(units), 2))
+
+
+_HIDDEN = re.compile(
+    "[^\n -~\u00a1-\u00ac\u00ae-\u02ff\u0370-\u05ff\u0900-\u0fff\u3041-\u3163\u3165-\ud7ff]"
+)
+"""Characters that may be of those that `visible` writes by their codes; the others are quickly passed."""
 
 
 def _checked(result: Any) -> Result:

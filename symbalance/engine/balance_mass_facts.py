@@ -76,7 +76,10 @@ def _size(vector: Amplitude, in_kg_mm: bool) -> tuple[Any, ...]:
 
 def size(vector: Amplitude) -> tuple[Any, ...]:
     """Return a weight's size in words: exactly if that is short, else ≈ and its decimal."""
-    exact = formula_of(Component(vector).amplitude)
+    component = Component(vector)
+    if component.is_long:
+        return ("≈ ", Decimal(five_digits(vector.size())))
+    exact = formula_of(component.amplitude)
     if vector.has_symbols or (not vector.is_decimal and len(formula_text(exact)) <= LONGEST):
         return (exact,)
     return ("≈ ", Decimal(five_digits(vector.size())))
@@ -108,12 +111,13 @@ def direction(vector: Amplitude) -> tuple[Any, ...]:
     """
     import sympy
 
-    phase = Component(vector).phase
-    degrees_exact = phase * 180 / sympy.pi
-    if degrees_exact.is_Rational:
-        return (formula_of(degrees_exact), "°")
-    if vector.has_symbols:
-        return (formula_of(phase),)
+    component = Component(vector)
+    if not component.is_long or component.has_plain_phase:
+        degrees_exact = component.phase * 180 / sympy.pi
+        if degrees_exact.is_Rational:
+            return (formula_of(degrees_exact), "°")
+        if vector.has_symbols:
+            return (formula_of(component.phase),)
     near = vector.evaluated()
     degrees = atan2(near.imag, near.real) * 180 / pi()
     return ("≈ ", Decimal(five_digits(degrees)), "°")

@@ -23,7 +23,8 @@ from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER, surviving
 from symbalance.text.numbers import LARGEST_QUOTIENT, as_list, checked_whole, exact
 
-MOST_BALANCERS = 1000
+MOST_BALANCERS = 2000
+"""Counterweights, or shafts, or weights of a shaft: one for each of 1000 throws, and as many again."""
 WEB = Fraction(1, 4)
 """How far a web stands from the middle of its pin, in pitches, where no station is given."""
 HALF = Fraction(1, 2)

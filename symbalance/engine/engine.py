@@ -54,7 +54,8 @@ class Group:
 class Engine:
     """An engine: its cylinders, strokes per cycle, counterweights and balance shafts.
 
-    `pitch` is the distance of neighbouring cylinders in mm, None if not known. The cylinder of the
+    `pitch` is the distance of neighbouring cylinders in mm, `bore` that of all cylinders, which plays a
+    part in gas torque alone; None if not known. The cylinder of the
     lowest number is the unit: forces count in its m r omega^2. Sizes shared by all cylinders are put
     into each by whoever makes the engine: `from_cylinders` and the other builders, or an engine file.
 
@@ -67,6 +68,7 @@ class Engine:
     strokes: int
     name: str
     pitch: Fraction | None
+    bore: Fraction | None
     balancers: Balancers
 
     def __init__(
@@ -76,16 +78,18 @@ class Engine:
         strokes: int = 4,
         name: str = "engine",
         pitch: object = None,
+        bore: object = None,
         balancers: Balancers | None = None,
     ) -> None:
         set_field = object.__setattr__
         listed_cylinders = checked_cylinders(cylinders)
         _check_links(listed_cylinders)
-        set_field(self, "cylinders", _joined(listed_cylinders))
+        set_field(self, "cylinders", joined_cylinders(listed_cylinders))
         set_field(self, "strokes", checked_strokes(strokes))
         set_field(self, "name", checked_name(name))
         _check_fires(self.cylinders)
         set_field(self, "pitch", None if pitch is None else checked_size("pitch", pitch))
+        set_field(self, "bore", None if bore is None else checked_size("bore", bore))
         set_field(self, "balancers", checked_balancers(balancers, self.cylinders))
         if self.balancers.shafts and self.has_common_harmonics:
             check_shares(self.balancers.shafts)
@@ -235,7 +239,7 @@ class Engine:
             rule = f"cannot be set for {self.name}, whose cylinders have ratios of their own"
             raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give each its stroke and rod")
         changed = [c if c.link else c.with_ratio(known) for c in self.cylinders]
-        return unchecked_copy(self, cylinders=_joined(changed))
+        return unchecked_copy(self, cylinders=joined_cylinders(changed))
 
     def with_sizes(
         self,
@@ -283,6 +287,7 @@ class Engine:
             strokes=self.strokes,
             name=self.name,
             pitch=self.pitch if pitch is None else pitch,
+            bore=self.bore,
             balancers=self.balancers,
         )
 
@@ -297,7 +302,7 @@ class Engine:
         weights = tuple(a for a in added if not isinstance(a, BalanceShaft))
         shafts = tuple(a for a in added if isinstance(a, BalanceShaft))
         balancers = Balancers(had.counterweights + weights, had.shafts + shafts)
-        about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch}
+        about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch, "bore": self.bore}
         return Engine(self.cylinders, balancers=balancers, **about)
 
 
@@ -318,7 +323,7 @@ def _is_centred(mechanism: Mechanism | None) -> bool:
     return mechanism is None or mechanism.is_centred
 
 
-def _joined(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
+def joined_cylinders(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
     """Return the cylinders, those on link rods each with its master's."""
     by_number = {c.number: c for c in cylinders}
     joined = [c.on_master(by_number[c.link.master]) if c.link else c for c in cylinders]

@@ -88,6 +88,10 @@ def balancer_entries(engine: Engine) -> list[tuple[Words, Words]]:
     return [("balanced by", words) for words in balancer_facts(engine)]
 
 
+MOST_FIRINGS = 60
+"""Cylinders up to which the firing order and its intervals are listed whole."""
+SHOWN_FIRINGS = 12
+"""Of more, how many are listed."""
 NEAR = 20
 """Degrees from a dead centre within which it is named."""
 
@@ -116,15 +120,40 @@ def firing(engine: Engine) -> str:
     order = engine.firing_order()
     if order is None or len(order) < 2:
         return ""
-    numbers = "-".join(map(str, order))
+    numbers = "-".join(_shortened([str(number) for number in order]))
     steps = firing_intervals(engine)
     apart = ", dead centres apart by" if has_shifted_dead_centres(engine) else " at intervals of"
     if len(set(steps)) == 1:
         return numbers
-    period = next(k for k in range(1, len(steps) + 1) if steps == (steps[:k] * len(steps))[: len(steps)])
-    intervals = [f"{degrees_text(step)}°" for step in steps[:period]]
+    period = _period(steps)
+    intervals = _shortened([f"{degrees_text(step)}°" for step in steps[:period]])
     intervals += ["and so on"] if period < len(steps) else []
     return f"{numbers}{apart} {', '.join(intervals)}"
+
+
+def _shortened(names: list[str]) -> list[str]:
+    """Return what is listed in firing order; of very many the first, and how many they are."""
+    if len(names) <= MOST_FIRINGS:
+        return names
+    return [*names[:SHOWN_FIRINGS], f"… ({len(names)} in all, by cylinder in the JSON of a balance)"]
+
+
+def _period(steps: list[Fraction]) -> int:
+    """Return after how many steps they repeat, by the longest proper prefix that is a suffix too.
+
+    D. E. Knuth, J. H. Morris and V. R. Pratt, Fast pattern matching in strings, SIAM Journal on Computing
+    6 (1977): it costs what there are steps, where comparing every period would cost the square.
+
+    >>> _period([Fraction(n) for n in (1, 2, 1, 2, 1)]), _period([Fraction(1), Fraction(2)])
+    (2, 2)
+    """
+    borders = [0]
+    for step in steps[1:]:
+        border = borders[-1]
+        while border and steps[border] != step:
+            border = borders[border - 1]
+        borders.append(border + 1 if steps[border] == step else 0)
+    return len(steps) - borders[-1]
 
 
 def firing_intervals(engine: Engine) -> list[Fraction]:
@@ -184,6 +213,8 @@ def degrees_text(number: Fraction) -> str:
     return f"{float(number):.12g}" if 10_000 % number.denominator == 0 else str(number)
 
 
+MOST_GROUPS = 100
+"""Kinds of cylinders that are listed."""
 MOST_NAMED = 8
 """Cylinders of one kind that are named one by one."""
 _L, _R, _E, _LINK = Name("l"), Name("r"), Name("e"), Name("L")
@@ -205,24 +236,28 @@ def group_table(engine: Engine) -> Table:
     >>> [row[0] for row in group_table(load("vw-vr6")).rows]
     ['1, 3, 5', '2, 4, 6']
     """
-    rows = tuple(_cells(engine, group) for group in engine.groups)
-    return Table("Cylinders by kind", _COLUMNS, rows)
+    attached = any(c.link for c in engine.cylinders)
+    rows = tuple(_cells(group, attached) for group in engine.groups[:MOST_GROUPS])
+    more = len(engine.groups) > MOST_GROUPS
+    which = f", the first {MOST_GROUPS} of {len(engine.groups)}: the engine file has all" if more else ""
+    return Table(f"Cylinders by kind{which}", _COLUMNS, rows)
 
 
 def group_facts(engine: Engine) -> list[tuple[Words, Words]]:
     """Return what the letters of the table's columns mean, those that occur."""
-    rows = [_cells(engine, group) for group in engine.groups]
+    mechanisms = [group.mechanism for group in engine.groups]
     entries: list[tuple[Words, Words]] = [(_L, "length of the rod")]
-    if any(row[3] != "" for row in rows):
+    if any(kind and kind.offset for kind in mechanisms):
         about = "offset of the axis, + towards the side the pin moves to after top dead centre"
         entries.append((_E, about))
-    if any(row[4] != "" for row in rows):
+    if any(isinstance(kind, LinkRod) for kind in mechanisms):
         about = "link pin's distance from the crank pin, and angle from the master rod"
         entries.append(((_LINK, ", ", Name("psi")), about))
     return entries
 
 
-def _cells(engine: Engine, group: Group) -> tuple[Cell, ...]:
+def _cells(group: Group, attached: bool) -> tuple[Cell, ...]:
+    """Return a kind's cells; `attached` says that some rods of the engine run on others."""
     kind, cylinders = group.mechanism, group.cylinders
     numbers = [str(c.number) for c in cylinders]
     if len(numbers) > MOST_NAMED:
@@ -232,8 +267,7 @@ def _cells(engine: Engine, group: Group) -> tuple[Cell, ...]:
     length = _decimal(kind.length) if kind else ""
     share = "" if group.size == 1 else _decimal(group.size)
     if not isinstance(kind, LinkRod):
-        hangs = any(c.link for c in engine.cylinders)
-        return named, "crank pin" if hangs else "", length, offset, "", "", share
+        return named, "crank pin" if attached else "", length, offset, "", "", share
     masters = sorted({c.link.master for c in cylinders if c.link})
     on = "rod of " + (str(masters[0]) if len(masters) == 1 else "its master")
     radius, angle = _decimal(kind.link_radius), _decimal(kind.link_angle * 360)

@@ -93,6 +93,20 @@ class DecimalPhasor(Amplitude):
 def rounded_sum(first: Complex, second: Complex) -> Complex:
     """Return the sum of two numbers, 0 where it is nothing beside its parts."""
     sum_of_both = first + second
+    if _binary_size(sum_of_both) > max(_binary_size(first), _binary_size(second)) - LEAST_BITS:
+        return sum_of_both
     if abs(sum_of_both) <= LEAST * (abs(first) + abs(second)):
         return Complex(0)
     return sum_of_both
+
+
+LEAST_BITS = 78
+"""A sum within so many bits of its parts is no 0: LEAST is 83 bits, and sizes are off by less than 2."""
+
+
+def _binary_size(number: Complex) -> float:
+    """Return the binary logarithm of the larger part, up to 1 too high; below all numbers for 0."""
+    return max(
+        (exponent + bits for _, mantissa, exponent, bits in number._mpc_ if mantissa),
+        default=-float("inf"),
+    )

@@ -23,7 +23,7 @@ Formulas:
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache
@@ -109,7 +109,7 @@ class _ReductionTable(dict[int, tuple[tuple[int, int], ...]]):
 _reduction_table = lru_cache(maxsize=64)(_ReductionTable)
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=16_384)
 def _cosine(k: int, modulus: int, digits: int) -> Real:
     """Return cos(2 pi k/modulus): the numbers of one engine share a few angles."""
     return cospi(Fraction(2 * k, modulus), digits)
@@ -260,18 +260,31 @@ class Phasor(Amplitude):
 
     def evaluated(self, digits: int = DIGITS) -> Complex:
         """Return the number in decimals, each part to `digits` significant digits."""
-        return Complex(self.real().real_value(digits), self.imaginary().real_value(digits))
+        return Complex(self.real_value(digits), self._wave_sum(digits, 1))
 
     def real_value(self, digits: int = DIGITS) -> Real:
-        """Return a real number to `digits` significant digits and five more, whatever cancels in it."""
-        if self.is_zero():
-            return Real(0, digits + 5)
-        size = sum(abs(Fraction(c)) for c in self.terms.values())
-        working = digits + 15
+        """Return the real part to `digits` significant digits and five more, whatever cancels in it."""
+        return self._wave_sum(digits, 0)
+
+    def _wave_sum(self, digits: int, quarters: int) -> Real:
+        """Return the sum of c cos(2 pi k/m), or of c sin(2 pi k/m) for a delay of one quarter turn.
+
+        Whether it is exactly 0 is only asked where digits do not show that it is not.
+        """
+        fine = 4 * self.modulus
+        if len(self.terms) == 1:  # as of one cylinder alone: nothing cancels
+            ((k, c),) = self.terms.items()
+            wave = _cosine((4 * k - quarters * self.modulus) % fine, fine, digits + 15)
+            return (wave * c).rounded(digits + 5)
+        whole, below = common_denominator(self.terms)
+        size, working = sum(map(abs, whole.values())), digits + 15
         while True:
-            value = fsum((_cosine(k, self.modulus, working) * c for k, c in self.terms.items()), working)
-            if abs(value) > size / 10 ** (working - digits - 5):
-                return value.rounded(digits + 5)
+            places = (((4 * k - quarters * self.modulus) % fine, c) for k, c in whole.items())
+            value = fsum((_cosine(place, fine, working) * c for place, c in places), working)
+            if abs(value) > Fraction(size, 10 ** (working - digits - 5)):
+                return (value / below if below > 1 else value).rounded(digits + 5)
+            if working == digits + 15 and (self.imaginary() if quarters else self.real()).is_zero():
+                return Real(0, digits + 5)
             working *= 2
             if working > MOST_DIGITS:
                 raise AssertionError(f"{self} is called non-zero, and has no digit")
@@ -314,3 +327,23 @@ class Phasor(Amplitude):
 
 ZERO = Phasor(1, {})
 ONE = Phasor(1, {0: 1})
+
+
+def amplitude_sum(numbers: Sequence[Amplitude]) -> Any:
+    """Return the sum of at least one number; exact ones are added up in one field, all at once.
+
+    One by one each step would copy all terms so far.
+
+    >>> amplitude_sum([Phasor.root(Fraction(k, 5)) for k in range(4)]) == -Phasor.root(Fraction(4, 5))
+    True
+    """
+    exact = [number for number in numbers if isinstance(number, Phasor)]
+    if len(exact) < len(numbers):
+        first, *others = numbers
+        return sum(others, first)
+    modulus = lcm(*(number.modulus for number in exact))
+    total: dict[int, Coefficient] = {}
+    for number in exact:
+        for exponent, coefficient in number.lifted(modulus).terms.items():
+            total[exponent] = total.get(exponent, 0) + coefficient
+    return Phasor.of(modulus, total)

@@ -32,7 +32,7 @@ from symbalance.exact.amplitude import QUARTER, Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.exact.radicals import exact_form, square_root_form
+from symbalance.exact.radicals import exact_form, exact_text, square_root_form
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.text.reals import Real, atan2, pi
 
@@ -46,6 +46,8 @@ SHOWN = 30
 """Digits of a number that has no exact form."""
 MOST_IN_A_SQUARE = 60
 """An amplitude whose square has more terms is written as the root of C^2 + S^2."""
+MOST_WRITTEN = 100
+"""A number of more terms is written exactly for programs alone: nobody reads a page of cosines."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +76,41 @@ class Component:
     def is_zero(self) -> bool:
         """Tell whether the component is exactly zero."""
         return self.number.is_zero()
+
+    @cached_property
+    def is_long(self) -> bool:
+        """Whether it is exact, and a sum of more terms than documents write (`MOST_WRITTEN`)."""
+        number = self.number
+        if not isinstance(number, Phasor) or len(number.terms) <= MOST_WRITTEN:
+            return False
+        return len(number.normal) > MOST_WRITTEN
+
+    @cached_property
+    def texts(self) -> tuple[str, str]:
+        """C and S as text that SymPy reads."""
+        if not self.is_long:
+            return str(self.cos), str(self.sin)
+        assert isinstance(self.number, Phasor)
+        return exact_text(self.number.real()), exact_text(self.number.imaginary())
+
+    @property
+    def amplitude_text(self) -> str:
+        """The amplitude as text that SymPy reads."""
+        if not self.is_long:
+            return str(self.amplitude)
+        cos, sin = self.texts
+        aligned = self._aligned
+        return f"sqrt(({cos})**2 + ({sin})**2)" if aligned is None else exact_text(aligned[1])
+
+    @property
+    def phase_text(self) -> str:
+        """The phase as text that SymPy reads: an atan2 is that of `texts`, which it repeats."""
+        import sympy
+
+        cos, sin = self.texts
+        if self.is_long and self._aligned is None:
+            return f"atan2({sin}, {cos})"
+        return f"atan2({sin}, {cos})" if self.phase.has(sympy.atan2) else str(self.phase)
 
     def as_formula(self) -> Formula:
         """Return C cos n theta + S sin n theta as a formula."""
@@ -105,8 +142,9 @@ class Component:
         aligned = self._aligned
         if aligned is not None:
             return exact_form(aligned[1])
-        square = self.number.times(self.number.conjugate())
-        if len(square.terms) > MOST_IN_A_SQUARE:
+        # A long number's square takes the square of its terms, and is as good as always longer still.
+        square = None if self.is_long else self.number.times(self.number.conjugate())
+        if square is None or len(square.terms) > MOST_IN_A_SQUARE:
             # SymPy would ask both squares whether they are infinite, and take seconds to know.
             return sympy.Pow(self.cos**2 + self.sin**2, sympy.S.Half, evaluate=False)
         return square_root_form(square)
@@ -126,6 +164,11 @@ class Component:
         if aligned is None:
             return sympy.atan2(self.sin, self.cos, evaluate=False)
         return 2 * sympy.pi * sympy.Rational(aligned[0].numerator, aligned[0].denominator)
+
+    @property
+    def has_plain_phase(self) -> bool:
+        """Whether it is an exact number whose phase is a fraction of a turn."""
+        return self._aligned is not None
 
     @cached_property
     def _aligned(self) -> tuple[Fraction, Phasor] | None:

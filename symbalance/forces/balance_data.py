@@ -6,8 +6,6 @@ from functools import lru_cache
 from math import hypot
 from typing import Any
 
-import sympy
-
 from symbalance.engine.balance_masses import Balancers, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
 from symbalance.exact.spectrum import COMPONENTS, Component
@@ -165,13 +163,12 @@ def _with_value(component: Component, key: str, factor: Real | None) -> dict[str
 def component_values(component: Component) -> dict[str, Any]:
     """Return a component's values, none of which can be changed: documents share them."""
     symbolic = component.number.has_symbols and not component.is_zero()
-    cos, sin, phase = str(component.cos), str(component.sin), component.phase
+    cos, sin = component.texts
     return {
         "cos": cos,
         "sin": sin,
-        "amplitude": str(component.amplitude),
-        # An atan2 is that of the two above, which need not be printed again.
-        "phase": str(phase) if not phase.has(sympy.atan2) else f"atan2({sin}, {cos})",
+        "amplitude": component.amplitude_text,
+        "phase": component.phase_text,
         "decimal": None if symbolic else _decimal(component),
     }
 
@@ -204,8 +201,8 @@ def balance_records(balance: Balance) -> list[dict[str, Any]]:
                         "cos": cos,
                         "sin": sin,
                         "amplitude": None if cos is None or sin is None else hypot(cos, sin),
-                        "exact_cos": str(part.cos),
-                        "exact_sin": str(part.sin),
+                        "exact_cos": part.texts[0],
+                        "exact_sin": part.texts[1],
                         "unit": unit(balance, of),
                         "coefficient": None if value is None else float(value),
                         **_value_record(balance, order.order, of, cos, sin),

@@ -31,6 +31,7 @@ from symbalance.document.nodes import (
     Facts,
     Paragraph,
     Table,
+    TooLong,
     Words,
     blocks,
 )
@@ -272,6 +273,8 @@ def _cells(row: Row) -> tuple[Cell, ...]:
     if row.is_decimal and decimals is not None:
         cosine, sine, amplitude = (Decimal(d) for d in decimals[:3])
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
+    if row.component.is_long and decimals is not None:
+        return (*head, *(TooLong(Decimal(d)) for d in decimals[:3]), _rounded_phase(row, decimals[3]))
     values = [formula_of(part) for part in row.exact()]
     if decimals is None:
         return (*head, *map(Exact, values))
@@ -288,6 +291,13 @@ def _cells(row: Row) -> tuple[Cell, ...]:
 
 def _short_phase(value: Formula, decimal: str) -> Words:
     return value if len(formula_text(value)) <= LONGEST_PHASE else ("≈ ", Decimal(decimal))
+
+
+def _rounded_phase(row: Row, decimal: str) -> Words:
+    """Return the phase of a component that is not written exactly: a fraction of pi, or rounded."""
+    if not row.component.has_plain_phase:
+        return ("≈ ", Decimal(decimal))
+    return _short_phase(formula_of(row.component.phase), decimal)
 
 
 def _phase(row: Row, decimal: str) -> Formula:
@@ -318,6 +328,8 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
     decimals = row.decimals()
     if row.is_decimal and decimals is not None:
         return Decimal(decimals[2]), _phase(row, decimals[3])
+    if row.component.is_long and decimals is not None:
+        return TooLong(Decimal(decimals[2])), _rounded_phase(row, decimals[3])
     amplitude, phase = (formula_of(part) for part in row.exact()[2:])
     if decimals is None:
         return Exact(amplitude), Exact(phase)

@@ -32,12 +32,12 @@ from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import SymbolPart
 from symbalance.exact.decimal_phasor import DecimalPhasor
-from symbalance.exact.phasor import ZERO, Phasor
+from symbalance.exact.phasor import ZERO, Phasor, amplitude_sum
 from symbalance.exact.spectrum import Spectrum
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.kinematics.bodies import RECIPROCATING, ROTATING, Body
 from symbalance.kinematics.slider_crank import surviving
-from symbalance.text.reals import Real, fsum
+from symbalance.text.reals import Complex, Real, fsum
 
 HALF = Fraction(1, 2)
 MASSES = (RECIPROCATING, ROTATING)
@@ -130,15 +130,15 @@ def rotor_spectrum(engine: Engine, highest: int, plane: Fraction | None) -> Spec
     >>> rotor_spectrum(single, 12, None).component(1, "vertical").cos
     -1/2
     """
-    total: dict[int, Amplitude] = {}
+    parts: dict[int, list[Amplitude]] = {}
     for rotor in engine.rotating_masses:
         if abs(rotor.speed) <= highest:
             arm = Fraction(1) if plane is None else rotor.station - plane
             part = rotor.vector.scaled(arm)
             if not engine.counts_in_orders:  # weights that a file gives in 30 digits may cancel so far
                 part = DecimalPhasor.holding(part)
-            total[rotor.speed] = total[rotor.speed] + part if rotor.speed in total else part
-    return Spectrum.of(total)
+            parts.setdefault(rotor.speed, []).append(part)
+    return Spectrum.of({speed: amplitude_sum(of_speed) for speed, of_speed in parts.items()})
 
 
 def _spectra_of(
@@ -151,13 +151,21 @@ def _spectra_of(
     totals: list[dict[int, DecimalPhasor]] = [{} for _ in weights]
     for mass in masses:
         forces = mass.body.force(order)
+        waves: dict[tuple[Fraction, ...], dict[int, Complex]] = {}  # of weights in the same proportion
         for total, weight in zip(totals, by_number, strict=True):
             factors = [weight[c.number] * s for c, s in zip(mass.cylinders, mass.shares, strict=True)]
-            sums = _exact_sums(mass.cylinders, engine.modulus, range(1, order + 1), factors)
-            for n, phasor in sums.items():
-                if n in forces:
-                    part = DecimalPhasor(phasor.evaluated() * forces[n])
-                    total[n] = total[n] + part if n in total else part
+            scale = next((factor for factor in factors if factor), None)
+            if scale is None:
+                continue
+            proportion = tuple(factor / scale for factor in factors)
+            if proportion not in waves:
+                sums = _exact_sums(mass.cylinders, engine.modulus, range(1, order + 1), proportion)
+                waves[proportion] = {
+                    n: phasor.evaluated() * forces[n] for n, phasor in sums.items() if n in forces
+                }
+            for n, wave in waves[proportion].items():
+                part = DecimalPhasor(wave * scale)
+                total[n] = total[n] + part if n in total else part
     return [Spectrum.of({n: total[n] for n in sorted(total)}) for total in totals]
 
 

@@ -158,8 +158,6 @@ class TorqueBalance(Result):
             raise SymbalanceError("the torque", "has no operating point", remedy)
         if self.unit != OF_RODS:
             return point.torque
-        from symbalance.torque.roll import first_excess
-
         return point.omega**2 * (first_excess(self.engine) / MILLI**2)
 
     def in_newton_metres(self, order: int) -> tuple[Real, Real]:
@@ -241,6 +239,12 @@ def inertia_torque(
     _check_no_power(engine, power)
     components = total_torque(torque_groups(engine), order)
     return TorqueBalance(engine, order, components, kinematics=None)
+
+
+def first_excess(engine: Engine) -> Fraction:
+    """Return J_x in kg mm^2 of the first rod that has one: the unit of the rods' parts."""
+    rods = sorted(engine.cylinders, key=lambda c: c.number)
+    return next((c.excess for c in rods if c.excess), Fraction(0))
 
 
 def sine_components(engine: Engine, highest: int) -> dict[int, Component]:

@@ -38,6 +38,7 @@ from symbalance.text.reals import DIGITS, Complex
 from symbalance.torque.body_groups import has_common_torque, torque_groups, total_moment, total_torque
 from symbalance.torque.inertia_balance import (
     TorqueBalance,
+    first_excess,
     inertia_torque,
     sine_components,
 )
@@ -55,12 +56,6 @@ ROLL_MOMENT = "roll moment on the frame about the crank's axis, of all inertia"
 def has_rod_couples(engine: Engine) -> bool:
     """Tell whether some rod's given inertia differs from that of two masses at its ends."""
     return any(excesses(engine))
-
-
-def first_excess(engine: Engine) -> Fraction:
-    """Return J_x in kg mm^2 of the first rod that has one: the unit of the rods' parts."""
-    rods = sorted(engine.cylinders, key=lambda c: c.number)
-    return next((c.excess for c in rods if c.excess), Fraction(0))
 
 
 def rod_torque(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:

@@ -36,8 +36,8 @@ from symbalance.forces.rows import Row
 from symbalance.kinematics.coefficients import INERTIA, OF_RODS
 from symbalance.text.reals import hypot
 from symbalance.torque.body_groups import has_common_torque
-from symbalance.torque.inertia_balance import MILLI, TorqueBalance
-from symbalance.torque.roll import TorqueReport, excesses, first_excess
+from symbalance.torque.inertia_balance import MILLI, TorqueBalance, first_excess
+from symbalance.torque.roll import TorqueReport, excesses
 from symbalance.torque.running_document import running_blocks, running_facts, running_title
 
 _N, _T, _J = Name("n"), Name("T"), Name("J_x")

@@ -21,6 +21,7 @@ from symbalance.crankshaft.running import configure_run
 from symbalance.crankshaft.running import outcome as saved
 from symbalance.crankshaft.running import speed_sweep as sweep
 from symbalance.crankshaft.system import UnsolvedError
+from symbalance.jobs import Store
 from tests import ROOT
 from tests.cranks import SINGLE, engine, sheet, written
 
@@ -37,9 +38,14 @@ def test_a_run_leaves_reports_curves_and_pictures(single, tmp_path, capsys, comp
     out = tmp_path / "out"
     assert run(["crankshaft", single, "--rpm", "1000:2000:500", *QUICK, "-o", str(out)]) in (0, 1)
     text, progress = capsys.readouterr()
-    assert [line.split(":")[0] for line in progress.splitlines()] == [
+    said, done = [], []
+    for line in progress.splitlines():
+        (done if re.match(r"\d of 3 done", line) else said).append(line)
+    assert [line.split(":")[0] for line in said] == [
         f"{rpm} rpm ({i} of 3)" for i, rpm in enumerate((1000, 1500, 2000), 1)
     ]
+    assert done[0].startswith("1 of 3 done, about ")
+    assert done[-1] == "3 of 3 done"
     names = {p.name for p in out.iterdir()}
     assert {
         "report.txt",
@@ -122,7 +128,7 @@ def saved_anew(path, out, capsys, change):
     run(options)
     said = capsys.readouterr().err
     anew = "1500 rpm (1 of 1): solved" in said
-    assert anew == ("1500rpm.npz: is of another engine, other settings or another program" in said)
+    assert anew == ("1500rpm.result: is of another input, other settings or another program" in said)
     return anew
 
 
@@ -170,7 +176,7 @@ def test_a_cylinders_own_sizes_count(tmp_path, capsys):
 @pytest.mark.slow
 def test_the_program_counts(single, tmp_path, capsys, monkeypatch):
     def update():
-        monkeypatch.setattr(saved, "program_digest", lambda: "of another version")
+        monkeypatch.setattr(saved.store, "program_digest", lambda: "of another version")
 
     assert saved_anew(single, tmp_path / "out", capsys, update)
 
@@ -209,7 +215,7 @@ def test_speeds_close_together_keep_their_own_files(single, tmp_path, capsys):
             assert f"\n  {rpm} " in report
             assert f"{rpm} rpm" in progress
         assert progress.count(how) == 2
-    for name in ("curves-{}rpm.csv", "loads-{}rpm.csv", "speeds/{}rpm.npz"):
+    for name in ("curves-{}rpm.csv", "loads-{}rpm.csv", "speeds/{}rpm.result"):
         assert all((out / name.format(rpm)).exists() for rpm in ("2200.001", "2200.002"))
     assert not [p for p in out.rglob("*") if "2200rpm" in p.name]
     assert run([*options, "--rpm", "2200.001,2200.001"]) == 2
@@ -221,14 +227,14 @@ def test_a_damaged_file_is_said_and_solved_anew(single, tmp_path, capsys):
     options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(tmp_path / "out"), "--rpm", "1500"]
     run(options)
     whole = tmp_path / "out" / "report.json"
-    first, kept = whole.read_text(encoding="utf-8"), tmp_path / "out" / "speeds" / "1500rpm.npz"
+    first, kept = whole.read_text(encoding="utf-8"), tmp_path / "out" / "speeds" / "1500rpm.result"
     content = kept.read_bytes()
     capsys.readouterr()
     for damaged in (b"", b"half a file", content[: len(content) // 2]):
         kept.write_bytes(damaged)
         run(options)
         said = capsys.readouterr().err
-        assert "1500rpm.npz: does not read" in said
+        assert "1500rpm.result: is " in said
         assert "1500 rpm (1 of 1): solved" in said
     again = json.loads(whole.read_text(encoding="utf-8"))
     assert again["channels"] == json.loads(first)["channels"]
@@ -236,19 +242,22 @@ def test_a_damaged_file_is_said_and_solved_anew(single, tmp_path, capsys):
 
 @pytest.mark.slow
 def test_no_damage_to_a_file_gets_through(single, tmp_path):
-    """Bytes changed one at a time: the whole outcome, or none and why."""
+    """Bytes changed one at a time: no outcome, and why."""
     made = configure_run(read_running_engine(single), webs="nominal", steps=90, about="centre")
     outcome = sweep.run_speed(made, 2200.0)
-    saved.save_outcome(tmp_path, "key", outcome)
-    path = saved.file_of(tmp_path, 2200.0)
+    store = Store(tmp_path)
+    store.save("key", saved.encode_outcome(outcome), saved.slot_of(2200.0))
+    path = store.path("2200rpm")
     content = path.read_bytes()
     for place in np.linspace(0, len(content) - 1, 300).astype(int):
         path.write_bytes(content[:place] + bytes([content[place] ^ 255]) + content[place + 1 :])
-        restored = saved.load_outcome(tmp_path, "key", 2200.0)
-        if restored.outcome is None:
-            assert restored.reason
-        else:
-            assert (restored.outcome.values == outcome.values).all()
+        restored = store.load("key", "2200rpm")
+        assert restored.payload is None
+        assert restored.reason
+    path.write_bytes(content)
+    payload = store.load("key", "2200rpm").payload
+    assert payload is not None
+    assert (saved.decode_outcome(payload).values == outcome.values).all()
 
 
 @pytest.mark.slow
@@ -263,13 +272,15 @@ def test_an_interrupt_loses_nothing_finished(single, tmp_path, capsys, monkeypat
     options = ["crankshaft", single, *QUICK, "--no-plots", "-o", str(out), "--rpm", "1000,1500"]
     monkeypatch.setattr(sweep, "run_speed", interrupted)
     assert run(options) == 130
-    assert [p.name for p in out.rglob("*") if p.is_file()] == ["1000rpm.npz"]
+    assert [p.name for p in out.rglob("*") if p.is_file()] == ["1000rpm.result"]
     monkeypatch.setattr(sweep, "run_speed", real)
     assert run(options) in (0, 1)
     progress = capsys.readouterr().err
     assert "1000 rpm (1 of 2): found" in progress
     assert "1500 rpm (2 of 2): solved" in progress
-    (out / "speeds" / "1000rpm.npz").write_bytes(b"half a file")
+    assert "interrupted: 1 of 2 finished, kept in" in progress
+    assert f"go on with: symbalance crankshaft {single}" in progress
+    (out / "speeds" / "1000rpm.result").write_bytes(b"half a file")
     assert run(options) in (0, 1)
     assert "1000 rpm (1 of 2): solved" in capsys.readouterr().err
 
@@ -379,7 +390,7 @@ def test_a_counterweight_names_its_webs(tmp_path, capsys):
     ("name", "channel", "said"),
     [
         ("none.csv", "pin 1 bending", "none.csv: cannot be read"),
-        ("wide.csv", "pin 1 bending", "wide.csv:2: line '0,1,2': has 3 columns, not 2"),
+        ("wide.csv", "pin 1 bending", "wide.csv:2: the line: has 3 columns, not 2"),
         ("short.csv", "pin 1 bending", "holds 1 points, and a curve needs 8"),
         ("short.csv", "pin 9 bending", "names no channel of this crank; one of pin 1 bending"),
     ],
@@ -636,7 +647,7 @@ def test_files_of_earlier_runs_are_said_to_be_no_part(single, tmp_path, capsys):
 def test_finished_speeds_are_as_readable_as_their_folder(single, tmp_path):
     out = tmp_path / "out"
     run(["crankshaft", single, "--rpm", "1500", *QUICK, "--no-plots", "-o", str(out)])
-    folder, kept = out / "speeds", out / "speeds" / "1500rpm.npz"
+    folder, kept = out / "speeds", out / "speeds" / "1500rpm.result"
     assert kept.stat().st_mode & 0o666 == folder.stat().st_mode & 0o666
 
 

@@ -17,9 +17,10 @@ import symbalance
 import symbalance as sb
 from symbalance.budgets import OverBudgetError
 from symbalance.crankshaft.system import UnsolvedError
-from symbalance.errors import MissingPartError, SymbalanceError
+from symbalance.errors import JobFaultError, MissingPartError, SymbalanceError
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.spectrum import Spectrum
+from symbalance.jobs.running import _NobodyLeftError
 from symbalance.notes.reading.failures import ReadingError, UndeclaredError
 from symbalance.torque import torque_report
 
@@ -30,6 +31,8 @@ ARGUMENTS = {
     ReadingError: (3, "unknown command", "write it out"),
     UndeclaredError: (4, "q_1"),
     OverBudgetError: ("10 s",),
+    _NobodyLeftError: ("the executor", "is lost"),
+    JobFaultError: ("ZeroDivisionError in exact/phasor.py:12", "Traceback ..."),
 }
 """What each class of the package is constructed with, where that is not nothing."""
 

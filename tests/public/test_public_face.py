@@ -206,6 +206,8 @@ def test_every_class_that_users_construct_is_among_them():
         "Member",
         "OperatingPoint",
         "Operation",
+        "SweepPoint",
+        *("Codec", "Job", "JobOutcome", "LogProgress", "Progress", "Store"),  # of a program's own values
         "Orbit",
         "Order",
         "Overlay",

@@ -29,6 +29,7 @@ COMMANDS = (
     "crankshaft",
     "design",
     "sensitivities",
+    "sweep",
     "tolerances",
     "assign",
     "derive",

@@ -5,9 +5,10 @@ add its file to the catalogue and a `[[row]]` there:
 
 1. Take the orders and amplitudes from a book, or derive them by hand, never from this program; name
    the authority in `source`, or write "by hand:" and the derivation in one line.
-2. List all surviving orders up to 12 and give each its amplitudes: vertical and lateral, or forward
+2. Where it differs from a preset that has a row in sizes alone, list it there under `like` instead.
+3. List all surviving orders up to 12 and give each its amplitudes: vertical and lateral, or forward
    and backward, as exact expressions. `printed` holds a figure as the book rounds it.
-3. Where a document is wrong, add it to `disputed` with the reason; the test then proves it differs.
+4. Where a document is wrong, add it to `disputed` with the reason; the test then proves it differs.
 
 Amplitudes are compared by proof: both are real and not negative, and the difference of their
 squares is an algebraic number whose minimal polynomial is x.
@@ -41,6 +42,8 @@ _TEXT = (Path(__file__).parent / "textbook.toml").read_text(encoding="utf-8")
 ROWS: list[Row] = tomllib.loads(_TEXT)["row"]
 every_row = pytest.mark.parametrize("row", ROWS, ids=[row["engine"] for row in ROWS])
 KINDS = ("force", "couple")
+PUBLISHED = ("innio-v16",)
+"""Engines whose maker publishes their forces: tests/independent/test_published_v16.py holds those."""
 
 
 def entries(row: Row, kind: str) -> list[Row]:
@@ -85,8 +88,9 @@ def firing_intervals(layout: Engine) -> list[Fraction]:
 
 def test_every_preset_has_a_row_and_every_row_a_preset() -> None:
     """Engines with unlike cylinders have theirs in `unlike.toml` (`test_real_engines`)."""
-    named = [row["engine"] for row in ROWS]
-    assert sorted(named) == sorted(name for name in preset_names() if load(name).has_common_harmonics)
+    alike = [name for name in preset_names() if load(name).has_common_harmonics]
+    named = [name for row in ROWS for name in (row["engine"], *row.get("like", ()))]
+    assert sorted([*named, *PUBLISHED]) == sorted(alike)
 
 
 def test_every_preset_says_what_it_is_and_where_it_comes_from() -> None:
@@ -94,6 +98,19 @@ def test_every_preset_says_what_it_is_and_where_it_comes_from() -> None:
         assert load(preset.name).name == preset.name
         assert preset.description
         assert preset.source
+
+
+@pytest.mark.parametrize(
+    ("name", "engine"), [(name, row["engine"]) for row in ROWS for name in row.get("like", ())]
+)
+def test_an_engine_like_another_stands_and_turns_as_that_does(name: str, engine: str) -> None:
+    """Then its forces and couples are the other's, and its firing intervals too."""
+    places = [
+        [(c.number, c.bank, c.throw, c.station) for c in by_number(load(each))] for each in (name, engine)
+    ]
+    assert places[0] == places[1]
+    assert firing_intervals(load(name)) == firing_intervals(load(engine))
+    assert load(name).strokes == load(engine).strokes
 
 
 @every_row
@@ -109,7 +126,7 @@ def test_row_is_complete(row: Row) -> None:
 @every_row
 def test_pins(row: Row) -> None:
     pins = [c.throw.in_degrees() for c in by_number(load(row["engine"]))]
-    assert [(pin - pins[0]) % 360 for pin in pins] == row["pins"]
+    assert [(pin - pins[0]) % 360 for pin in pins] == [Fraction(pin) for pin in row["pins"]]
 
 
 @every_row

@@ -5,7 +5,7 @@ loading        loads on the rotor: pins, centrifugal forces, weight; bearing loa
 oil_films      the oil films of [bearings]: computed, or from a table
 about_orbit    the equations for departures from the orbits that films are linear about
 speed_sweep    all speeds, each solved once and saved
-outcome        what a speed gives: stresses, orbits, bearing loads, orders; its file
+outcome        what a speed gives: stresses, orbits, bearing loads, orders; as bytes
 measured       a measured curve beside the computed one
 """
 

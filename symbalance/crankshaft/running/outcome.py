@@ -1,29 +1,28 @@
-"""Outcome of one speed: stresses against the crank angle, orbits, bearing loads, orders; and its file.
+"""Outcome of one speed: stresses against the crank angle, orbits, bearing loads, orders; and its bytes.
 
-A file is one NPZ a speed, whole or not at all, under a key of all that it depends on: a digest of the
-engine (the content of the files it names), of how it is solved, of the webs' compliances and of the
-program. A file under another key, or one that does not read, is not believed: the speed is solved anew,
-and the caller learns why.
+In a store (`symbalance.jobs.store`) it lies as an NPZ under a key of all that it depends on: a digest of
+the engine (the content of the files it names), of how it is solved, of the webs' compliances and of the
+program. What is read back is believed only where its lengths, shapes and numbers are those of a run.
 """
 
 from __future__ import annotations
 
 import io
+import zipfile
 from dataclasses import dataclass, fields
-from pathlib import Path
+from math import isfinite, prod
 from typing import Any
 
 import numpy as np
 
 from symbalance.crankshaft.arrays import Array
-from symbalance.crankshaft.digests import digest, program_digest
 from symbalance.crankshaft.files.operation import speed_text
-from symbalance.errors import SymbalanceError
-from symbalance.text.writing import write_file
+from symbalance.jobs import store
 
-FORMAT = 2
-"""The number of this layout of a file, raised with every change of it."""
-REMEDY = "name a folder you may write to"
+FORMAT = 3
+"""The number of this layout of an outcome, raised with every change of it."""
+LARGEST_CONTENT = 900_000_000
+"""Bytes, unpacked: the most steps of a cycle by some thousand channels."""
 
 
 @dataclass(frozen=True)
@@ -107,53 +106,83 @@ def harmonic_content(values: Array, cycle: float) -> tuple[Array, Array]:
     return np.array(range(len(spectrum)), dtype=float) * (2 * np.pi / cycle), spectrum
 
 
-@dataclass(frozen=True)
-class SavedOutcome:
-    """A speed in a folder: its `outcome`, or None and the `reason` why a file there is not valid."""
-
-    outcome: SpeedOutcome | None
-    reason: str = ""
-
-
 def key_of(*parts: object) -> str:
-    """Return a key that differs where some part's content does, or the program (see `digests`)."""
-    return digest(FORMAT, program_digest(), parts)
+    """Return a key that differs where some part's content does, or the program (see `jobs.digests`)."""
+    return store.key_of(FORMAT, *parts)
 
 
-def file_of(folder: Path, rpm: float) -> Path:
-    """Return where a speed's outcome lies: a file of its own for every speed.
+def slot_of(rpm: float) -> str:
+    """Return the name of a speed's file in a store: one of its own for every speed.
 
-    >>> file_of(Path("speeds"), 2200.0).name, file_of(Path("speeds"), 2200.001).name
-    ('2200rpm.npz', '2200.001rpm.npz')
+    >>> slot_of(2200.0), slot_of(2200.001)
+    ('2200rpm', '2200.001rpm')
     """
-    return folder / f"{speed_text(rpm)}rpm.npz"
+    return f"{speed_text(rpm)}rpm"
 
 
-def save_outcome(folder: Path, key: str, outcome: SpeedOutcome) -> None:
-    """Write an outcome under its key, replacing an older one in one step."""
-    path = file_of(folder, outcome.rpm)
+def encode_outcome(outcome: SpeedOutcome) -> bytes:
+    """Return an outcome as the bytes of an NPZ file."""
     content = io.BytesIO()
-    np.savez_compressed(content, key=key, **{f.name: getattr(outcome, f.name) for f in fields(outcome)})
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as problem:
-        rule = f"cannot be written ({problem.strerror})"
-        raise SymbalanceError(f"--output {path}", rule, REMEDY) from None
-    write_file(path, content.getvalue(), what="--output ", remedy=REMEDY)
+    np.savez_compressed(content, **{f.name: getattr(outcome, f.name) for f in fields(outcome)})
+    return content.getvalue()
 
 
-def load_outcome(folder: Path, key: str, rpm: float) -> SavedOutcome:
-    """Return a speed's outcome if one of the same key is there; else why a file there is not it."""
-    path = file_of(folder, rpm)
-    if not path.exists():
-        return SavedOutcome(None)
-    try:
-        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as data:
-            if str(data["key"]) != key:
-                return SavedOutcome(None, "is of another engine, other settings or another program")
-            return SavedOutcome(_outcome({f.name: data[f.name] for f in fields(SpeedOutcome)}))
-    except Exception as problem:  # a damaged file raises anything, from zlib.error to TokenError
-        return SavedOutcome(None, f"does not read ({type(problem).__name__})")
+def decode_outcome(payload: bytes) -> SpeedOutcome:
+    """Return the outcome of such bytes; of others anything is raised, from zlib.error to TokenError.
+
+    Nothing is unpacked before the archive's table of contents says how long it will be.
+    """
+    with zipfile.ZipFile(io.BytesIO(payload)) as archive:
+        if sum(entry.file_size for entry in archive.infolist()) > LARGEST_CONTENT:
+            raise store.DamagedError(f"it would unpack to more than {LARGEST_CONTENT} bytes")
+        names = sorted(entry.filename.removesuffix(".npy") for entry in archive.infolist())
+        if names != sorted(f.name for f in fields(SpeedOutcome)):
+            raise store.DamagedError("it holds other things")
+        for entry in archive.infolist():
+            _check_length(archive, entry)
+    with np.load(io.BytesIO(payload), allow_pickle=False) as data:
+        return _outcome({f.name: data[f.name] for f in fields(SpeedOutcome)})
+
+
+def _check_length(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> None:
+    """Refuse an array of another length than its head says, by which room would be taken for it."""
+    with archive.open(entry) as stream:
+        version = np.lib.format.read_magic(stream)
+        if version != (1, 0):
+            raise store.DamagedError("it is of another format")
+        shape, _, kind = np.lib.format.read_array_header_1_0(stream)
+        if stream.tell() + prod(shape) * kind.itemsize != entry.file_size:
+            raise store.DamagedError("an array is of another length than it says")
+
+
+def disagreement(rpm: float, outcome: SpeedOutcome) -> str:
+    """Return in what an outcome cannot be one of a speed, "" if it can."""
+    steps, channels, bearings = len(outcome.theta), len(outcome.names), len(outcome.clearance)
+    shapes = {
+        "theta": (steps,),
+        "values": (steps, channels),
+        "orbits": (steps, bearings, 2),
+        "bearings": (steps, bearings, 2),
+        "clearance": (bearings,),
+    }
+    for name, shape in shapes.items():
+        array = getattr(outcome, name)
+        if array.shape != shape or array.dtype != float:
+            return f"{name} of another shape"
+        # What has a reason not to be relied on may hold no numbers, but stands at its angles.
+        if not np.isfinite(array).all() and (not outcome.reason or name in ("theta", "clearance")):
+            return f"{name} not finite"
+    if outcome.rpm != rpm:
+        return "another speed"
+    if len(outcome.units) != channels or steps < 2:
+        return "channels of no unit, or no angles"
+    even = np.diff(outcome.theta, append=outcome.theta[0] + steps * outcome.theta[1])
+    if not (outcome.theta[1] > 0 and np.allclose(even, outcome.theta[1], rtol=1e-6)):
+        return "angles that are not even"
+    return "" if (outcome.clearance > 0).all() and isfinite(outcome.seconds) else "sizes of no bearing"
+
+
+CODEC: store.Codec[SpeedOutcome] = store.Codec(encode_outcome, decode_outcome, disagreement)
 
 
 def _outcome(values: dict[str, Any]) -> SpeedOutcome:

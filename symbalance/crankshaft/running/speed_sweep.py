@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from concurrent.futures import Executor
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
@@ -17,47 +18,67 @@ from symbalance.crankshaft.running.about_orbit import system_about_orbit
 from symbalance.crankshaft.running.configuration import MOST_STEPS, Loads, RunConfiguration
 from symbalance.crankshaft.running.loading import bearing_points, to_stationary_axes
 from symbalance.crankshaft.running.oil_films import OrbitFilms, housing_places, periodic_spline
-from symbalance.crankshaft.running.outcome import (
-    SavedOutcome,
-    SpeedOutcome,
-    file_of,
-    key_of,
-    load_outcome,
-    save_outcome,
-)
+from symbalance.crankshaft.running.outcome import CODEC, SpeedOutcome, key_of, slot_of
 from symbalance.crankshaft.steady import steady_state
 from symbalance.crankshaft.system import PeriodicSystem, Trajectory, UnsolvedError
+from symbalance.jobs.progress import Progress
+from symbalance.jobs.running import Job, note, run_jobs
+from symbalance.jobs.store import Store
 
 SETTLED = 0.05
 """The departure, over the clearance, at which films need not be computed again."""
 FINER = (1, 2, 4)
 """By how much the steps are multiplied, one after the other, until the films settle."""
-Progress = Callable[[str], None]
+Say = Callable[[str], None]
 
 
 def run_speeds(
-    configuration: RunConfiguration, folder: Path | None = None, progress: Progress = lambda line: None
+    configuration: RunConfiguration,
+    folder: Path | None = None,
+    progress: Progress | None = None,
+    *,
+    workers: int = 1,
+    executor: Executor | None = None,
 ) -> list[SpeedOutcome]:
     """Return the outcome of every speed; each is saved in `folder`, if given, and reused by later runs.
 
     A saved one that is not of this engine, these settings and this program is solved anew, as is a
-    damaged one; `progress` is called with a line that says why.
+    damaged one, and a line of `progress` says why. Speeds are jobs (`symbalance.jobs`): with several
+    `workers`, or an `executor`, they are solved side by side, and the outcomes are the same, provided
+    that BLAS has the same number of threads here and there. What one speed meets, the others outlive;
+    then it is raised.
     """
-    speeds, outcomes = configuration.engine.operation.rpm, []
-    for number, rpm in enumerate(speeds, 1):
-        key = "" if folder is None else saved_key(configuration, rpm)
-        saved = SavedOutcome(None) if folder is None else load_outcome(folder, key, rpm)
-        if folder is not None and saved.reason:
-            progress(f"{file_of(folder, rpm)}: {saved.reason}: solved anew")
-        outcome = saved.outcome
-        if outcome is None:
-            outcome = run_speed(configuration, rpm, progress)
-            if folder is not None:
-                save_outcome(folder, key, outcome)
-        result = outcome.reason or ("found" if saved.outcome else "solved")
-        progress(f"{speed_text(rpm)} rpm ({number} of {len(speeds)}): {result}, {outcome.seconds:.1f} s")
-        outcomes.append(outcome)
-    return outcomes
+    progress = progress or Progress()
+    store = None if folder is None else Store(folder, "--output")
+    jobs = [
+        Job(f"{speed_text(rpm)} rpm", rpm, key, slot_of(rpm) if key else "")
+        for rpm in configuration.engine.operation.rpm
+        for key in ["" if store is None else saved_key(configuration, rpm)]
+    ]
+    if store is not None:
+        for job in jobs:
+            older = store.folder / f"{job.slot}.npz"
+            if older.exists() and not store.path(job.slot).exists():
+                progress.say(f"{older}: is of an earlier version: solved anew")
+    solve, done, failed = partial(_solve_job, configuration), [], []
+    means = {"executor": executor, "workers": workers, "store": store, "progress": progress}
+    for number, (job, outcome) in enumerate(run_jobs(solve, jobs, codec=CODEC, **means), 1):
+        if not outcome.is_done:
+            failed.append((job, outcome))
+            continue
+        place = f"{job.name} ({number} of {len(jobs)})"
+        result = outcome.value.reason or ("found" if outcome.saved else "solved")
+        progress.say(f"{place}: {result}, {outcome.value.seconds:.1f} s")
+        done.append(outcome.value)
+    for job, outcome in failed[1:]:
+        progress.say(str(outcome.problem or f"{job.name}: {outcome.fault}"))
+    for job, outcome in failed:
+        outcome.result(job.name)
+    return done
+
+
+def _solve_job(configuration: RunConfiguration, rpm: float) -> SpeedOutcome:
+    return run_speed(configuration, rpm, note)
 
 
 def saved_key(configuration: RunConfiguration, rpm: float) -> str:
@@ -69,12 +90,10 @@ def saved_key(configuration: RunConfiguration, rpm: float) -> str:
     )
 
 
-def run_speed(
-    configuration: RunConfiguration, rpm: float, progress: Progress = lambda line: None
-) -> SpeedOutcome:
+def run_speed(configuration: RunConfiguration, rpm: float, say: Say = lambda line: None) -> SpeedOutcome:
     """Return the outcome of one speed, with a `reason` where it is not to be relied on.
 
-    Films about orbits that do not settle are tried at finer steps; a line to `progress` says so.
+    Films about orbits that do not settle are tried at finer steps; a line to `say` says so.
     """
     if configuration.about == "centre" or configuration.table is not None:
         return _solve_about_centre(configuration, rpm)
@@ -90,7 +109,7 @@ def run_speed(
             return replace(outcome, seconds=sum(o.seconds for o in attempts), error=error)
         if number < len(finer):
             next_try = f"trying {finer[number].steps} steps"
-            progress(f"{speed_text(rpm)} rpm: {outcome.reason}: {next_try}")
+            say(f"{speed_text(rpm)} rpm: {outcome.reason}: {next_try}")
     nearest = min(attempts, key=lambda o: o.departure if o.departure >= 0 else float("inf"))
     others = " or ".join(str(o.steps) for o in attempts if o is not nearest)
     reason = nearest.reason + (f"; nor at {others} steps" if others else "")

@@ -106,7 +106,7 @@ def design_records(design: Design) -> list[dict[str, Any]]:
     for weight in design_weights(design):
         part = Component(weight.vector)
         share, degrees = polar(weight.vector)
-        exact = {"exact_up": str(part.cos), "exact_right": str(part.sin)}
+        exact = {"exact_up": part.texts[0], "exact_right": part.texts[1]}
         size = None if weight.unbalance is None else float(weight.unbalance)
         place = {
             "speed": weight.device.speed,

@@ -156,7 +156,8 @@ class Ellipse(Result):
     @property
     def decimal_direction(self) -> Real:
         """Where the long semi-axis points in decimals, as `direction`; with symbols refused."""
-        both = self.forward.times(self.backward).evaluated()
+        # The product of two exact numbers would take the product of their terms.
+        both = self.forward.evaluated() * self.backward.evaluated()
         return atan2(both.imag, both.real) / 2
 
     @cached_property

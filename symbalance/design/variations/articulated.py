@@ -19,6 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from math import ceil, cosh, log, sqrt
 
 from symbalance.design.variations.contributions import Contribution
@@ -88,8 +89,10 @@ def _link_pin_change(name: str, link: LinkRod, pin: Complex, of_master: Complex)
     return cylinders + 1j * of_master * ((name == "bank") - turn)
 
 
-def _samples(mechanism: Mechanism, name: str, own: bool, points: int, digits: int) -> Iterator[Real]:
-    """Yield dy over the radius at evenly spread angles, for a size of its own or of its master's."""
+@lru_cache(maxsize=4)
+def _positions(mechanism: Mechanism, points: int, digits: int) -> list[tuple[Complex, Complex, _Rod]]:
+    """Return pin, link pin's arm and rod at evenly spread angles: derivatives by all sizes share them."""
+    positions = []
     for i in range(points):
         pin = expjpi(Fraction(2 * i, points), digits)
         arm = Complex(0)
@@ -99,7 +102,13 @@ def _samples(mechanism: Mechanism, name: str, own: bool, points: int, digits: in
             cosine = root((1 - sine) * (1 + sine))
             swing = expjpi(2 * mechanism.pin_direction, digits) * Complex(cosine, -sine)
             arm = mechanism.link_radius * swing
-        rod = _rod(pin + arm, mechanism)
+        positions.append((pin, arm, _rod(pin + arm, mechanism)))
+    return positions
+
+
+def _samples(mechanism: Mechanism, name: str, own: bool, points: int, digits: int) -> Iterator[Real]:
+    """Yield dy over the radius at evenly spread angles, for a size of its own or of its master's."""
+    for pin, arm, rod in _positions(mechanism, points, digits):
         if own:
             yield rod.height(*_change(name, rod, pin))
         else:
@@ -127,14 +136,15 @@ def _grid(mechanism: Mechanism, order: int) -> tuple[int, int]:
     return 1 << ceil(needed).bit_length(), ceil(nepers / log(2)) + 48
 
 
-def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> list[Complex]:
-    """Return the Fourier coefficients of dy, n = 0..order."""
+@lru_cache(maxsize=4096)
+def _coefficients(mechanism: Mechanism, name: str, own: bool, order: int) -> tuple[Complex, ...]:
+    """Return the Fourier coefficients of dy, n = 0..order; cylinders that are alike share them."""
     points, bits = _grid(mechanism, order)
     samples = _samples(mechanism, name, own, points, digits_of(bits))
     coefficients = means([fixed(x, bits) for x in samples], bits)[: order + 1]
     # `_grid` keeps errors below 10^-(DIGITS + GUARD) e^(-strip order): what is no more is rounding.
     least = exp(-mechanism.strip * order) / 10 ** (DIGITS + GUARD // 2)
-    return [x if abs(x) > least else Complex(0) for x in coefficients]
+    return tuple(x if abs(x) > least else Complex(0) for x in coefficients)
 
 
 def articulated_sensitivities(
@@ -146,13 +156,14 @@ def articulated_sensitivities(
     its own.
     """
     attached = attached_cylinders(engine)
+    places = {cylinder.number: place for place, cylinder in enumerate(engine.cylinders)}
     for cylinder in engine.cylinders:
         if cylinder.link is None and cylinder.number not in attached:
             continue
-        cylinders = [cylinder, *attached.get(cylinder.number, [])]
+        moved = [(places[c.number], c) for c in (cylinder, *attached.get(cylinder.number, []))]
         for name in names:
             if name in MOVING and not (cylinder.link and name in ("throw", "stroke")):
-                yield from _of_size(engine, own, order, name, cylinders)
+                yield from _of_size(engine, own, order, name, moved)
 
 
 def _of_size(
@@ -160,11 +171,14 @@ def _of_size(
     own: dict[int, list[Contribution]],
     order: int,
     name: str,
-    cylinders: Sequence[Cylinder],
+    moved: Sequence[tuple[int, Cylinder]],
 ) -> Iterator[Sensitivity]:
-    """Yield one derivative's orders: the sums over the cylinders that the first one's size moves."""
+    """Yield one derivative's orders: the sums over the cylinders that the first one's size moves.
+
+    Each is given with its place in the engine.
+    """
+    places, cylinders = zip(*moved, strict=True)
     first, per = cylinders[0], [_lengths(engine, c, name) for c in cylinders]
-    places = [engine.cylinders.index(c) for c in cylinders]
     changes = [_coefficients(c.known_mechanism, name, c is first, order) for c in cylinders]
     for n in range(1, order + 1):
         total, arms, size = [Complex(0)] * 2, [Complex(0)] * 2, Real(0)

@@ -155,7 +155,7 @@ def assign_parts(
     if count > MOST_CYLINDERS:
         rule = f"must be at most {MOST_CYLINDERS}"
         raise SymbalanceError(f"{count} cylinders", rule, "assign the parts of one engine")
-    sets = checked_sets(parts, count)
+    sets = checked_sets(parts, engine)
     numbers = _checked_orders(orders)
     rows = contributions(engine, max(numbers))
     speed = None if rpm is None else checked_rpm(rpm)

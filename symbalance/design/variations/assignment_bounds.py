@@ -55,11 +55,14 @@ def difference(one: Vector, other: Vector) -> Vector:
     return tuple(x - y for x, y in zip(one, other, strict=True))
 
 
-def lower_bound(start: Vector, tables: Sequence[Table]) -> float:
-    """Return a length that no arrangement passes below, by linear bounds in directions sought in turn."""
+def lower_bound(start: Vector, tables: Sequence[Table]) -> tuple[float, Vector]:
+    """Return a length that no arrangement passes below, and the direction along which none does.
+
+    They are the best of linear bounds in directions sought in turn; the direction of 0 means nothing.
+    """
     count = len(tables[0])
     point = arrangement_sum(start, tables, [tuple(range(count))] * len(tables))
-    best = 0.0
+    best, along = 0.0, start
     for _ in range(STEPS):
         size = norm(point)
         if size <= 1e-12 * (1 + norm(start)):
@@ -70,14 +73,15 @@ def lower_bound(start: Vector, tables: Sequence[Table]) -> float:
             costs = [[inner_product(direction, v) for v in row] for row in table]
             order = least_matching(costs)
             corner = arrangement_sum(corner, [table], [order])
-        best = max(best, inner_product(direction, corner))
+        if inner_product(direction, corner) > best:
+            best, along = inner_product(direction, corner), direction
         step = tuple(c - x for c, x in zip(corner, point, strict=True))
         length = inner_product(step, step)
         fraction = min(1.0, max(0.0, -inner_product(point, step) / length)) if length else 0.0
         if fraction <= 0:
             break
         point = tuple(x + fraction * d for x, d in zip(point, step, strict=True))
-    return best * (1 - SLACK)
+    return best * (1 - SLACK), along
 
 
 def least_matching(costs: Sequence[Sequence[float]]) -> tuple[int, ...]:

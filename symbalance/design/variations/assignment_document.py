@@ -8,6 +8,9 @@ from symbalance.document.decimals import decimal
 from symbalance.document.formula import Upright, number
 from symbalance.document.nodes import Block, Cell, Column, Document, Facts, Table, Words
 
+NOTHING = 1e-9
+"""A bound this small beside what was reached is rounding of 0."""
+
 
 def assignment_document(result: Assignment) -> Document:
     """Return an assignment as a document: the places, the criterion, what is left of each order."""
@@ -54,6 +57,13 @@ def _units(result: Assignment) -> tuple[Upright, Upright]:
     return unit_formulas(result.engine, result.rpm is not None, Upright("kg"))  # type: ignore[return-value]
 
 
+def _gap(result: Assignment) -> str:
+    """Return how far the best possible may lie below what was reached, in words."""
+    if result.bound < NOTHING * result.criterion:
+        return "with no bound proved above 0"
+    return f"within {100 * (result.criterion / result.bound - 1):.2g} % of the best possible"
+
+
 def _legend(result: Assignment) -> Block:
     criterion: Words = (
         "root mean square over a turn of the force, and of the couple as a force at a lever of ",
@@ -62,7 +72,9 @@ def _legend(result: Assignment) -> Block:
     )
     counting = "their whole masses" if result.whole else "what they differ from the mean of their set by"
     proof = "no arrangement leaves less: all were compared"
-    best = proof if result.proved else "the best known: not all arrangements were compared"
+    best = (
+        proof if result.proved else f"the best known, {_gap(result)}: not all arrangements were compared"
+    )
     entries: tuple[Entry, ...] = (
         ("these places", best),
         ("as listed", "each part in the cylinder of its place in the list"),

@@ -35,7 +35,7 @@ from symbalance.design.variations.contributions import (
 )
 from symbalance.design.variations.length_derivatives import LengthDerivatives, length_derivatives
 from symbalance.design.variations.sensitivity import Sensitivities, Sensitivity
-from symbalance.design.variations.shaking import speed_scale
+from symbalance.design.variations.speeds import speed_scale
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief

@@ -8,9 +8,11 @@ from symbalance.design.variations.legend import TURNING, Entry, as_decimal, lett
 from symbalance.design.variations.sensitivity import STEPS, Sensitivities
 from symbalance.document.decimals import decimal
 from symbalance.document.formula import Formula, Name, number
-from symbalance.document.nodes import Cell, Column, Document, Facts, Table, Words
+from symbalance.document.nodes import Cell, Column, Document, Facts, Paragraph, Table, Words, blocks
 from symbalance.forces.rows import plane
 
+MOST_ROWS = 500
+"""Rows that a document lists: the largest steps."""
 _COLUMNS = tuple(map(Column, ("order", "size", "step", "cylinders", "force", "couple")))
 
 
@@ -19,9 +21,12 @@ def sensitivities_document(result: Sensitivities) -> Document:
     force, couple = unit_formulas(result.engine, at_speed=result.rpm is not None)
     speed = "" if result.rpm is None else f", at {as_decimal(result.rpm)} rpm"
     title = f"{result.engine.name}: sensitivities to order {result.order}{speed}"
+    rows = _rows(result)
     table = Table(
-        ("What one step adds, force in ", force, ", couple in ", couple), _COLUMNS, _rows(result)
+        ("What one step adds, force in ", force, ", couple in ", couple), _COLUMNS, rows[:MOST_ROWS]
     )
+    more = len(rows) - MOST_ROWS
+    rest = Paragraph(f"{more} more rows, none with a larger step: the JSON of this result has them all")
     entries: list[Entry] = [
         ("a step", "changes one size of one cylinder"),
         ("force, couple", "the largest modulus over a turn of what is added"),
@@ -31,7 +36,9 @@ def sensitivities_document(result: Sensitivities) -> Document:
     ]
     if result.engine.balancers or any(c.rotating_mass for c in result.engine.cylinders):
         entries.append(TURNING)
-    return Document(title, (table, Facts(tuple(entries), "How to read it")))
+    return Document(
+        title, blocks(table, rest if more > 0 else None, Facts(tuple(entries), "How to read it"))
+    )
 
 
 def _rows(result: Sensitivities) -> tuple[tuple[Cell, ...], ...]:

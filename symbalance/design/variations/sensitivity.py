@@ -10,7 +10,7 @@ from math import pi
 from typing import TYPE_CHECKING, Any, ClassVar, overload
 
 from symbalance.design.variations.legend import as_decimal
-from symbalance.design.variations.shaking import speed_scale
+from symbalance.design.variations.speeds import speed_scale
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude

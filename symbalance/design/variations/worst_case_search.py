@@ -23,7 +23,7 @@ and couple.
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import cos, hypot, pi, remainder
@@ -51,7 +51,7 @@ from symbalance.design.variations.objectives import (
     objective_of,
 )
 from symbalance.design.variations.sensitivity import Sensitivity
-from symbalance.design.variations.shaking import Scale, speed_scale
+from symbalance.design.variations.speeds import Scale, speed_scale
 from symbalance.design.variations.tolerance_intervals import ToleranceBox, tolerance_boxes
 from symbalance.design.variations.tolerances import UNITS, RelativeTolerances, Tolerances
 from symbalance.document.result import Result
@@ -70,6 +70,12 @@ if TYPE_CHECKING:
 QUANTITIES = ("force", "couple")
 ROUNDING = 1e-9
 """Part by which a bound is raised, for the rounding of the floats it was summed in."""
+MOST_SEARCHED = 100
+"""Cylinders up to which the largest modulus is searched for in all directions, whatever the orders."""
+MOST_DIRECTED = 1500
+"""Of more, cylinders times searches at most: each takes some 7 ms a cylinder."""
+ONE_DIRECTION = ("vertical", "lateral", "forward", "backward")
+"""What is looked at along one direction alone."""
 IMPROVEMENTS = 6
 """Rounds of best responses at most; each ends where no cylinder's errors add anything."""
 
@@ -256,6 +262,10 @@ def _worst_cases(
     ideal = balance(engine, order, reference=reference)
     cases, by_order = [], tolerance_boxes(engine, relative, order, reference)
     as_built = as_built_parts(engine, order, reference)
+    _check_search(engine, by_order, as_built, modes if names else ())
+    errors_of: dict[int, list[Sensitivity]] = {}
+    for error in errors:
+        errors_of.setdefault(error.order, []).append(error)
     for n in sorted({*by_order, *as_built}):
         rows = by_order.get(n, [])
         for quantity in QUANTITIES:
@@ -264,11 +274,42 @@ def _worst_cases(
                 if not names:
                     cases.append(_unchanged(n, quantity, mode, component_amplitude(*pair, mode)))
                     continue
-                single = _statistical([s for s in errors if s.order == n], relative.steps, quantity, mode)
+                single = _statistical(errors_of.get(n, []), relative.steps, quantity, mode)
                 cases.append(
                     _worst(n, quantity, mode, rows, fixed, component_amplitude(*pair, mode), single)
                 )
     return cases + (_rotating_cases(engine, relative, order, reference) if relative.rotating else [])
+
+
+def _check_search(
+    engine: Engine,
+    by_order: Mapping[int, Sequence[ToleranceBox]],
+    as_built: Mapping[int, Mapping[str, AsBuilt]],
+    modes: Sequence[str],
+) -> None:
+    """Refuse many cylinders whose largest modulus is to be searched for in all directions."""
+    count = len(engine.cylinders)
+    searched = [
+        n
+        for n in {*by_order, *as_built}
+        for quantity in QUANTITIES
+        for mode in modes
+        if mode not in ONE_DIRECTION
+        and _has_many_directions(by_order.get(n, []), as_built.get(n, NOTHING)[quantity])
+    ]
+    if count > MOST_SEARCHED and count * len(searched) > MOST_DIRECTED:
+        what = f"{count} cylinders and {len(searched)} searches over all directions"
+        rule = f"are {count * len(searched)} together, and must be at most {MOST_DIRECTED}"
+        remedy = (
+            "ask for --of vertical,lateral or forward,backward, which need no search, or lower orders"
+        )
+        raise SymbalanceError(what, rule, remedy)
+
+
+def _has_many_directions(rows: Sequence[ToleranceBox], as_built: AsBuilt) -> bool:
+    """Tell whether forces may point elsewhere than along the one axis of all cylinders."""
+    axis = rows[0].axis if rows else 0.0
+    return bool(as_built) or any(box.bank or abs(remainder(box.axis - axis, pi)) > 1e-12 for box in rows)
 
 
 def _rotating_cases(
@@ -400,7 +441,7 @@ def _bound(
     direction, bound = {"vertical": 0.0, "lateral": pi / 2}.get(mode), None
     if direction is None:
         direction = rows[0].axis if rows else 0.0
-        if as_built or any(box.bank or abs(remainder(box.axis - direction, pi)) > 1e-12 for box in rows):
+        if _has_many_directions(rows, as_built):
             far = farthest_point(lambda u: across(u).value)
             # A circle has no farthest direction to halve towards: there both turning parts bound it.
             direction = far.angle

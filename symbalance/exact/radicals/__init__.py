@@ -19,6 +19,6 @@ Formulas:
 
 from symbalance.exact.radicals.characters import radical_form
 from symbalance.exact.radicals.cosines import trigonometric_form
-from symbalance.exact.radicals.forms import exact_form, square_root_form
+from symbalance.exact.radicals.forms import exact_form, exact_text, square_root_form
 
-__all__ = ["exact_form", "radical_form", "square_root_form", "trigonometric_form"]
+__all__ = ["exact_form", "exact_text", "radical_form", "square_root_form", "trigonometric_form"]

@@ -27,16 +27,47 @@ def trigonometric_form(number: Phasor) -> sympy.Expr:
     """
     import sympy
 
-    rotated = number.rotated(Fraction(1, 4))
-    cosines, sines = _shortest(number, 1), _shortest(rotated, -1)
-    as_sines = _length(sines, rotated.modulus) < _length(cosines, number.modulus)
-    terms, modulus = (sines, rotated.modulus) if as_sines else (cosines, number.modulus)
+    as_sines, terms, modulus = _fewest(number)
     return sympy.Add(
         *(
             sympy.Rational(c.numerator, c.denominator) * _wave(as_sines, Fraction(2 * k, modulus))
             for k, c in terms.items()
         )
     )
+
+
+def trigonometric_text(number: Phasor) -> str | None:
+    """Return a real number of more than `MOST_TO_SHORTEN` cosines, or sines, as SymPy reads it.
+
+    SymPy itself takes more than the square of their number to sort and print them.
+
+    >>> long = Phasor.of(997, {k: 1 for k in (*range(1, 111), *range(887, 997))})
+    >>> (trigonometric_text(long) or "")[:44]
+    '2*cos(2*pi/997) + 2*cos(4*pi/997) + 2*cos(6*'
+    """
+    as_sines, terms, modulus = _fewest(number)
+    if len(terms) <= MOST_TO_SHORTEN:
+        return None
+    text = " + ".join(_wave_text(c, as_sines, Fraction(2 * k, modulus)) for k, c in terms.items())
+    return text.replace("+ -", "- ")
+
+
+def _wave_text(coefficient: Fraction, as_sine: bool, halves: Fraction) -> str:
+    """Return a coefficient times cos or sin of `halves` times pi, in [0, pi], brought into [0, pi/2]."""
+    if 2 * halves > 1:
+        halves, coefficient = 1 - halves, coefficient if as_sine else -coefficient
+    over = "" if halves.denominator == 1 else f"/{halves.denominator}"
+    angle = f"{halves.numerator}*pi{over}" if halves.numerator != 1 else f"pi{over}"
+    wave = f"{'sin' if as_sine else 'cos'}({angle if halves else 0})"
+    return {1: wave, -1: f"-{wave}"}.get(coefficient, f"{coefficient}*{wave}")  # type: ignore[call-overload]
+
+
+def _fewest(number: Phasor) -> tuple[bool, dict[int, Fraction], int]:
+    """Return whether sines are shorter than cosines, the terms of the shorter, and their modulus."""
+    rotated = number.rotated(Fraction(1, 4))
+    cosines, sines = _shortest(number, 1), _shortest(rotated, -1)
+    as_sines = _length(sines, rotated.modulus) < _length(cosines, number.modulus)
+    return (True, sines, rotated.modulus) if as_sines else (False, cosines, number.modulus)
 
 
 def _wave(as_sine: bool, halves: Fraction) -> sympy.Expr:

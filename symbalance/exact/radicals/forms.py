@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from symbalance.exact.phasor import Phasor
 from symbalance.exact.radicals.characters import radical_form
-from symbalance.exact.radicals.cosines import trigonometric_form
+from symbalance.exact.radicals.cosines import MOST_TO_SHORTEN, trigonometric_form, trigonometric_text
 from symbalance.exact.radicals.roots import tidy_root
 
 if TYPE_CHECKING:
@@ -27,6 +27,19 @@ def exact_form(number: Phasor) -> sympy.Expr:
     2*cos(2*pi/7)
     """
     return _cached_form(number.modulus, tuple(sorted(number.terms.items())))
+
+
+def exact_text(number: Phasor) -> str:
+    """Return a real cyclotomic number as text that SymPy reads: its exact form.
+
+    >>> exact_text(Phasor.of(5, {1: 2, 4: 2}))
+    '-1 + sqrt(5)'
+    """
+    if len(number.terms) > MOST_TO_SHORTEN and radical_form(number.primitive()) is None:
+        text = trigonometric_text(number)
+        if text is not None:
+            return text
+    return str(exact_form(number))
 
 
 @lru_cache(maxsize=4096)

@@ -10,6 +10,7 @@ In: a document, a sidecar that says what its letters mean, and somebody who know
     repair                          the smallest change that makes a refuted line true
     documents, sympy_expressions    `check` of a document, `check_equal` of two SymPy expressions
     report_document, report_data    the report for readers and for programs
+    document_table                  several documents, a line for each
 """
 
 from symbalance.notes.checking.documents import check as check

@@ -7,6 +7,7 @@ value whose content cannot be told is refused, not abbreviated: `repr` leaves th
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from fractions import Fraction
@@ -15,14 +16,22 @@ from hashlib import sha256
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
-
-import numpy as np
+from typing import Any
 
 import symbalance
-from symbalance.errors import SymbalanceError
+from symbalance.text.files import read_bytes
 
-LIBRARIES = ("numpy", "scipy")
+LARGEST_FILE = 20_000_000
+"""Bytes of a file that counts by its content: no reader of the files an engine names takes more."""
+LIBRARIES = ("numpy", "scipy", "sympy")
 """Their versions count: where films hardly settle, rounding decides which orbit results."""
+
+SOURCES = (".py", ".toml", ".json")
+"""The endings of the program's own files that decide what it computes."""
+
+
+PLAIN = (bool, int, float, complex, str, bytes, Fraction)
+"""Values whose `repr` is their whole content."""
 
 
 def digest(*parts: object) -> str:
@@ -41,12 +50,14 @@ def digest(*parts: object) -> str:
     return total.hexdigest()[:32]
 
 
-def _pieces(value: object) -> Iterator[bytes]:
+def _pieces(value: Any) -> Iterator[bytes]:
     """Yield a value's content; types are part of it, and every sequence says how long it is."""
     kind = type(value).__qualname__
-    if value is None or isinstance(value, bool | int | float | complex | str | Fraction | np.generic):
+    # Where nothing has loaded NumPy, no value is one of its own, and this room does without it.
+    numpy: Any = sys.modules.get("numpy")
+    if value is None or isinstance(value, PLAIN if numpy is None else (*PLAIN, numpy.generic)):
         yield f"{kind} {value!r}".encode()
-    elif isinstance(value, np.ndarray):
+    elif numpy is not None and isinstance(value, numpy.ndarray):
         yield f"array {value.dtype} {value.shape}".encode()
         yield value.tobytes()
     elif isinstance(value, Path):
@@ -69,18 +80,15 @@ def _pieces(value: object) -> Iterator[bytes]:
 
 
 def _content(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as problem:
-        rule = f"cannot be read ({problem.strerror})"
-        raise SymbalanceError(str(path), rule, "name a file that you may read") from None
+    return read_bytes(path, LARGEST_FILE, "a file", pipes=False)
 
 
 @cache
 def program_digest() -> str:
-    """Return a digest of the program: its version, its source files, the libraries it computes with.
+    """Return a digest of the program: its version, its files, the libraries it computes with.
 
-    The sources count so that a changed checkout, whose version stays, does not believe older results.
+    Of its files the sources count, the presets and what else it reads: a changed checkout, whose version
+    stays, does not believe older results.
     """
     sources = {name: source.read_bytes() for name, source in _sources(files(symbalance), "")}
     libraries = {name: _version(name) for name in LIBRARIES}
@@ -93,7 +101,7 @@ def _sources(folder: Traversable, inside: str) -> Iterator[tuple[str, Traversabl
         name = f"{inside}{entry.name}"
         if entry.is_dir():
             yield from _sources(entry, f"{name}/")
-        elif entry.name.endswith(".py"):
+        elif entry.name.endswith(SOURCES):
             yield name, entry
 
 

@@ -1,0 +1,168 @@
+"""Check of several documents, each a job: a table with a line for each, a report of each in a folder."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from symbalance.budgets import Budget
+from symbalance.checking import check
+from symbalance.cli.budget import read_budget
+from symbalance.cli.long_work import long_work, output_folder, report_paths
+from symbalance.cli.named_files import declared_files
+from symbalance.cli.outcomes import DONE, FAILED, FAULT, REFUSED, say, say_fault
+from symbalance.cli.output import medium, printed, show, write_all
+from symbalance.errors import SymbalanceError
+from symbalance.jobs.running import Job, JobOutcome, run_jobs
+from symbalance.jobs.store import Store, key_of
+from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
+from symbalance.notes.checking.documents import SUFFIXES
+from symbalance.text.files import STANDARD_INPUT
+
+STORE = "finished"
+"""The folder, in that of the reports, of what is finished."""
+MOST_DOCUMENTS = 10_000
+
+
+def check_several(options: argparse.Namespace) -> int:
+    """Check every document and show the table; the exit code is the worst of all of them."""
+    if options.declare:
+        raise SymbalanceError("--declare", "is for one document", "name a single one")
+    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
+    form = medium(terminal)
+    folder = None if options.output in (None, "-") else output_folder(options.output)
+    documents = _documents(options.documents, folder)
+    reports: list[Path] = []
+    if folder is not None:
+        reports = report_paths(folder, _names(documents), form, documents)
+    same = {"form": form, "standalone": options.standalone, "here": options.dask is None}
+    limit = read_budget(options.budget)  # for each document
+    job_of = partial(_job, symbols=options.symbols, limit=limit, trust_paths=options.trust_paths, **same)
+    jobs = [job_of(path) for path in documents]
+    store = None if folder is None else Store(folder / STORE, "--output")
+    rows, faults = [], []
+    with long_work(options, store and store.folder) as means:
+        for place, (job, outcome) in enumerate(run_jobs(_check, jobs, store=store, **means)):
+            if reports and outcome.is_done:
+                reports[place].parent.mkdir(parents=True, exist_ok=True)
+                write_all({str(reports[place]): outcome.value["printed"]})
+            rows.append(_row(job, outcome, options.lenient))
+            faults += _faults(job, outcome)
+    table = DocumentTable(tuple(rows))
+    if folder is not None:
+        (index,) = report_paths(folder, ["index"], form, documents)
+        write_all({str(index): printed(table, form, str(index), standalone=options.standalone)})
+    show(table, terminal)
+    for row in rows:
+        if row.exit_code == REFUSED:
+            within = "" if row.problem.startswith(f"{row.name}:") else f"{row.name}: "
+            say(f"symbalance: {within}{row.problem}")
+    for fault in faults:
+        say_fault(*fault)
+    return max(row.exit_code for row in rows)
+
+
+def _documents(named: list[str], output: Path | None) -> list[Path]:
+    """Return every document, folders searched to the bottom, each once, in the order of their naming."""
+    documents: dict[str, Path] = {}
+    for name in named:
+        if name == STANDARD_INPUT:
+            raise SymbalanceError("NOTES -", "is one document among several", "name files, or - alone")
+        if not name:
+            raise SymbalanceError("NOTES ''", "is an empty name", "name a file or a folder")
+        inside = _inside(Path(name), output) if os.path.isdir(name) else [Path(name)]
+        if not inside:
+            rule = f"holds no {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file"
+            raise SymbalanceError(name, rule, "name a folder of documents")
+        for path in inside:
+            documents.setdefault(os.path.realpath(path), path)
+    if len(documents) > MOST_DOCUMENTS:
+        rule = f"are more than {MOST_DOCUMENTS} documents"
+        raise SymbalanceError(f"{len(documents)} files", rule, "name fewer folders at once")
+    return [*documents.values()]
+
+
+def _inside(folder: Path, output: Path | None) -> list[Path]:
+    """Return the documents of a folder and those below it, by name; none hidden, no report of ours."""
+    found: list[Path] = []
+    for place, folders, names in os.walk(folder):
+        if output is not None and os.path.samefile(place, output):
+            if Path(place) == folder:
+                rule = "is a folder of documents, and reports in it would be documents too"
+                raise SymbalanceError(f"--output {output}", rule, "name another folder")
+            folders.clear()
+            continue
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        found += [
+            Path(place, name)
+            for name in names
+            if name.endswith(SUFFIXES) and not name.startswith(".") and Path(place, name).is_file()
+        ]
+    return sorted(found)
+
+
+def _names(documents: list[Path]) -> list[str]:
+    """Return the reports' names: the documents' own paths below the folder that they share."""
+    places = [os.path.realpath(path) for path in documents]
+    shared = os.path.commonpath([os.path.dirname(place) for place in places])
+    return [os.path.relpath(place, shared) for place in places]
+
+
+def _job(
+    path: Path,
+    symbols: str | None,
+    limit: Budget,
+    trust_paths: bool,
+    form: str,
+    standalone: bool,
+    here: bool,
+) -> Job:
+    """Return the job of a document; its key is of all that decides what is said of it.
+
+    `here` tells that it is checked by processes that have this working folder.
+    """
+    place, sidecar = (str(path), symbols) if here else (os.path.abspath(path), _absolute(symbols))
+    value = (place, str(path), sidecar, limit, trust_paths, form, standalone)
+    try:
+        read = [path, *declared_files(path, symbols)]
+        settings = (str(path), symbols or "", tuple(limit), trust_paths, form, standalone)
+        key = key_of("check", *settings, [(str(p), p) for p in read])
+        weight = float(path.stat().st_size)
+    except (SymbalanceError, OSError):  # what cannot be read is refused where it is checked
+        key, weight = "", 1.0
+    return Job(str(path), value, key, weight=weight or 1.0)
+
+
+def _absolute(name: str | None) -> str | None:
+    return None if name is None else os.path.abspath(name)
+
+
+def _check(value: tuple[str, str, str | None, Budget, bool, str, bool]) -> dict[str, Any]:
+    """Return what is said of a document, as data and in a medium, and what its check exits with."""
+    place, name, symbols, limit, trust_paths, form, standalone = value
+    checked = check(Path(place), symbols, budget=limit, trust_paths=trust_paths)
+    return {
+        "report": {**checked.data(), "document": name},
+        "printed": printed(checked, form, name, standalone=standalone),
+        "fails": [checked.fails(), checked.fails(lenient=True)],
+        "faults": [[f"line {v.line} of {name}: {v.fault}", v.traceback] for v in checked.faults],
+    }
+
+
+def _row(job: Job, outcome: JobOutcome, lenient: bool) -> DocumentRow:
+    if outcome.problem is not None:
+        return DocumentRow(job.name, None, REFUSED, str(outcome.problem).removeprefix(f"{job.name}: "))
+    if outcome.fault:
+        return DocumentRow(job.name, None, FAULT, f"a fault of symbalance: {outcome.fault}")
+    value = outcome.value
+    code = FAILED if value["fails"][lenient] else DONE
+    return DocumentRow(job.name, value["report"], FAULT if value["faults"] else code)
+
+
+def _faults(job: Job, outcome: JobOutcome) -> list[tuple[str, str]]:
+    if outcome.fault:
+        return [(f"{job.name}: {outcome.fault}", outcome.traceback)]
+    return [(what, traceback) for what, traceback in (outcome.value or {}).get("faults", ())]

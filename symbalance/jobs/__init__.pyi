@@ -1,0 +1,14 @@
+from symbalance.jobs.digests import digest as digest
+from symbalance.jobs.pools import dask_executor as dask_executor
+from symbalance.jobs.pools import process_pool as process_pool
+from symbalance.jobs.progress import LogProgress as LogProgress
+from symbalance.jobs.progress import Progress as Progress
+from symbalance.jobs.progress import terminal_progress as terminal_progress
+from symbalance.jobs.running import Job as Job
+from symbalance.jobs.running import JobOutcome as JobOutcome
+from symbalance.jobs.running import note as note
+from symbalance.jobs.running import run_jobs as run_jobs
+from symbalance.jobs.store import JSON as JSON
+from symbalance.jobs.store import Codec as Codec
+from symbalance.jobs.store import Store as Store
+from symbalance.jobs.store import key_of as key_of
