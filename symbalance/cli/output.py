@@ -47,7 +47,9 @@ def whole_number(text: str, name: str) -> int:
 def show(result: Result, options: argparse.Namespace) -> None:
     """Write a result in the medium and to the place that a command line asks for."""
     form = medium(options)
-    write(printed(result, form, options.output, standalone=options.standalone), options.output, form)
+    full = getattr(options, "full", False)
+    text = printed(result, form, options.output, standalone=options.standalone, full=full)
+    write(text, options.output, form)
 
 
 def medium(options: argparse.Namespace) -> str:
@@ -60,7 +62,9 @@ def medium(options: argparse.Namespace) -> str:
     return form
 
 
-def printed(result: Result, form: str, output: str | None, *, standalone: bool = False) -> str:
+def printed(
+    result: Result, form: str, output: str | None, *, standalone: bool = False, full: bool = False
+) -> str:
     """Return a result in a medium, ended by a line's end; only that medium's writer is imported."""
     from symbalance.document import result as results
 
@@ -69,9 +73,9 @@ def printed(result: Result, form: str, output: str | None, *, standalone: bool =
 
         stream = "utf-8" if output not in (None, "-") else sys.stdout.encoding or "utf-8"
         width = columns() if output in (None, "-") else 80
-        return document_text(result.document(), width, lambda text: _quoted(text, stream))
+        return document_text(result.document().unfolded(full), width, lambda text: _quoted(text, stream))
     if form == "latex":
-        return results.to_latex(result, standalone=standalone)
+        return results.to_latex(result, standalone=standalone, full=full)
     if form == "html":
         return results.to_html(result, standalone=True)
     return results.to_markdown(result) if form == "markdown" else results.to_json(result) + "\n"

@@ -104,19 +104,24 @@ class SequenceResult(Result, Sequence[Item]):
         return hash(self.items)
 
 
-def to_text(result: Result, *, width: int = 80) -> str:
-    """Return a result as text for a terminal of `width` columns, 40 or more."""
+def to_text(result: Result, *, width: int = 80, full: bool = False) -> str:
+    """Return a result as text for a terminal of `width` columns, 40 or more.
+
+    `full` shows what a short document names in its last line.
+    """
     from symbalance.document.text_document import document_text
 
     if not isinstance(width, int) or width < 40:
         raise SymbalanceError(
             f"width = {width}", "must be a whole number, 40 or more", "80 is the default"
         )
-    return document_text(_checked(result).document(), width)
+    return document_text(_checked(result).document().unfolded(full), width)
 
 
-def to_latex(result: Any, *, standalone: bool = False) -> str:
+def to_latex(result: Any, *, standalone: bool = False, full: bool = False) -> str:
     r"""Return a result as LaTeX: a fragment, or with `standalone` a document that compiles alone.
+
+    `full` shows what a short document names in its last line.
 
     A fragment needs amsmath and booktabs. Components, series and SymPy expressions give a formula for
     math mode.
@@ -128,7 +133,7 @@ def to_latex(result: Any, *, standalone: bool = False) -> str:
     if isinstance(result, Result):
         from symbalance.document.latex_document import document_latex
 
-        return document_latex(result.document(), standalone=standalone)
+        return document_latex(result.document().unfolded(full), standalone=standalone)
     from symbalance.document.latex_writer import formula_latex
 
     return formula_latex(_formula(result))
