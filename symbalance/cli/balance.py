@@ -21,7 +21,7 @@ from symbalance.cli.options import (
     resized,
 )
 from symbalance.cli.outcomes import DONE, FAULT, REFUSED, say_fault
-from symbalance.cli.output import medium, printed, show, whole_number, write_all
+from symbalance.cli.output import medium_of_several, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -104,8 +104,7 @@ def _balance_several(options: argparse.Namespace, order: int, power: int | None)
     if options.output in (None, "-"):
         rule = "have no place on the terminal together"
         raise SymbalanceError(f"{len(options.engines)} engines", rule, "name a folder with -o FOLDER")
-    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
-    form = medium(terminal)
+    form = medium_of_several(options)
 
     from symbalance.jobs.running import Job, run_jobs
     from symbalance.jobs.store import Store, key_of
@@ -154,7 +153,7 @@ def _loaded(engine: str, options: argparse.Namespace) -> Any:
         return problem
 
 
-def _balanced(value: tuple[Budget, Any, int, int | None, str | None, str, bool, bool]) -> str:
+def _balanced(value: tuple[Budget, Any, int, int | None, str | None, str, bool, bool]) -> str | bytes:
     """Return the balance of an engine in a medium, within the budget of one engine."""
     from symbalance.forces.free_forces import balance
 
@@ -162,7 +161,7 @@ def _balanced(value: tuple[Budget, Any, int, int | None, str | None, str, bool, 
     if isinstance(engine, SymbalanceError):
         raise engine
 
-    def work() -> str:
+    def work() -> str | bytes:
         result = balance(engine, order, power=power)
         shown = result if rpm is None else _at_speeds(result, rpm)
         return printed(shown, form, "file", standalone=standalone, full=full)

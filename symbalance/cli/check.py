@@ -72,7 +72,7 @@ def run(options: argparse.Namespace) -> int:
     if options.declare:
         from symbalance.notes.checking import sidecar_draft
 
-        for name in ("format", "standalone", "lenient"):
+        for name in ("format", "standalone", "label", "lenient"):
             if getattr(options, name):
                 raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
         write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")

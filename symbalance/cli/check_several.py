@@ -14,7 +14,7 @@ from symbalance.cli.budget import read_budget
 from symbalance.cli.long_work import long_work, output_folder, report_paths
 from symbalance.cli.named_files import declared_files
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, REFUSED, say, say_fault
-from symbalance.cli.output import medium, printed, show, write_all
+from symbalance.cli.output import medium_of_several, printed, show, write_all
 from symbalance.errors import SymbalanceError
 from symbalance.jobs.running import Job, JobOutcome, run_jobs
 from symbalance.jobs.store import Store, key_of
@@ -31,8 +31,8 @@ def check_several(options: argparse.Namespace) -> int:
     """Check every document and show the table; the exit code is the worst of all of them."""
     if options.declare:
         raise SymbalanceError("--declare", "is for one document", "name a single one")
-    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
-    form = medium(terminal)
+    terminal = argparse.Namespace(**{**vars(options), "output": None})
+    form = medium_of_several(options)
     folder = None if options.output in (None, "-") else output_folder(options.output)
     documents = _documents(options.documents, folder)
     reports: list[Path] = []

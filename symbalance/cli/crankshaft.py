@@ -72,7 +72,9 @@ def run(options: argparse.Namespace) -> int:
     steps = whole_number(options.steps, "steps")
     iterations = whole_number(options.passes, "passes")
     folder = None if options.output is None else output_folder(options.output)
-    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
+    terminal = argparse.Namespace(
+        format=options.format, standalone=options.standalone, label=options.label, output=None
+    )
     form = medium(terminal)
     take_one_blas_thread()
 

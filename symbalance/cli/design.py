@@ -88,14 +88,21 @@ def run(options: argparse.Namespace) -> int:
     if options.rpm is not None:
         design = design.at(rpm=options.rpm)
     form = medium(options)
-    text = printed(design, form, options.output, standalone=options.standalone, full=options.full)
+    content = printed(
+        design,
+        form,
+        options.output,
+        standalone=options.standalone,
+        full=options.full,
+        label=options.label,
+    )
     files = _files(design, options)
     if options.output in (None, "-"):
         if files:
             write_all(files)
-        write(text, None, form)
+        write(content, None, form)
     else:
-        write_all({**files, options.output: text})
+        write_all({**files, options.output: content})
     return 0
 
 

@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     if options.show is None and not options.schema:
         show(_selected(presets(), options), options)
         return 0
-    for name in ("format", "standalone", *SELECTING):
+    for name in ("format", "standalone", "label", *SELECTING):
         if getattr(options, name):
             other = "--schema" if options.schema else "--show"
             option = "with" if name == "having" else name

@@ -50,7 +50,7 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
 
     Where `what` is no FILE, the command adds its own -o.
     """
-    default = "what the ending of -o says (.tex, .html, .md, .json), else text"
+    default = "what the ending of -o says (.tex, .html, .md, .json, .csv, .xlsx), else text"
     parser.add_argument(
         "--format",
         choices=tuple(MEDIA),
@@ -58,6 +58,11 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
     )
     parser.add_argument(
         "--standalone", action="store_true", help="latex: a document that compiles alone, not a fragment"
+    )
+    parser.add_argument(
+        "--label",
+        metavar="PREFIX",
+        help="latex: tables that float, with captions and labels: tab:PREFIX-force and so on",
     )
     if what == "FILE":
         help_ = "write to FILE instead of the terminal; - is the terminal"

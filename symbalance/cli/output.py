@@ -24,6 +24,8 @@ MEDIA = {
     "html": (".html", ".htm"),
     "markdown": (".md",),
     "json": (".json",),
+    "csv": (".csv",),
+    "xlsx": (".xlsx",),
 }
 """Every medium of `--format`, and the endings of files that ask for it."""
 NARROWEST, WIDEST = 60, 160
@@ -47,25 +49,54 @@ def whole_number(text: str, name: str) -> int:
 def show(result: Result, options: argparse.Namespace) -> None:
     """Write a result in the medium and to the place that a command line asks for."""
     form = medium(options)
-    full = getattr(options, "full", False)
-    text = printed(result, form, options.output, standalone=options.standalone, full=full)
-    write(text, options.output, form)
+    content = printed(
+        result,
+        form,
+        options.output,
+        standalone=options.standalone,
+        full=getattr(options, "full", False),
+        label=options.label,
+    )
+    write(content, options.output, form)
 
 
 def medium(options: argparse.Namespace) -> str:
-    """Return the medium asked for: by --format, by the ending of the file to write, else text."""
+    """Return the medium asked for: by --format, by the ending of the file to write, else text.
+
+    Options that are for LaTeX alone, and a workbook without a file to write it to, are refused.
+    """
     named = str(options.output or "")
     by_ending = next((form for form, ends in MEDIA.items() if named.lower().endswith(ends)), "text")
     form = options.format or by_ending
-    if options.standalone and form != "latex":
-        raise SymbalanceError("--standalone", f"is for LaTeX, and this is {form}", "add --format latex")
+    for name in ("standalone", "label"):
+        if getattr(options, name, None) and form != "latex":
+            raise SymbalanceError(f"--{name}", f"is for LaTeX, and this is {form}", "add --format latex")
+    if form == "xlsx" and options.output in (None, "-"):
+        rule = "is a workbook, which no terminal shows"
+        raise SymbalanceError("--format xlsx", rule, "name a file: -o FILE.xlsx")
     return form
 
 
+def medium_of_several(options: argparse.Namespace) -> str:
+    """Return the medium of several results, which the ending of a file cannot say: -o is a folder."""
+    if options.label:
+        raise SymbalanceError("--label", "is for one result", "write the results one by one")
+    if options.format == "xlsx":
+        raise SymbalanceError("--format xlsx", "is for one result", "take csv, or write them one by one")
+    terminal = argparse.Namespace(**{**vars(options), "output": None})
+    return medium(terminal)
+
+
 def printed(
-    result: Result, form: str, output: str | None, *, standalone: bool = False, full: bool = False
-) -> str:
-    """Return a result in a medium, ended by a line's end; only that medium's writer is imported."""
+    result: Result,
+    form: str,
+    output: str | None,
+    *,
+    standalone: bool = False,
+    full: bool = False,
+    label: str | None = None,
+) -> str | bytes:
+    """Return a result in a medium, texts ended by a line's end; only that medium's writer is imported."""
     from symbalance.document import result as results
 
     if form == "text":
@@ -75,9 +106,11 @@ def printed(
         width = columns() if output in (None, "-") else 80
         return document_text(result.document().unfolded(full), width, lambda text: _quoted(text, stream))
     if form == "latex":
-        return results.to_latex(result, standalone=standalone, full=full)
+        return results.to_latex(result, standalone=standalone, full=full, label=label)
     if form == "html":
         return results.to_html(result, standalone=True)
+    if form in ("csv", "xlsx"):
+        return results.to_csv(result) if form == "csv" else results.to_xlsx(result)
     return results.to_markdown(result) if form == "markdown" else results.to_json(result) + "\n"
 
 
@@ -89,14 +122,17 @@ def columns() -> int:
         return 80
 
 
-def write(text: str, output: str | None, form: str = "text") -> None:
-    """Write `text` to stdout (None or "-") or to the file `output`, replaced in one step.
+def write(content: str | bytes, output: str | None, form: str = "text") -> None:
+    """Write a text to stdout (None or "-") or to the file `output`, replaced in one step.
 
-    A file is UTF-8. On stdout `form` says what may become of characters that it cannot take: a "text" is
-    spelled in ASCII, "json" escapes them, and any other form, "latex" or "source", is for programs and
-    stays UTF-8 whatever the locale.
+    A file is UTF-8, or holds the bytes that `content` is. On stdout `form` says what may become of
+    characters that it cannot take: a "text" is spelled in ASCII, "json" escapes them, and any other form,
+    "latex" or "source", is for programs and stays UTF-8 whatever the locale.
     """
-    text = _safe(encodable_name(text, ESCAPES.get(form, "\\")))
+    if isinstance(content, bytes):
+        write_all({str(output): content})
+        return
+    text = _safe(encodable_name(content, ESCAPES.get(form, "\\")))
     if output in (None, "-"):
         _to_stdout(text, form)
         return
@@ -147,7 +183,8 @@ def _to_stdout(text: str, form: str) -> None:
     with _stdout():
         if form in ("text", "json"):
             sys.stdout.write(_spelled(text, form, encoding))
-        elif _is_utf8(encoding) and not encoding.lower().endswith("sig"):  # which would open with a mark
+        elif _is_utf8(encoding) and not encoding.lower().endswith("sig") and form != "csv":
+            # The first would open with a mark; of the other Windows would write CR CR LF.
             sys.stdout.write(text)
         else:
             sys.stdout.flush()

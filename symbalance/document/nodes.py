@@ -115,7 +115,7 @@ class Table:
     """Rows of cells under columns; the first `keys` columns say what a row is about.
 
     A table without rows is written as its title and the words `empty`. A column whose cells are all
-    empty is left out.
+    empty is left out. `topic` is what it is about in a word, which labels name it by: "force".
     """
 
     title: Words
@@ -123,6 +123,7 @@ class Table:
     rows: tuple[tuple[Cell, ...], ...]
     keys: int = 1
     empty: str = "none"
+    topic: str = ""
 
 
 @dataclass(frozen=True, eq=False)

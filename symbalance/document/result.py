@@ -1,4 +1,4 @@
-"""Base class of results, which all show as text, LaTeX, HTML, Markdown and JSON, and in notebooks.
+"""Base class of results, which all show as text, LaTeX, HTML, Markdown, JSON, CSV and in notebooks.
 
 A result's class derives from `Result` and gives four things: `kind`, `summary()`, `document()` and
 `data()`; `records()` where a table of plain numbers makes sense of it. Beside the module stands
@@ -18,7 +18,7 @@ import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
-from symbalance.errors import SymbalanceError, printable, visible
+from symbalance.errors import SymbalanceError, brief, printable, visible
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -27,7 +27,7 @@ Item = TypeVar("Item")
 
 
 class Result:
-    """Base class of all results: shown as text, LaTeX, HTML, Markdown and JSON, and in notebooks."""
+    """Base class of all results: shown as text, LaTeX, HTML, Markdown, JSON, CSV and in notebooks."""
 
     __slots__ = ()
 
@@ -35,6 +35,9 @@ class Result:
     """The result's name in JSON: "balance"."""
     schema_version: ClassVar[int] = 1
     """Counts up when a key of the JSON changes its meaning or goes; new keys do not count."""
+
+    record_keys: ClassVar[tuple[str, ...]] = ()
+    """The keys of `records()`, where there may be none of them: a table of no rows has its heads."""
 
     def summary(self) -> str:
         """Return the result in one line that a person reads."""
@@ -118,13 +121,16 @@ def to_text(result: Result, *, width: int = 80, full: bool = False) -> str:
     return document_text(_checked(result).document().unfolded(full), width)
 
 
-def to_latex(result: Any, *, standalone: bool = False, full: bool = False) -> str:
+def to_latex(
+    result: Any, *, standalone: bool = False, full: bool = False, label: str | None = None
+) -> str:
     r"""Return a result as LaTeX: a fragment, or with `standalone` a document that compiles alone.
 
     `full` shows what a short document names in its last line.
 
-    A fragment needs amsmath and booktabs. Components, series and SymPy expressions give a formula for
-    math mode.
+    A fragment needs amsmath and booktabs. With a `label` its tables float under captions, labelled
+    tab:LABEL-force and so on: what each is about, numbered from the second of that name. Components,
+    series and SymPy expressions give a formula for math mode, which takes no label.
 
     >>> from symbalance.kinematics.slider_crank import acceleration_series
     >>> print(to_latex(acceleration_series(6, 7)))
@@ -133,7 +139,10 @@ def to_latex(result: Any, *, standalone: bool = False, full: bool = False) -> st
     if isinstance(result, Result):
         from symbalance.document.latex_document import document_latex
 
-        return document_latex(result.document().unfolded(full), standalone=standalone)
+        document = result.document().unfolded(full)
+        return document_latex(document, standalone=standalone, label=label)
+    if label is not None:
+        raise SymbalanceError(f"label = {brief(label)}", "is for the tables of a result", "leave it out")
     from symbalance.document.latex_writer import formula_latex
 
     return formula_latex(_formula(result))
@@ -181,6 +190,34 @@ _HIDDEN = re.compile(
     "[^\n -~\u00a1-\u00ac\u00ae-\u02ff\u0370-\u05ff\u0900-\u0fff\u3041-\u3163\u3165-\ud7ff]"
 )
 """Characters that may be of those that `visible` writes by their codes; the others are quickly passed."""
+
+
+def to_csv(result: Result) -> str:
+    r"""Return a result's records as CSV, one table under a row of heads.
+
+    RFC 4180: lines end in CR LF; write it with `newline=""`. Numbers are decimals with a point. A text
+    that a spreadsheet would take for a formula has an apostrophe before it.
+
+    >>> from symbalance.kinematics.slider_crank import harmonics
+    >>> print(to_csv(harmonics("force", 2, 1)).replace("\r", ""), end="")
+    order,function,power,coefficient,value
+    1,cos,0,1,1.0
+    2,cos,1,1,1.0
+    """
+    from symbalance.document.csv_document import result_csv
+
+    return result_csv(_checked(result))
+
+
+def to_xlsx(result: Result) -> bytes:
+    """Return a result's records as the bytes of an Excel workbook; needs the extra `xlsx`.
+
+    `Path("balance.xlsx").write_bytes(sb.to_xlsx(result))` writes it: one sheet, the rows of `to_csv`, its
+    heads in bold, numbers as numbers, texts never as formulas.
+    """
+    from symbalance.document.xlsx_document import result_xlsx
+
+    return result_xlsx(_checked(result))
 
 
 def _checked(result: Any) -> Result:

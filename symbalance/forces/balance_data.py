@@ -134,7 +134,7 @@ def _coefficient(order: Order, balance: Balance) -> dict[str, Any] | None:
         return None
     value = balance.values.get(order.order)
     return {
-        "series": str(order.coefficient.in_lam()),
+        "series": order.coefficient.spelling,
         "through": order.coefficient.through,
         "value": None if value is None else decimal_text(value, VALUE_DIGITS),
     }
@@ -163,12 +163,8 @@ def _with_value(component: Component, key: str, factor: Real | None) -> dict[str
 def component_values(component: Component) -> dict[str, Any]:
     """Return a component's values, none of which can be changed: documents share them."""
     symbolic = component.number.has_symbols and not component.is_zero()
-    cos, sin = component.texts
     return {
-        "cos": cos,
-        "sin": sin,
-        "amplitude": component.amplitude_text,
-        "phase": component.phase_text,
+        **{name: component.form(name).spelling for name in ("cos", "sin", "amplitude", "phase")},
         "decimal": None if symbolic else _decimal(component),
     }
 
@@ -201,8 +197,8 @@ def balance_records(balance: Balance) -> list[dict[str, Any]]:
                         "cos": cos,
                         "sin": sin,
                         "amplitude": None if cos is None or sin is None else hypot(cos, sin),
-                        "exact_cos": part.texts[0],
-                        "exact_sin": part.texts[1],
+                        "exact_cos": part.form("cos").spelling,
+                        "exact_sin": part.form("sin").spelling,
                         "unit": unit(balance, of),
                         "coefficient": None if value is None else float(value),
                         **_value_record(balance, order.order, of, cos, sin),

@@ -8,7 +8,6 @@ from fractions import Fraction
 from typing import Protocol
 
 from symbalance.document.decimals import decimal, short_decimal
-from symbalance.document.expressions import formula_of
 from symbalance.document.formula import (
     Decimal,
     Dots,
@@ -124,7 +123,7 @@ def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tu
 def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
     surviving, slight = _by_weight(balance, rows(balance, name))
     table = component_table(
-        title, surviving, f"none, to order {balance.highest}", in_newtons(balance, name)
+        title, surviving, f"none, to order {balance.highest}", in_newtons(balance, name), name
     )
     parts = _rotating(balance, name, {row.order for row in surviving}) if surviving else ()
     return (table, *parts, *slight)
@@ -153,7 +152,7 @@ def _roll(balance: Balance) -> tuple[Block, ...]:
     surviving = roll_rows(balance)
     moment = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
     title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", moment)
-    return (component_table(title, surviving),) if surviving else ()
+    return (component_table(title, surviving, topic="roll"),) if surviving else ()
 
 
 _HEAD = (
@@ -171,15 +170,16 @@ def component_table(
     surviving: Sequence[Row],
     empty: str = "none",
     measured: Measured | None = None,
+    topic: str = "",
 ) -> Table:
     """Return a table of components, exact where there is room, in decimals where there is not.
 
     Rows without a name leave the column of components out; `measured` adds columns of values in N or N m.
     """
     if measured is None:
-        return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty)
+        return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty, topic=topic)
     cells = tuple((*_cells(row), *measured.cells(row)) for row in surviving)
-    return Table(title, (*_HEAD, *measured.columns), cells, keys=2, empty=empty)
+    return Table(title, (*_HEAD, *measured.columns), cells, keys=2, empty=empty, topic=topic)
 
 
 @dataclass(frozen=True)
@@ -275,7 +275,7 @@ def _cells(row: Row) -> tuple[Cell, ...]:
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
     if row.component.is_long and decimals is not None:
         return (*head, *(TooLong(Decimal(d)) for d in decimals[:3]), _rounded_phase(row, decimals[3]))
-    values = [formula_of(part) for part in row.exact()]
+    values = row.exact()
     if decimals is None:
         return (*head, *map(Exact, values))
     near = [Decimal(d) for d in decimals]
@@ -295,14 +295,13 @@ def _short_phase(value: Formula, decimal: str) -> Words:
 
 def _rounded_phase(row: Row, decimal: str) -> Words:
     """Return the phase of a component that is not written exactly: a fraction of pi, or rounded."""
-    if not row.component.has_plain_phase:
+    if row.component.phase_in_turns is None:
         return ("≈ ", Decimal(decimal))
-    return _short_phase(formula_of(row.component.phase), decimal)
+    return _short_phase(row.component.form("phase").as_formula(), decimal)
 
 
 def _phase(row: Row, decimal: str) -> Formula:
-    fraction = row.phase_in_turns()
-    return Decimal(decimal) if fraction is None else formula_of(fraction)
+    return row.phase_in_decimals() or Decimal(decimal)
 
 
 def _rotating(balance: Balance, name: str, orders: Collection[int | Fraction]) -> tuple[Block, ...]:
@@ -319,7 +318,11 @@ def _rotating(balance: Balance, name: str, orders: Collection[int | Fraction]) -
         Column("phase"),
     )
     cells = tuple((number(f.order), *_turning(f), *_turning(b)) for f, b in pairs)
-    return (Details(what, (Table("as rotating parts", columns, cells),), optional=True),)
+    return (
+        Details(
+            what, (Table("as rotating parts", columns, cells, topic=f"{name}-rotating"),), optional=True
+        ),
+    )
 
 
 def _turning(row: Row) -> tuple[Cell, Cell]:
@@ -330,7 +333,7 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
         return Decimal(decimals[2]), _phase(row, decimals[3])
     if row.component.is_long and decimals is not None:
         return TooLong(Decimal(decimals[2])), _rounded_phase(row, decimals[3])
-    amplitude, phase = (formula_of(part) for part in row.exact()[2:])
+    amplitude, phase = row.exact()[2:]
     if decimals is None:
         return Exact(amplitude), Exact(phase)
     near = Decimal(decimals[2])
@@ -382,4 +385,9 @@ def coefficient_table(
         value_cell = "" if value is None else Decimal(short_decimal(value))
         cells.append((number(order.order), _series(order.coefficient), value_cell))
     columns = (Column("order"), Column((letter, " in powers of ", 1 / _LAM)), Column(at))
-    return Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells))
+    return Table(
+        "Coefficients of one cylinder (the value is exact in λ, rounded)",
+        columns,
+        tuple(cells),
+        topic="coefficients",
+    )

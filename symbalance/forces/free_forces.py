@@ -123,6 +123,10 @@ class Balance(Result):
     """The speed and sizes that values in N and N m are for; None where none is asked for."""
 
     kind: ClassVar[str] = "balance"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("order", "of", "component", "cos", "sin", "amplitude", "exact_cos", "exact_sin"),
+        *("unit", "coefficient"),
+    )
 
     def summary(self) -> str:
         """Return which orders are left free, in one line."""

@@ -80,6 +80,9 @@ class TorqueBalance(Result):
     """The speed and sizes that values in N m are for; None where none is asked for."""
 
     kind: ClassVar[str] = "torque-orders"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("order", "of", "cos", "sin", "amplitude", "exact_cos", "exact_sin", "coefficient", "unit"),
+    )
 
     def summary(self) -> str:
         """Return which orders are left, in one line."""

@@ -131,6 +131,9 @@ class TorqueReport(Result):
     running: RunningTorque | None = None
 
     kind: ClassVar[str] = "torque"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("order", "of", "cos", "sin", "amplitude", "exact_cos", "exact_sin", "coefficient", "unit"),
+    )
 
     def summary(self) -> str:
         """Return which orders the crank gets and what the frame gets, in one line."""

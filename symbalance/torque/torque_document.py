@@ -111,8 +111,9 @@ def _orders(balance: TorqueBalance) -> Table:
     title = balance.quantity[0].upper() + balance.quantity[1:]
     rows = [Row(n, "", component) for n, component in balance.components.items()]
     empty = f"none, to order {balance.highest}"
+    topic = balance.quantity.partition(" ")[0]
     title_words = (f"{title}, unit ", _unit(balance))
-    return component_table(title_words, rows, empty=empty, measured=_in_newton_metres(balance))
+    return component_table(title_words, rows, empty, _in_newton_metres(balance), topic)
 
 
 def _in_newton_metres(balance: TorqueBalance) -> Measured | None:

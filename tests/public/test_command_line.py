@@ -379,6 +379,32 @@ def test_help_imports_no_sympy():
     assert python("-c", code).stdout == "False\n"
 
 
+def test_a_balance_of_like_cylinders_imports_neither_sympy_nor_numpy(tmp_path):
+    """Both take longer to load than every balance here to compute: nothing of them may be needed."""
+    code = (
+        "import sys; from symbalance.cli import run;"
+        f"codes = [run(['balance', name, '--format', form, '-o', {str(tmp_path / 'out')!r}])"
+        " for name in ('v12-60', 'inline-5', 'v8-90') for form in ('text', 'json')];"
+        "print(codes, sorted({'sympy', 'numpy'} & set(sys.modules)))"
+    )
+    assert python("-c", code).stdout == "[0, 0, 0, 0, 0, 0] []\n"
+
+
+@pytest.mark.slow
+def test_no_preset_of_like_cylinders_needs_sympy():
+    code = (
+        "import sys, symbalance as sb\n"
+        "for preset in sb.presets():\n"
+        "    result = sb.balance(sb.load(preset.name), 30)\n"
+        "    if result.kinematics is not None and not result.engine.balancers:\n"
+        "        texts = [write(result) for write in (sb.to_text, sb.to_json, sb.to_latex, sb.to_html)]\n"
+        "        print(preset.name, all(texts), {'sympy', 'numpy'} & set(sys.modules))\n"
+    )
+    lines = python("-c", code).stdout.splitlines()
+    assert len(lines) > 20
+    assert [line for line in lines if not line.endswith("True set()")] == []
+
+
 def test_importing_the_package_imports_nothing_heavy():
     code = "import sys, symbalance; print(sorted({'sympy', 'numpy', 'mpmath'} & set(sys.modules)))"
     assert python("-c", code).stdout == "[]\n"

@@ -36,6 +36,7 @@ COMMANDS = (
     "check",
     "engines",
     "bench",
+    "completion",
 )
 QUANTITIES = ("displacement", "velocity", "acceleration", "force", "rod-angle")
 ROTATIONS = ("vector", "uvw", "uwv", "vuw", "vwu", "wuv", "wvu")

@@ -108,6 +108,10 @@ class Design(Result):
     remains: Balance
 
     kind: ClassVar[str] = "design"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("speed", "on", "throw", "station", "share", "direction_deg", "exact_up", "exact_right"),
+        *("unbalance_kg_mm", "overbalance"),
+    )
 
     def summary(self) -> str:
         """Return what the design achieves and what it takes, in one line."""
