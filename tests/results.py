@@ -32,6 +32,15 @@ def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
 
 
+def _balance_in_newtons() -> Result:
+    return sb.balance(sb.load("vq30de"), 6).at(rpm=6000)
+
+
+def _balance_over_speeds() -> Result:
+    speeds = [Fraction(rpm) for rpm in (1000, 4000, 7000)]
+    return sb.forces.over_speeds(sb.balance(sb.load("vq30de"), 4), speeds)
+
+
 def _worst_cases() -> Result:
     tolerances = sb.design.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
     return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
@@ -208,8 +217,11 @@ def _crankshaft() -> Result:
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
+    "balance-in-newtons": _balance_in_newtons,
+    "balance-over-speeds": _balance_over_speeds,
     "worst-cases": _worst_cases,
     "sensitivities": _sensitivities,
+    "sensitivities-at-speed": lambda: sb.sensitivities(sb.load("vq30de"), 1, rpm=6000),
     "sweep": _sweep,
     "assignment": _assignment,
     "assignment-of-many": _assignment_of_many,
@@ -222,10 +234,13 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "truncation-bounds": _truncation_bounds,
     "harmonics": _harmonics,
     "design": _design,
+    "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
     "rotating-balance": _rotating_balance,
     "torque": lambda: sb.torque.torque_report(sb.load("v10-72"), 10),
+    "torque-in-newton-metres": lambda: sb.torque.torque_report(sb.load("vq30de"), 6).at(rpm=6000),
+    "torque-orders-in-newton-metres": lambda: sb.inertia_torque(sb.load("vq30de"), 4).at(rpm=6000),
     "torque-unlike": lambda: sb.torque.torque_report(sb.load("vw-vr6"), 6),
     "torque-symbolic": lambda: sb.torque.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),
     "torque-running": _torque_running,

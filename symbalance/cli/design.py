@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from symbalance.cli.options import ENGINE, add_output, command
+from symbalance.cli.options import ENGINE, add_full, add_operating_point, add_output, command, engine_of
 from symbalance.cli.output import medium, printed, whole_number, write, write_all
 from symbalance.errors import SymbalanceError
 
@@ -56,6 +56,8 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     parser.add_argument("--most", metavar="KGMM", help="no weight may have a larger unbalance, kg mm")
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    add_operating_point(parser, "N")
+    add_full(parser)
     add_output(parser)
     parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
     parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
@@ -68,10 +70,9 @@ def run(options: argparse.Namespace) -> int:
     stations = None if options.stations is None else options.stations.split(",")
 
     from symbalance.design.balancing import design_balance
-    from symbalance.engine.catalogue import load
 
     design = design_balance(
-        load(options.engine),
+        engine_of(options),
         remove,
         shafts=shafts,
         counter_rotation=not options.no_counter_rotation,
@@ -83,10 +84,18 @@ def run(options: argparse.Namespace) -> int:
         length=options.length,
         most=options.most,
         per_throw=options.per_throw,
-        ratio=options.ratio,
     )
+    if options.rpm is not None:
+        design = design.at(rpm=options.rpm)
     form = medium(options)
-    content = printed(design, form, options.output, standalone=options.standalone, label=options.label)
+    content = printed(
+        design,
+        form,
+        options.output,
+        standalone=options.standalone,
+        full=options.full,
+        label=options.label,
+    )
     files = _files(design, options)
     if options.output in (None, "-"):
         if files:

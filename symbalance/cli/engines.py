@@ -12,7 +12,7 @@ from symbalance.errors import SymbalanceError
 if TYPE_CHECKING:
     from symbalance.engine.catalogue import Presets
 
-SELECTING = ("cylinders", "strokes", "kind", "having", "sort")
+SELECTING = ("cylinders", "strokes", "kind", "having", "sort", "full")
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -39,6 +39,9 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--sort",
         metavar="KEY",
         help="by cylinders, bore, stroke, rod, pitch or a mass; default: name",
+    )
+    parser.add_argument(
+        "--full", action="store_true", help="add what each is, its sources and its estimates"
     )
     add_output(parser)
 
@@ -72,4 +75,5 @@ def _selected(presets: Presets, options: argparse.Namespace) -> Presets:
         kind=options.kind,
         having=options.having or (),
         sort=options.sort,
+        in_full=options.full,
     )

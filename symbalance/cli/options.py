@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from symbalance.budgets import Budget
 from symbalance.cli.budget import USUAL, add_budget, read_budget, run_with_budget
 from symbalance.cli.named_files import check_named_files
 from symbalance.cli.output import MEDIA
+from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.engine.engine import Engine
 
 ENGINE = "a preset (symbalance engines), a .toml file, or - for standard input"
 
@@ -64,6 +69,12 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
         parser.add_argument("-o", "--output", metavar="FILE", help=help_)
 
 
+def add_full(parser: argparse.ArgumentParser) -> None:
+    """Add the option that shows what a short document names in its last line."""
+    help_ = "text, latex: all tables, those that few readers need too"
+    parser.add_argument("--full", action="store_true", help=help_)
+
+
 def add_trust(parser: argparse.ArgumentParser, what: str) -> None:
     """Add the option by which a file may name files outside its folder."""
     parser.add_argument(
@@ -82,8 +93,59 @@ def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> Non
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
 
 
-def add_running(parser: argparse.ArgumentParser) -> None:
-    """Add what makes an engine run: its pressure and sizes."""
+def add_operating_point(
+    parser: argparse.ArgumentParser, speeds: str = "N or FROM:TO:STEP", *, pitch: bool = True
+) -> None:
+    """Add the speed that values in N and N m are for, and the sizes that an engine may lack."""
+    about = "for values in N and N m" + ("; several make a table" if ":" in speeds else "")
+    speed = f"speed, {speeds}, {about}" if " " in speeds else f"speed, {about}"
+    parser.add_argument("--rpm", metavar=speeds.split(maxsplit=1)[0], help=speed)
+    for option, unit, what in (
+        ("mass", "KG", "reciprocating mass of a cylinder"),
+        ("stroke", "MM", "stroke"),
+        ("rod", "MM", "rod's length"),
+        *((("pitch", "MM", "pitch of the cylinders"),) if pitch else ()),
+    ):
+        parser.add_argument(f"--{option}", metavar=unit, help=f"{what}, where the engine gives none")
+
+
+def engine_of(options: argparse.Namespace, sizes: Mapping[str, str] | None = None) -> Engine:
+    """Return the engine a command is about, with the rod ratio and the sizes that its options give.
+
+    `sizes` are those of a command whose options of these names mean something else.
+    """
+    from symbalance.engine.catalogue import load
+
+    return resized(load(options.engine), options, sizes)
+
+
+def resized(
+    engine: Engine, options: argparse.Namespace, sizes: Mapping[str, str] | None = None
+) -> Engine:
+    """Return an engine with the rod ratio and the sizes that a command line gives."""
+    from symbalance.forces.operating_point import SIZES, sized
+
+    if sizes is None:
+        sizes = {name: text for name in SIZES if (text := getattr(options, name, None)) is not None}
+    ratio = getattr(options, "ratio", None)
+    if ratio is not None and "rod" in sizes:
+        rule = "gives the rod ratio, and so does --ratio"
+        raise SymbalanceError(f"--rod {sizes['rod']}", rule, "leave one out")
+    return sized(engine if ratio is None else engine.with_ratio(ratio), sizes)
+
+
+def check_speed_for_sizes(options: argparse.Namespace) -> None:
+    """Refuse sizes that play a part at a speed only, where none is given."""
+    if any(getattr(options, name, None) is not None for name in ("rpm", "pressure", "compression")):
+        return
+    for name in ("mass", "pitch", *(() if options.rod is not None else ("stroke",))):
+        if getattr(options, name, None) is not None:
+            remedy = "add --rpm N, or leave it out"
+            raise SymbalanceError(f"--{name}", "plays a part at a speed only", remedy)
+
+
+def add_running(parser: argparse.ArgumentParser, *, pitch: bool = False) -> None:
+    """Add what makes an engine run: its pressure, speed and sizes."""
     pressure = parser.add_mutually_exclusive_group()
     pressure.add_argument(
         "--pressure", metavar="FILE", help="CSV: degrees after firing top dead centre, bar absolute"
@@ -95,11 +157,7 @@ def add_running(parser: argparse.ArgumentParser) -> None:
         help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
     parser.add_argument("--bore", metavar="MM", help="bore, where the engine gives none")
-    parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
-    parser.add_argument("--stroke", metavar="MM", help="stroke, where the engine gives none")
-    parser.add_argument(
-        "--mass", metavar="KG", help="reciprocating mass of a cylinder, where the engine gives none"
-    )
+    add_operating_point(parser, "N", pitch=pitch)
 
 
 def add_jobs(parser: argparse.ArgumentParser, what: str) -> None:

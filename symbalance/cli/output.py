@@ -49,7 +49,14 @@ def whole_number(text: str, name: str) -> int:
 def show(result: Result, options: argparse.Namespace) -> None:
     """Write a result in the medium and to the place that a command line asks for."""
     form = medium(options)
-    content = printed(result, form, options.output, standalone=options.standalone, label=options.label)
+    content = printed(
+        result,
+        form,
+        options.output,
+        standalone=options.standalone,
+        full=getattr(options, "full", False),
+        label=options.label,
+    )
     write(content, options.output, form)
 
 
@@ -86,6 +93,7 @@ def printed(
     output: str | None,
     *,
     standalone: bool = False,
+    full: bool = False,
     label: str | None = None,
 ) -> str | bytes:
     """Return a result in a medium, texts ended by a line's end; only that medium's writer is imported."""
@@ -96,9 +104,9 @@ def printed(
 
         stream = "utf-8" if output not in (None, "-") else sys.stdout.encoding or "utf-8"
         width = columns() if output in (None, "-") else 80
-        return document_text(result.document(), width, lambda text: _quoted(text, stream))
+        return document_text(result.document().unfolded(full), width, lambda text: _quoted(text, stream))
     if form == "latex":
-        return results.to_latex(result, standalone=standalone, label=label)
+        return results.to_latex(result, standalone=standalone, full=full, label=label)
     if form == "html":
         return results.to_html(result, standalone=True)
     if form in ("csv", "xlsx"):

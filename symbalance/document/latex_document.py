@@ -27,6 +27,8 @@ from symbalance.errors import SymbalanceError, brief
 
 ROOM = 66.0
 """How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
+FULL_PAGE, FOOTNOTES, SMALL_PAGE = 45, 58, 80
+"""Lines that a page of its own holds, from which it needs yet smaller letters, and the most it holds."""
 ROWS = 30
 """Of a table on one page."""
 _GAP = 2.4
@@ -47,8 +49,8 @@ _HIGH = 1.1
 _WORDS_ROOM = 24.0
 """A column of words wider than this may be set as a paragraph."""
 
-_CLASS = r"""\documentclass[11pt]{article}
-\usepackage[a4paper,margin=25mm]{geometry}
+_CLASS = r"""\documentclass[10pt]{article}
+\usepackage[a4paper,margin=18mm,top=12mm,bottom=12mm,nofoot]{geometry}
 \usepackage{amsmath}
 \usepackage{booktabs}
 """
@@ -60,11 +62,14 @@ _EIGHT_BITS = r"""\usepackage{iftex}
 \fi
 """
 _SETTINGS = r"""\setlength{\parindent}{0pt}
-\setlength{\parskip}{4pt}
+\setlength{\parskip}{3pt}
 \setlength{\emergencystretch}{3em}
 \setlength{\jot}{6pt}
 \allowdisplaybreaks
 \begin{document}
+"""
+_SMALL = r"""\setlength{\parskip}{1pt}
+\setlength{\medskipamount}{3pt}
 """
 _EAST_ASIAN = r"""\iftutex
   \usepackage{luatexja}
@@ -98,7 +103,23 @@ def document_latex(
         code = r"  \DeclareUnicodeCharacter{%s}{\texttt{U+%s}\allowbreak}" + "\n"
         codes = "".join(code % (f"{ord(sign):04X}", f"{ord(sign):04X}") for sign in signs)
         parts.append(_EAST_ASIAN.replace("CODES", codes))
-    return "".join([*parts, _SETTINGS, body, "\\end{document}\n"])
+    lines = _lines(document.blocks)
+    small = _SMALL if FULL_PAGE < lines <= SMALL_PAGE else ""
+    small += ("\\small\n" if lines < FOOTNOTES else "\\footnotesize\n") if small else ""
+    return "".join([*parts, _SETTINGS, small, body, "\\end{document}\n"])
+
+
+def _lines(blocks: tuple[nodes.Block, ...]) -> int:
+    """Return about how many lines blocks take on paper."""
+    lines = 0
+    for block in blocks:
+        if isinstance(block, nodes.Table):
+            lines += len(block.rows) + 3
+        elif isinstance(block, nodes.Facts):
+            lines += len(block.entries) + 1
+        else:
+            lines += _lines(block.blocks) + 2 if isinstance(block, nodes.Details) else 1
+    return lines
 
 
 class _Writer(DocumentWriter):

@@ -165,12 +165,20 @@ class Source:
     lines: tuple[SourceLine, ...]
 
 
+LONGEST = 20
+"""Characters of an exact number in a short document's table."""
+
+
 @dataclass(frozen=True, eq=False)
 class Details:
-    """What a reader may skip; folded where a medium can fold."""
+    """What a reader may skip; folded where a medium can fold.
+
+    What is `optional` is left out where it cannot, unless all is asked for: see `Document.unfolded`.
+    """
 
     summary: str
     blocks: tuple[Block, ...]
+    optional: bool = False
 
 
 Block = Heading | Paragraph | Facts | Table | Formulas | Figure | Source | Details
@@ -187,6 +195,45 @@ class Document:
     def __post_init__(self) -> None:
         for name in ("title", "blocks", "lead"):
             object.__setattr__(self, name, _visible(getattr(self, name)))
+
+    def unfolded(self, full: bool) -> Document:
+        """Return the document for a medium that cannot fold: optional details in full, or their names."""
+        omitted: dict[str, None] = {}
+        shown = _unfolded(self.blocks, full, omitted)
+        if omitted:
+            shown = (*shown, Paragraph((f"in full also: {', '.join(omitted)} (", Code("--full"), ")")))
+        return Document(self.title, shown, self.lead)
+
+
+def _unfolded(blocks: tuple[Block, ...], full: bool, omitted: dict[str, None]) -> tuple[Block, ...]:
+    """Return blocks with optional details opened or left out, whose names are put into `omitted`."""
+    shown: list[Block] = []
+    for block in blocks:
+        if isinstance(block, Table) and not full:
+            shown.append(_rounded(block, omitted))
+        elif not isinstance(block, Details):
+            shown.append(block)
+        elif not block.optional:
+            shown.append(Details(block.summary, _unfolded(block.blocks, full, omitted)))
+        elif full:
+            shown += _unfolded(block.blocks, full, omitted)
+        else:
+            omitted[block.summary] = None
+    return tuple(shown)
+
+
+def _rounded(table: Table, omitted: dict[str, None]) -> Table:
+    """Return a table whose long exact cells are in decimals, and say so in `omitted`."""
+    from symbalance.document.text_writer import formula_text
+
+    def short(cell: Cell) -> Cell:
+        if not isinstance(cell, Exact) or cell.near is None or len(formula_text(cell.value)) <= LONGEST:
+            return cell
+        omitted["the exact form of what is rounded"] = None
+        return cell.near
+
+    rows = tuple(tuple(map(short, row)) for row in table.rows)
+    return replace(table, rows=rows)
 
 
 def _visible(value: Any) -> Any:

@@ -107,19 +107,26 @@ class SequenceResult(Result, Sequence[Item]):
         return hash(self.items)
 
 
-def to_text(result: Result, *, width: int = 80) -> str:
-    """Return a result as text for a terminal of `width` columns, 40 or more."""
+def to_text(result: Result, *, width: int = 80, full: bool = False) -> str:
+    """Return a result as text for a terminal of `width` columns, 40 or more.
+
+    `full` shows what a short document names in its last line.
+    """
     from symbalance.document.text_document import document_text
 
     if not isinstance(width, int) or width < 40:
         raise SymbalanceError(
             f"width = {width}", "must be a whole number, 40 or more", "80 is the default"
         )
-    return document_text(_checked(result).document(), width)
+    return document_text(_checked(result).document().unfolded(full), width)
 
 
-def to_latex(result: Any, *, standalone: bool = False, label: str | None = None) -> str:
+def to_latex(
+    result: Any, *, standalone: bool = False, full: bool = False, label: str | None = None
+) -> str:
     r"""Return a result as LaTeX: a fragment, or with `standalone` a document that compiles alone.
+
+    `full` shows what a short document names in its last line.
 
     A fragment needs amsmath and booktabs. With a `label` its tables float under captions, labelled
     tab:LABEL-force and so on: what each is about, numbered from the second of that name. Components,
@@ -132,7 +139,8 @@ def to_latex(result: Any, *, standalone: bool = False, label: str | None = None)
     if isinstance(result, Result):
         from symbalance.document.latex_document import document_latex
 
-        return document_latex(result.document(), standalone=standalone, label=label)
+        document = result.document().unfolded(full)
+        return document_latex(document, standalone=standalone, label=label)
     if label is not None:
         raise SymbalanceError(f"label = {brief(label)}", "is for the tables of a result", "leave it out")
     from symbalance.document.latex_writer import formula_latex

@@ -353,7 +353,7 @@ ESTIMATED = (
 ESTIMATES = TableKeys(
     "estimates",
     tuple(Key(key, Text(), f"Why `{key}` is an estimate, and of what") for key in ESTIMATED),
-    meaning="The figures nobody looked up, each with its reason; `symbalance engines` lists them.",
+    meaning="The figures nobody looked up, each with its reason; `symbalance engines --full` lists them.",
 )
 
 _OPAQUE = TableKeys("", (), others=Text())

@@ -42,9 +42,9 @@ from symbalance.torque.flywheel import (
 )
 from symbalance.torque.gas import GasGroup, gas_groups
 from symbalance.torque.ideal_cycles import IdealCycle
-from symbalance.torque.inertia_balance import inertia_torque
+from symbalance.torque.inertia_balance import MILLI, first_excess, inertia_torque
 from symbalance.torque.pressure import PressureTrace
-from symbalance.torque.roll import MILLI, first_excess, rod_torque
+from symbalance.torque.roll import rod_torque
 from symbalance.torque.star_diagrams import firing_pin_passings
 
 if TYPE_CHECKING:

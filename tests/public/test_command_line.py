@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from symbalance.cli import run
-from symbalance.engine.catalogue import preset_names
+from tests.different_presets import different_presets
 
 GOOD = """
 [layout]
@@ -71,7 +71,7 @@ def test_v12_table_fits_a_terminal_and_holds_one_family(capsys):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("engine", preset_names()[::2])
+@pytest.mark.parametrize("engine", different_presets()[::3])
 def test_tables_fit_a_terminal(capsys, engine):
     out = printed(capsys, "balance", engine, "--order", "40")
     assert max(map(len, out.splitlines())) <= 80
@@ -122,7 +122,7 @@ def test_without_a_ratio_values_are_null(capsys, tmp_path):
 def test_engines_lists_every_preset_with_its_source(capsys):
     from symbalance.engine.catalogue import presets
 
-    out = printed(capsys, "engines")
+    out = printed(capsys, "engines", "--full")
     assert max(map(len, out.splitlines())) <= 80
     joined = " ".join(out.split())
     for preset in presets():

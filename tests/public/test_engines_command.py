@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tomllib
 from typing import Any
 
@@ -67,7 +68,7 @@ def test_every_estimate_is_of_something_and_has_a_reason() -> None:
 
 def test_there_are_eighty_engines_and_more() -> None:
     assert len(LISTED) == len(preset_names()) >= 80
-    assert sum(preset.sizes == "looked up" for preset in LISTED) >= 24
+    assert sum(preset.sizes == "looked up" for preset in LISTED) >= 33
 
 
 @pytest.mark.parametrize(
@@ -148,6 +149,58 @@ def test_a_row_is_what_the_file_says(capsys: pytest.CaptureFixture[str]) -> None
     )
 
 
+LENGTHS_OF_A_ROW = re.compile(r"(?:[\d.]+|–)")
+
+
+def test_the_list_is_a_line_an_engine(capsys: pytest.CaptureFixture[str]) -> None:
+    """At 100 columns; each line's numbers are the file's, rounded, a dash where it has none."""
+    table = sb.to_text(sb.presets(), width=100).partition("─\n")[2].splitlines()
+    assert [line.split()[0] for line in table] == list(preset_names())
+    for line, preset in zip(table, LISTED, strict=True):
+        values = [preset.lengths.get(key) for key in LENGTHS] + [preset.masses.get("reciprocating_mass")]
+        places = (1, 1, 1, 1, 2)
+        stated = [
+            "–" if value is None else f"{float(value):.{digits}f}"
+            for value, digits in zip(values, places, strict=True)
+        ]
+        before, sizes = line.removesuffix(preset.sizes), line.endswith(preset.sizes)
+        assert sizes, line
+        assert LENGTHS_OF_A_ROW.findall(before)[-5:] == stated, line
+        assert preset.arrangement in line
+    assert run(["engines"]) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) < 80
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("inline-1", "single"),
+        ("toyota-2jz", "in-line 6"),
+        ("man-9s50mc-c", "2-stroke in-line 9"),
+        ("vw-vr6-fsi", "V6 10.6°"),
+        ("v6-120", "V6 120°"),
+        ("vw-1600", "boxer 4"),
+        ("bugatti-w16", "W16"),
+        ("r-1830", "radial 14"),
+    ],
+)
+def test_arrangements(name: str, words: str) -> None:
+    assert BY_NAME[name].arrangement == words
+
+
+def test_sources_and_estimates_come_in_full_only(capsys: pytest.CaptureFixture[str]) -> None:
+    selection = ("engines", "--cylinders", "5", "--sort", "bore")
+    assert run([*selection]) == 0
+    short = capsys.readouterr().out
+    assert run([*selection, "--full"]) == 0
+    full = " ".join(capsys.readouterr().out.split())
+    for preset in LISTED:
+        if preset.cylinders == 5:
+            words = [preset.description, preset.source, *preset.estimates.values()]
+            assert all(" ".join(each.split()) in full for each in words), preset.name
+            assert preset.source not in " ".join(short.split())
+
+
 def test_a_selection_of_none_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["engines", "--cylinders", "7", "--strokes", "4", "--kind", "boxer"]) == 0
     assert "None is of this selection" in capsys.readouterr().out
@@ -163,6 +216,7 @@ def test_a_selection_of_none_says_so(capsys: pytest.CaptureFixture[str]) -> None
         (("--cylinders", "0"), "cylinders = 0"),
         (("--cylinders", "many"), "--cylinders = many: must be a whole number"),
         (("--show", "v8-90", "--sort", "bore"), "--sort: plays no part in --show; leave it out"),
+        (("--show", "v8-90", "--full"), "--full: plays no part in --show; leave it out"),
         (("--schema", "--with", "masses"), "--with: plays no part in --schema; leave it out"),
     ],
 )

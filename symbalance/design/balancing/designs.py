@@ -16,7 +16,7 @@ built in.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.design.balancing.design_limits import Limits, checked_limits, checked_orders
@@ -136,6 +136,13 @@ class Design(Result):
         from symbalance.design.balancing.design_data import design_records
 
         return design_records(self)
+
+    def at(self, *, rpm: object) -> Design:
+        """Return the same design with what remains in N and N m at a speed.
+
+        The engine's stroke, reciprocating mass and pitch have to be known: `engine.with_sizes` adds them.
+        """
+        return replace(self, before=self.before.at(rpm=rpm), remains=self.remains.at(rpm=rpm))
 
     @property
     def shafts(self) -> list[Device]:

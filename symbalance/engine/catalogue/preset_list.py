@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import nan
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from symbalance.document.result import SequenceResult
@@ -15,6 +16,7 @@ from symbalance.errors import SymbalanceError, brief
 from symbalance.text.numbers import checked_whole, exact
 
 if TYPE_CHECKING:
+    from symbalance.document.formula import Formula
     from symbalance.document.nodes import Document
 
 KINDS = ("in-line", "vee", "boxer", "W", "radial")
@@ -30,14 +32,16 @@ CONTENTS = ("sizes", "masses", "estimates")
 class Preset:
     """A preset: its name, what it is, where its figures come from, its sizes and its estimates.
 
-    `lengths` are in mm, `masses` in kg of each cylinder, each as far as it is given. `estimates` says of
-    what nobody looked up why it is what it is.
+    `arrangement` says in a word or two how many cylinders stand how, and whether it has two strokes:
+    "V8 90°". `lengths` are in mm, `masses` in kg of each cylinder, each as far as it is given.
+    `estimates` says of what nobody looked up why it is what it is.
     """
 
     name: str
     description: str
     source: str
     kind: str
+    arrangement: str
     cylinders: int
     strokes: int
     lengths: Mapping[str, Fraction]
@@ -78,13 +82,17 @@ def preset_from(name: str, table: Mapping[str, Any]) -> Preset:
     train, rows = table.get("crank_train", {}), table.get("cylinder", [])
     layout = table.get("layout", {})
     banks = [row.get("bank", 0) for row in rows] or layout.get("banks", [0])
+    axes = [exact(bank, "bank") for bank in banks]
+    cylinders = len(rows) or len(layout["firing_order"])
+    strokes = int(layout.get("strokes", table.get("strokes", 4)))
     return Preset(
         name,
         table["description"],
         table["source"],
-        kind_of([exact(bank, "bank") for bank in banks]),
-        len(rows) or len(layout["firing_order"]),
-        int(layout.get("strokes", table.get("strokes", 4))),
+        kind_of(axes),
+        arrangement_of(axes, cylinders, strokes),
+        cylinders,
+        strokes,
         _present(train, LENGTHS),
         _present(train, MASSES),
         dict(table.get("estimates", {})),
@@ -104,13 +112,35 @@ def kind_of(banks: Iterable[Fraction]) -> str:
     >>> kind_of([Fraction(-45), Fraction(45)]), kind_of([Fraction(0), Fraction(120), Fraction(240)])
     ('vee', 'radial')
     """
-    axes = sorted({bank % 360 for bank in banks})
-    if len(axes) == 1:
+    gaps = _gaps(banks)
+    if len(gaps) <= 1:
         return "in-line"
-    gaps = [(b - a) % 360 for a, b in zip(axes, [*axes[1:], axes[0]], strict=True)]
-    if len(axes) == 2:
+    if len(gaps) == 2:
         return "boxer" if gaps[0] == gaps[1] else "vee"
     return "radial" if max(gaps) < 180 else "W"
+
+
+def arrangement_of(banks: Iterable[Fraction], cylinders: int, strokes: int) -> str:
+    """Return how many cylinders stand how, of the angles of their axes in degrees, and two strokes.
+
+    >>> arrangement_of([Fraction(-45), Fraction(45)], 8, 4), arrangement_of([Fraction(0)], 6, 2)
+    ('V8 90°', '2-stroke in-line 6')
+    """
+    axes = tuple(banks)
+    words = {
+        "in-line": f"in-line {cylinders}" if cylinders > 1 else "single",
+        "vee": f"V{cylinders} {float(min(_gaps(axes), default=0)):.4g}°",
+        "boxer": f"boxer {cylinders}",
+        "W": f"W{cylinders}",
+        "radial": f"radial {cylinders}",
+    }
+    return ("2-stroke " if strokes == 2 else "") + words[kind_of(axes)]
+
+
+def _gaps(banks: Iterable[Fraction]) -> list[Fraction]:
+    """Return the angles from each axis to the next, all round."""
+    axes = sorted({bank % 360 for bank in banks})
+    return [(b - a) % 360 for a, b in zip(axes, [*axes[1:], *axes[:1]], strict=True)]
 
 
 SORTS: dict[str, Callable[[Preset], Any]] = {
@@ -123,9 +153,10 @@ SORTS: dict[str, Callable[[Preset], Any]] = {
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Presets(SequenceResult[Preset]):
-    """Preset engines, all of them or a selection."""
+    """Preset engines, all of them or a selection; `in_full`, its document tells their sources too."""
 
     items: tuple[Preset, ...]
+    in_full: bool = False
     kind: ClassVar[str] = "presets"
 
     def selected(
@@ -136,10 +167,12 @@ class Presets(SequenceResult[Preset]):
         kind: str | None = None,
         having: Iterable[str] = (),
         sort: str | None = None,
+        in_full: bool = False,
     ) -> Presets:
         """Return the presets of so many cylinders and strokes, of a kind, that have what is named.
 
         `kind` is one of `KINDS`, `having` some of `CONTENTS`, `sort` one of `SORTS` or "name".
+        `in_full` adds descriptions, sources and estimates to the document.
         """
         tests: list[Callable[[Preset], bool]] = []
         if cylinders is not None:
@@ -158,25 +191,37 @@ class Presets(SequenceResult[Preset]):
         if _one_of(sort or "name", ("name", *SORTS), "sort") != "name":
             key = SORTS[str(sort)]
             chosen.sort(key=lambda preset: (key(preset) is None, key(preset) or 0))
-        return replace(self, items=tuple(chosen))
+        return replace(self, items=tuple(chosen), in_full=in_full)
 
     def summary(self) -> str:
         """Return how many there are, in one line."""
         return f"Preset engines: {len(self)}"
 
     def document(self) -> Document:
-        """Return a table of names, sizes, descriptions, sources and estimates."""
-        from symbalance.document.nodes import Code, Column, Document, Paragraph, Table
+        """Return a table, a line an engine; `in_full`, also descriptions, sources and estimates."""
+        from symbalance.document.nodes import UNKNOWN, Code, Column, Details, Document, Facts, Table
 
         if not self.items:
-            return Document("Preset engines", (Paragraph("None is of this selection."),))
-        columns = (
-            Column("name"),
-            Column("sizes"),
-            Column("what it is, its sizes, and where its figures come from"),
+            return Document("Preset engines", (), "None is of this selection.")
+        columns = tuple(map(Column, ("name", "engine", *LENGTHS, "mass", "sizes")))
+        rows = tuple((Code(p.name), p.arrangement, *_numbers(p), p.sizes) for p in self)
+        lead = (
+            "Bore, stroke, rod and pitch in mm, reciprocating mass of a cylinder in kg, rounded; "
+            f"{UNKNOWN}: not given. Sizes are estimated where one of the four is. "
         )
-        rows = tuple((Code(p.name), p.sizes, _words(p)) for p in self)
-        return Document("Preset engines", (Table("", columns, rows),))
+        if not self.in_full:
+            more = (
+                lead,
+                Code("--full"),
+                " adds descriptions, sources and estimates, ",
+                Code("--show NAME"),
+            )
+            return Document(
+                "Preset engines", (Table("", columns, rows),), (*more, " prints an engine's file.")
+            )
+        facts = Facts(tuple((Code(p.name), _words(p)) for p in self))
+        details = Details("What they are, and where their figures come from", (facts,))
+        return Document("Preset engines", (Table("", columns, rows), details), lead.rstrip())
 
     def data(self) -> dict[str, Any]:
         """Return of every preset what it is, its sizes, its sources and its estimates."""
@@ -196,11 +241,19 @@ def _one_of(word: str, words: Iterable[str], name: str) -> str:
     return known[word.lower()]
 
 
+def _numbers(preset: Preset) -> list[Formula | str]:
+    """Return lengths and the reciprocating mass as cells; a dash where one is not given."""
+    from symbalance.document.decimals import fixed_cell
+
+    values, places = {**preset.lengths, **preset.masses}, {"mm": 1, "kg": 2}
+    keys = (*LENGTHS, "reciprocating_mass")
+    return [fixed_cell(float(values.get(key, nan)), places[UNITS[key]]) for key in keys]
+
+
 def _words(preset: Preset) -> str:
-    """Return a preset's description, its sizes, its source and its estimates."""
-    values = {**preset.lengths, **preset.masses}
-    sizes = [f"{key.replace('_', ' ')} {float(value):.10g} {UNITS[key]}" for key, value in values.items()]
-    after = f"; {', '.join(sizes)}" if sizes else ""
+    """Return a preset's description, its masses, its source and its estimates."""
+    masses = [f"{key.replace('_', ' ')} {float(value):.10g} kg" for key, value in preset.masses.items()]
+    after = f"; {', '.join(masses)}" if masses else ""
     reasons = [f"{key.replace('_', ' ')}: {reason}" for key, reason in preset.estimates.items()]
     estimates = f" [estimates: {'; '.join(reasons)}]" if reasons else ""
     return f"{preset.description}{after} [{preset.source}]{estimates}"
@@ -216,6 +269,7 @@ def _record(preset: Preset) -> dict[str, Any]:
         "description": preset.description,
         "source": preset.source,
         "kind": preset.kind,
+        "arrangement": preset.arrangement,
         "cylinders": preset.cylinders,
         "strokes": preset.strokes,
         "sizes": preset.sizes,
