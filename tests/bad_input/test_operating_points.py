@@ -1,4 +1,4 @@
-"""Speeds and sizes that a command line gives: each refusal is one line that names the key and the option."""
+"""Speeds and sizes that a command line gives: each refusal is a line that names key and option."""
 
 from __future__ import annotations
 
