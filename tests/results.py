@@ -285,7 +285,9 @@ def result_classes() -> set[type[Result]]:
     return {
         cls
         for cls in _below(Result)
-        if cls.kind and getattr(sys.modules[cls.__module__], cls.__name__) is cls
+        if cls.__module__.startswith("symbalance.")
+        and cls.kind
+        and getattr(sys.modules[cls.__module__], cls.__name__) is cls
     }
 
 

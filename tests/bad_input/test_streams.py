@@ -147,7 +147,7 @@ def ended(monkeypatch, capsys, problem: BaseException) -> tuple[int, str]:
 def test_a_fault_of_ours_is_one_line_that_asks_for_a_report(problem, monkeypatch, capsys):
     code, err = ended(monkeypatch, capsys, problem)
     assert (code, err.count("\n")) == (FAULT, 1)
-    assert f"a fault of symbalance, not of the input: {type(problem).__name__} in cli/balance.py:" in err
+    assert f"a fault of symbalance, not of the input: {type(problem).__name__} in cli/" in err
     assert "please report it with the command and its input" in err
     assert "SYMBALANCE_TRACEBACK=1" in err
 
