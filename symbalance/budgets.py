@@ -81,7 +81,7 @@ class _Watched:
     def check(self, now: float) -> None:
         """Tell the work to end if its budget is spent; called by the watching thread."""
         if not self.spent and self.deadline is not None and now >= self.deadline:
-            self.spent = f"{self.budget.seconds:g} s"
+            self.spent = f"{self.budget.seconds:.3g} s"
         if not self.spent and self.most_bytes is not None and (_resident() or 0) > self.most_bytes:
             self.spent = f"{self.budget.megabytes:g} MB"
         if self.spent and now - self.stopped_at > AGAIN:
@@ -121,6 +121,16 @@ class _Watch:
             self.thread = threading.Thread(target=self._run, name="symbalance budgets", daemon=True)
             self.thread.start()
 
+    def seconds_left(self) -> float | None:
+        """Return what is left of the budgets around this thread's work; None where they have no end."""
+        own = threading.get_ident()
+        deadlines = [
+            work.deadline
+            for work in list(self.under_way)
+            if work.thread == own and not work.has_left and work.deadline is not None
+        ]
+        return min(deadlines) - time.monotonic() if deadlines else None
+
     def _run(self) -> None:
         last_work = time.monotonic()
         while self.thread is threading.current_thread():
@@ -150,8 +160,11 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_renew)
 
 
-def run_within(budget: Budget, work: Callable[[], Value]) -> Value:
+def run_within(budget: Budget, work: Callable[[], Value], share: float | None = None) -> Value:
     """Return what `work()` returns, or raise OverBudgetError soon after its budget is spent.
+
+    With a `share` it ends after that part of what is left of the budget around it, if that is sooner: so
+    that the work around it keeps the rest, and what it has so far.
 
     >>> run_within(Budget(60), lambda: 6 * 7)
     42
@@ -159,6 +172,10 @@ def run_within(budget: Budget, work: Callable[[], Value]) -> Value:
     Traceback (most recent call last):
     symbalance.budgets.OverBudgetError: the work: took more than its budget of 0.01 s; ...
     """
+    left = None if share is None else _watch.seconds_left()
+    if share is not None and left is not None:
+        most = max(share * left, 0.001)
+        budget = budget._replace(seconds=most if budget.seconds is None else min(most, budget.seconds))
     if budget.seconds is None and budget.megabytes is None:
         return work()
     watched = _Watched(budget)

@@ -17,7 +17,7 @@ from symbalance.cli.outcomes import DONE, FAILED, FAULT, REFUSED, say, say_fault
 from symbalance.cli.output import medium_of_several, printed, show, write_all
 from symbalance.errors import SymbalanceError
 from symbalance.jobs.running import Job, JobOutcome, run_jobs
-from symbalance.jobs.store import Store, key_of
+from symbalance.jobs.store import JSON, Codec, Store, key_of
 from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
 from symbalance.notes.checking.documents import SUFFIXES
 from symbalance.text.files import STANDARD_INPUT
@@ -45,7 +45,7 @@ def check_several(options: argparse.Namespace) -> int:
     store = None if folder is None else Store(folder / STORE, "--output")
     rows, faults = [], []
     with long_work(options, store and store.folder) as means:
-        for place, (job, outcome) in enumerate(run_jobs(_check, jobs, store=store, **means)):
+        for place, (job, outcome) in enumerate(run_jobs(_check, jobs, store=store, codec=CODEC, **means)):
             if reports and outcome.is_done:
                 reports[place].parent.mkdir(parents=True, exist_ok=True)
                 write_all({str(reports[place]): outcome.value["printed"]})
@@ -128,12 +128,34 @@ def _job(
     value = (place, str(path), sidecar, limit, trust_paths, form, standalone)
     try:
         read = [path, *declared_files(path, symbols)]
+        before = _states(read)
         settings = (str(path), symbols or "", tuple(limit), trust_paths, form, standalone)
         key = key_of("check", *settings, [(str(p), p) for p in read])
         weight = float(path.stat().st_size)
     except (SymbalanceError, OSError):  # what cannot be read is refused where it is checked
-        key, weight = "", 1.0
-    return Job(str(path), value, key, weight=weight or 1.0)
+        return Job(str(path), value)
+
+    def changed() -> str:
+        return "" if _states(read) == before else "was changed while it was checked"
+
+    return Job(str(path), value, key, weight=weight or 1.0, changed=changed)
+
+
+def _states(files: list[Path]) -> list[tuple[int, ...] | None]:
+    """Return what tells a file that was written meanwhile, even if the same content stands in it again."""
+    states: list[tuple[int, ...] | None] = []
+    for path in files:
+        try:
+            status = os.stat(path)
+        except OSError:
+            states.append(None)
+        else:
+            states.append((status.st_mtime_ns, status.st_size, status.st_ino))
+    return states
+
+
+CODEC: Codec[dict[str, Any]] = Codec(JSON.encode, JSON.decode, keeps=lambda value: not value["unjudged"])
+"""What a budget ended, another run may judge."""
 
 
 def _absolute(name: str | None) -> str | None:
@@ -147,6 +169,7 @@ def _check(value: tuple[str, str, str | None, Budget, bool, str, bool]) -> dict[
     return {
         "report": {**checked.data(), "document": name},
         "printed": printed(checked, form, name, standalone=standalone),
+        "unjudged": any(v.is_unjudged for v in checked.verdicts),
         "fails": [checked.fails(), checked.fails(lenient=True)],
         "faults": [[f"line {v.line} of {name}: {v.fault}", v.traceback] for v in checked.faults],
     }

@@ -39,7 +39,8 @@ class Job:
     """A piece of work: what a person calls it, the value that the work is done on, and its key.
 
     `value` is picklable. The `key` is a digest of all that the outcome depends on (`store.key_of`);
-    without one nothing is kept. `slot` is the name of its file in a store, the key if empty; `weight`
+    without one nothing is kept. `changed` says, at the end, what the key was made of that is another now:
+    then the outcome is not kept, for nobody knows of which it is. `slot` is the name of its file in a store, the key if empty; `weight`
     what the job is expected to cost, in any unit.
     """
 
@@ -48,6 +49,7 @@ class Job:
     key: str = ""
     slot: str = ""
     weight: float = 1.0
+    changed: Callable[[], str] = lambda: ""
 
 
 @dataclass(frozen=True)
@@ -142,8 +144,12 @@ def _ordered(
             job = jobs[place]
             for line in outcome.notes:
                 progress.say(line)
-            if store is not None and job.key and outcome.is_done:
-                store.save(job.key, codec.encode(outcome.value), job.slot)
+            if store is not None and job.key and outcome.is_done and codec.keeps(outcome.value):
+                changed = job.changed()
+                if changed:
+                    progress.say(f"{job.name}: {changed}: not kept")
+                else:
+                    store.save(job.key, codec.encode(outcome.value), job.slot)
             progress.advance(job.weight)
             outcomes[place] = outcome
             while following in outcomes:

@@ -41,12 +41,14 @@ Value = TypeVar("Value")
 class Codec(Generic[Value]):
     """How a result becomes bytes and is read back; `decode` raises anything on what is no such bytes.
 
-    `disagreement` returns why a result that was read cannot be that of a job's value, "" if it can.
+    `disagreement` returns why a result that was read cannot be that of a job's value, "" if it can;
+    `keeps` whether a result is one that another run would come to as well.
     """
 
     encode: Callable[[Value], bytes]
     decode: Callable[[bytes], Value]
     disagreement: Callable[[Any, Value], str] = lambda value, result: ""
+    keeps: Callable[[Value], bool] = lambda result: True
 
 
 class DamagedError(Exception):

@@ -36,6 +36,8 @@ from symbalance.notes.reading.equations import Chain, ReadNotes, Side, Unreadabl
 MOST_DIFFERENCES = 12
 DETAILS = Budget(2)
 """For the exact value and the differences: a line that is decided stays so without them."""
+SHARE = 0.5
+"""At most, of what is left of the relation's budget: the verdict and its correction need the rest."""
 LONGEST_VALUE = 600
 """Characters of an exact value; a longer one is left out of the report."""
 
@@ -49,7 +51,7 @@ def describe(document: ReadNotes, chain: Chain, k: int, decision: Decision) -> V
     (exact, exact_node), terms, notes = ("", None), (), chain.notes
     if bad:
         try:
-            (exact, exact_node), terms = run_within(DETAILS, lambda: _details(decision, word))
+            (exact, exact_node), terms = run_within(DETAILS, lambda: _details(decision, word), SHARE)
         except OverBudgetError as problem:
             notes = (*notes, f"where the sides differ was not worked out within {problem.spent}")
     return Verdict(

@@ -51,6 +51,8 @@ LARGEST = 10**7
 """Of a whole number put for a printed one."""
 SEARCH = Budget(5)
 """What a search may take: a refuted line stays refuted without it."""
+SHARE = 0.8
+"""At most, of what is left of the relation's budget: the verdict on it must not be lost with the search."""
 
 
 def add_fix(
@@ -70,7 +72,9 @@ def add_fix(
         return verdict
     try:
         return run_within(
-            SEARCH, lambda: _with_fix(verdict, document, side, decision, knowledge, proves, other)
+            SEARCH,
+            lambda: _with_fix(verdict, document, side, decision, knowledge, proves, other),
+            SHARE,
         )
     except OverBudgetError as problem:
         note = f"no correction was found within {problem.spent}"
