@@ -83,6 +83,8 @@ def _check_use(options: argparse.Namespace, outputs: list[str]) -> None:
     for name in ("pressure", "compression", "heat", "bore", "stroke", "rpm", "mass"):
         if getattr(options, name) is None or "torque.total" in gas:
             continue
+        if name == "stroke" and options.rod is not None:
+            continue  # the two are the rod ratio
         if name in ("rpm", "mass"):
             rule = "is for the output torque.total"
             raise SymbalanceError(f"--{name}", rule, "add it to --outputs, or leave this out")

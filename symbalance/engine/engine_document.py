@@ -11,6 +11,7 @@ from symbalance.document.nodes import Block, Cell, Column, Paragraph, Table, Wor
 from symbalance.engine.balance_mass_facts import balancer_facts
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.dead_centres import (
+    dead_centre_shift,
     dead_centre_shift_of,
     firing_dead_centres,
     has_shifted_dead_centres,
@@ -368,12 +369,13 @@ def _firing_angles(engine: Engine) -> dict[int, Fraction]:
 
 def dead_centre_angles_of(engine: Engine) -> dict[int, Fraction]:
     """Return the crank angle at a top dead centre of each cylinder, degrees in [0, 360)."""
-    return {
-        c.number: round(dead_centre_shift_of(c) - c.delay.in_degrees(), 2) % 360
-        if c.offset or c.link
-        else -c.delay.in_degrees() % 360
-        for c in engine.cylinders
-    }
+    angles: dict[int, Fraction] = {}
+    for mechanism, cylinders in engine.grouped(lambda c: c.mechanism).items():
+        shift = dead_centre_shift(mechanism) if mechanism is not None else Fraction(0)
+        for cylinder in cylinders:
+            top = shift - cylinder.delay.in_degrees()
+            angles[cylinder.number] = (round(top, 2) if shift else top) % 360
+    return {c.number: angles[c.number] for c in engine.cylinders}
 
 
 def piston_strokes(engine: Engine) -> dict[int, Real]:

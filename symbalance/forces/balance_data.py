@@ -8,6 +8,7 @@ from typing import Any
 
 from symbalance.engine.balance_masses import Balancers, Counterweight, Weight
 from symbalance.engine.cylinders import Cylinder
+from symbalance.engine.engine_document import dead_centre_angles_of, piston_strokes
 from symbalance.exact.spectrum import COMPONENTS, Component
 from symbalance.forces.free_forces import Balance, Order, Resultant
 from symbalance.forces.rows import plane_key, roll_rows
@@ -26,7 +27,7 @@ def balance_data(balance: Balance) -> dict[str, Any]:
         "strokes": balance.engine.strokes,
         "ratio": None if balance.ratio is None else str(balance.ratio),
         "reference_plane": plane_key(balance.reference),
-        "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.engine.cylinders],
+        "cylinders": _cylinders(balance),
         **({"balancers": _balancers(balance.engine.balancers)} if balance.engine.balancers else {}),
         **({"operating_point": point.data()} if (point := balance.operating_point) else {}),
         "orders": [_order(order, balance) for order in balance.orders],
@@ -85,6 +86,21 @@ def _weight(weight: Weight) -> dict[str, Any]:
 
 def _unit(weight: Weight) -> str:
     return "kg mm" if weight.in_kg_mm else "share"
+
+
+def _cylinders(balance: Balance) -> list[dict[str, Any]]:
+    """Return the cylinders, with what a drawing says of each in mm and degrees."""
+    engine = balance.engine
+    tops = {} if engine.has_symbols else dead_centre_angles_of(engine)
+    strokes = piston_strokes(engine)
+    return [
+        _cylinder(c)
+        | _own(balance, c)
+        | ({"station_mm": str(c.station * engine.pitch)} if engine.pitch else {})
+        | ({"top_dead_centre": str(tops[c.number])} if tops else {})
+        | ({"stroke_mm": decimal_text(strokes[c.number], VALUE_DIGITS)} if strokes else {})
+        for c in engine.cylinders
+    ]
 
 
 def _cylinder(cylinder: Cylinder) -> dict[str, Any]:

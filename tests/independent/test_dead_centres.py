@@ -14,7 +14,7 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.crankshaft.loads import firing_crank_angles
 from symbalance.engine.dead_centres import firing_dead_centres, has_shifted_dead_centres
-from symbalance.engine.engine_document import piston_strokes
+from symbalance.engine.engine_document import dead_centre_angles_of, piston_strokes
 from symbalance.engine.engine_file import parse_engine
 from symbalance.engine.stars import intervals, is_even, known_firing
 from symbalance.torque import firing_pin_passings
@@ -167,10 +167,12 @@ def test_refusals_name_file_and_line(was, now, line, words, tmp_path, capsys):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["vw-vr6", "r-985", "vq30de"])
-def test_the_strokes_that_a_drawing_says(name: str) -> None:
+def test_strokes_and_dead_centres_that_a_drawing_says(name: str) -> None:
     engine = sb.load(name)
-    strokes = piston_strokes(engine)
+    strokes, tops = piston_strokes(engine), dead_centre_angles_of(engine)
     for cylinder in engine.cylinders:
+        away = float(tops[cylinder.number]) - placed.stroke_and_top(engine, cylinder)[1]
+        assert abs((away + 180) % 360 - 180) < 0.0051
         assert float(strokes[cylinder.number]) == pytest.approx(
             placed.stroke_and_top(engine, cylinder)[0], abs=1e-6
         )
