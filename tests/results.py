@@ -79,6 +79,19 @@ def _harmonics() -> Result:
     return sb.kinematics.harmonics("displacement", 6)
 
 
+def _comparison() -> Result:
+    engines = ("v8-90", "v8-90-flat", "inline-5", "v2-90")
+    return sb.design.compare([sb.load(name) for name in engines], 6, phases=True)
+
+
+def _comparison_unlike() -> Result:
+    """Unlike cylinders among like ones; no rod ratio, a symbol, no firing order."""
+    nameless = sb.inline("1-3-4-2", name="no_ratio")
+    twin = sb.vee(Symbol("alpha"), pins=[0], name="twin_of_any_angle", ratio=4)
+    engines = [sb.load("vw-vr6"), sb.load("inline-4"), nameless, twin]
+    return sb.design.compare(engines, 4, phases=True)
+
+
 def _design() -> Result:
     return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
 
@@ -213,6 +226,8 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "firing-orders": _firing_orders,
     "truncation-bounds": _truncation_bounds,
     "harmonics": _harmonics,
+    "comparison": _comparison,
+    "comparison-unlike": _comparison_unlike,
     "design": _design,
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,

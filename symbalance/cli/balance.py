@@ -8,6 +8,12 @@ from typing import Any
 
 from symbalance.budgets import Budget, run_within
 from symbalance.cli.budget import read_budget
+from symbalance.cli.engine_comparison import (
+    add_comparison,
+    is_comparison,
+    refuse_comparison_options,
+    show_comparison,
+)
 from symbalance.cli.long_work import long_work, output_folder, report_paths
 from symbalance.cli.options import ENGINE, add_jobs, add_output, command
 from symbalance.cli.outcomes import DONE, FAULT, REFUSED, say_fault
@@ -19,14 +25,18 @@ def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
     summary = "Free forces and couples of an engine, order by order, exactly."
     parser = command(
-        commands, "balance", run, summary, divides_budget=lambda options: options.engine is None
+        commands,
+        "balance",
+        run,
+        summary,
+        divides_budget=lambda options: options.engine is None and not is_comparison(options),
     )
     parser.add_argument(
         "engines",
         metavar="ENGINE",
         nargs="+",
         action=_Engines,
-        help=f"{ENGINE}; several, each into a file of its own, with -o FOLDER",
+        help=f"{ENGINE}; several make one table, or with -o FOLDER/ a file each",
     )
     parser.add_argument(
         "--order", metavar="N", default="12", help="highest order, 1 to 1000; default: 12"
@@ -39,6 +49,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's: 4, 3.7 or 147.15/36.65"
     )
+    add_comparison(parser)
     add_jobs(parser, "engines")
     add_output(parser)
 
@@ -57,6 +68,10 @@ def run(options: argparse.Namespace) -> int:
     """Load the engine, balance it, show the result."""
     order = whole_number(options.order, "order")
     power = None if options.power is None else whole_number(options.power, "power")
+    if is_comparison(options):
+        show_comparison(options, order)
+        return 0
+    refuse_comparison_options(options)
     if options.engine is None:
         return _balance_several(options, order, power)
     if options.dask is not None:
@@ -75,9 +90,6 @@ STORE = "finished"
 
 def _balance_several(options: argparse.Namespace, order: int, power: int | None) -> int:
     """Balance several engines, each into a file of a folder; one that is refused stops no other."""
-    if options.output in (None, "-"):
-        rule = "have no place on the terminal together"
-        raise SymbalanceError(f"{len(options.engines)} engines", rule, "name a folder with -o FOLDER")
     terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
     form = medium(terminal)
 

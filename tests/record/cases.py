@@ -182,6 +182,10 @@ def _balances(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator[C
         yield from _formats(f"balance-order-24/{key}", ("json", "text"), *line, "--order", "24")
         yield from _formats(f"balance-ratio/{key}", ("json", "latex"), *line, "--ratio", "147.15/36.65")
         yield from _formats(f"balance-power/{key}", ("text",), *line, "--order", "6", "--power", "11")
+    names = ("v8-90", "v8-90-flat", "inline-5", "v6-60")
+    for extra in ((), ("--percent",), ("--phases",)):
+        name = "".join(("balance-several/table", *extra))
+        yield from _formats(name, SUFFIX, "balance", *names, "--order", "6", *extra)
     yield Case("balance-file/v8-90.txt", ("balance", "v8-90", "-o", "v8.txt"))
 
 
