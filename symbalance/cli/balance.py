@@ -11,11 +11,12 @@ from symbalance.cli.budget import read_budget
 from symbalance.cli.engine_comparison import (
     add_comparison,
     is_comparison,
+    refuse_bank,
     refuse_comparison_options,
     show_comparison,
 )
 from symbalance.cli.long_work import long_work, output_folder, report_paths
-from symbalance.cli.options import ENGINE, add_jobs, add_output, command
+from symbalance.cli.options import ENGINE, add_bank, add_jobs, add_output, bank_angle, command
 from symbalance.cli.outcomes import DONE, FAULT, REFUSED, say_fault
 from symbalance.cli.output import medium, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
@@ -49,6 +50,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's: 4, 3.7 or 147.15/36.65"
     )
+    add_bank(parser)
     add_comparison(parser)
     add_jobs(parser, "engines")
     add_output(parser)
@@ -80,7 +82,12 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.engine.catalogue import load
     from symbalance.forces.free_forces import balance
 
-    show(balance(load(options.engine), order, ratio=options.ratio, power=power), options)
+    engine = load(options.engine)
+    if options.bank is not None:
+        from symbalance.engine.builders import with_bank_angle
+
+        engine = with_bank_angle(engine, bank_angle(options.bank))
+    show(balance(engine, order, ratio=options.ratio, power=power), options)
     return 0
 
 
@@ -90,6 +97,7 @@ STORE = "finished"
 
 def _balance_several(options: argparse.Namespace, order: int, power: int | None) -> int:
     """Balance several engines, each into a file of a folder; one that is refused stops no other."""
+    refuse_bank(options)
     terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
     form = medium(terminal)
 

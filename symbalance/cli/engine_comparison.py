@@ -43,8 +43,15 @@ def refuse_comparison_options(options: argparse.Namespace) -> None:
             raise SymbalanceError(f"--{name}", "is for a table of several engines", remedy)
 
 
+def refuse_bank(options: argparse.Namespace) -> None:
+    """Refuse a bank angle for several engines."""
+    if options.bank is not None:
+        raise SymbalanceError("--bank", "is for one engine", "name one, or write the angle into a file")
+
+
 def show_comparison(options: argparse.Namespace, order: int) -> None:
     """Load the engines and show them side by side."""
+    refuse_bank(options)
     if options.power is not None:
         rule = "is of printed series, and a table of several engines has none"
         raise SymbalanceError("--power", rule, "leave it out, or add -o FOLDER/")

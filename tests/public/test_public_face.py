@@ -187,6 +187,7 @@ def test_every_class_that_users_construct_is_among_them():
         "AttachedBody",
         "ChannelRange",
         "Claim",
+        "BankAngle",
         "ComparedEngine",
         "Comparison",
         "Complex",

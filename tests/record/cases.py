@@ -28,10 +28,13 @@ COMMANDS = (
     "torque",
     "crankshaft",
     "design",
+    "overbalance",
+    "firing",
     "sensitivities",
     "tolerances",
     "assign",
     "derive",
+    "bounds",
     "check",
     "engines",
     "bench",
@@ -92,6 +95,7 @@ def all_cases(engines: Sequence[Engine], inputs: dict[str, bytes]) -> list[Case]
         *_torques(engines, chosen),
         *_derivations(),
         *_designs(engines, chosen),
+        *_tables(),
         *_variations(engines, chosen),
         *_assignments(engines, chosen),
         *_checks(inputs),
@@ -303,6 +307,18 @@ def _checks(inputs: dict[str, bytes]) -> Iterator[Case]:
         path, key = f"inputs/{page}", page.removeprefix("pages/")
         yield from _formats(f"check/{key}", SUFFIX, "check", path)
         yield Case(f"check-declare/{key}.toml", ("check", path, "--declare"))
+
+
+def _tables() -> Iterator[Case]:
+    """Bounds, firing orders and overbalance: a few of each."""
+    for ratio in ("4", "3"):
+        yield from _formats(f"bounds/{ratio}", SUFFIX, "bounds", "--ratio", ratio)
+    yield from _formats("firing/v8-90", SUFFIX, "firing", "v8-90")
+    yield from _formats("firing/uneven", ("text",), "firing", "v2-45", "--uneven")
+    yield from _formats("firing/cranks", SUFFIX, "firing", "--cylinders", "5")
+    yield from _formats("firing/vee", SUFFIX, "firing", "--cylinders", "6", "--vee", "60,90")
+    for name in ("inline-1", "v2-45", "boxer-6"):
+        yield from _formats(f"overbalance/{name}", SUFFIX, "overbalance", name)
 
 
 def _sources(engines: Sequence[Engine], emitted: Sequence[Engine]) -> Iterator[Case]:
