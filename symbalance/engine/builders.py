@@ -278,7 +278,8 @@ def with_bank_angle(engine: Engine, bank_angle: object) -> Engine:
 
     The bisector of the banks stays too. Firing angles, which depend on the bank angle, are left out, and
     theta counts from where the pin of cylinder 1 lies on the bisector, which keeps formulas short (with
-    counterweights or shafts, whose angles are at theta = 0, as before). Refused for an engine that has not two banks, and for one whose banks hold symbols.
+    counterweights or shafts, whose angles are those at theta = 0, it stays). Refused for an engine that
+    has not two banks, and for one whose banks hold symbols.
 
     >>> import sympy
     >>> from symbalance.engine.catalogue import load
