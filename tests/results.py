@@ -232,6 +232,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "bank-angles-of-any-crank": lambda: sb.engine.bank_angles(6, [60]),
     "overbalance": lambda: sb.design.tabulate_overbalance(sb.load("inline-3")),
     "design": _design,
+    "design-segments": lambda: sb.design_balance(sb.load("vq30de"), [1]).cut_from(60, 20, inner=20),
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
     "rotating-balance": _rotating_balance,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from symbalance.cli.options import ENGINE, add_output, command
@@ -76,9 +77,9 @@ def _result(options: argparse.Namespace) -> Result:
         crank = (
             whole_number(options.cylinders, "cylinders")
             if options.throws is None
-            else _listed(options.throws)
+            else _degrees(options.throws, "throws")
         )
-        return bank_angles(crank, _listed(options.vee) if options.vee else (), strokes)
+        return bank_angles(crank, _degrees(options.vee, "vee") if options.vee else (), strokes)
     if options.cylinders is not None:
         from symbalance.engine.stars import crank_stars
 
@@ -91,7 +92,7 @@ def _result(options: argparse.Namespace) -> Result:
     engine = (
         load(options.engine)
         if options.throws is None
-        else inline(throws=_listed(options.throws), strokes=strokes, name="these throws")
+        else inline(throws=_degrees(options.throws, "throws"), strokes=strokes, name="these throws")
     )
     return firing_orders(
         engine,
@@ -101,5 +102,8 @@ def _result(options: argparse.Namespace) -> Result:
     )
 
 
-def _listed(text: str) -> list[str]:
-    return [part.strip() for part in text.split(",")]
+def _degrees(text: str, option: str) -> list[Fraction]:
+    """Return the angles of an option, in degrees."""
+    from symbalance.text.numbers import exact
+
+    return [exact(part.strip(), f"--{option}") for part in text.split(",")]

@@ -180,7 +180,7 @@ def _in_decimals(engine: Engine, weight: Weight, speed: int) -> str:
     known = abs(speed) == 1 or not engine.has_common_harmonics or engine.ratio is not None
     if unit is None or not known:
         return words
-    kg_mm = size * abs(unit_of_share(engine, speed)) * unit / speed**2
+    kg_mm = size * unit_of_share(engine, speed) * unit / speed**2  # below 0: it points the other way
     return f"{words}, {_rounded(kg_mm)} kg mm"
 
 
