@@ -228,6 +228,7 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "harmonics": _harmonics,
     "comparison": _comparison,
     "comparison-unlike": _comparison_unlike,
+    "row-formulas": lambda: sb.forces.tabulate_row(6),
     "bank-angles": lambda: sb.engine.bank_angles([0, 120, 240], [60, 90]),
     "bank-angles-of-any-crank": lambda: sb.engine.bank_angles(6, [60]),
     "overbalance": lambda: sb.design.tabulate_overbalance(sb.load("inline-3")),

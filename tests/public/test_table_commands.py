@@ -197,3 +197,46 @@ def test_a_letter_is_every_bank_angle(capsys):
 )
 def test_bank_angles_that_are_none_are_refused(capsys, arguments, words):
     assert words in refused(capsys, "balance", *arguments)
+
+
+# letters --------------------------------------------------------------------------------------------
+
+
+def test_any_number_of_cylinders_is_that_number_of_them(capsys):
+    theta, count = sympy.Symbol("theta", real=True), sympy.Symbol("N")
+    for row in data(capsys, "formulas", "--order", "4")["orders"]:
+        n = int(row["order"])
+        for cylinders in (3, 4, 5):
+            angles = [4 * math.pi * j / cylinders for j in range(cylinders)]
+            kind = "force" if 2 * n % cylinders == 0 else "couple"
+            names = {"theta": theta, "N": count}
+            expression = sympy.sympify(row[kind], locals=names).subs(count, cylinders)
+            for at in (0.3, 1.7):
+                arms = (
+                    [1.0] * cylinders
+                    if kind == "force"
+                    else [(cylinders - 1) / 2 - j for j in range(cylinders)]
+                )
+                total = sum(a * math.cos(n * (at - h)) for a, h in zip(arms, angles, strict=True))
+                assert math.isclose(float(expression.subs(theta, at)), total, abs_tol=1e-12)
+
+
+def test_masses_and_a_bank_angle_may_be_letters(capsys):
+    text = data(capsys, "formulas", "v2-90", "--bank", "alpha", "--masses", "m")
+    vertical = sympy.sympify(text["force"]["vertical"]["cos"])
+    alpha, one, two = sympy.symbols("alpha m_1 m_2")
+    assert sympy.simplify(vertical - (one + two) * sympy.cos(alpha / 2) ** 2) == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--masses", "m"), "is for one engine"),
+        (("v2-90", "--strokes", "2"), "leave it out"),
+        (("v2-90", "--masses", "m n"), "must be a letter"),
+        (("--order", "0"), "order = 0"),
+        (("--strokes", "3"), "strokes = 3"),
+    ],
+)
+def test_letters_that_are_none_are_refused(capsys, arguments, words):
+    assert words in refused(capsys, "formulas", *arguments)

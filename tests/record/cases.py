@@ -30,6 +30,7 @@ COMMANDS = (
     "design",
     "overbalance",
     "firing",
+    "formulas",
     "sensitivities",
     "tolerances",
     "assign",
@@ -317,6 +318,8 @@ def _tables() -> Iterator[Case]:
     yield from _formats("firing/uneven", ("text",), "firing", "v2-45", "--uneven")
     yield from _formats("firing/cranks", SUFFIX, "firing", "--cylinders", "5")
     yield from _formats("firing/vee", SUFFIX, "firing", "--cylinders", "6", "--vee", "60,90")
+    yield from _formats("formulas/row", SUFFIX, "formulas", "--order", "4")
+    yield from _formats("formulas/twin", SUFFIX, "formulas", "v2-90", "--bank", "alpha", "--masses", "m")
     for name in ("inline-1", "v2-45", "boxer-6"):
         yield from _formats(f"overbalance/{name}", SUFFIX, "overbalance", name)
 
