@@ -96,7 +96,11 @@ def tabulate_row(order: int = 6, strokes: int = 4) -> RowFormulas:
     checked_strokes(strokes)
     orders = []
     for n in range(1, checked_order(order) + 1):
-        force = inline_sum(count, n, strokes).args[0][0]
-        couple = inline_couple(count, n, strokes).args[1][0]
+        sums: Any = inline_sum(count, n, strokes)
+        couples: Any = inline_couple(count, n, strokes)
+        force = sums.args[0][0]
+        couple = couples.args[1][0].replace(
+            sympy.cos, lambda angle: sympy.sin(sympy.expand(angle + sympy.pi / 2))
+        )
         orders.append(RowOrder(n, condition(count, n, strokes), force, couple))
     return RowFormulas(strokes, tuple(orders))

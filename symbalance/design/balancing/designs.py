@@ -149,7 +149,7 @@ class Design(Result):
         >>> from symbalance.engine.catalogue import load
         >>> design = design_balance(load("vq30de"), [1]).cut_from(60, 20, inner=20)
         >>> [round(float(segment.angle), 1) for segment in design.segments]
-        [43.8, 43.8]
+        [91.6, 91.6]
         """
         cut = replace(self, ring=checked_ring(outer, thickness, inner, density))
         _ = cut.segments  # refuses what cannot be cut
