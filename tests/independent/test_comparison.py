@@ -13,7 +13,7 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.design import compare
 
-NAMES = ("inline-1", "inline-3", "inline-5", "v2-90", "v6-60", "v6-90", "v8-90", "v8-90-flat")
+NAMES = ("inline-1", "inline-3", "inline-5", "v2-90", "v2-45", "v6-60", "v6-90", "v8-90", "v8-90-flat")
 
 
 def vector(engine: sb.Engine, order: int, kind: str, angle: float) -> complex:

@@ -199,6 +199,27 @@ def test_bank_angles_that_are_none_are_refused(capsys, arguments, words):
     assert words in refused(capsys, "balance", *arguments)
 
 
+@pytest.mark.parametrize("name", ["v2-45", "v6-90", "v8-90", "v12-60"])
+def test_its_own_bank_angle_changes_nothing_but_where_theta_counts_from(name):
+    engine = sb.load(name)
+    banks = {c.bank.in_degrees() for c in engine.cylinders}
+    again = sb.engine.with_bank_angle(engine, max(banks) - min(banks))
+    assert [c.bank for c in again.cylinders] == [c.bank for c in engine.cylinders]
+    ours, theirs = sb.balance(again, 4), sb.balance(engine, 4)
+    for kind in ("force", "couple"):
+        one, other = (getattr(b, kind).terms for b in (ours, theirs))
+        assert one.keys() == other.keys()
+        for n in one:
+            assert math.isclose(float(one[n].size()), float(other[n].size()), rel_tol=1e-15)
+
+
+def test_banks_that_hang_keep_hanging():
+    hanging = sb.engine.from_firing_order("1-2", banks=[-150, 150], cylinders=[[1], [2]])
+    changed = sb.engine.with_bank_angle(hanging, 90)
+    left, right = (float(c.bank.in_degrees()) for c in changed.cylinders)
+    assert (left % 360, right % 360) == (225, 135)
+
+
 # letters --------------------------------------------------------------------------------------------
 
 
