@@ -6,6 +6,7 @@ from symbalance import document as document
 from symbalance import engine as engine
 from symbalance import exact as exact
 from symbalance import forces as forces
+from symbalance import jobs as jobs
 from symbalance import kinematics as kinematics
 from symbalance import notes as notes
 from symbalance import text as text
@@ -14,12 +15,15 @@ from symbalance.checking import check as check
 from symbalance.codegen import to_function as to_function
 from symbalance.design.balancing import design_balance as design_balance
 from symbalance.design.variations import sensitivities as sensitivities
+from symbalance.design.variations import sweep as sweep
 from symbalance.design.variations import worst_cases as worst_cases
+from symbalance.document.result import to_csv as to_csv
 from symbalance.document.result import to_html as to_html
 from symbalance.document.result import to_json as to_json
 from symbalance.document.result import to_latex as to_latex
 from symbalance.document.result import to_markdown as to_markdown
 from symbalance.document.result import to_text as to_text
+from symbalance.document.result import to_xlsx as to_xlsx
 from symbalance.engine.balance_masses import BalanceShaft as BalanceShaft
 from symbalance.engine.balance_masses import Counterweight as Counterweight
 from symbalance.engine.builders import boxer as boxer

@@ -3,31 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, cast
 
 from symbalance.budgets import Budget
-from symbalance.engine.catalogue import load
+from symbalance.engine.catalogue import is_engine_file, load
 from symbalance.kinematics.slider_crank import acceleration_series, acceleration_value, surviving
 from symbalance.notes.checking import documents
 from symbalance.notes.checking.engines import KnownEngine
 from symbalance.notes.checking.judging import PAGE
 from symbalance.notes.checking.verdicts import Checked
+from symbalance.text.files import STANDARD_INPUT
+from symbalance.text.named_paths import NamingFolder
 from symbalance.text.reals import nstr
 
 VALUE_DIGITS = 30
 
 
+@dataclass(frozen=True)
 class LibraryEngines:
-    """Knowledge of engines for the checker: presets, engine files, a slider-crank's harmonics."""
+    """Knowledge of engines for the checker: presets, engine files, a slider-crank's harmonics.
+
+    With `trust_paths` a document may name engine files outside its folder.
+    """
+
+    trust_paths: bool = False
 
     def engine(self, name: str, folder: Path) -> KnownEngine:
-        """Return a preset, or the engine of a file: one in `folder` before one of the working folder."""
-        beside = folder / name
-        is_beside = name.endswith(".toml") and beside.exists()
+        """Return a preset, or the engine of a file: one in `folder` or, if trusted, where it is named."""
+        is_preset = not is_engine_file(name) and name != STANDARD_INPUT
         # A cached property is no property to a type checker, and an engine has them.
-        return cast(KnownEngine, load(str(beside) if is_beside else name))
+        return cast(KnownEngine, load(name if is_preset else self._file(name, folder)))
+
+    def _file(self, name: str, folder: Path) -> Path:
+        path = NamingFolder(folder, self.trust_paths).file(name)
+        return Path(name) if self.trust_paths and not path.exists() else path
 
     def coefficient_terms(self, order: int, power: int) -> Mapping[int, Fraction]:
         """Return A_order as power of r/l -> coefficient, through a power; empty if it is 0.
@@ -47,6 +59,7 @@ def check(
     symbols: Mapping[str, Any] | str | Path | None = None,
     *,
     budget: Budget = PAGE,
+    trust_paths: bool = False,
 ) -> Checked:
     """Return the verdicts on every equation of a hand derivation.
 
@@ -54,7 +67,8 @@ def check(
     the derivation itself.
     `symbols` maps letters to their meaning or unit, or is a whole sidecar (keys `symbols`, `scope`,
     `bind`), or the path of one; without it NAME.symbols.toml beside the file is read, or the header of
-    the document. Lines are bound to this library's presets and engine files.
+    the document. Lines are bound to this library's presets and engine files; those that a document or
+    its sidecar names must lie in its folder or below, unless its reader says `trust_paths`.
     `budget` is what the document may take, in seconds and MB (`symbalance.budgets.Budget`); each relation
     may take a 60th of that time and a quarter of the memory, and is "undecided" where it takes more.
 
@@ -65,4 +79,6 @@ def check(
     Raises SymbalanceError for a file or a declaration that cannot be used; an equation that cannot be
     read is a verdict, not an error.
     """
-    return documents.check(document, symbols, engines=LibraryEngines(), budget=budget)
+    # What a caller's own mapping names is the caller's word, not that of a file.
+    trusted = trust_paths or isinstance(symbols, Mapping)
+    return documents.check(document, symbols, engines=LibraryEngines(trusted), budget=budget)

@@ -65,7 +65,7 @@ class MissingPartError(SymbalanceError):
 class JobFaultError(PicklableError, RuntimeError):
     """A fault of symbalance that ended a job elsewhere, with the traceback of the process it was in."""
 
-    def __init__(self, fault: str, traceback: str = "") -> None:
+    def __init__(self, fault: str = "", traceback: str = "") -> None:
         super().__init__(fault)
         self.fault, self.traceback = fault, traceback
 
@@ -78,7 +78,34 @@ def printable(text: str) -> str:
     >>> print(printable("b\udcff.md: one\tline"))
     b\xff.md: one line
     """
-    return "".join(c if c.isprintable() else " " if c in "\n\r\t\v\f" else _code(c) for c in text)
+    if text.isprintable() and not _UNSEEN.search(text):
+        return text
+    return "".join(" " if c in "\n\r\t\v\f" else c if _shows(c) else _code(c) for c in text)
+
+
+_SPACES = re.compile("[\n\t\u00a0\u1680\u2000-\u200a\u202f\u205f\u3000]")
+_UNSEEN = re.compile("[\u034f\u115f\u1160\u17b4\u17b5\u3164\uffa0]")
+"""Letters and accents by their kind that show nothing: fillers and joiners."""
+
+
+def visible(text: str) -> str:
+    r"""Return a text whose every character shows: those that do not, or move others, by their codes.
+
+    Control characters, which a terminal obeys, marks that turn the direction of writing, signs of no
+    width, ends of lines and paragraphs but the newline, and what is no character. Spaces and tabs stay,
+    and so do letters of every script with their accents. A result that quotes somebody's file passes it
+    through here, once: see `symbalance.document.nodes`.
+
+    >>> print(visible("V8 \x1b[31mred\u202e\u200b, Größe, 直列四気筒"))
+    V8 \x1b[31mred\u202e\u200b, Größe, 直列四気筒
+    """
+    if text.isprintable() and not _UNSEEN.search(text):
+        return text
+    return "".join(c if _shows(c) or _SPACES.match(c) else _code(c) for c in text)
+
+
+def _shows(character: str) -> bool:
+    return character.isprintable() and not _UNSEEN.match(character)
 
 
 _UNPAIRED = re.compile("[\ud800-\udfff]")

@@ -19,6 +19,7 @@ from symbalance.crankshaft.files import read_running_engine
 from symbalance.crankshaft.reports import summarise_run
 from symbalance.crankshaft.running import configure_run, run_speeds
 from symbalance.document.result import Result
+from symbalance.engine.crank_train import CrankTrain
 from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
 from tests.cranks import sheet, written
 
@@ -31,6 +32,15 @@ def _balance_unlike() -> Result:
     return sb.balance(sb.load("r-985"), 4)
 
 
+def _balance_in_newtons() -> Result:
+    return sb.balance(sb.load("vq30de"), 6).at(rpm=6000)
+
+
+def _balance_over_speeds() -> Result:
+    speeds = [Fraction(rpm) for rpm in (1000, 4000, 7000)]
+    return sb.forces.over_speeds(sb.balance(sb.load("vq30de"), 4), speeds)
+
+
 def _worst_cases() -> Result:
     tolerances = sb.design.Tolerances(mass="0.5%", throw="0.1", rotating="1%")
     return sb.worst_cases(sb.load("vq30de"), tolerances, 4, of=["largest", "vertical"], rpm=3000)
@@ -38,6 +48,12 @@ def _worst_cases() -> Result:
 
 def _sensitivities() -> Result:
     return sb.sensitivities(sb.load("v8-90"), 4)
+
+
+def _sweep() -> Result:
+    vary = {"ratio": ["7/2", 4, 1.1], "bank": [60, 90], "offset": [0, 10]}
+    engine = sb.vee(90, pins=[0], crank_train=CrankTrain(stroke=Fraction(80)))
+    return sb.sweep(engine, vary, ["force.1", "force.2.lateral", "torque.2"])
 
 
 def _assignment() -> Result:
@@ -214,8 +230,12 @@ def _crankshaft() -> Result:
 EXAMPLES: dict[str, Callable[[], Result]] = {
     "balance": _balance,
     "balance-unlike": _balance_unlike,
+    "balance-in-newtons": _balance_in_newtons,
+    "balance-over-speeds": _balance_over_speeds,
     "worst-cases": _worst_cases,
     "sensitivities": _sensitivities,
+    "sensitivities-at-speed": lambda: sb.sensitivities(sb.load("vq30de"), 1, rpm=6000),
+    "sweep": _sweep,
     "assignment": _assignment,
     "assignment-of-many": _assignment_of_many,
     "symbolic-order": _symbolic_order,
@@ -234,10 +254,13 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "overbalance": lambda: sb.design.tabulate_overbalance(sb.load("inline-3")),
     "design": _design,
     "design-segments": lambda: sb.design_balance(sb.load("vq30de"), [1]).cut_from(60, 20, inner=20),
+    "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,
     "rotating-balance": _rotating_balance,
     "torque": lambda: sb.torque.torque_report(sb.load("v10-72"), 10),
+    "torque-in-newton-metres": lambda: sb.torque.torque_report(sb.load("vq30de"), 6).at(rpm=6000),
+    "torque-orders-in-newton-metres": lambda: sb.inertia_torque(sb.load("vq30de"), 4).at(rpm=6000),
     "torque-unlike": lambda: sb.torque.torque_report(sb.load("vw-vr6"), 6),
     "torque-symbolic": lambda: sb.torque.torque_report(sb.vee(Symbol("alpha"), pins=[0]), 3),
     "torque-running": _torque_running,

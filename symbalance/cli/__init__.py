@@ -17,7 +17,7 @@ def run(arguments: Sequence[str]) -> int:
     """Run one command line and return its exit code."""
     try:
         try:
-            options = build_parser().parse_args(arguments)
+            options = build_parser(arguments).parse_args(arguments)
             options.command_line = ("symbalance", *arguments)
             code = options.run(options)
         except SystemExit:  # --help and --version

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.options import add_engine, add_output, command
+from symbalance.cli.options import add_engine, add_operating_point, add_output, command, engine_of
 from symbalance.cli.output import show, whole_number
 
 
@@ -22,7 +22,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     parser.add_argument("--paired", action="store_true", help="keep a row's piston and rod together")
     parser.add_argument("--orders", metavar="LIST", default="1", help="orders that count; default: 1")
-    parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
+    add_operating_point(parser, "N")
     parser.add_argument(
         "--lever",
         metavar="MM",
@@ -39,11 +39,8 @@ def run(options: argparse.Namespace) -> int:
     orders = [whole_number(part, "orders") for part in options.orders.split(",")]
 
     from symbalance.design.variations import assign_parts, read_parts
-    from symbalance.engine.catalogue import load
 
-    engine = load(options.engine)
-    if options.ratio is not None:
-        engine = engine.with_ratio(options.ratio)
+    engine = engine_of(options)
     parts = read_parts(options.parts, paired=options.paired)
     places = assign_parts(
         engine, parts, orders=orders, rpm=options.rpm, lever=options.lever, whole=options.whole

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from symbalance.budgets import Budget, run_within
 from symbalance.cli.budget import read_budget
@@ -16,10 +16,26 @@ from symbalance.cli.engine_comparison import (
     show_comparison,
 )
 from symbalance.cli.long_work import long_work, output_folder, report_paths
-from symbalance.cli.options import ENGINE, add_bank, add_jobs, add_output, bank_angle, command
+from symbalance.cli.options import (
+    ENGINE,
+    add_bank,
+    add_full,
+    add_jobs,
+    add_operating_point,
+    add_output,
+    bank_angle,
+    check_speed_for_sizes,
+    command,
+    engine_of,
+    resized,
+)
 from symbalance.cli.outcomes import DONE, FAULT, REFUSED, say_fault
-from symbalance.cli.output import medium, printed, show, whole_number, write_all
+from symbalance.cli.output import medium_of_several, printed, show, whole_number, write_all
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.forces.free_forces import Balance
+    from symbalance.forces.speed_table import SpeedTable
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -33,7 +49,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         divides_budget=lambda options: options.engine is None and not is_comparison(options),
     )
     parser.add_argument(
-        "engines",
+        "engine",
         metavar="ENGINE",
         nargs="+",
         action=_Engines,
@@ -52,6 +68,8 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     add_bank(parser)
     add_comparison(parser)
+    add_operating_point(parser)
+    add_full(parser)
     add_jobs(parser, "engines")
     add_output(parser)
 
@@ -79,16 +97,26 @@ def run(options: argparse.Namespace) -> int:
     if options.dask is not None:
         raise SymbalanceError("--dask", "is for several engines", "leave it out, or name more")
 
-    from symbalance.engine.catalogue import load
     from symbalance.forces.free_forces import balance
 
-    engine = load(options.engine)
+    check_speed_for_sizes(options)
+    engine = engine_of(options)
     if options.bank is not None:
         from symbalance.engine.builders import with_bank_angle
 
         engine = with_bank_angle(engine, bank_angle(options.bank))
-    show(balance(engine, order, ratio=options.ratio, power=power), options)
+    result = balance(engine, order, power=power)
+    show(result if options.rpm is None else _at_speeds(result, options.rpm), options)
     return 0
+
+
+def _at_speeds(result: Balance, rpm: str) -> Balance | SpeedTable:
+    """Return a balance at a speed, or a table over several."""
+    from symbalance.forces.operating_point import checked_speeds
+    from symbalance.forces.speed_table import over_speeds
+
+    speeds = checked_speeds(rpm)
+    return result.at(rpm=speeds[0]) if len(speeds) == 1 else over_speeds(result, speeds)
 
 
 STORE = "finished"
@@ -98,17 +126,17 @@ STORE = "finished"
 def _balance_several(options: argparse.Namespace, order: int, power: int | None) -> int:
     """Balance several engines, each into a file of a folder; one that is refused stops no other."""
     refuse_bank(options)
-    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
-    form = medium(terminal)
+    form = medium_of_several(options)
 
     from symbalance.jobs.running import Job, run_jobs
     from symbalance.jobs.store import Store, key_of
 
-    folder = output_folder(options.output)
     names = [_result_name(engine) for engine in options.engines]
+    folder = output_folder(options.output)
     paths = report_paths(folder, names, form, map(Path, options.engines))
-    settings = (order, options.ratio, power, form, options.standalone)
-    loaded = [_loaded(engine) for engine in options.engines]
+    check_speed_for_sizes(options)
+    settings = (order, power, options.rpm, form, options.standalone, options.full)
+    loaded = [_loaded(engine, options) for engine in options.engines]
     limit = read_budget(options.budget)  # for each engine
     jobs = [
         Job(engine, (limit, value, *settings), key)
@@ -137,26 +165,27 @@ def _result_name(engine: str) -> str:
     return Path(engine).name.removesuffix(".toml")
 
 
-def _loaded(engine: str) -> Any:
+def _loaded(engine: str, options: argparse.Namespace) -> Any:
     """Return an engine, or why it cannot be read: that is said in its turn, and stops no other."""
     from symbalance.engine.catalogue import load
 
     try:
-        return load(engine)
+        return resized(load(engine), options)
     except SymbalanceError as problem:
         return problem
 
 
-def _balanced(value: tuple[Budget, Any, int, str | None, int | None, str, bool]) -> str:
+def _balanced(value: tuple[Budget, Any, int, int | None, str | None, str, bool, bool]) -> str | bytes:
     """Return the balance of an engine in a medium, within the budget of one engine."""
     from symbalance.forces.free_forces import balance
 
-    limit, engine, order, ratio, power, form, standalone = value
+    limit, engine, order, power, rpm, form, standalone, full = value
     if isinstance(engine, SymbalanceError):
         raise engine
 
-    def work() -> str:
-        result = balance(engine, order, ratio=ratio, power=power)
-        return printed(result, form, "file", standalone=standalone)
+    def work() -> str | bytes:
+        result = balance(engine, order, power=power)
+        shown = result if rpm is None else _at_speeds(result, rpm)
+        return printed(shown, form, "file", standalone=standalone, full=full)
 
     return run_within(limit, work)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from symbalance.cli.budget import read_budget
-from symbalance.cli.options import add_jobs, add_output, command
+from symbalance.cli.options import add_jobs, add_output, add_trust, command
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, say_fault
 from symbalance.cli.output import show, write
 from symbalance.errors import SymbalanceError
@@ -19,7 +19,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     summary = "A hand derivation, judged equation by equation."
     parser = command(commands, "check", run, summary, divides_budget=lambda options: True)
     parser.add_argument(
-        "documents",
+        "notes",
         metavar="NOTES",
         nargs="+",
         action=_Documents,
@@ -40,6 +40,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--declare", action="store_true", help="print a symbols file to fill in, with the letters missing"
     )
     add_jobs(parser, "documents")
+    add_trust(parser, "the symbols file")
     add_output(parser)
 
 
@@ -71,12 +72,13 @@ def run(options: argparse.Namespace) -> int:
     if options.declare:
         from symbalance.notes.checking import sidecar_draft
 
-        for name in ("format", "standalone", "lenient"):
+        for name in ("format", "standalone", "label", "lenient"):
             if getattr(options, name):
                 raise SymbalanceError(f"--{name}", "plays no part in --declare", "leave it out")
         write(sidecar_draft(Path(options.notes), options.symbols), options.output, "source")
         return DONE
-    checked = check(Path(options.notes), options.symbols, budget=read_budget(options.budget))
+    limit = read_budget(options.budget)
+    checked = check(Path(options.notes), options.symbols, budget=limit, trust_paths=options.trust_paths)
     show(checked, options)
     for verdict in checked.faults:
         place = f"line {verdict.line} of {file_name(options.notes)}"

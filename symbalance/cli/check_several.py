@@ -14,7 +14,7 @@ from symbalance.cli.budget import read_budget
 from symbalance.cli.long_work import long_work, output_folder, report_paths
 from symbalance.cli.named_files import declared_files
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, REFUSED, say, say_fault
-from symbalance.cli.output import medium, printed, show, write_all
+from symbalance.cli.output import medium_of_several, printed, show, write_all
 from symbalance.errors import SymbalanceError
 from symbalance.jobs.running import Job, JobOutcome, run_jobs
 from symbalance.jobs.store import Store, key_of
@@ -31,8 +31,8 @@ def check_several(options: argparse.Namespace) -> int:
     """Check every document and show the table; the exit code is the worst of all of them."""
     if options.declare:
         raise SymbalanceError("--declare", "is for one document", "name a single one")
-    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
-    form = medium(terminal)
+    terminal = argparse.Namespace(**{**vars(options), "output": None})
+    form = medium_of_several(options)
     folder = None if options.output in (None, "-") else output_folder(options.output)
     documents = _documents(options.documents, folder)
     reports: list[Path] = []
@@ -40,7 +40,7 @@ def check_several(options: argparse.Namespace) -> int:
         reports = report_paths(folder, _names(documents), form, documents)
     same = {"form": form, "standalone": options.standalone, "here": options.dask is None}
     limit = read_budget(options.budget)  # for each document
-    job_of = partial(_job, symbols=options.symbols, limit=limit, **same)
+    job_of = partial(_job, symbols=options.symbols, limit=limit, trust_paths=options.trust_paths, **same)
     jobs = [job_of(path) for path in documents]
     store = None if folder is None else Store(folder / STORE, "--output")
     rows, faults = [], []
@@ -111,16 +111,24 @@ def _names(documents: list[Path]) -> list[str]:
     return [os.path.relpath(place, shared) for place in places]
 
 
-def _job(path: Path, symbols: str | None, limit: Budget, form: str, standalone: bool, here: bool) -> Job:
+def _job(
+    path: Path,
+    symbols: str | None,
+    limit: Budget,
+    trust_paths: bool,
+    form: str,
+    standalone: bool,
+    here: bool,
+) -> Job:
     """Return the job of a document; its key is of all that decides what is said of it.
 
     `here` tells that it is checked by processes that have this working folder.
     """
     place, sidecar = (str(path), symbols) if here else (os.path.abspath(path), _absolute(symbols))
-    value = (place, str(path), sidecar, limit, form, standalone)
+    value = (place, str(path), sidecar, limit, trust_paths, form, standalone)
     try:
         read = [path, *declared_files(path, symbols)]
-        settings = (str(path), symbols or "", tuple(limit), form, standalone)
+        settings = (str(path), symbols or "", tuple(limit), trust_paths, form, standalone)
         key = key_of("check", *settings, [(str(p), p) for p in read])
         weight = float(path.stat().st_size)
     except (SymbalanceError, OSError):  # what cannot be read is refused where it is checked
@@ -132,10 +140,10 @@ def _absolute(name: str | None) -> str | None:
     return None if name is None else os.path.abspath(name)
 
 
-def _check(value: tuple[str, str, str | None, Budget, str, bool]) -> dict[str, Any]:
+def _check(value: tuple[str, str, str | None, Budget, bool, str, bool]) -> dict[str, Any]:
     """Return what is said of a document, as data and in a medium, and what its check exits with."""
-    place, name, symbols, limit, form, standalone = value
-    checked = check(Path(place), symbols, budget=limit)
+    place, name, symbols, limit, trust_paths, form, standalone = value
+    checked = check(Path(place), symbols, budget=limit, trust_paths=trust_paths)
     return {
         "report": {**checked.data(), "document": name},
         "printed": printed(checked, form, name, standalone=standalone),

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 from symbalance.cli.budget import ENDLESS
 from symbalance.cli.long_work import long_work, output_folder, take_one_blas_thread
-from symbalance.cli.options import add_jobs, add_output, command
-from symbalance.cli.output import medium, printed, show, whole_number, write_all
+from symbalance.cli.options import add_jobs, add_output, add_trust, command
+from symbalance.cli.outcomes import say
+from symbalance.cli.output import medium, printed, show, whole_number, write_folder
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -56,6 +57,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     parser.add_argument("--no-plots", action="store_true", help="leave the pictures out")
     add_jobs(parser, "speeds")
+    add_trust(parser, "the engine file")
     add_output(parser, "FOLDER")
     parser.add_argument("-o", "--output", metavar="OUT", help="a folder for reports, curves and pictures")
 
@@ -70,7 +72,9 @@ def run(options: argparse.Namespace) -> int:
     steps = whole_number(options.steps, "steps")
     iterations = whole_number(options.passes, "passes")
     folder = None if options.output is None else output_folder(options.output)
-    terminal = argparse.Namespace(format=options.format, standalone=options.standalone, output=None)
+    terminal = argparse.Namespace(
+        format=options.format, standalone=options.standalone, label=options.label, output=None
+    )
     form = medium(terminal)
     take_one_blas_thread()
 
@@ -83,7 +87,7 @@ def run(options: argparse.Namespace) -> int:
     _check_libraries()
     if not options.no_plots:
         check_drawing()
-    engine = read_running_engine(options.engine)
+    engine = read_running_engine(options.engine, trust_paths=options.trust_paths)
     if options.rpm is not None:
         engine = engine.at_speeds(_speeds(options.rpm))
     configuration = configure_run(
@@ -113,7 +117,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _progress(line: str) -> None:
-    print(line, file=sys.stderr, flush=True)
+    say(line)
 
 
 REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
@@ -121,7 +125,7 @@ REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
 
 
 def _write_all(folder: Path, summary: Summary) -> None:
-    """Write every report, curve and picture: all whole before the first is put in place."""
+    """Write every report, curve and picture: who reads the folder has those of one run."""
     from symbalance.crankshaft.files.operation import speed_text
     from symbalance.crankshaft.reports import curves_csv, loads_csv
 
@@ -138,7 +142,7 @@ def _write_all(folder: Path, summary: Summary) -> None:
         },
         **summary.pictures,
     }
-    write_all({str(folder / name): content for name, content in contents.items()})
+    write_folder(folder, contents, _progress)
     patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")
     older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
     if older:

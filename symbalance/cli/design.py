@@ -6,7 +6,7 @@ import argparse
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from symbalance.cli.options import ENGINE, add_output, command
+from symbalance.cli.options import ENGINE, add_full, add_operating_point, add_output, command, engine_of
 from symbalance.cli.output import medium, printed, whole_number, write, write_all
 from symbalance.errors import SymbalanceError
 
@@ -65,9 +65,8 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--density", metavar="KG/M3", help="of the segments; default: 7850, a crankshaft's steel"
     )
-    parser.add_argument(
-        "--full", action="store_true", help="text: what remains and what was before, order by order, too"
-    )
+    add_operating_point(parser, "N")
+    add_full(parser)
     add_output(parser)
     parser.add_argument("--write", metavar="FILE", help="write the balanced engine to FILE.toml")
     parser.add_argument("--picture", metavar="FILE", help="draw the ellipses to FILE.png or FILE.pdf")
@@ -84,10 +83,9 @@ def run(options: argparse.Namespace) -> int:
         )
 
     from symbalance.design.balancing import design_balance
-    from symbalance.engine.catalogue import load
 
     design = design_balance(
-        load(options.engine),
+        engine_of(options),
         remove,
         shafts=shafts,
         counter_rotation=not options.no_counter_rotation,
@@ -99,21 +97,29 @@ def run(options: argparse.Namespace) -> int:
         length=options.length,
         most=options.most,
         per_throw=options.per_throw,
-        ratio=options.ratio,
     )
+    if options.rpm is not None:
+        design = design.at(rpm=options.rpm)
     if options.segment is not None:
         design = _cut(design, options)
     form = medium(options)
-    if form == "text" and not options.full:
+    if form == "text" and not options.full and options.rpm is None:  # which asks for what remains
         design = replace(design, full=False)
-    text = printed(design, form, options.output, standalone=options.standalone)
+    content = printed(
+        design,
+        form,
+        options.output,
+        standalone=options.standalone,
+        full=options.full,
+        label=options.label,
+    )
     files = _files(design, options)
     if options.output in (None, "-"):
         if files:
             write_all(files)
-        write(text, None, form)
+        write(content, None, form)
     else:
-        write_all({**files, options.output: text})
+        write_all({**files, options.output: content})
     return 0
 
 

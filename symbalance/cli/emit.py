@@ -6,7 +6,7 @@ import argparse
 from math import isfinite
 from pathlib import Path
 
-from symbalance.cli.options import ENGINE, add_running, command
+from symbalance.cli.options import ENGINE, add_running, command, engine_of
 from symbalance.cli.output import whole_number, write, write_all
 from symbalance.cli.torque import running_engine
 from symbalance.errors import SymbalanceError
@@ -58,14 +58,10 @@ def run(options: argparse.Namespace) -> int:
 
     from symbalance.codegen import plan_for
     from symbalance.codegen.targets import FILES, files, identifier
-    from symbalance.engine.catalogue import load
     from symbalance.forces.free_forces import balance
-    from symbalance.kinematics.slider_crank import checked_ratio
 
     path = _path(options.output, FILES[options.target], options.target)
-    engine = load(options.engine)
-    if options.ratio is not None:
-        engine = engine.with_ratio(checked_ratio(options.ratio))
+    engine = engine_of(options)
     running = running_engine(options, engine, "torque.total" in outputs)
     highest = 1 if order is None else order
     result = balance(engine, highest) if running is None else running

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
 
 from symbalance.budgets import Budget
 from symbalance.cli.budget import USUAL, add_budget, read_budget, run_with_budget
 from symbalance.cli.named_files import check_named_files
 from symbalance.cli.output import MEDIA
 from symbalance.errors import SymbalanceError
+
+if TYPE_CHECKING:
+    from symbalance.engine.engine import Engine
 
 ENGINE = "a preset (symbalance engines), a .toml file, or - for standard input"
 
@@ -53,7 +57,7 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
 
     Where `what` is no FILE, the command adds its own -o.
     """
-    default = "what the ending of -o says (.tex, .html, .md, .json), else text"
+    default = "what the ending of -o says (.tex, .html, .md, .json, .csv, .xlsx), else text"
     parser.add_argument(
         "--format",
         choices=tuple(MEDIA),
@@ -62,9 +66,29 @@ def add_output(parser: argparse.ArgumentParser, what: str = "FILE") -> None:
     parser.add_argument(
         "--standalone", action="store_true", help="latex: a document that compiles alone, not a fragment"
     )
+    parser.add_argument(
+        "--label",
+        metavar="PREFIX",
+        help="latex: tables that float, with captions and labels: tab:PREFIX-force and so on",
+    )
     if what == "FILE":
         help_ = "write to FILE instead of the terminal; - is the terminal"
         parser.add_argument("-o", "--output", metavar="FILE", help=help_)
+
+
+def add_full(parser: argparse.ArgumentParser) -> None:
+    """Add the option that shows what a short document names in its last line."""
+    help_ = "text, latex: all tables, those that few readers need too"
+    parser.add_argument("--full", action="store_true", help=help_)
+
+
+def add_trust(parser: argparse.ArgumentParser, what: str) -> None:
+    """Add the option by which a file may name files outside its folder."""
+    parser.add_argument(
+        "--trust-paths",
+        action="store_true",
+        help=f"{what} may name files anywhere; without it: in its own folder and below",
+    )
 
 
 def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> None:
@@ -97,8 +121,59 @@ def bank_angle(text: str) -> object:
     return sympy.Symbol(text)
 
 
-def add_running(parser: argparse.ArgumentParser) -> None:
-    """Add what makes an engine run: its pressure and sizes."""
+def add_operating_point(
+    parser: argparse.ArgumentParser, speeds: str = "N or FROM:TO:STEP", *, pitch: bool = True
+) -> None:
+    """Add the speed that values in N and N m are for, and the sizes that an engine may lack."""
+    about = "for values in N and N m" + ("; several make a table" if ":" in speeds else "")
+    speed = f"speed, {speeds}, {about}" if " " in speeds else f"speed, {about}"
+    parser.add_argument("--rpm", metavar=speeds.split(maxsplit=1)[0], help=speed)
+    for option, unit, what in (
+        ("mass", "KG", "reciprocating mass of a cylinder"),
+        ("stroke", "MM", "stroke"),
+        ("rod", "MM", "rod's length"),
+        *((("pitch", "MM", "pitch of the cylinders"),) if pitch else ()),
+    ):
+        parser.add_argument(f"--{option}", metavar=unit, help=f"{what}, where the engine gives none")
+
+
+def engine_of(options: argparse.Namespace, sizes: Mapping[str, str] | None = None) -> Engine:
+    """Return the engine a command is about, with the rod ratio and the sizes that its options give.
+
+    `sizes` are those of a command whose options of these names mean something else.
+    """
+    from symbalance.engine.catalogue import load
+
+    return resized(load(options.engine), options, sizes)
+
+
+def resized(
+    engine: Engine, options: argparse.Namespace, sizes: Mapping[str, str] | None = None
+) -> Engine:
+    """Return an engine with the rod ratio and the sizes that a command line gives."""
+    from symbalance.forces.operating_point import SIZES, sized
+
+    if sizes is None:
+        sizes = {name: text for name in SIZES if (text := getattr(options, name, None)) is not None}
+    ratio = getattr(options, "ratio", None)
+    if ratio is not None and "rod" in sizes:
+        rule = "gives the rod ratio, and so does --ratio"
+        raise SymbalanceError(f"--rod {sizes['rod']}", rule, "leave one out")
+    return sized(engine if ratio is None else engine.with_ratio(ratio), sizes)
+
+
+def check_speed_for_sizes(options: argparse.Namespace) -> None:
+    """Refuse sizes that play a part at a speed only, where none is given."""
+    if any(getattr(options, name, None) is not None for name in ("rpm", "pressure", "compression")):
+        return
+    for name in ("mass", "pitch", *(() if options.rod is not None else ("stroke",))):
+        if getattr(options, name, None) is not None:
+            remedy = "add --rpm N, or leave it out"
+            raise SymbalanceError(f"--{name}", "plays a part at a speed only", remedy)
+
+
+def add_running(parser: argparse.ArgumentParser, *, pitch: bool = False) -> None:
+    """Add what makes an engine run: its pressure, speed and sizes."""
     pressure = parser.add_mutually_exclusive_group()
     pressure.add_argument(
         "--pressure", metavar="FILE", help="CSV: degrees after firing top dead centre, bar absolute"
@@ -109,12 +184,8 @@ def add_running(parser: argparse.ArgumentParser) -> None:
         metavar="Q",
         help="its heat added over the swept volume, in bar (100 J per litre); default: 18, 0: motored",
     )
-    parser.add_argument("--bore", metavar="MM", help="bore, for a running engine")
-    parser.add_argument("--rpm", metavar="N", help="speed, for a running engine")
-    parser.add_argument("--stroke", metavar="MM", help="stroke, where the engine gives none")
-    parser.add_argument(
-        "--mass", metavar="KG", help="reciprocating mass of a cylinder, where the engine gives none"
-    )
+    parser.add_argument("--bore", metavar="MM", help="bore, where the engine gives none")
+    add_operating_point(parser, "N", pitch=pitch)
 
 
 def add_jobs(parser: argparse.ArgumentParser, what: str) -> None:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EINVAL
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from symbalance.errors import SymbalanceError, encodable_name
+from symbalance.errors import SymbalanceError, encodable_name, visible
 from symbalance.text import writing
 
 if TYPE_CHECKING:
@@ -22,6 +24,8 @@ MEDIA = {
     "html": (".html", ".htm"),
     "markdown": (".md",),
     "json": (".json",),
+    "csv": (".csv",),
+    "xlsx": (".xlsx",),
 }
 """Every medium of `--format`, and the endings of files that ask for it."""
 NARROWEST, WIDEST = 60, 160
@@ -45,21 +49,54 @@ def whole_number(text: str, name: str) -> int:
 def show(result: Result, options: argparse.Namespace) -> None:
     """Write a result in the medium and to the place that a command line asks for."""
     form = medium(options)
-    write(printed(result, form, options.output, standalone=options.standalone), options.output, form)
+    content = printed(
+        result,
+        form,
+        options.output,
+        standalone=options.standalone,
+        full=getattr(options, "full", False),
+        label=options.label,
+    )
+    write(content, options.output, form)
 
 
 def medium(options: argparse.Namespace) -> str:
-    """Return the medium asked for: by --format, by the ending of the file to write, else text."""
+    """Return the medium asked for: by --format, by the ending of the file to write, else text.
+
+    Options that are for LaTeX alone, and a workbook without a file to write it to, are refused.
+    """
     named = str(options.output or "")
     by_ending = next((form for form, ends in MEDIA.items() if named.lower().endswith(ends)), "text")
     form = options.format or by_ending
-    if options.standalone and form != "latex":
-        raise SymbalanceError("--standalone", f"is for LaTeX, and this is {form}", "add --format latex")
+    for name in ("standalone", "label"):
+        if getattr(options, name, None) and form != "latex":
+            raise SymbalanceError(f"--{name}", f"is for LaTeX, and this is {form}", "add --format latex")
+    if form == "xlsx" and options.output in (None, "-"):
+        rule = "is a workbook, which no terminal shows"
+        raise SymbalanceError("--format xlsx", rule, "name a file: -o FILE.xlsx")
     return form
 
 
-def printed(result: Result, form: str, output: str | None, *, standalone: bool = False) -> str:
-    """Return a result in a medium, ended by a line's end; only that medium's writer is imported."""
+def medium_of_several(options: argparse.Namespace) -> str:
+    """Return the medium of several results, which the ending of a file cannot say: -o is a folder."""
+    if options.label:
+        raise SymbalanceError("--label", "is for one result", "write the results one by one")
+    if options.format == "xlsx":
+        raise SymbalanceError("--format xlsx", "is for one result", "take csv, or write them one by one")
+    terminal = argparse.Namespace(**{**vars(options), "output": None})
+    return medium(terminal)
+
+
+def printed(
+    result: Result,
+    form: str,
+    output: str | None,
+    *,
+    standalone: bool = False,
+    full: bool = False,
+    label: str | None = None,
+) -> str | bytes:
+    """Return a result in a medium, texts ended by a line's end; only that medium's writer is imported."""
     from symbalance.document import result as results
 
     if form == "text":
@@ -67,11 +104,13 @@ def printed(result: Result, form: str, output: str | None, *, standalone: bool =
 
         stream = "utf-8" if output not in (None, "-") else sys.stdout.encoding or "utf-8"
         width = columns() if output in (None, "-") else 80
-        return document_text(result.document(), width, lambda text: _quoted(text, stream))
+        return document_text(result.document().unfolded(full), width, lambda text: _quoted(text, stream))
     if form == "latex":
-        return results.to_latex(result, standalone=standalone)
+        return results.to_latex(result, standalone=standalone, full=full, label=label)
     if form == "html":
         return results.to_html(result, standalone=True)
+    if form in ("csv", "xlsx"):
+        return results.to_csv(result) if form == "csv" else results.to_xlsx(result)
     return results.to_markdown(result) if form == "markdown" else results.to_json(result) + "\n"
 
 
@@ -83,14 +122,17 @@ def columns() -> int:
         return 80
 
 
-def write(text: str, output: str | None, form: str = "text") -> None:
-    """Write `text` to stdout (None or "-") or to the file `output`, replaced in one step.
+def write(content: str | bytes, output: str | None, form: str = "text") -> None:
+    """Write a text to stdout (None or "-") or to the file `output`, replaced in one step.
 
-    A file is UTF-8. On stdout `form` says what may become of characters that it cannot take: a "text" is
-    spelled in ASCII, "json" escapes them, and any other form, "latex" or "source", is for programs and
-    stays UTF-8 whatever the locale.
+    A file is UTF-8, or holds the bytes that `content` is. On stdout `form` says what may become of
+    characters that it cannot take: a "text" is spelled in ASCII, "json" escapes them, and any other form,
+    "latex" or "source", is for programs and stays UTF-8 whatever the locale.
     """
-    text = encodable_name(text, ESCAPES.get(form, "\\"))
+    if isinstance(content, bytes):
+        write_all({str(output): content})
+        return
+    text = _safe(encodable_name(content, ESCAPES.get(form, "\\")))
     if output in (None, "-"):
         _to_stdout(text, form)
         return
@@ -102,11 +144,32 @@ def write_all(contents: Mapping[str, str | bytes]) -> None:
     writing.write_files({name: _encodable(name, content) for name, content in contents.items()})
 
 
+def write_folder(folder: Path, contents: Mapping[str, str | bytes], say: Callable[[str], None]) -> None:
+    """Write a run's results into a folder, texts or bytes by their names: all of them, or none."""
+    from symbalance.text.result_folders import write_results
+
+    ready = {name: _encodable(name, content) for name, content in contents.items()}
+    write_results(folder, ready, say=say)
+
+
 def _encodable(name: str, content: str | bytes) -> str | bytes:
     """Return a text with the bytes of file names that are no text spelled by their codes."""
     if isinstance(content, bytes):
         return content
-    return encodable_name(content, ESCAPES["json"] if name.endswith(".json") else "\\")
+    return _safe(encodable_name(content, ESCAPES["json"] if name.endswith(".json") else "\\"))
+
+
+def _safe(text: str) -> str:
+    """Return a text that no terminal obeys; documents are so, and here is all that is none of them.
+
+    The invisible signs of MathML stay, which a page of formulas holds.
+    """
+    return text if not _OBEYED.search(text) else _OBEYED.sub(lambda match: visible(match[0]), text)
+
+
+_OBEYED = re.compile(
+    "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2066-\u2069\ufeff]|\r(?!\n)"
+)
 
 
 def finish() -> None:
@@ -120,7 +183,8 @@ def _to_stdout(text: str, form: str) -> None:
     with _stdout():
         if form in ("text", "json"):
             sys.stdout.write(_spelled(text, form, encoding))
-        elif _is_utf8(encoding) and not encoding.lower().endswith("sig"):  # which would open with a mark
+        elif _is_utf8(encoding) and not encoding.lower().endswith("sig") and form != "csv":
+            # The first would open with a mark; of the other Windows would write CR CR LF.
             sys.stdout.write(text)
         else:
             sys.stdout.flush()

@@ -13,7 +13,10 @@ from symbalance.errors import SymbalanceError
 def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
     parser = command(
-        commands, "overbalance", run, "What counterweights of 0 to 100 per cent overbalance leave of order 1."
+        commands,
+        "overbalance",
+        run,
+        "What counterweights of 0 to 100 per cent overbalance leave of order 1.",
     )
     parser.add_argument("engine", metavar="ENGINE", help=ENGINE)
     parser.add_argument(

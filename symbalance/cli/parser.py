@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from symbalance.cli import (
@@ -11,6 +12,7 @@ from symbalance.cli import (
     bench,
     bounds,
     check,
+    completion,
     crankshaft,
     derive,
     design,
@@ -20,6 +22,7 @@ from symbalance.cli import (
     formulas,
     overbalance,
     sensitivities,
+    sweep,
     tolerances,
     torque,
 )
@@ -36,6 +39,7 @@ COMMANDS = (
     firing,
     formulas,
     sensitivities,
+    sweep,
     tolerances,
     assign,
     derive,
@@ -43,6 +47,7 @@ COMMANDS = (
     check,
     engines,
     bench,
+    completion,
 )
 """One module each: `add` adds its options, `run` does what it is for; in the order of the help."""
 
@@ -60,8 +65,12 @@ class _Parser(argparse.ArgumentParser):
         raise SymbalanceError(command, message, f"see {self.prog} --help")
 
 
-def build_parser() -> argparse.ArgumentParser:
-    """Return the parser of the whole command line."""
+def build_parser(arguments: Sequence[str] = ()) -> argparse.ArgumentParser:
+    """Return the parser of the whole command line, or of one that begins with a command's name.
+
+    The options of the other commands, which take longer to add than most balances to compute, are then
+    left out.
+    """
     parser = _Parser(
         prog="symbalance",
         description="Exact free forces and couples of piston engines.",
@@ -70,7 +79,8 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action=_Version, nargs=0, help="print the version and exit")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for module in COMMANDS:
+    named = [m for m in COMMANDS if [m.__name__.rpartition(".")[2]] == list(arguments[:1])]
+    for module in named or COMMANDS:
         module.add(commands)
     return parser
 

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.options import add_engine, add_output, command
+from symbalance.cli.options import (
+    add_engine,
+    add_operating_point,
+    add_output,
+    check_speed_for_sizes,
+    command,
+    engine_of,
+)
 from symbalance.cli.output import show, whole_number
 
 
@@ -22,6 +29,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         metavar="NAMES",
         help="with commas, some of mass, throw, bank, station, stroke, rod, offset, rotating",
     )
+    add_operating_point(parser, "N")
     add_output(parser)
 
 
@@ -30,12 +38,10 @@ def run(options: argparse.Namespace) -> int:
     order = whole_number(options.order, "order")
 
     from symbalance.design.variations import sensitivities
-    from symbalance.engine.catalogue import load
 
-    engine = load(options.engine)
-    if options.ratio is not None:
-        engine = engine.with_ratio(options.ratio)
+    check_speed_for_sizes(options)
+    engine = engine_of(options)
     listing = options.parameters
     parameters = None if listing is None else [name.strip() for name in listing.split(",")]
-    show(sensitivities(engine, order, parameters=parameters), options)
+    show(sensitivities(engine, order, parameters=parameters, rpm=options.rpm), options)
     return 0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from symbalance.cli.options import add_engine, add_output, command
+from symbalance.cli.options import add_engine, add_output, command, engine_of
 from symbalance.cli.output import show, whole_number
 from symbalance.errors import SymbalanceError
 
@@ -34,6 +34,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="with commas: largest (over a turn), vertical, lateral, forward, backward; default: largest",
     )
     parser.add_argument("--rpm", metavar="N", help="speed, for results in N and N m")
+    parser.add_argument(
+        "--sizes",
+        metavar="NAME=VALUE,…",
+        help="sizes the engine gives none of, mm and kg: mass=0.5,stroke=86,rod=143,pitch=98",
+    )
     add_output(parser)
 
 
@@ -48,11 +53,30 @@ def run(options: argparse.Namespace) -> int:
         raise SymbalanceError("symbalance tolerances", "is given no tolerance", f"give some of {names}")
 
     from symbalance.design.variations import Tolerances, worst_cases
-    from symbalance.engine.catalogue import load
 
-    engine = load(options.engine)
-    if options.ratio is not None:
-        engine = engine.with_ratio(options.ratio)
+    engine = engine_of(options, _sizes(options.sizes))
+    first = engine.first
+    if options.rpm is not None and (first.radius is None or not first.reciprocating_mass):
+        lacks = {"stroke=MM": first.radius is None, "mass=KG": not first.reciprocating_mass}
+        names = ",".join(name for name, is_missing in lacks.items() if is_missing)
+        rule = "needs the engine's stroke and reciprocating_mass for newtons"
+        remedy = f"add what is missing to [crank_train], or say --sizes {names}"
+        raise SymbalanceError(f"--rpm {options.rpm}", rule, remedy)
     of = [name.strip() for name in options.of.split(",")]
     show(worst_cases(engine, Tolerances(**tolerances), order, of=of, rpm=options.rpm), options)
     return 0
+
+
+def _sizes(text: str | None) -> dict[str, str]:
+    """Return the sizes that an option lists, or refuse what is none."""
+    from symbalance.forces.operating_point import SIZES
+
+    pairs = [part.split("=") for part in (text or "").split(",") if part.strip()]
+    sizes: dict[str, str] = {}
+    for pair in pairs:
+        name = pair[0].strip()
+        if len(pair) != 2 or name not in SIZES or name in sizes:
+            remedy = "write mass=0.5,stroke=86,rod=143,pitch=98, each once"
+            raise SymbalanceError(f"--sizes {text}", f"must name some of {', '.join(SIZES)}", remedy)
+        sizes[name] = pair[1].strip()
+    return sizes

@@ -26,7 +26,7 @@ from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.reals import DIGITS, Real
 from symbalance.torque import RunningTorque, TorqueBalance, inertia_torque, rod_torque, roll_moment
 from symbalance.torque.body_groups import has_common_torque
-from symbalance.torque.roll import MILLI, first_excess
+from symbalance.torque.inertia_balance import MILLI, first_excess
 
 MANY_ORDERS = 96
 """Orders taken where all are requested and no bound is proved; what does not show is dropped."""

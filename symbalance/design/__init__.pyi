@@ -22,6 +22,7 @@ from symbalance.design.comparison import EngineComparison as EngineComparison
 from symbalance.design.comparison import compare as compare
 from symbalance.design.variations import Assignment as Assignment
 from symbalance.design.variations import Sensitivities as Sensitivities
+from symbalance.design.variations import Sweep as Sweep
 from symbalance.design.variations import SymbolicOrder as SymbolicOrder
 from symbalance.design.variations import Tolerances as Tolerances
 from symbalance.design.variations import WorstCases as WorstCases

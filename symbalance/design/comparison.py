@@ -154,6 +154,9 @@ class EngineComparison(SequenceResult[ComparedEngine]):
     percent: bool = False
     phases: bool = False
     kind: ClassVar[str] = "comparison"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("engine", "of", "order", "motion", "largest", "percent", "unit"),
+    )
 
     def summary(self) -> str:
         """Return what is compared, in one line."""
@@ -222,7 +225,7 @@ class EngineComparison(SequenceResult[ComparedEngine]):
                 "of": place[0],
                 "order": str(place[1]),
                 "motion": motion,
-                "largest": " + ".join(part.amplitude_text for part in line.largest(place)),
+                "largest": " + ".join(part.form("amplitude").spelling for part in line.largest(place)),
                 "decimal": None if size is None else decimal_text(size, DIGITS),
                 "percent": None if percent is None else decimal_text(percent, DIGITS),
                 **{name: dict(component_values(vector.component(name))) for name in DIRECTIONS},

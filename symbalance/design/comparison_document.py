@@ -16,7 +16,7 @@ from symbalance.design.comparison import (
 )
 from symbalance.document.decimals import short_decimal
 from symbalance.document.expressions import formula_of
-from symbalance.document.formula import Decimal, Formula, Name, Subscript, cos, equal, number
+from symbalance.document.formula import Decimal, Formula, Name, Negative, Subscript, cos, equal, number
 from symbalance.document.nodes import (
     UNKNOWN,
     Cell,
@@ -56,8 +56,8 @@ _F_N, _A_N = Subscript(Name("F"), _N), Subscript(Name("A"), _N)
 
 def comparison_document(comparison: EngineComparison) -> Document:
     """Return a comparison as a document: the table, the cosines where they are wanted, how to read it."""
-    waves = blocks(*(_waves(comparison, k, d) for k in KINDS for d in DIRECTIONS))
-    cosines = (Heading("Every order as a cosine"), *waves) if comparison.phases and waves else ()
+    waves = blocks(*(_waves(comparison, k, d) for k in KINDS for d in DIRECTIONS if comparison.phases))
+    cosines = (Heading("Every order as a cosine"), *waves) if waves else ()
     title = f"{len(comparison)} engines compared, to order {comparison.order}"
     return Document(
         title if len(comparison) > 1 else comparison.summary(),
@@ -255,16 +255,21 @@ def _own_wave(row: Row) -> Cell:
     whole = _cosine(value, row.order, *phase)
     if len(formula_text(value)) <= LONGEST:
         return whole
-    return Exact(whole, near) if component.has_plain_phase else near
+    return Exact(whole, near) if component.phase_in_turns is not None else near
 
 
 def _phase(row: Row, decimal: str) -> tuple[Formula, bool]:
     """Return the size of a phase, a fraction of π where it is a plain one, and whether it is later."""
     later = not decimal.startswith(("-", "−"))
-    plain = row.phase_in_turns() if row.is_decimal else row.component.phase
-    if plain is None or not (row.is_decimal or row.component.has_plain_phase):
+    turns = row.component.phase_in_turns
+    if turns is not None:
+        import sympy
+
+        return formula_of(2 * abs(sympy.Rational(turns.numerator, turns.denominator)) * sympy.pi), later
+    plain = row.phase_in_decimals() if row.is_decimal else None
+    if plain is None:
         return Decimal(decimal.lstrip("-−")), later
-    return formula_of(plain if later else -plain), later
+    return (plain.operand if isinstance(plain, Negative) else plain), later
 
 
 def _cosine(amplitude: Formula, order: Any, phase: Formula, later: bool = True) -> Formula:

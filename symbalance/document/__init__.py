@@ -12,8 +12,9 @@ Markdown. Knows nothing of engines.
     fitting                   which exact cells a table has room for;  decimals: numbers in cells
     document_writer           what the writers of documents share
     text_document, latex_document, html_document, markdown_document    a document in each medium
+    csv_document, xlsx_document                                  a result's rows for spreadsheets
     latex_characters          any sign in LaTeX
-    result                    what every result can do: to_text, to_latex, to_html, to_markdown, to_json
+    result                    what every result can do: to_text, to_latex, to_json, to_csv and so on
 """
 
 from symbalance.loading import attach

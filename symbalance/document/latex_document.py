@@ -9,7 +9,10 @@ lualatex with luatexja: pdflatex writes their codes, and says on the page and in
 from __future__ import annotations
 
 import re
+import unicodedata
+from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from math import ceil
 
 from symbalance.document import nodes
@@ -20,9 +23,12 @@ from symbalance.document.latex_characters import east_asian, escaped
 from symbalance.document.latex_writer import LatexWriter, formula_latex, latex_width
 from symbalance.document.line_breaking import break_sum, display_lines, expand_radicals
 from symbalance.document.nodes import UNKNOWN, inlines
+from symbalance.errors import SymbalanceError, brief
 
 ROOM = 66.0
 """How many digits wide a line may be: 345 pt hold 69 at 10 pt, and an estimate may be short by some."""
+FULL_PAGE, FOOTNOTES, SMALL_PAGE = 45, 58, 80
+"""Lines that a page of its own holds, from which it needs yet smaller letters, and the most it holds."""
 ROWS = 30
 """Of a table on one page."""
 _GAP = 2.4
@@ -43,8 +49,8 @@ _HIGH = 1.1
 _WORDS_ROOM = 24.0
 """A column of words wider than this may be set as a paragraph."""
 
-_CLASS = r"""\documentclass[11pt]{article}
-\usepackage[a4paper,margin=25mm]{geometry}
+_CLASS = r"""\documentclass[10pt]{article}
+\usepackage[a4paper,margin=18mm,top=12mm,bottom=12mm,nofoot]{geometry}
 \usepackage{amsmath}
 \usepackage{booktabs}
 """
@@ -56,11 +62,14 @@ _EIGHT_BITS = r"""\usepackage{iftex}
 \fi
 """
 _SETTINGS = r"""\setlength{\parindent}{0pt}
-\setlength{\parskip}{4pt}
+\setlength{\parskip}{3pt}
 \setlength{\emergencystretch}{3em}
 \setlength{\jot}{6pt}
 \allowdisplaybreaks
 \begin{document}
+"""
+_SMALL = r"""\setlength{\parskip}{1pt}
+\setlength{\medskipamount}{3pt}
 """
 _EAST_ASIAN = r"""\iftutex
   \usepackage{luatexja}
@@ -73,9 +82,15 @@ CODES  \AtBeginDocument{\noindent\textbf{Characters are written by their codes (
 """
 
 
-def document_latex(document: nodes.Document, *, standalone: bool = False) -> str:
-    """Return a document as LaTeX: a fragment, or with `standalone` one that compiles alone."""
-    body = _Writer().document(document)
+def document_latex(
+    document: nodes.Document, *, standalone: bool = False, label: str | None = None
+) -> str:
+    """Return a document as LaTeX: a fragment, or with `standalone` one that compiles alone.
+
+    With a `label` each table floats, under a caption and a label of its own: tab:LABEL-force.
+    """
+    writer = _Writer() if label is None else _LabellingWriter(checked_label(label))
+    body = writer.document(document)
     needs = ["amsmath", "booktabs", *(["graphicx"] if r"\includegraphics" in body else [])]
     signs = east_asian(body)
     if not standalone:
@@ -86,7 +101,23 @@ def document_latex(document: nodes.Document, *, standalone: bool = False) -> str
         code = r"  \DeclareUnicodeCharacter{%s}{\texttt{U+%s}\allowbreak}" + "\n"
         codes = "".join(code % (f"{ord(sign):04X}", f"{ord(sign):04X}") for sign in signs)
         parts.append(_EAST_ASIAN.replace("CODES", codes))
-    return "".join([*parts, _SETTINGS, body, "\\end{document}\n"])
+    lines = _lines(document.blocks)
+    small = _SMALL if FULL_PAGE < lines <= SMALL_PAGE else ""
+    small += ("\\small\n" if lines < FOOTNOTES else "\\footnotesize\n") if small else ""
+    return "".join([*parts, _SETTINGS, small, body, "\\end{document}\n"])
+
+
+def _lines(blocks: tuple[nodes.Block, ...]) -> int:
+    """Return about how many lines blocks take on paper."""
+    lines = 0
+    for block in blocks:
+        if isinstance(block, nodes.Table):
+            lines += len(block.rows) + 3
+        elif isinstance(block, nodes.Facts):
+            lines += len(block.entries) + 1
+        else:
+            lines += _lines(block.blocks) + 2 if isinstance(block, nodes.Details) else 1
+    return lines
 
 
 class _Writer(DocumentWriter):
@@ -183,7 +214,17 @@ class _Writer(DocumentWriter):
         whole: float,
         rows: Sequence[tuple[nodes.Words, ...]],
     ) -> str:
-        """Return a part of a table that fits a page, in the largest size that fits a line."""
+        """Return a part of a table that fits a page, under its title."""
+        return _kept_together(self.rules(title, columns, whole, rows))
+
+    def rules(
+        self,
+        title: str,
+        columns: Sequence[_Column],
+        whole: float,
+        rows: Sequence[tuple[nodes.Words, ...]],
+    ) -> str:
+        """Return a table's rows between rules, in the largest size that fits a line."""
         size = next((name for scale, name in _SIZES if whole * scale <= ROOM), _SIZES[-1][1])
         shape = r"@{\hspace{12pt}}".join(column.shape for column in columns)
         lines = [rf"\textbf{{{title}}}\par\nobreak\smallskip" if title else ""]
@@ -196,7 +237,68 @@ class _Writer(DocumentWriter):
             lines.insert(-4, r"\renewcommand{\arraystretch}{1.5}")
         lines += [rf"{line} \\" for line in body]
         lines += [r"\bottomrule", r"\end{tabular}}"]
-        return _kept_together("\n".join(line for line in lines if line))
+        return "\n".join(line for line in lines if line)
+
+
+_LABEL = re.compile(r"[A-Za-z0-9][A-Za-z0-9.:+-]*")
+"""What is safe in a label in every package that writes it somewhere else: no signs that TeX obeys."""
+_WORDS_IN_LABEL = 4
+
+
+def checked_label(label: object) -> str:
+    """Return the beginning of labels, or refuse what LaTeX would not take as one."""
+    if isinstance(label, str) and _LABEL.fullmatch(label):
+        return label
+    rule = "must begin with a letter or a digit, and hold letters, digits and . : + - alone"
+    raise SymbalanceError(f"label = {brief(label)}", rule, "write it like v8-90")
+
+
+class _LabellingWriter(_Writer):
+    """LaTeX for a report: tables float, and have captions and labels that a text refers to."""
+
+    def __init__(self, label: str) -> None:
+        self.label = label
+        self.about = ""
+        self.topics: Counter[str] = Counter()
+        self.topic = ""
+        self.head = ""
+
+    def document(self, document: nodes.Document) -> str:
+        self.about = self.words(document.title)
+        return super().document(document)
+
+    def table(self, block: nodes.Table) -> str:
+        self.topic = block.topic or _topic(block.title)
+        if plain_words(block.title)[:1].islower():  # it goes on from the table above, as its title does
+            words = inlines(block.title)
+            return super().table(replace(block, title=(f"{self.head} ", *words) if self.head else words))
+        self.head = re.split(r"[,(:;=]", plain_words(block.title))[0].strip()
+        return super().table(block)
+
+    def tabular(
+        self,
+        title: str,
+        columns: Sequence[_Column],
+        whole: float,
+        rows: Sequence[tuple[nodes.Words, ...]],
+    ) -> str:
+        self.topics[self.topic] += 1
+        number = self.topics[self.topic]
+        name = f"tab:{self.label}-{self.topic}" + (f"-{number}" if number > 1 else "")
+        caption = rf"\caption{{{title or self.about}}}\label{{{name}}}\par\smallskip"
+        lines = [r"\begin{table}[htbp]", r"\centering", caption]
+        return "\n".join([*lines, self.rules("", columns, whole, rows), r"\end{table}"])
+
+
+def _topic(title: nodes.Words) -> str:
+    """Return what a table is about, by the first words of its title.
+
+    >>> _topic("Coefficients of one cylinder (the value is exact)"), _topic("")
+    ('coefficients-of-one-cylinder', 'table')
+    """
+    head = re.split(r"[,(:;=]", plain_words(title))[0]
+    plain = unicodedata.normalize("NFKD", head).encode("ascii", "ignore").decode().lower()
+    return "-".join(re.findall(r"[a-z0-9]+", plain)[:_WORDS_IN_LABEL]) or "table"
 
 
 class _Column:

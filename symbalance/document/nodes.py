@@ -16,6 +16,9 @@ Source         lines somebody wrote, each with its verdict and notes
 Details        what a reader may skip
 =============  ==================================================================================
 
+A `Document` holds no character that a reader does not see: what a file's words hold of such is written by
+its code.
+
 Words are an `Inline` or several: a string, a formula, an equation, `Code` (taken literally) or `Strong`.
 
 Nodes are compared by identity: classes that compare by content take twice as long to make, and they are
@@ -24,10 +27,12 @@ made at every start.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass, replace
+from operator import is_
 from typing import Any
 
 from symbalance.document.formula import Equation, Formula
+from symbalance.errors import visible
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +115,7 @@ class Table:
     """Rows of cells under columns; the first `keys` columns say what a row is about.
 
     A table without rows is written as its title and the words `empty`. A column whose cells are all
-    empty is left out.
+    empty is left out. `topic` is what it is about in a word, which labels name it by: "force".
     """
 
     title: Words
@@ -118,6 +123,7 @@ class Table:
     rows: tuple[tuple[Cell, ...], ...]
     keys: int = 1
     empty: str = "none"
+    topic: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,12 +165,20 @@ class Source:
     lines: tuple[SourceLine, ...]
 
 
+LONGEST = 20
+"""Characters of an exact number in a short document's table."""
+
+
 @dataclass(frozen=True, eq=False)
 class Details:
-    """What a reader may skip; folded where a medium can fold."""
+    """What a reader may skip; folded where a medium can fold.
+
+    What is `optional` is left out where it cannot, unless all is asked for: see `Document.unfolded`.
+    """
 
     summary: str
     blocks: tuple[Block, ...]
+    optional: bool = False
 
 
 Block = Heading | Paragraph | Facts | Table | Formulas | Figure | Source | Details
@@ -177,6 +191,71 @@ class Document:
     title: Words
     blocks: tuple[Block, ...]
     lead: Words = ""
+
+    def __post_init__(self) -> None:
+        for name in ("title", "blocks", "lead"):
+            object.__setattr__(self, name, _visible(getattr(self, name)))
+
+    def unfolded(self, full: bool) -> Document:
+        """Return the document for a medium that cannot fold: optional details in full, or their names."""
+        omitted: dict[str, None] = {}
+        shown = _unfolded(self.blocks, full, omitted)
+        if omitted:
+            shown = (*shown, Paragraph((f"in full also: {', '.join(omitted)} (", Code("--full"), ")")))
+        return Document(self.title, shown, self.lead)
+
+
+def _unfolded(blocks: tuple[Block, ...], full: bool, omitted: dict[str, None]) -> tuple[Block, ...]:
+    """Return blocks with optional details opened or left out, whose names are put into `omitted`."""
+    shown: list[Block] = []
+    for block in blocks:
+        if isinstance(block, Table) and not full:
+            shown.append(_rounded(block, omitted))
+        elif not isinstance(block, Details):
+            shown.append(block)
+        elif not block.optional:
+            shown.append(Details(block.summary, _unfolded(block.blocks, full, omitted)))
+        elif full:
+            shown += _unfolded(block.blocks, full, omitted)
+        else:
+            omitted[block.summary] = None
+    return tuple(shown)
+
+
+def _rounded(table: Table, omitted: dict[str, None]) -> Table:
+    """Return a table whose long exact cells are in decimals, and say so in `omitted`."""
+    from symbalance.document.text_writer import formula_text
+
+    def short(cell: Cell) -> Cell:
+        if not isinstance(cell, Exact) or cell.near is None or len(formula_text(cell.value)) <= LONGEST:
+            return cell
+        omitted["the exact form of what is rounded"] = None
+        return cell.near
+
+    rows = tuple(tuple(map(short, row)) for row in table.rows)
+    return replace(table, rows=rows)
+
+
+def _visible(value: Any) -> Any:
+    """Return words or blocks with every text in them `visible`, whatever file it is from.
+
+    Here, where every document passes, and not in the writers: a medium that forgot it would hand a
+    terminal, or a page, what a stranger's file tells it to do.
+    """
+    if isinstance(value, str):
+        return visible(value)
+    if isinstance(value, tuple):
+        parts = tuple(map(_visible, value))
+        return value if all(map(is_, parts, value)) else parts
+    if isinstance(value, Formula | Equation) or not is_dataclass(value):
+        return value
+    changed: dict[str, Any] = {}
+    for field in fields(value):
+        part = getattr(value, field.name)
+        clean = part if field.name == "picture" else _visible(part)  # drawn here, and XML of its own
+        if clean is not part:
+            changed[field.name] = clean
+    return replace(value, **changed) if changed else value  # type: ignore[type-var]
 
 
 def inlines(words: Words) -> tuple[Inline, ...]:

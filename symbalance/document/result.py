@@ -1,4 +1,4 @@
-"""Base class of results, which all show as text, LaTeX, HTML, Markdown and JSON, and in notebooks.
+"""Base class of results, which all show as text, LaTeX, HTML, Markdown, JSON, CSV and in notebooks.
 
 A result's class derives from `Result` and gives four things: `kind`, `summary()`, `document()` and
 `data()`; `records()` where a table of plain numbers makes sense of it. Beside the module stands
@@ -13,11 +13,12 @@ Balance of inline-4 to order 4: free force of order 2, 4; no free couple
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, overload
 
-from symbalance.errors import SymbalanceError
+from symbalance.errors import SymbalanceError, brief, printable, visible
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
@@ -26,7 +27,7 @@ Item = TypeVar("Item")
 
 
 class Result:
-    """Base class of all results: shown as text, LaTeX, HTML, Markdown and JSON, and in notebooks."""
+    """Base class of all results: shown as text, LaTeX, HTML, Markdown, JSON, CSV and in notebooks."""
 
     __slots__ = ()
 
@@ -34,6 +35,9 @@ class Result:
     """The result's name in JSON: "balance"."""
     schema_version: ClassVar[int] = 1
     """Counts up when a key of the JSON changes its meaning or goes; new keys do not count."""
+
+    record_keys: ClassVar[tuple[str, ...]] = ()
+    """The keys of `records()`, where there may be none of them: a table of no rows has its heads."""
 
     def summary(self) -> str:
         """Return the result in one line that a person reads."""
@@ -68,7 +72,7 @@ class Result:
         return json.loads(file.read_text(encoding="utf-8"))
 
     def __repr__(self) -> str:
-        return self.summary()
+        return printable(self.summary())
 
     def _repr_html_(self) -> str:
         return to_html(self)
@@ -103,22 +107,30 @@ class SequenceResult(Result, Sequence[Item]):
         return hash(self.items)
 
 
-def to_text(result: Result, *, width: int = 80) -> str:
-    """Return a result as text for a terminal of `width` columns, 40 or more."""
+def to_text(result: Result, *, width: int = 80, full: bool = False) -> str:
+    """Return a result as text for a terminal of `width` columns, 40 or more.
+
+    `full` shows what a short document names in its last line.
+    """
     from symbalance.document.text_document import document_text
 
     if not isinstance(width, int) or width < 40:
         raise SymbalanceError(
             f"width = {width}", "must be a whole number, 40 or more", "80 is the default"
         )
-    return document_text(_checked(result).document(), width)
+    return document_text(_checked(result).document().unfolded(full), width)
 
 
-def to_latex(result: Any, *, standalone: bool = False) -> str:
+def to_latex(
+    result: Any, *, standalone: bool = False, full: bool = False, label: str | None = None
+) -> str:
     r"""Return a result as LaTeX: a fragment, or with `standalone` a document that compiles alone.
 
-    A fragment needs amsmath and booktabs. Components, series and SymPy expressions give a formula for
-    math mode.
+    `full` shows what a short document names in its last line.
+
+    A fragment needs amsmath and booktabs. With a `label` its tables float under captions, labelled
+    tab:LABEL-force and so on: what each is about, numbered from the second of that name. Components,
+    series and SymPy expressions give a formula for math mode, which takes no label.
 
     >>> from symbalance.kinematics.slider_crank import acceleration_series
     >>> print(to_latex(acceleration_series(6, 7)))
@@ -127,7 +139,10 @@ def to_latex(result: Any, *, standalone: bool = False) -> str:
     if isinstance(result, Result):
         from symbalance.document.latex_document import document_latex
 
-        return document_latex(result.document(), standalone=standalone)
+        document = result.document().unfolded(full)
+        return document_latex(document, standalone=standalone, label=label)
+    if label is not None:
+        raise SymbalanceError(f"label = {brief(label)}", "is for the tables of a result", "leave it out")
     from symbalance.document.latex_writer import formula_latex
 
     return formula_latex(_formula(result))
@@ -159,7 +174,50 @@ def to_json(result: Result) -> str:
     """
     checked = _checked(result)
     schema = {"result": checked.kind, "version": checked.schema_version}
-    return json.dumps({"schema": schema, **checked.data()}, indent=1, ensure_ascii=False)
+    text = json.dumps({"schema": schema, **checked.data()}, indent=1, ensure_ascii=False)
+    # What is in a file's words stays in them, but no terminal obeys it: outside of strings is none of it.
+    return text if not _HIDDEN.search(text) else _HIDDEN.sub(_json_escape, text)
+
+
+def _json_escape(match: re.Match[str]) -> str:
+    if "\ud800" <= match[0] <= "\udfff" or match[0] == visible(match[0]):
+        return match[0]
+    units = match[0].encode("utf-16-be")
+    return "".join(f"\\u{units[i : i + 2].hex()}" for i in range(0, len(units), 2))
+
+
+_HIDDEN = re.compile(
+    "[^\n -~\u00a1-\u00ac\u00ae-\u02ff\u0370-\u05ff\u0900-\u0fff\u3041-\u3163\u3165-\ud7ff]"
+)
+"""Characters that may be of those that `visible` writes by their codes; the others are quickly passed."""
+
+
+def to_csv(result: Result) -> str:
+    r"""Return a result's records as CSV, one table under a row of heads.
+
+    RFC 4180: lines end in CR LF; write it with `newline=""`. Numbers are decimals with a point. A text
+    that a spreadsheet would take for a formula has an apostrophe before it.
+
+    >>> from symbalance.kinematics.slider_crank import harmonics
+    >>> print(to_csv(harmonics("force", 2, 1)).replace("\r", ""), end="")
+    order,function,power,coefficient,value
+    1,cos,0,1,1.0
+    2,cos,1,1,1.0
+    """
+    from symbalance.document.csv_document import result_csv
+
+    return result_csv(_checked(result))
+
+
+def to_xlsx(result: Result) -> bytes:
+    """Return a result's records as the bytes of an Excel workbook; needs the extra `xlsx`.
+
+    `Path("balance.xlsx").write_bytes(sb.to_xlsx(result))` writes it: one sheet, the rows of `to_csv`, its
+    heads in bold, numbers as numbers, texts never as formulas.
+    """
+    from symbalance.document.xlsx_document import result_xlsx
+
+    return result_xlsx(_checked(result))
 
 
 def _checked(result: Any) -> Result:

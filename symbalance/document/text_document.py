@@ -194,13 +194,14 @@ class _Writer(DocumentWriter):
     def narrowed(self, fit: Fitted, columns: Sequence[Sequence[str]], over: int) -> list[int]:
         """Return widths that fit, the widest columns giving way: words, and the heads of numbers."""
         narrow = [max(map(len, column)) for column in columns]
-        least = [
-            max(map(len, column[1:])) if numeric else _NARROWEST
-            for column, numeric in zip(columns, fit.numeric, strict=True)
-        ]
-        while over > 0 and (open_columns := [i for i, w in enumerate(narrow) if w > least[i]]):
-            narrow[max(open_columns, key=lambda i: narrow[i])] -= 1
-            over -= 1
+        numbers = {i: max(map(len, columns[i][1:])) for i, numeric in enumerate(fit.numeric) if numeric}
+        words = [numbers.get(i, max(map(_longest_word, column))) for i, column in enumerate(columns)]
+        least = [numbers.get(i, _NARROWEST) for i in range(len(columns))]
+        # A column narrower than a word of its own stands out of line: that comes last.
+        for limits in (list(map(max, words, least)), words, least):
+            while over > 0 and (open_columns := [i for i, w in enumerate(narrow) if w > limits[i]]):
+                narrow[max(open_columns, key=lambda i: narrow[i])] -= 1
+                over -= 1
         return narrow
 
     def left_out(self, fit: Fitted) -> list[str]:
@@ -257,6 +258,10 @@ def _whole(cell: str) -> str:
     """Return what stands before a number's point."""
     point = _POINT.match(cell)
     return point[0] if point else cell
+
+
+def _longest_word(cell: str) -> int:
+    return max(map(len, cell.split(" ")))
 
 
 def _side_by_side(cells: Sequence[Sequence[str]], widths: Sequence[int]) -> list[str]:

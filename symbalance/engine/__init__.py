@@ -4,6 +4,7 @@ In: an engine file, a preset's name, or a builder's arguments. Out: an `Engine`,
 that know all about themselves, in groups of like ones, and what balances them.
 
     crank_train, cylinders, engine    sizes; one cylinder; all of them together
+    variants                          the same engine with other sizes, bank angle or rod ratio
     builders                          engines from a firing order and bank angles, or from crank pins
     stars                             cranks, firing orders and bank angles that fire evenly
     balance_masses                    counterweights and balance shafts

@@ -5,13 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from symbalance.document.expressions import formula_of
 from symbalance.document.formula import Decimal
 from symbalance.document.nodes import Words
 from symbalance.document.text_writer import formula_text
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
+from symbalance.exact.radicals import ClosedForm
 from symbalance.exact.spectrum import Component
 from symbalance.text.reals import atan2, nstr, pi
 
@@ -79,7 +79,7 @@ def size(vector: Amplitude) -> tuple[Any, ...]:
     component = Component(vector)
     if component.is_long:
         return ("≈ ", Decimal(five_digits(vector.size())))
-    exact = formula_of(component.amplitude)
+    exact = component.form("amplitude").as_formula()
     if vector.has_symbols or (not vector.is_decimal and len(formula_text(exact)) <= LONGEST):
         return (exact,)
     return ("≈ ", Decimal(five_digits(vector.size())))
@@ -109,15 +109,12 @@ def direction(vector: Amplitude) -> tuple[Any, ...]:
     >>> plain_words(direction(Phasor.of(4, {0: 3, 1: 1})))
     '≈ 18.435°'
     """
-    import sympy
-
     component = Component(vector)
-    if not component.is_long or component.has_plain_phase:
-        degrees_exact = component.phase * 180 / sympy.pi
-        if degrees_exact.is_Rational:
-            return (formula_of(degrees_exact), "°")
-        if vector.has_symbols:
-            return (formula_of(component.phase),)
+    turns = component.phase_in_turns
+    if turns is not None:
+        return (ClosedForm.rational(turns * 360).as_formula(), "°")
+    if vector.has_symbols:
+        return (component.form("phase").as_formula(),)
     near = vector.evaluated()
     degrees = atan2(near.imag, near.real) * 180 / pi()
     return ("≈ ", Decimal(five_digits(degrees)), "°")

@@ -45,9 +45,9 @@ def from_cylinders(
     shared = _checked_train(crank_train)
     if ratio is not None:
         shared = replace(shared, given_ratio=checked_ratio(ratio))
-    of_each = replace(shared, pitch=None)
+    of_each = replace(shared, pitch=None, bore=None)
     complete = [c.with_shared(of_each) for c in checked_cylinders(cylinders)]
-    return Engine(complete, pitch=shared.pitch, **about)
+    return Engine(complete, pitch=shared.pitch, bore=shared.bore, **about)
 
 
 def _checked_train(train: object) -> CrankTrain:

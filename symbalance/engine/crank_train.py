@@ -19,7 +19,7 @@ CYLINDER_SIZES = ("stroke", "rod", *MASSES, "offset", *ROD)
 
 @dataclass(frozen=True)
 class CrankTrain:
-    """Stroke, rod, offset and masses of a cylinder, mm and kg; None where not given.
+    """Bore, stroke, rod, offset and masses of a cylinder, mm and kg; None where not given.
 
     A Fraction is taken as it is, another number or text is read as one; what is no size is refused.
 
@@ -31,6 +31,7 @@ class CrankTrain:
     stroke: Fraction | None = None
     rod: Fraction | None = None
     pitch: Fraction | None = None
+    bore: Fraction | None = None
     reciprocating_mass: Fraction | None = None
     rotating_mass: Fraction | None = None
     given_ratio: Fraction | None = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
@@ -54,7 +54,8 @@ class Group:
 class Engine:
     """An engine: its cylinders, strokes per cycle, counterweights and balance shafts.
 
-    `pitch` is the distance of neighbouring cylinders in mm, None if not known. The cylinder of the
+    `pitch` is the distance of neighbouring cylinders in mm, `bore` that of all cylinders, which plays a
+    part in gas torque alone; None if not known. The cylinder of the
     lowest number is the unit: forces count in its m r omega^2. Sizes shared by all cylinders are put
     into each by whoever makes the engine: `from_cylinders` and the other builders, or an engine file.
 
@@ -67,6 +68,7 @@ class Engine:
     strokes: int
     name: str
     pitch: Fraction | None
+    bore: Fraction | None
     balancers: Balancers
 
     def __init__(
@@ -76,16 +78,18 @@ class Engine:
         strokes: int = 4,
         name: str = "engine",
         pitch: object = None,
+        bore: object = None,
         balancers: Balancers | None = None,
     ) -> None:
         set_field = object.__setattr__
         listed_cylinders = checked_cylinders(cylinders)
         _check_links(listed_cylinders)
-        set_field(self, "cylinders", _joined(listed_cylinders))
+        set_field(self, "cylinders", joined_cylinders(listed_cylinders))
         set_field(self, "strokes", checked_strokes(strokes))
         set_field(self, "name", checked_name(name))
         _check_fires(self.cylinders)
         set_field(self, "pitch", None if pitch is None else checked_size("pitch", pitch))
+        set_field(self, "bore", None if bore is None else checked_size("bore", bore))
         set_field(self, "balancers", checked_balancers(balancers, self.cylinders))
         if self.balancers.shafts and self.has_common_harmonics:
             check_shares(self.balancers.shafts)
@@ -235,7 +239,57 @@ class Engine:
             rule = f"cannot be set for {self.name}, whose cylinders have ratios of their own"
             raise SymbalanceError(f"ratio = {brief(ratio)}", rule, "give each its stroke and rod")
         changed = [c if c.link else c.with_ratio(known) for c in self.cylinders]
-        return unchecked_copy(self, cylinders=_joined(changed))
+        return unchecked_copy(self, cylinders=joined_cylinders(changed))
+
+    def with_sizes(
+        self,
+        *,
+        stroke: object = None,
+        rod: object = None,
+        reciprocating_mass: object = None,
+        pitch: object = None,
+    ) -> Engine:
+        """Return the engine with sizes that it lacks, mm and kg, the same for every cylinder.
+
+        A size that some cylinder has already otherwise is refused: which of the two counts would be a
+        guess. A rod takes the place of a ratio that is given alone.
+
+        >>> from symbalance.engine.builders import inline
+        >>> inline("1-3-4-2").with_sizes(stroke=80, rod=140).ratio
+        Fraction(7, 2)
+        """
+        sizes = {"stroke": stroke, "rod": rod, "reciprocating_mass": reciprocating_mass}
+        added: dict[str, Fraction | None] = {
+            key: checked_size(key, value) for key, value in sizes.items() if value is not None
+        }
+        for key, value in added.items():
+            has_own = [c for c in self.cylinders if c.link is None or key == "reciprocating_mass"]
+            present = [v for c in has_own if (v := getattr(c.sizes, key)) not in (None, value)]
+            if present:
+                rule = f"is given by the engine already, as {brief(present[0])}"
+                raise SymbalanceError(f"{key} = {brief(value)}", rule, "leave it out, or change the file")
+        if pitch is not None and self.pitch not in (None, checked_size("pitch", pitch)):
+            rule = f"is given by the engine already, as {brief(self.pitch)}"
+            raise SymbalanceError(f"pitch = {brief(pitch)}", rule, "leave it out, or change the file")
+        on_pins = [c for c in self.cylinders if c.link is None]
+        if "rod" in added and "stroke" not in added and any(c.sizes.stroke is None for c in on_pins):
+            rule = "makes a rod ratio with the stroke only, which is not known"
+            raise SymbalanceError(f"rod = {brief(rod)}", rule, "give the stroke too, mm")
+        if "rod" in added:
+            added["given_ratio"] = None  # as a cylinder's own rod ends the ratio that all share
+        of_link_rods = {key: value for key, value in added.items() if key == "reciprocating_mass"}
+        with_sizes = [
+            unchecked_copy(c, sizes=replace(c.sizes, **(of_link_rods if c.link else added)))
+            for c in self.cylinders
+        ]
+        return Engine(
+            with_sizes,
+            strokes=self.strokes,
+            name=self.name,
+            pitch=self.pitch if pitch is None else pitch,
+            bore=self.bore,
+            balancers=self.balancers,
+        )
 
     def balanced_by(self, *added: Counterweight | BalanceShaft) -> Engine:
         """Return the engine with counterweights and balance shafts added to those it has.
@@ -248,7 +302,7 @@ class Engine:
         weights = tuple(a for a in added if not isinstance(a, BalanceShaft))
         shafts = tuple(a for a in added if isinstance(a, BalanceShaft))
         balancers = Balancers(had.counterweights + weights, had.shafts + shafts)
-        about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch}
+        about = {"strokes": self.strokes, "name": self.name, "pitch": self.pitch, "bore": self.bore}
         return Engine(self.cylinders, balancers=balancers, **about)
 
 
@@ -269,7 +323,7 @@ def _is_centred(mechanism: Mechanism | None) -> bool:
     return mechanism is None or mechanism.is_centred
 
 
-def _joined(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
+def joined_cylinders(cylinders: Sequence[Cylinder]) -> tuple[Cylinder, ...]:
     """Return the cylinders, those on link rods each with its master's."""
     by_number = {c.number: c for c in cylinders}
     joined = [c.on_master(by_number[c.link.master]) if c.link else c for c in cylinders]

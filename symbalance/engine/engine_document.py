@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
 from symbalance.document.decimals import short_decimal
 from symbalance.document.formula import Decimal, Formula, Name, Product, Upright, cos, equal, sin
-from symbalance.document.nodes import Cell, Column, Table, Words
+from symbalance.document.nodes import Block, Cell, Column, Paragraph, Table, Words
 from symbalance.engine.balance_mass_facts import balancer_facts
+from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.dead_centres import (
     dead_centre_shift_of,
     firing_dead_centres,
@@ -15,7 +17,7 @@ from symbalance.engine.dead_centres import (
 )
 from symbalance.engine.engine import Engine, Group
 from symbalance.exact.angles import Angle
-from symbalance.kinematics.mechanisms import LinkRod
+from symbalance.kinematics.mechanisms import LinkRod, dead_centres
 from symbalance.text.numbers import short_text
 from symbalance.text.reals import Real
 
@@ -285,3 +287,121 @@ def _cells(group: Group, attached: bool) -> tuple[Cell, ...]:
 
 def _decimal(number: Fraction) -> Formula:
     return Decimal(short_decimal(Real(number)))
+
+
+MOST_DRAWN = 16
+"""Cylinders that have a row each in the table of a drawing; of more the first and a line."""
+
+
+def drawing_blocks(engine: Engine) -> tuple[Block, ...]:
+    """Return what a drawing of the engine says: axes, pins, stations, firings and dead centres.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> [column.head for column in drawing_blocks(load("v8-90"))[0].columns]
+    ['cylinder', 'axis at', 'pin at', 'station', 'fires at']
+    """
+    columns = _drawn_columns(engine)
+    shown = engine.cylinders[: MOST_DRAWN if len(engine.cylinders) <= MOST_DRAWN else MOST_DRAWN // 2]
+    rows = tuple(tuple(cell(c) for _, cell in columns) for c in shown)
+    crank = "twice the crank radius" if has_shifted_dead_centres(engine) else "stroke"
+    sizes = [
+        f"{name} {_millimetres(next(iter(values)))}"
+        for name, values in (
+            (crank, {c.sizes.stroke for c in engine.cylinders if c.link is None}),
+            ("rod", {c.sizes.rod for c in engine.cylinders if c.link is None}),
+            ("pitch", {engine.pitch}),
+        )
+        if len(values) == 1 and None not in values
+    ]
+    steps = firing_intervals(engine) if engine.firing_order() and not engine.has_symbols else []
+    sizes += [f"fires every {_drawn_degrees(steps[0])}"] if steps[1:] and len(set(steps)) == 1 else []
+    title = ": ".join(["As drawn", ", ".join(sizes)] if sizes else ["As drawn"])
+    table = Table(title, tuple(column for column, _ in columns), rows)
+    left = len(engine.cylinders) - len(shown)
+    return (table, Paragraph(f"and {left} cylinders more, listed in the JSON")) if left else (table,)
+
+
+def _drawn_columns(engine: Engine) -> list[tuple[Column, Callable[[Cylinder], Cell]]]:
+    """Return the columns of a drawing's table that say something, each with what a cylinder has in it."""
+    columns: list[tuple[Column, Callable[[Cylinder], Cell]]] = [
+        (Column("cylinder"), lambda c: str(c.number)),
+        (Column("axis at", "axis"), lambda c: angle_text(c.bank)),
+        (Column("pin at", "pin"), lambda c: angle_text(c.throw)),
+        (Column("station" + (", mm" if engine.pitch else ""), "station"), lambda c: _station(engine, c)),
+    ]
+    if engine.has_symbols:
+        return columns
+    if engine.firing_order() is not None:
+        tops = _firing_angles(engine)
+        order = sorted(tops, key=tops.__getitem__)
+        steps = dict(zip(order, firing_intervals(engine), strict=True))
+        columns.append((Column("fires at", "fires"), lambda c: _drawn_degrees(tops[c.number])))
+        if len(set(steps.values())) > 1:
+            columns.append((Column("the next after", "next"), lambda c: _drawn_degrees(steps[c.number])))
+    else:
+        shifts = dead_centre_angles_of(engine)
+        columns.append((Column("top at", "top"), lambda c: _drawn_degrees(shifts[c.number])))
+    is_own = has_shifted_dead_centres(engine) or len({c.stroke for c in engine.cylinders}) > 1
+    if is_own and (strokes_of := piston_strokes(engine)):
+        columns.append((Column("stroke, mm", "stroke"), lambda c: _decimal_text(strokes_of[c.number])))
+    return columns
+
+
+def _station(engine: Engine, cylinder: Cylinder) -> Cell:
+    place = cylinder.station * (engine.pitch or 1)
+    return Decimal(degrees_text(place)) if engine.pitch else number_cell(place)
+
+
+def number_cell(value: Fraction) -> Cell:
+    """Return a number as a decimal where it is short, else as a fraction."""
+    return Decimal(degrees_text(value)) if 10_000 % value.denominator == 0 else str(value)
+
+
+def _drawn_degrees(value: Fraction) -> str:
+    return f"{degrees_text(value)}°"
+
+
+def _decimal_text(value: Real) -> Cell:
+    return Decimal(short_decimal(value, 6))
+
+
+def _millimetres(value: Fraction | None) -> str:
+    return "" if value is None else f"{float(value):.8g} mm"
+
+
+def _firing_angles(engine: Engine) -> dict[int, Fraction]:
+    """Return when each cylinder fires, degrees after the first; dead centres that move where they are."""
+    cycle = 180 * engine.strokes
+    if has_shifted_dead_centres(engine):
+        return {n: round(top, 2) for n, top in firing_dead_centres(engine).items()}
+    return {c.number: c.fires % cycle for c in engine.cylinders if c.fires is not None}
+
+
+def dead_centre_angles_of(engine: Engine) -> dict[int, Fraction]:
+    """Return the crank angle at a top dead centre of each cylinder, degrees in [0, 360)."""
+    return {
+        c.number: round(dead_centre_shift_of(c) - c.delay.in_degrees(), 2) % 360
+        if c.offset or c.link
+        else -c.delay.in_degrees() % 360
+        for c in engine.cylinders
+    }
+
+
+def piston_strokes(engine: Engine) -> dict[int, Real]:
+    """Return every piston's stroke in mm, longer than twice the radius where the axis is offset.
+
+    Empty where some crank radius is not known.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> [str(stroke.rounded(6)) for stroke in list(piston_strokes(load("vw-vr6")).values())[:1]]
+    ['90.2842']
+    """
+    strokes: dict[int, Real] = {}
+    for mechanism, cylinders in engine.grouped(lambda c: c.mechanism).items():
+        moved = mechanism is not None and any(c.offset or c.link for c in cylinders)
+        over_radius = dead_centres(mechanism, 30).stroke if mechanism is not None and moved else Real(2)
+        for cylinder in cylinders:
+            if cylinder.radius is None:
+                return {}
+            strokes[cylinder.number] = over_radius * cylinder.radius
+    return {c.number: strokes[c.number] for c in engine.cylinders}

@@ -61,6 +61,9 @@ def parse_engine(text: str, place: str, default_name: str = "engine") -> Engine:
 def engine_from(file: Section, default_name: str) -> Engine:
     """Return the engine that a file's tables describe; what other rooms read is left alone."""
     texts = {key: file.value(key) for key in ("name", "description", "source")}
+    _ = file.section(
+        "estimates"
+    ).values()  # refuses what is no reason; only the list of presets shows them
     name = texts["name"] or file.guarded(lambda: checked_name(default_name))
     train = file.section("crank_train")
     about = {"name": name, "crank_train": _crank_train(train)}

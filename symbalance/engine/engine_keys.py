@@ -107,6 +107,7 @@ OFFSET = Key("offset", ANY, _OFFSET, MM, otherwise="0")
 CRANK_TRAIN = TableKeys(
     "crank_train",
     (
+        Key("bore", POSITIVE, "Of every cylinder; for the gas torque", MM, remedy=SIZES),
         STROKE,
         ROD_LENGTH,
         Key("pitch", POSITIVE, "Between neighbouring cylinders of a bank", MM, remedy=SIZES),
@@ -366,6 +367,19 @@ BALANCE_SHAFT = TableKeys(
     "A shaft beside the crank, with one weight or several.",
 )
 
+ESTIMATED = (
+    *("bore", "stroke", "rod", "pitch", "ratio", "offset"),
+    *("reciprocating_mass", "rotating_mass", "rod_mass", "rod_centre", "rod_inertia"),
+    *("banks", "cylinders", "firing_order", "firing_intervals", "stagger"),
+    *("master", "link_angle", "link_radius"),
+)
+"""What may be marked as an estimate: keys of [crank_train], [layout] and [[cylinder]]."""
+ESTIMATES = TableKeys(
+    "estimates",
+    tuple(Key(key, Text(), f"Why `{key}` is an estimate, and of what") for key in ESTIMATED),
+    meaning="The figures nobody looked up, each with its reason; `symbalance engines --full` lists them.",
+)
+
 _OPAQUE = TableKeys("", (), others=Text())
 """A table that is known and not read here."""
 
@@ -381,6 +395,7 @@ ENGINE_FILE = TableKeys(
         ),
         Key("description", Text(), "What it is"),
         Key("source", Text(), "Where its figures come from"),
+        Key("estimates", ESTIMATES, "Which of its figures are estimates, and why"),
         _STROKES,
         Key("crank_train", CRANK_TRAIN, "The sizes all cylinders share"),
         Key("layout", LAYOUT, "Banks and a firing order"),

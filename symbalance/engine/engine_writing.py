@@ -121,8 +121,9 @@ def _shared(engine: Engine, sizes: Sequence[Sizes]) -> dict[str, Fraction]:
 
 
 def _crank_train(engine: Engine, shared: Mapping[str, Fraction]) -> Row:
-    keys = ("stroke", "rod", "pitch", *CYLINDER_SIZES[2:], "ratio")
-    return _present_keys((key, engine.pitch if key == "pitch" else shared.get(key)) for key in keys)
+    of_engine = {"bore": engine.bore, "pitch": engine.pitch}
+    keys = ("bore", "stroke", "rod", "pitch", *CYLINDER_SIZES[2:], "ratio")
+    return _present_keys((key, of_engine[key] if key in of_engine else shared.get(key)) for key in keys)
 
 
 def _cylinder(cylinder: Cylinder, sizes: Sizes, shared: Mapping[str, Fraction]) -> Row:

@@ -8,6 +8,7 @@ their exact forms.
                      symbolic_phasor: with symbols for angles;  decimal_phasor: 40 digits, none exact
     arithmetic       sums and ratios of amplitudes;  symbolic_polynomials: letters for masses and lengths
     radicals         how such a number is written: roots, or cosines where there are none
+    exact_forms      what any exact number is printed from
     spectrum         one series for a planar vector: +n turns with the crank, -n against it
 """
 

@@ -22,7 +22,7 @@ Formulas:
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
@@ -31,8 +31,9 @@ from typing import TYPE_CHECKING
 from symbalance.exact.amplitude import QUARTER, Amplitude
 from symbalance.exact.angles import Angle
 from symbalance.exact.decimal_phasor import DecimalPhasor
+from symbalance.exact.exact_forms import Direction, ExactForm, FromSymPy, RootOfSquares
 from symbalance.exact.phasor import ZERO, Phasor
-from symbalance.exact.radicals import exact_form, exact_text, square_root_form
+from symbalance.exact.radicals import ZERO_FORM, exact_form, multiple_of_pi, square_root_form
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
 from symbalance.text.reals import Real, atan2, pi
 
@@ -54,8 +55,8 @@ MOST_WRITTEN = 100
 class Component:
     """One order of one component: C cos n theta + S sin n theta = amplitude cos(n theta - phase).
 
-    `number` is C + iS; the properties are exact SymPy expressions, computed on first use. With the
-    amplitude R and the phase d:
+    `number` is C + iS. `form` gives each of the four exactly, to be printed; the properties are the same
+    as SymPy expressions, computed on first use. With the amplitude R and the phase d:
 
     Formulas:
         C cos n theta + S sin n theta = R cos(n theta - d)
@@ -85,90 +86,54 @@ class Component:
             return False
         return len(number.normal) > MOST_WRITTEN
 
-    @cached_property
-    def texts(self) -> tuple[str, str]:
-        """C and S as text that SymPy reads."""
-        if not self.is_long:
-            return str(self.cos), str(self.sin)
-        assert isinstance(self.number, Phasor)
-        return exact_text(self.number.real()), exact_text(self.number.imaginary())
-
-    @property
-    def amplitude_text(self) -> str:
-        """The amplitude as text that SymPy reads."""
-        if not self.is_long:
-            return str(self.amplitude)
-        cos, sin = self.texts
-        aligned = self._aligned
-        return f"sqrt(({cos})**2 + ({sin})**2)" if aligned is None else exact_text(aligned[1])
-
-    @property
-    def phase_text(self) -> str:
-        """The phase as text that SymPy reads: an atan2 is that of `texts`, which it repeats."""
-        import sympy
-
-        cos, sin = self.texts
-        if self.is_long and self._aligned is None:
-            return f"atan2({sin}, {cos})"
-        return f"atan2({sin}, {cos})" if self.phase.has(sympy.atan2) else str(self.phase)
-
     def as_formula(self) -> Formula:
         """Return C cos n theta + S sin n theta as a formula."""
-        from symbalance.document.expressions import formula_of
         from symbalance.document.formula import Name, cos, sin
 
         angle = Name("n") * Name("theta")
-        return formula_of(self.cos) * cos(angle) + formula_of(self.sin) * sin(angle)
+        return self.form("cos").as_formula() * cos(angle) + self.form("sin").as_formula() * sin(angle)
+
+    def form(self, name: str) -> ExactForm:
+        """Return cos, sin, amplitude or phase as an exact form, of a plain number without SymPy."""
+        if name not in self._forms:
+            self._forms[name] = _FORMS[name](self)
+        return self._forms[name]
 
     @cached_property
-    def cos(self) -> sympy.Expr:
-        """The coefficient of cos n theta."""
-        return _real_form(self.number)
-
-    @cached_property
-    def sin(self) -> sympy.Expr:
-        """The coefficient of sin n theta."""
-        return _real_form(self.number.rotated(-QUARTER))
-
-    @cached_property
-    def amplitude(self) -> sympy.Expr:
-        """The amplitude, zero or positive; with symbols in it and a fixed phase, of either sign."""
-        import sympy
-
-        if isinstance(self.number, SymbolicPhasor):
-            return _symbolic_amplitude(self.number)
-        if isinstance(self.number, DecimalPhasor):
-            return _float(self.number.size())
-        aligned = self._aligned
-        if aligned is not None:
-            return exact_form(aligned[1])
-        # A long number's square takes the square of its terms, and is as good as always longer still.
-        square = None if self.is_long else self.number.times(self.number.conjugate())
-        if square is None or len(square.terms) > MOST_IN_A_SQUARE:
-            # SymPy would ask both squares whether they are infinite, and take seconds to know.
-            return sympy.Pow(self.cos**2 + self.sin**2, sympy.S.Half, evaluate=False)
-        return square_root_form(square)
-
-    @cached_property
-    def phase(self) -> sympy.Expr:
-        """The phase in (-pi, pi], a fraction of pi or else an unevaluated atan2."""
-        import sympy
-
-        if isinstance(self.number, DecimalPhasor):
-            return _decimal_phase(self.number)
-        if self.is_zero() or (self.sin == 0 and isinstance(self.number, SymbolicPhasor)):
-            return sympy.S.Zero
-        if self.cos == 0 and isinstance(self.number, SymbolicPhasor):
-            return sympy.pi / 2
-        aligned = self._aligned
-        if aligned is None:
-            return sympy.atan2(self.sin, self.cos, evaluate=False)
-        return 2 * sympy.pi * sympy.Rational(aligned[0].numerator, aligned[0].denominator)
+    def _forms(self) -> dict[str, ExactForm]:
+        return {}
 
     @property
-    def has_plain_phase(self) -> bool:
-        """Whether it is an exact number whose phase is a fraction of a turn."""
-        return self._aligned is not None
+    def cos(self) -> sympy.Expr:
+        """The coefficient of cos n theta."""
+        return self.form("cos").expression()
+
+    @property
+    def sin(self) -> sympy.Expr:
+        """The coefficient of sin n theta."""
+        return self.form("sin").expression()
+
+    @property
+    def amplitude(self) -> sympy.Expr:
+        """The amplitude, zero or positive; with symbols in it and a fixed phase, of either sign."""
+        return self.form("amplitude").expression()
+
+    @property
+    def phase(self) -> sympy.Expr:
+        """The phase in (-pi, pi], a fraction of pi or else an unevaluated atan2."""
+        return self.form("phase").expression()
+
+    @property
+    def phase_in_turns(self) -> Fraction | None:
+        """The phase in turns where it is an exact fraction of one, None where it is not."""
+        number = self.number
+        if isinstance(number, DecimalPhasor):
+            return _axis(number)
+        if isinstance(number, SymbolicPhasor):
+            if self.is_zero() or self.form("sin").is_zero():
+                return Fraction(0)
+            return QUARTER if self.form("cos").is_zero() else None
+        return None if self._aligned is None else self._aligned[0]
 
     @cached_property
     def _aligned(self) -> tuple[Fraction, Phasor] | None:
@@ -190,8 +155,54 @@ class Component:
         return {}
 
 
-def _real_form(number: Amplitude) -> sympy.Expr:
-    """Return the real part as a SymPy expression."""
+def _cos(component: Component) -> ExactForm:
+    return _real_form(component.number)
+
+
+def _sin(component: Component) -> ExactForm:
+    return _real_form(component.number.rotated(-QUARTER))
+
+
+def _amplitude(component: Component) -> ExactForm:
+    number = component.number
+    if isinstance(number, SymbolicPhasor):
+        return _symbolic_amplitude(component)
+    if isinstance(number, DecimalPhasor):
+        return _float(number.size())
+    if component._aligned is not None:
+        return exact_form(component._aligned[1])
+    if component.is_long:
+        # Its square takes the square of its terms, and is as good as always longer still.
+        return RootOfSquares(component.form("cos"), component.form("sin"))
+    square = number.times(number.conjugate())
+    if len(square.terms) > MOST_IN_A_SQUARE:
+        import sympy
+
+        # SymPy would ask both squares whether they are infinite, and take seconds to know.
+        return FromSymPy(sympy.Pow(component.cos**2 + component.sin**2, sympy.S.Half, evaluate=False))
+    return square_root_form(square)
+
+
+def _phase(component: Component) -> ExactForm:
+    turns = component.phase_in_turns
+    if turns is not None:
+        return multiple_of_pi(2 * turns)
+    if isinstance(component.number, DecimalPhasor):
+        value = component.number.evaluated()
+        return _float(atan2(value.imag, value.real))
+    return Direction(component.form("cos"), component.form("sin"))
+
+
+_FORMS: dict[str, Callable[[Component], ExactForm]] = {
+    "cos": _cos,
+    "sin": _sin,
+    "amplitude": _amplitude,
+    "phase": _phase,
+}
+
+
+def _real_form(number: Amplitude) -> ExactForm:
+    """Return the real part as an exact form."""
     if isinstance(number, Phasor):
         return exact_form(number.real())
     if isinstance(number, DecimalPhasor):
@@ -202,36 +213,39 @@ def _real_form(number: Amplitude) -> sympy.Expr:
     terms = []
     for symbols, phasor in number.parts.items():
         angle = Angle(Fraction(0), symbols).expression()
-        terms.append(exact_form(phasor.real()) * sympy.cos(angle))
-        terms.append(-exact_form(phasor.imaginary()) * sympy.sin(angle))
-    return sympy.Add(*terms)
+        terms.append(exact_form(phasor.real()).expression() * sympy.cos(angle))
+        terms.append(-exact_form(phasor.imaginary()).expression() * sympy.sin(angle))
+    return FromSymPy(sympy.Add(*terms))
 
 
-def _float(value: Real) -> sympy.Expr:
+def _float(value: Real) -> ExactForm:
     """Return a number of 40 digits as SymPy writes it, to `SHOWN`; 0 stays a plain 0."""
+    if not value:
+        return ZERO_FORM
     import sympy
 
-    return sympy.Float(value, SHOWN) if value else sympy.S.Zero
+    return FromSymPy(sympy.Float(value, SHOWN))
 
 
-def _decimal_phase(number: DecimalPhasor) -> sympy.Expr:
-    import sympy
-
+def _axis(number: DecimalPhasor) -> Fraction | None:
+    """Return the direction in turns of a number in decimals that lies on an axis."""
     value = number.evaluated()
     cos, sin = value.real, value.imag
     if not sin:
-        return sympy.S.Zero if cos >= 0 else sympy.pi
+        return Fraction(0) if cos >= 0 else Fraction(1, 2)
     if not cos:
-        return sympy.pi / 2 if sin > 0 else -sympy.pi / 2
-    return _float(atan2(sin, cos))
+        return QUARTER if sin > 0 else -QUARTER
+    return None
 
 
-def _symbolic_amplitude(number: SymbolicPhasor) -> sympy.Expr:
+def _symbolic_amplitude(component: Component) -> ExactForm:
     """Return C where S is 0 and S where C is 0, else the root of C^2 + S^2."""
     import sympy
 
-    cos, sin = _real_form(number), _real_form(number.rotated(-QUARTER))
-    return sympy.sqrt(_real_form(number.norm())) if cos != 0 and sin != 0 else cos + sin
+    cos, sin = component.form("cos"), component.form("sin")
+    if cos.is_zero() or sin.is_zero():
+        return cos if sin.is_zero() else sin
+    return FromSymPy(sympy.sqrt(_real_form(component.number.norm()).expression()))
 
 
 def turns_and_size(number: Phasor) -> tuple[Fraction, Phasor] | None:

@@ -7,6 +7,8 @@ In: an `Engine`. Out: a `Balance`: force and couple of each order that survives,
     row_formulas      those closed forms as a result, N a symbol
     shaft_moments     the roll moment of balance shafts
     rows              components as rows of a table
+    operating_point   speed and sizes, which make forces newtons;  speed_table: several speeds
+    all_orders        the largest force and couple over a turn;  turn_maximum: its value and bound
     balance_document, balance_data   a balance as it is written, and as data for programs
 """
 

@@ -13,6 +13,7 @@ from symbalance.forces.free_forces import Balance, Order, Resultant
 from symbalance.forces.rows import plane_key, roll_rows
 from symbalance.kinematics.mechanisms import LinkRod
 from symbalance.text.numbers import decimal_text
+from symbalance.text.reals import Real
 
 DIGITS = 30
 VALUE_DIGITS = 20
@@ -27,7 +28,9 @@ def balance_data(balance: Balance) -> dict[str, Any]:
         "reference_plane": plane_key(balance.reference),
         "cylinders": [_cylinder(c) | _own(balance, c) for c in balance.engine.cylinders],
         **({"balancers": _balancers(balance.engine.balancers)} if balance.engine.balancers else {}),
+        **({"operating_point": point.data()} if (point := balance.operating_point) else {}),
         "orders": [_order(order, balance) for order in balance.orders],
+        **({"largest": _largest(balance)} if point and not balance.engine.has_symbols else {}),
         **({"roll": _roll(balance)} if roll_rows(balance) else {}),
     }
 
@@ -111,8 +114,17 @@ def _order(order: Order, balance: Balance) -> dict[str, Any]:
     return {
         "order": str(order.order),
         "coefficient": _coefficient(order, balance),
-        "force": _resultant(order.force),
-        "couple": _resultant(order.couple),
+        "force": _resultant(order.force, balance, "force"),
+        "couple": _resultant(order.couple, balance, "couple"),
+    }
+
+
+def _largest(balance: Balance) -> dict[str, Any]:
+    """Return the largest force and couple over a turn, all orders together, with a proved bound."""
+    return {
+        output: {"value": top.value, "bound": top.bound, "degrees": top.angle, "unit": unit}
+        for output, top in balance.turn_maxima.items()
+        for unit in ("N m" if output.startswith("couple") else "N",)
     }
 
 
@@ -122,26 +134,37 @@ def _coefficient(order: Order, balance: Balance) -> dict[str, Any] | None:
         return None
     value = balance.values.get(order.order)
     return {
-        "series": str(order.coefficient.in_lam()),
+        "series": order.coefficient.spelling,
         "through": order.coefficient.through,
         "value": None if value is None else decimal_text(value, VALUE_DIGITS),
     }
 
 
-def _resultant(resultant: Resultant) -> dict[str, Any]:
-    return {name: dict(component_values(resultant.component(name))) for name in COMPONENTS}
+KEYS = {"force": "newtons", "couple": "newton_metres"}
+
+
+def _resultant(resultant: Resultant, balance: Balance, of: str) -> dict[str, Any]:
+    """Return the components of one order, at an operating point in N or N m too."""
+    point = balance.operating_point
+    factor = None
+    if point is not None and not (of == "couple" and point.couple is None):
+        factor = balance.unit_value(of) * balance.share(resultant.order)
+    return {name: _with_value(resultant.component(name), KEYS[of], factor) for name in COMPONENTS}
+
+
+def _with_value(component: Component, key: str, factor: Real | None) -> dict[str, Any]:
+    values = dict(component_values(component))
+    if factor is not None and values["decimal"] is not None:
+        values[key] = [decimal_text(x * factor, VALUE_DIGITS) for x in component.decimal(DIGITS)]
+    return values
 
 
 @lru_cache(maxsize=4096)
 def component_values(component: Component) -> dict[str, Any]:
     """Return a component's values, none of which can be changed: documents share them."""
     symbolic = component.number.has_symbols and not component.is_zero()
-    cos, sin = component.texts
     return {
-        "cos": cos,
-        "sin": sin,
-        "amplitude": component.amplitude_text,
-        "phase": component.phase_text,
+        **{name: component.form(name).spelling for name in ("cos", "sin", "amplitude", "phase")},
         "decimal": None if symbolic else _decimal(component),
     }
 
@@ -154,7 +177,8 @@ def balance_records(balance: Balance) -> list[dict[str, Any]]:
     """Return a row for each component of force and couple that does not vanish.
 
     Keys: order, of (force or couple), component, cos, sin, amplitude (floats, None with symbols in them),
-    unit, and coefficient, A_n in decimals (None where it is not apart or no ratio is known).
+    unit, and coefficient, A_n in decimals (None where it is not apart or no ratio is known); at an
+    operating point the amplitude as `value`, in `value_unit`.
     """
     records = []
     for order in balance.orders:
@@ -173,13 +197,27 @@ def balance_records(balance: Balance) -> list[dict[str, Any]]:
                         "cos": cos,
                         "sin": sin,
                         "amplitude": None if cos is None or sin is None else hypot(cos, sin),
-                        "exact_cos": part.texts[0],
-                        "exact_sin": part.texts[1],
+                        "exact_cos": part.form("cos").spelling,
+                        "exact_sin": part.form("sin").spelling,
                         "unit": unit(balance, of),
                         "coefficient": None if value is None else float(value),
+                        **_value_record(balance, order.order, of, cos, sin),
                     }
                 )
     return records
+
+
+def _value_record(
+    balance: Balance, order: int, of: str, cos: float | None, sin: float | None
+) -> dict[str, Any]:
+    point = balance.operating_point
+    if point is None:
+        return {}
+    unit = {"value_unit": "N" if of == "force" else "N m"}
+    if cos is None or sin is None or (of == "couple" and point.couple is None):
+        return {"value": None, **unit}
+    factor = abs(float(balance.unit_value(of) * balance.share(order)))
+    return {"value": hypot(cos, sin) * factor, **unit}
 
 
 _UNITS = {

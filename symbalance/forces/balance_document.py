@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Protocol
 
-from symbalance.document.decimals import short_decimal
-from symbalance.document.expressions import formula_of
+from symbalance.document.decimals import decimal, short_decimal
 from symbalance.document.formula import (
     Decimal,
     Dots,
@@ -24,6 +24,7 @@ from symbalance.document.nodes import (
     Block,
     Cell,
     Column,
+    Details,
     Document,
     Exact,
     Facts,
@@ -38,18 +39,20 @@ from symbalance.engine.engine_document import (
     ORDER,
     SIGNS,
     balancer_entries,
+    drawing_blocks,
     engine_title,
     group_table,
     origin_facts,
     size_facts,
 )
-from symbalance.forces.free_forces import Balance
+from symbalance.forces.free_forces import NEGLIGIBLE, Balance, slight_orders
+from symbalance.forces.operating_point import OperatingPoint
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, roll_rows, rotating, rows
 from symbalance.kinematics.coefficients import Kinematics
 from symbalance.kinematics.series_printing import series_formula
 from symbalance.kinematics.slider_crank import Series
 from symbalance.text.numbers import short_text
-from symbalance.text.reals import Real
+from symbalance.text.reals import Real, hypot
 
 LONGEST_PHASE = 8
 """A phase that takes more characters, an atan2 or a fine fraction of pi, is written rounded."""
@@ -61,12 +64,21 @@ _M, _R, _A, _N = Name("m"), Name("r"), Name("a"), Name("n")
 _OMEGA, _LAM = Name("omega"), Name("lam")
 _ANGLE = _N * Name("theta")
 _A_N, _F_N = Subscript(Name("A"), _N), Subscript(Name("F"), _N)
+_F_1 = Subscript(Name("F"), number(1))
 _MR = _M * _R * _OMEGA**2
 
 
 def balance_document(balance: Balance) -> Document:
     """Return a balance as a document: the components that are free, the coefficients, the conventions."""
-    return Document(engine_title(balance.engine), resultant_blocks(balance) + conventions(balance))
+    return Document(
+        engine_title(balance.engine),
+        blocks(
+            resultant_blocks(balance),
+            turn_blocks(balance),
+            drawing_blocks(balance.engine),
+            conventions(balance),
+        ),
+    )
 
 
 def resultant_blocks(balance: Balance) -> tuple[Block, ...]:
@@ -109,16 +121,38 @@ def conventions(balance: Balance, own: Sequence[tuple[Words, Words]] = ()) -> tu
 
 
 def _resultant(balance: Balance, name: str, title: Words) -> tuple[Block, ...]:
-    surviving = rows(balance, name)
-    table = component_table(title, surviving, empty=f"none, to order {balance.highest}")
-    return (table, *_rotating(balance, name)) if surviving else (table,)
+    surviving, slight = _by_weight(balance, rows(balance, name))
+    table = component_table(
+        title, surviving, f"none, to order {balance.highest}", in_newtons(balance, name), name
+    )
+    parts = _rotating(balance, name, {row.order for row in surviving}) if surviving else ()
+    return (table, *parts, *slight)
+
+
+def _by_weight(balance: Balance, surviving: list[Row]) -> tuple[list[Row], tuple[Block, ...]]:
+    """Return the rows that matter, and a line that names the orders that do not.
+
+    Without a rod ratio nobody knows how much an order is; with symbolic angles neither.
+    """
+    if balance.kinematics is not None and balance.ratio is None:
+        return surviving, ()
+    largest: dict[int | Fraction, float] = {}
+    for row in surviving:
+        if row.has_symbols:
+            return surviving, ()
+        size = abs(float(balance.share(int(row.order)))) * float(hypot(*row.component.decimal()))
+        largest[row.order] = max(largest.get(row.order, 0.0), size)
+    slight = [n for n, size in largest.items() if size < NEGLIGIBLE]
+    if not slight:
+        return surviving, ()
+    return [row for row in surviving if row.order not in slight], (Paragraph(slight_orders(slight)),)
 
 
 def _roll(balance: Balance) -> tuple[Block, ...]:
     surviving = roll_rows(balance)
     moment = _F_N * _R if balance.kinematics else _M * _R**2 * _OMEGA**2
     title = ("Roll moment of the shafts on the frame, + in the sense of rotation, unit ", moment)
-    return (component_table(title, surviving),) if surviving else ()
+    return (component_table(title, surviving, topic="roll"),) if surviving else ()
 
 
 _HEAD = (
@@ -131,12 +165,100 @@ _HEAD = (
 )
 
 
-def component_table(title: Words, surviving: Sequence[Row], empty: str = "none") -> Table:
+def component_table(
+    title: Words,
+    surviving: Sequence[Row],
+    empty: str = "none",
+    measured: Measured | None = None,
+    topic: str = "",
+) -> Table:
     """Return a table of components, exact where there is room, in decimals where there is not.
 
-    Rows without a name leave the column of components out.
+    Rows without a name leave the column of components out; `measured` adds columns of values in N or N m.
     """
-    return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty)
+    if measured is None:
+        return Table(title, _HEAD, tuple(map(_cells, surviving)), keys=2, empty=empty, topic=topic)
+    cells = tuple((*_cells(row), *measured.cells(row)) for row in surviving)
+    return Table(title, (*_HEAD, *measured.columns), cells, keys=2, empty=empty, topic=topic)
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Columns of an operating point: the amplitude in N or N m, and in per cent of the unit."""
+
+    columns: tuple[Column, ...]
+    cells: Callable[[Row], tuple[Cell, ...]]
+
+
+def in_newtons(balance: Balance, of: str) -> Measured | None:
+    """Return the columns of a balance's force or couple in N or N m; None without an operating point."""
+    if balance.operating_point is None or balance.engine.has_symbols:
+        return None
+    if of == "couple" and balance.operating_point.couple is None:
+        return None
+    unit = balance.unit_value(of)
+    per_cent = ("% of ", _F_1 if of == "force" else _F_1 * _A)
+
+    def cells(row: Row) -> tuple[Cell, ...]:
+        share = hypot(*row.component.decimal(SHOWN + 10)) * abs(balance.share(int(row.order)))
+        return Decimal(short_decimal(share * unit, SHOWN)), Decimal(short_decimal(share * 100, SHOWN))
+
+    return Measured((Column(UNITS[of]), Column(per_cent)), cells)
+
+
+UNITS = {"force": "N", "couple": "N m"}
+SHOWN = 5
+"""Digits of a value in N: its masses and lengths have no more."""
+
+
+def turn_blocks(balance: Balance) -> tuple[Block, ...]:
+    """Return the largest force and couple over a turn, and the operating point they are for."""
+    point = balance.operating_point
+    if point is None:
+        return ()
+    at = operating_facts(point)
+    if balance.engine.has_symbols:
+        return (at,)
+    rows = []
+    for output, top in balance.turn_maxima.items():
+        of, _, name = output.partition(".")
+        if top.value > 0:
+            where = Decimal(f"{top.angle:.1f}")
+            cells = (f"{of}, {name or 'in any direction'}", UNITS[of], decimal(top.value, SHOWN))
+            rows.append((*cells, decimal(_upwards(top.bound), 8), where))
+    columns = (
+        Column(""),
+        Column("unit"),
+        Column("largest"),
+        Column("proved to be at most"),
+        Column(("at ", Name("theta"), ", degrees")),
+    )
+    return (at, Table("All orders together, over a turn", columns, tuple(rows)))
+
+
+def operating_facts(point: OperatingPoint, of: str = "force") -> Facts:
+    """Return the speed and the sizes that values are for, and what the unit of a "torque" is there."""
+    pitch = point.pitch if of == "force" else None
+    letters: Words = (_M, ", ", _R, *(() if pitch is None else (", ", _A)))
+    unit: tuple[Words, Words] = (
+        equal(_F_1, _MR),
+        (Decimal(short_decimal(point.force, SHOWN)), " N, one piston's first order"),
+    )
+    if of == "torque":
+        unit = (_M * _R**2 * _OMEGA**2, (Decimal(short_decimal(point.torque, SHOWN)), " N m"))
+    speed: tuple[Words, Words] = ("speed", f"{float(point.rpm):.8g} rpm")
+    return Facts((speed, (letters, _sizes_of(point, pitch)), unit), "Operating point")
+
+
+def _upwards(bound: float) -> float:
+    """Return a bound that is still one when its eight digits are rounded."""
+    return bound * (1 + 5e-8)
+
+
+def _sizes_of(point: OperatingPoint, pitch: Fraction | None) -> str:
+    lengths = [point.radius] if pitch is None else [point.radius, pitch]
+    in_mm = ", ".join(f"{float(length * 1000):.8g} mm" for length in lengths)
+    return f"{float(point.mass):.8g} kg, {in_mm}"
 
 
 def order_cell(order: int | Fraction) -> Formula:
@@ -153,7 +275,7 @@ def _cells(row: Row) -> tuple[Cell, ...]:
         return (*head, cosine, sine, amplitude, _phase(row, decimals[3]))
     if row.component.is_long and decimals is not None:
         return (*head, *(TooLong(Decimal(d)) for d in decimals[:3]), _rounded_phase(row, decimals[3]))
-    values = [formula_of(part) for part in row.exact()]
+    values = row.exact()
     if decimals is None:
         return (*head, *map(Exact, values))
     near = [Decimal(d) for d in decimals]
@@ -173,21 +295,21 @@ def _short_phase(value: Formula, decimal: str) -> Words:
 
 def _rounded_phase(row: Row, decimal: str) -> Words:
     """Return the phase of a component that is not written exactly: a fraction of pi, or rounded."""
-    if not row.component.has_plain_phase:
+    if row.component.phase_in_turns is None:
         return ("≈ ", Decimal(decimal))
-    return _short_phase(formula_of(row.component.phase), decimal)
+    return _short_phase(row.component.form("phase").as_formula(), decimal)
 
 
 def _phase(row: Row, decimal: str) -> Formula:
-    fraction = row.phase_in_turns()
-    return Decimal(decimal) if fraction is None else formula_of(fraction)
+    return row.phase_in_decimals() or Decimal(decimal)
 
 
-def _rotating(balance: Balance, name: str) -> tuple[Block, ...]:
-    """Return the parts that turn with and against the crank, a row for each order."""
-    pairs = rotating(balance, name)
+def _rotating(balance: Balance, name: str, orders: Collection[int | Fraction]) -> tuple[Block, ...]:
+    """Return the parts that turn with and against the crank, a row for each of `orders`."""
+    pairs = [pair for pair in rotating(balance, name) if pair[0].order in orders]
     if not pairs:
         return (Paragraph(IN_ONE_PLANE),)
+    what = f"{name} as rotating parts"
     columns = (
         Column("order"),
         Column("forward (with the crank)"),
@@ -196,7 +318,11 @@ def _rotating(balance: Balance, name: str) -> tuple[Block, ...]:
         Column("phase"),
     )
     cells = tuple((number(f.order), *_turning(f), *_turning(b)) for f, b in pairs)
-    return (Table("as rotating parts", columns, cells),)
+    return (
+        Details(
+            what, (Table("as rotating parts", columns, cells, topic=f"{name}-rotating"),), optional=True
+        ),
+    )
 
 
 def _turning(row: Row) -> tuple[Cell, Cell]:
@@ -207,7 +333,7 @@ def _turning(row: Row) -> tuple[Cell, Cell]:
         return Decimal(decimals[2]), _phase(row, decimals[3])
     if row.component.is_long and decimals is not None:
         return TooLong(Decimal(decimals[2])), _rounded_phase(row, decimals[3])
-    amplitude, phase = (formula_of(part) for part in row.exact()[2:])
+    amplitude, phase = row.exact()[2:]
     if decimals is None:
         return Exact(amplitude), Exact(phase)
     near = Decimal(decimals[2])
@@ -228,7 +354,13 @@ def _series(series: Series) -> Words:
 def _coefficients(balance: Balance) -> tuple[Block, ...]:
     if not balance.orders or balance.kinematics is None:
         return ()
-    return (coefficient_table(balance.kinematics, balance.orders, balance.values, balance.ratio),)
+    tabled = {
+        row.order for of in ("force", "couple") for row in _by_weight(balance, rows(balance, of))[0]
+    }
+    orders = [order for order in balance.orders if order.order in tabled]
+    return (
+        (coefficient_table(balance.kinematics, orders, balance.values, balance.ratio),) if orders else ()
+    )
 
 
 class _Ordered(Protocol):
@@ -253,4 +385,9 @@ def coefficient_table(
         value_cell = "" if value is None else Decimal(short_decimal(value))
         cells.append((number(order.order), _series(order.coefficient), value_cell))
     columns = (Column("order"), Column((letter, " in powers of ", 1 / _LAM)), Column(at))
-    return Table("Coefficients of one cylinder (the value is exact in λ, rounded)", columns, tuple(cells))
+    return Table(
+        "Coefficients of one cylinder (the value is exact in λ, rounded)",
+        columns,
+        tuple(cells),
+        topic="coefficients",
+    )

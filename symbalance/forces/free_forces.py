@@ -28,8 +28,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
-from symbalance.exact.spectrum import Component, Spectrum
+from symbalance.exact.spectrum import COMPONENTS, Component, Spectrum
 from symbalance.forces.force_sums import planar_vectors
+from symbalance.forces.operating_point import OperatingPoint, operating_point, sized
 from symbalance.kinematics.coefficients import FORCE, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power
 from symbalance.text.numbers import exact
@@ -37,9 +38,12 @@ from symbalance.text.reals import Real
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
+    from symbalance.forces.turn_maximum import TurnMaximum
 
 DIGITS = 30
 """Digits of a coefficient's value."""
+NEGLIGIBLE = 1e-6
+"""Of one piston's first order: an order below is named in a line instead of tabled."""
 
 
 @dataclass(frozen=True)
@@ -115,8 +119,14 @@ class Balance(Result):
     reference: Fraction | None = None
     power: int | None = None
     kinematics: Kinematics | None = FORCE
+    operating_point: OperatingPoint | None = None
+    """The speed and sizes that values in N and N m are for; None where none is asked for."""
 
     kind: ClassVar[str] = "balance"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("order", "of", "component", "cos", "sin", "amplitude", "exact_cos", "exact_sin"),
+        *("unit", "coefficient"),
+    )
 
     def summary(self) -> str:
         """Return which orders are left free, in one line."""
@@ -149,10 +159,86 @@ class Balance(Result):
         """The rod ratio lambda = l/r, if known."""
         return self.engine.ratio
 
+    def at(self, *, rpm: object, **sizes: object) -> Balance:
+        """Return the same balance with its values in N and N m at a speed.
+
+        `stroke`, `rod`, `pitch` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are sizes
+        that the engine lacks. A couple needs the pitch, an order above the first the rod ratio.
+
+        >>> from symbalance.engine.catalogue import load
+        >>> four = balance(load("inline-4"), 2).at(rpm=6000, stroke=80, mass="0.5", rod=160)
+        >>> [round(x) for x in four.in_newtons(2, "force.vertical")]
+        [8023, 0]
+        """
+        if sizes:  # what holds the kinematics too, or weights in kg mm, depends on them
+            engine = sized(self.engine, sizes)
+            return _balance(engine, self.highest, self.power, self.reference).at(rpm=rpm)
+        engine = self.engine
+        if self.kinematics is not None and engine.ratio is None and max(self._numbers, default=1) > 1:
+            rule = "needs the rod ratio for newtons: orders above the first depend on it"
+            remedy = "add rod to [crank_train], or say --rod MM or --ratio λ"
+            raise SymbalanceError(f"rpm = {brief(rpm)}", rule, remedy)
+        point = operating_point(engine, rpm, bool(self.couple.orders()))
+        return replace(self, operating_point=point)
+
+    def in_newtons(self, order: int, output: str) -> tuple[Real, Real]:
+        """Return (cos, sin) of an output ("force.lateral", "couple.vertical") of an order, N or N m."""
+        of, _, name = output.partition(".")
+        if of not in ("force", "couple") or name not in COMPONENTS:
+            rule = "must be force. or couple. with vertical, lateral, forward or backward"
+            raise SymbalanceError(f"output = {brief(output)}", rule, 'write "force.vertical"')
+        if not 1 <= order <= self.highest:
+            rule = f"is not among those of the balance, 1 to {self.highest}"
+            raise SymbalanceError(f"order = {brief(order)}", rule, "balance the engine to a higher order")
+        resultant = Resultant(self.force if of == "force" else self.couple, order)
+        if resultant.is_zero():
+            return Real(0, DIGITS), Real(0, DIGITS)
+        factor = self.unit_value(of) * self.share(order)
+        cos, sin = resultant.component(name).decimal(DIGITS)
+        return cos * factor, sin * factor
+
+    def unit_value(self, of: str) -> Real:
+        """Return m r omega^2 in N, or of a "couple" m r omega^2 a in N m, at the operating point."""
+        point = self.operating_point
+        if point is None:
+            remedy = "put the balance at one: balance(engine).at(rpm=6000)"
+            raise SymbalanceError("the balance", "has no operating point", remedy)
+        unit = point.force if of == "force" else point.couple
+        if unit is None:
+            raise SymbalanceError(
+                "pitch", "is not known", "add pitch to [crank_train], or say --pitch MM"
+            )
+        return unit
+
+    def share(self, order: int) -> Real:
+        """Return what 1 of an order is in one piston's first order, m r omega^2: A_n, or 1."""
+        return Real(1, DIGITS) if self.kinematics is None else self._coefficients[order]
+
+    @cached_property
+    def _coefficients(self) -> dict[int, Real]:
+        assert self.kinematics is not None
+        if self.ratio is None:
+            return {1: Real(1, DIGITS)}
+        return self.kinematics.values_of([1, *self._numbers], self.ratio, DIGITS)
+
+    @cached_property
+    def _numbers(self) -> list[int]:
+        return sorted({*self.force.orders(), *self.couple.orders()})
+
+    @cached_property
+    def turn_maxima(self) -> dict[str, TurnMaximum]:
+        """The largest force and couple of all orders together over a turn, with proved bounds, N, N m.
+
+        Keys are force.vertical, force.lateral, force (its size, whatever its direction), and those of
+        the couple. Orders above `highest` count too.
+        """
+        from symbalance.forces.all_orders import turn_maxima
+
+        return turn_maxima(self)
+
     @cached_property
     def orders(self) -> tuple[Order, ...]:
         """The orders that survive, lowest first; those that cancel are absent."""
-        numbers = sorted({*self.force.orders(), *self.couple.orders()})
         return tuple(
             Order(
                 n,
@@ -160,7 +246,7 @@ class Balance(Result):
                 Resultant(self.force, n),
                 Resultant(self.couple, n),
             )
-            for n in numbers
+            for n in self._numbers
         )
 
     def __getitem__(self, order: int) -> Order:
@@ -231,6 +317,12 @@ def listed_orders(orders: Sequence[int | Fraction]) -> str:
     """
     printed = [str(n) if n == int(n) else str(float(n)) for n in orders]
     return ", ".join([*printed[:6], "…", printed[-1]] if len(printed) > 8 else printed)
+
+
+def slight_orders(orders: Sequence[int | Fraction]) -> str:
+    """Return in a line which orders are negligible."""
+    word = "order" if len(orders) == 1 else "orders"
+    return f"{word} {listed_orders(orders)}: below 10⁻⁶ of one piston's first order"
 
 
 def _balance(engine: Engine, order: int, power: int | None, reference: object) -> Balance:

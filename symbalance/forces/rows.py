@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
-
-import sympy
 
 from symbalance.document.decimals import SHOWN_DIGITS, short_decimal
+from symbalance.document.formula import Formula, Name, sqrt
+from symbalance.exact.exact_forms import ExactForm, FromSymPy
+from symbalance.exact.radicals import multiple_of_pi
 from symbalance.exact.spectrum import Component
 from symbalance.forces.free_forces import Balance, Order, Resultant
 from symbalance.forces.shaft_moments import has_shafts_aside, shaft_moment
@@ -47,24 +47,33 @@ class Row:
         cos_text, sin_text, amplitude, phase = (short_decimal(v) for v in values)
         return cos_text, sin_text, amplitude, phase
 
-    def phase_in_turns(self) -> sympy.Expr | None:
+    def phase_in_decimals(self) -> Formula | None:
         """Return the phase of a decimal component where it is a plain fraction of pi, else None."""
         cos, sin = self.component.decimal(SHOWN_DIGITS + 24)
         parts = atan2(sin, cos) / pi() * PLAIN_PARTS
         near = round(parts)
-        return sympy.pi * near / PLAIN_PARTS if abs(parts - near) < NEAR else None
+        plain = abs(parts - near) < NEAR
+        return multiple_of_pi(Fraction(near, PLAIN_PARTS)).as_formula() if plain else None
 
-    def exact(self) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr, sympy.Expr]:
+    def exact(self) -> tuple[Formula, Formula, Formula, Formula]:
         """Return cos, sin, amplitude and phase exactly; an endless amplitude as the root of C^2 + S^2."""
-        part = self.component
-        return part.cos, part.sin, _short(part.amplitude), part.phase
+        form = self.component.form
+        return (
+            form("cos").as_formula(),
+            form("sin").as_formula(),
+            _short(form("amplitude")),
+            form("phase").as_formula(),
+        )
 
 
-def _short(amplitude: Any) -> sympy.Expr:
-    squares = amplitude.base.args if amplitude.is_Pow and amplitude.base.is_Add else ()
-    if squares and all(square.is_Pow and square.exp == 2 for square in squares):
-        return sympy.sqrt(sympy.Symbol("C") ** 2 + sympy.Symbol("S") ** 2)
-    return amplitude
+def _short(amplitude: ExactForm) -> Formula:
+    # Numbers without symbols come here in closed form, or as the root of two squares that stay apart.
+    if isinstance(amplitude, FromSymPy):
+        value = amplitude.value
+        squares = value.base.args if value.is_Pow and value.base.is_Add else ()
+        if squares and all(square.is_Pow and square.exp == 2 for square in squares):
+            return sqrt(Name("C") ** 2 + Name("S") ** 2)
+    return amplitude.as_formula()
 
 
 def rows(balance: Balance, resultant: str) -> list[Row]:

@@ -19,13 +19,19 @@ from pathlib import Path
 from typing import Any
 
 import symbalance
-from symbalance.errors import SymbalanceError
+from symbalance.text.files import read_bytes
 
+LARGEST_FILE = 20_000_000
+"""Bytes of a file that counts by its content: no reader of the files an engine names takes more."""
 LIBRARIES = ("numpy", "scipy", "sympy")
 """Their versions count: where films hardly settle, rounding decides which orbit results."""
 
 SOURCES = (".py", ".toml", ".json")
 """The endings of the program's own files that decide what it computes."""
+
+
+PLAIN = (bool, int, float, complex, str, bytes, Fraction)
+"""Values whose `repr` is their whole content."""
 
 
 def digest(*parts: object) -> str:
@@ -44,13 +50,12 @@ def digest(*parts: object) -> str:
     return total.hexdigest()[:32]
 
 
-def _pieces(value: object) -> Iterator[bytes]:
+def _pieces(value: Any) -> Iterator[bytes]:
     """Yield a value's content; types are part of it, and every sequence says how long it is."""
     kind = type(value).__qualname__
     # Where nothing has loaded NumPy, no value is one of its own, and this room does without it.
     numpy: Any = sys.modules.get("numpy")
-    plain = bool | int | float | complex | str | bytes | Fraction
-    if value is None or isinstance(value, plain if numpy is None else plain | numpy.generic):
+    if value is None or isinstance(value, PLAIN if numpy is None else (*PLAIN, numpy.generic)):
         yield f"{kind} {value!r}".encode()
     elif numpy is not None and isinstance(value, numpy.ndarray):
         yield f"array {value.dtype} {value.shape}".encode()
@@ -75,11 +80,7 @@ def _pieces(value: object) -> Iterator[bytes]:
 
 
 def _content(path: Path) -> bytes:
-    try:
-        return path.read_bytes()
-    except OSError as problem:
-        rule = f"cannot be read ({problem.strerror})"
-        raise SymbalanceError(str(path), rule, "name a file that you may read") from None
+    return read_bytes(path, LARGEST_FILE, "a file", pipes=False)
 
 
 @cache

@@ -35,7 +35,25 @@ def process_pool(workers: int) -> ProcessPoolExecutor:
     Ctrl-C, which is its parent's to answer, and ends when its parent is gone, however that ended.
     """
     count = checked_whole(workers, "workers", 1, MOST_WORKERS, "as many as the machine has cores")
-    return ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_prepare_worker)
+    return _Pool(count, mp_context=get_context("spawn"), initializer=_prepare_worker)
+
+
+class _Pool(ProcessPoolExecutor):
+    """A pool whose workers never hear of Ctrl-C, from their first moment on.
+
+    A worker ignores it only once it has started, and a terminal sends it to all at once: one that still
+    imports would die with a traceback. So it is begun with the signal blocked, which it inherits; the
+    parent gets its own as soon as the worker is on its way.
+    """
+
+    def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Any:
+        if not hasattr(signal, "pthread_sigmask"):  # Windows
+            return super().submit(fn, *args, **kwargs)
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            return super().submit(fn, *args, **kwargs)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _prepare_worker() -> None:

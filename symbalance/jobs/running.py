@@ -19,11 +19,11 @@ from functools import partial
 from traceback import format_exception
 from typing import Any
 
-from symbalance.errors import JobFaultError, SymbalanceError, fault_of
+from symbalance.errors import JobFaultError, PicklableError, SymbalanceError, fault_of
 from symbalance.jobs.digests import program_digest
 from symbalance.jobs.pools import MOST_WORKERS, end_pool, killed_worker, lost_executor, process_pool
 from symbalance.jobs.progress import Progress
-from symbalance.jobs.store import JSON, Codec, Store
+from symbalance.jobs.store import JSON, Codec, DamagedError, Store
 from symbalance.text.numbers import checked_whole
 
 ATTEMPTS = 3
@@ -164,9 +164,15 @@ def _saved(job: Job, store: Store | None, codec: Codec[Any], progress: Progress)
     reason = saved.reason
     if saved.payload is not None:
         try:
-            return JobOutcome(codec.decode(saved.payload), saved=True)
+            value = codec.decode(saved.payload)
+            reason = codec.disagreement(job.value, value)
+            if not reason:
+                return JobOutcome(value, saved=True)
+        except DamagedError as problem:
+            reason = str(problem)
         except Exception as problem:  # bytes of another kind raise anything
-            reason = f"does not read ({type(problem).__name__})"
+            reason = type(problem).__name__
+        reason = f"does not read ({reason})"
     if reason:
         progress.say(f"{store.path(job.slot or job.key)}: {reason}: computed anew")
     return None
@@ -181,10 +187,10 @@ def _lost(progress: Progress, store: Store | None, problem: _NobodyLeftError) ->
     return SymbalanceError(problem.who, f"{problem.why}; {kept}", remedy)
 
 
-class _NobodyLeftError(Exception):
+class _NobodyLeftError(PicklableError):
     """There is nobody any more to do the work."""
 
-    def __init__(self, who: str, why: str) -> None:
+    def __init__(self, who: str = "", why: str = "") -> None:
         super().__init__(who, why)
         self.who, self.why = who, why
 

@@ -15,7 +15,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import stat
 from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
@@ -24,6 +23,7 @@ from typing import Any, Generic, TypeVar
 
 from symbalance.errors import SymbalanceError
 from symbalance.jobs.digests import digest, program_digest
+from symbalance.text.files import read_bytes
 from symbalance.text.writing import write_file
 
 FORMAT = 1
@@ -39,10 +39,18 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True)
 class Codec(Generic[Value]):
-    """How a result becomes bytes and is read back; `decode` raises anything on what is no such bytes."""
+    """How a result becomes bytes and is read back; `decode` raises anything on what is no such bytes.
+
+    `disagreement` returns why a result that was read cannot be that of a job's value, "" if it can.
+    """
 
     encode: Callable[[Value], bytes]
     decode: Callable[[bytes], Value]
+    disagreement: Callable[[Any, Value], str] = lambda value, result: ""
+
+
+class DamagedError(Exception):
+    """Bytes are not those that were written; the text says in what."""
 
 
 JSON: Codec[Any] = Codec(
@@ -74,6 +82,9 @@ class Store:
     what: str = "store"
     """What a refusal calls the folder: the option that named it."""
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "folder", Path(self.folder))
+
     def path(self, slot: str) -> Path:
         """Return where a result lies.
 
@@ -87,17 +98,12 @@ class Store:
     def load(self, key: str, slot: str = "") -> Saved:
         """Return the result of a key if it is there; else why the file in its place is not it."""
         path = self.path(slot or key)
-        try:
-            status = os.stat(path)
-            if not stat.S_ISREG(status.st_mode):  # a pipe would be waited for
-                return Saved(None, "is no file")
-            if status.st_size > LARGEST:
-                return Saved(None, "is larger than any result")
-            content = path.read_bytes()
-        except FileNotFoundError:
+        if not os.path.lexists(path):
             return Saved(None)
-        except OSError as problem:
-            return Saved(None, f"cannot be read ({problem.strerror})")
+        try:
+            content = read_bytes(path, LARGEST, "a folder of your own", pipes=False)
+        except SymbalanceError as problem:
+            return Saved(None, problem.rule)
         return _payload(content, key)
 
     def save(self, key: str, payload: bytes, slot: str = "") -> None:

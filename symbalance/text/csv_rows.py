@@ -31,8 +31,9 @@ class CsvRow(NamedTuple):
     def check_width(self, count: int, remedy: str) -> None:
         """Refuse a row of more or fewer than `count` cells."""
         if len(self.cells) != count:
-            what, rule = f"line {brief(self.text)!r}", f"has {len(self.cells)} columns, not {count}"
-            raise SymbalanceError(what, rule, remedy, self.place)
+            # The line itself is not quoted: it may be of a file that is no table, and nobody's business.
+            rule = f"has {len(self.cells)} columns, not {count}"
+            raise SymbalanceError("the line", rule, remedy, self.place)
 
     def number(self, column: int, name: str) -> float:
         """Return a cell's number as a double; `name` is what a refusal calls it.
@@ -80,7 +81,7 @@ def _cells(line: str, place: str) -> tuple[str, ...]:
             cells = next(csv.reader([line], delimiter=separator))
         except csv.Error:
             rule, remedy = "is no line of CSV", "shorten the text in quotes"
-            raise SymbalanceError(f"line {brief(line)!r}", rule, remedy, place) from None
+            raise SymbalanceError("the line", rule, remedy, place) from None
     return tuple([cell.strip() for cell in cells])
 
 
@@ -115,5 +116,5 @@ def check_units(header: CsvRow, foreign: re.Pattern[str], expected: str) -> None
     """Refuse a header that names a unit among `foreign`, where the file is taken to hold `expected`."""
     unit = foreign.search(header.text)
     if unit:
-        what, rule = f"header {brief(header.text)!r}", f"names {unit[0]}, and this reads {expected}"
-        raise SymbalanceError(what, rule, "convert the column, and its name", header.place)
+        rule = f"names {unit[0]}, and this reads {expected}"
+        raise SymbalanceError("the header", rule, "convert the column, and its name", header.place)

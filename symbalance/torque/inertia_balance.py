@@ -31,7 +31,8 @@ from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.spectrum import QUARTER, Component
 from symbalance.forces.free_forces import DIGITS, listed_orders, order_of
-from symbalance.kinematics.coefficients import INERTIA, Kinematics
+from symbalance.forces.operating_point import OperatingPoint, operating_point, sized
+from symbalance.kinematics.coefficients import INERTIA, OF_RODS, Kinematics
 from symbalance.kinematics.slider_crank import Series, checked_order, checked_power, checked_ratio
 from symbalance.text.reals import Real
 from symbalance.torque.body_groups import has_common_torque, torque_groups, total_torque
@@ -40,6 +41,8 @@ from symbalance.torque.star_diagrams import unit_vector_sum
 if TYPE_CHECKING:
     from symbalance.document.nodes import Document
 
+MILLI = 1000
+"""Millimetres in a metre."""
 INERTIA_TORQUE = "inertia torque on the crank"
 OPPOSITE = "opposite of the "
 
@@ -73,8 +76,13 @@ class TorqueBalance(Result):
     kinematics: Kinematics | None = INERTIA
     unit: str = INERTIA.unit
     quantity: str = INERTIA_TORQUE
+    operating_point: OperatingPoint | None = None
+    """The speed and sizes that values in N m are for; None where none is asked for."""
 
     kind: ClassVar[str] = "torque-orders"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("order", "of", "cos", "sin", "amplitude", "exact_cos", "exact_sin", "coefficient", "unit"),
+    )
 
     def summary(self) -> str:
         """Return which orders are left, in one line."""
@@ -123,6 +131,49 @@ class TorqueBalance(Result):
         if self.ratio is None or self.kinematics is None:
             return {}
         return self.kinematics.values_of(self.components, self.ratio, DIGITS)
+
+    def at(self, *, rpm: object, **sizes: object) -> TorqueBalance:
+        """Return the same torque with its values in N m at a speed.
+
+        `stroke`, `rod` (mm) and `mass` (kg, of one cylinder's reciprocating parts) are sizes that the
+        engine lacks. The rod ratio has to be known.
+
+        >>> from symbalance.engine.builders import inline
+        >>> four = inertia_torque(inline("1-3-4-2"), 2).at(rpm=6000, stroke=80, rod=160, mass="0.5")
+        >>> [round(x, 3) for x in four.in_newton_metres(2)]
+        [0.0, -631.819]
+        """
+        engine = sized(self.engine, sizes)
+        if engine.ratio != self.engine.ratio and self.kinematics is None:
+            rule = "changes the rod ratio, which these numbers hold"
+            raise SymbalanceError("rod", rule, "give it to the engine: engine.with_sizes(rod=...)")
+        if self.kinematics is not None and self.components:
+            checked_known(engine, None)
+        point = operating_point(engine, rpm, needs_pitch=False)
+        return replace(self, engine=engine, operating_point=point)
+
+    @cached_property
+    def unit_value(self) -> Real:
+        """The torque's `unit` in N m, at the operating point."""
+        point = self.operating_point
+        if point is None:
+            remedy = "put it at one: inertia_torque(engine).at(rpm=6000)"
+            raise SymbalanceError("the torque", "has no operating point", remedy)
+        if self.unit != OF_RODS:
+            return point.torque
+        return point.omega**2 * (first_excess(self.engine) / MILLI**2)
+
+    def in_newton_metres(self, order: int) -> tuple[Real, Real]:
+        """Return (cos, sin) of an order in N m; zeros where it cancels."""
+        unit = self.unit_value
+        if not 1 <= order <= self.highest:
+            rule = f"is not among those of the torque, 1 to {self.highest}"
+            raise SymbalanceError(f"order = {brief(order)}", rule, "take the torque to a higher order")
+        if order not in self.components:
+            return Real(0, DIGITS), Real(0, DIGITS)
+        share = Real(1, DIGITS) if self.kinematics is None else self.values[order]
+        cos, sin = self.components[order].decimal(DIGITS)
+        return cos * share * unit, sin * share * unit
 
     def reaction(self) -> TorqueBalance:
         """Return the opposite: without offset and rods' inertia, the torque on the frame."""
@@ -191,6 +242,12 @@ def inertia_torque(
     _check_no_power(engine, power)
     components = total_torque(torque_groups(engine), order)
     return TorqueBalance(engine, order, components, kinematics=None)
+
+
+def first_excess(engine: Engine) -> Fraction:
+    """Return J_x in kg mm^2 of the first rod that has one: the unit of the rods' parts."""
+    rods = sorted(engine.cylinders, key=lambda c: c.number)
+    return next((c.excess for c in rods if c.excess), Fraction(0))
 
 
 def sine_components(engine: Engine, highest: int) -> dict[int, Component]:

@@ -6,7 +6,6 @@ import re
 from pathlib import Path
 
 from symbalance.engine.engine import checked_strokes
-from symbalance.errors import SymbalanceError
 from symbalance.text.csv_rows import CsvRow, check_units, rows_of, without_headers
 from symbalance.text.files import file_name, read_text
 from symbalance.torque.pressure import Point, PressureTrace, from_rows
@@ -24,11 +23,7 @@ def read_pressure(path: str | Path, *, strokes: int = 4) -> PressureTrace:
     The rules for the points are those of `pressure_trace`.
     """
     cycle = 180 * checked_strokes(strokes)
-    try:
-        text = read_text(path, LARGEST_FILE)
-    except SymbalanceError as problem:
-        what, rule = problem.what, problem.rule
-        raise SymbalanceError(what, rule, "name a CSV file of angles and pressures") from None
+    text = read_text(path, LARGEST_FILE, "a CSV file of angles and pressures")
     return parse_pressure(text, file_name(path), cycle)
 
 

@@ -20,7 +20,7 @@ Formulas:
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -29,6 +29,7 @@ from symbalance.engine.engine import Engine, checked_engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.spectrum import Component
+from symbalance.forces.operating_point import sized
 from symbalance.forces.shaft_moments import shaft_moment, shaft_terms
 from symbalance.kinematics.bodies import EXCESS
 from symbalance.kinematics.coefficients import OF_RODS, ROCKING, RODS, Kinematics
@@ -37,6 +38,7 @@ from symbalance.text.reals import DIGITS, Complex
 from symbalance.torque.body_groups import has_common_torque, torque_groups, total_moment, total_torque
 from symbalance.torque.inertia_balance import (
     TorqueBalance,
+    first_excess,
     inertia_torque,
     sine_components,
 )
@@ -45,8 +47,6 @@ if TYPE_CHECKING:
     from symbalance.document.nodes import Document
     from symbalance.torque.running import RunningTorque
 
-MILLI = 1000
-"""Millimetres in a metre."""
 ROD_TORQUE = "torque of the rods' own inertia on the crank"
 ROD_COUPLE = "couple of the rods' own inertia on the frame"
 BESIDE_MOMENT = "moment on the frame of inertia forces beside the crank's axis"
@@ -56,12 +56,6 @@ ROLL_MOMENT = "roll moment on the frame about the crank's axis, of all inertia"
 def has_rod_couples(engine: Engine) -> bool:
     """Tell whether some rod's given inertia differs from that of two masses at its ends."""
     return any(excesses(engine))
-
-
-def first_excess(engine: Engine) -> Fraction:
-    """Return J_x in kg mm^2 of the first rod that has one: the unit of the rods' parts."""
-    rods = sorted(engine.cylinders, key=lambda c: c.number)
-    return next((c.excess for c in rods if c.excess), Fraction(0))
 
 
 def rod_torque(engine: Engine, order: int = 12, *, ratio: object = None) -> TorqueBalance:
@@ -137,6 +131,9 @@ class TorqueReport(Result):
     running: RunningTorque | None = None
 
     kind: ClassVar[str] = "torque"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("order", "of", "cos", "sin", "amplitude", "exact_cos", "exact_sin", "coefficient", "unit"),
+    )
 
     def summary(self) -> str:
         """Return which orders the crank gets and what the frame gets, in one line."""
@@ -162,6 +159,23 @@ class TorqueReport(Result):
         from symbalance.torque.torque_data import torque_records
 
         return torque_records(self)
+
+    def at(self, *, rpm: object, **sizes: object) -> TorqueReport:
+        """Return the same report with its values in N m at a speed; sizes as of `TorqueBalance.at`."""
+        if sizes:
+            engine = sized(self.engine, sizes)
+            if self.running is not None and engine != self.engine:
+                rule = "would be another engine than the running one"
+                raise SymbalanceError("sizes", rule, "give them to the engine: engine.with_sizes(...)")
+            return torque_report(engine, self.inertia.highest, running=self.running).at(rpm=rpm)
+        return replace(
+            self,
+            inertia=self.inertia.at(rpm=rpm),
+            rod=self.rod.at(rpm=rpm),
+            rocking=self.rocking.at(rpm=rpm),
+            beside=self.beside.at(rpm=rpm),
+            frame=None if self.frame is None else self.frame.at(rpm=rpm),
+        )
 
     def parts(self) -> tuple[TorqueBalance, ...]:
         """Return the torques and moments that the report is of: on the crank, then on the frame."""

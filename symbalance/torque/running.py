@@ -42,9 +42,9 @@ from symbalance.torque.flywheel import (
 )
 from symbalance.torque.gas import GasGroup, gas_groups
 from symbalance.torque.ideal_cycles import IdealCycle
-from symbalance.torque.inertia_balance import inertia_torque
+from symbalance.torque.inertia_balance import MILLI, first_excess, inertia_torque
 from symbalance.torque.pressure import PressureTrace
-from symbalance.torque.roll import MILLI, first_excess, rod_torque
+from symbalance.torque.roll import rod_torque
 from symbalance.torque.star_diagrams import firing_pin_passings
 
 if TYPE_CHECKING:
@@ -352,8 +352,8 @@ def running_torque(
     engine: Engine,
     trace: PressureTrace | IdealCycle,
     *,
-    bore: object,
     rpm: object,
+    bore: object = None,
     stroke: object = None,
     reciprocating_mass: object = None,
     ratio: object = None,
@@ -363,7 +363,7 @@ def running_torque(
 ) -> RunningTorque:
     """Return the torque of a running engine: bore and stroke in mm, mass in kg, rpm, ambient in bar.
 
-    Stroke, reciprocating mass (per cylinder) and rod ratio default to the engine's crank train; where
+    Bore, stroke, reciprocating mass (per cylinder) and rod ratio default to the engine's; where
     that gives them, they cannot be given anew for cylinders that are not alike. `order` is the highest
     order that is printed, `delta` the speed fluctuation that the flywheel is printed for.
 
@@ -380,7 +380,7 @@ def running_torque(
         _check_own(engine, stroke=stroke, reciprocating_mass=reciprocating_mass, ratio=ratio)
     engine = engine if ratio is None else engine.with_ratio(ratio)
     groups = gas_groups(engine, trace, ambient=ambient)
-    width = positive_float(bore, "bore") / MILLI
+    width = _bore(bore, engine) / MILLI
     tangential = {number: group.tangential for group in groups for number in group.firing_angles}
     firing_angles, cylinders = firing_pin_passings(engine), []
     for cylinder in engine.cylinders:
@@ -410,6 +410,13 @@ def _argument_or_known(value: object, known: Fraction | None, name: str, unit: s
     if number < 0 or (number == 0 and name == "stroke"):
         raise SymbalanceError(f"{name} = {brief(value)}", "must be positive", f"in {unit}")
     return number
+
+
+def _bore(bore: object, engine: Engine) -> float:
+    known = engine.bore if bore is None else bore
+    if known is None:
+        raise SymbalanceError("bore", "is needed, and the engine does not give it", "give bore, in mm")
+    return positive_float(known, "bore")
 
 
 def _omega(rpm: object) -> float:

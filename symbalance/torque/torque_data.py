@@ -23,6 +23,7 @@ def torque_data(report: TorqueReport) -> dict[str, Any]:
         "ratio": None if engine.ratio is None else str(engine.ratio),
         "highest_order": report.inertia.highest,
         "unit": report.inertia.unit,
+        **_operating(report.inertia),
         "inertia": _orders(report.inertia),
         "rod": None if not report.excess else _rods(report),
         "frame": {
@@ -43,6 +44,7 @@ def orders_data(balance: TorqueBalance) -> dict[str, Any]:
         "highest_order": balance.highest,
         "quantity": balance.quantity,
         "unit": balance.unit,
+        **_operating(balance),
         "orders": _orders(balance),
     }
 
@@ -68,7 +70,7 @@ def stars_data(stars: FiringStars) -> dict[str, Any]:
 def torque_records(report: TorqueReport) -> list[dict[str, Any]]:
     """Return the rows of every part, and of the running engine's torque, which has no exact numbers."""
     rows = [row for balance in report.parts() for row in orders_records(balance)]
-    none = {"exact_cos": None, "exact_sin": None, "coefficient": None}
+    none: dict[str, Any] = {"exact_cos": None, "exact_sin": None, "coefficient": None}
     for row in report.running.records() if report.running else ():
         unit = row.pop("unit")
         rows.append({**row, **none, "unit": unit})
@@ -79,7 +81,8 @@ def orders_records(balance: TorqueBalance) -> list[dict[str, Any]]:
     """Return a row for each order of one torque.
 
     Keys: order, of (which torque), cos, sin, amplitude (floats, None with symbols in them), exact_cos,
-    exact_sin, coefficient (that of one cylinder, None where it is not apart or no ratio is known), unit.
+    exact_sin, coefficient (that of one cylinder, None where it is not apart or no ratio is known), unit;
+    at an operating point the amplitude as `value`, in `value_unit`.
     """
     records = []
     for order in balance.orders:
@@ -97,13 +100,23 @@ def orders_records(balance: TorqueBalance) -> list[dict[str, Any]]:
                 "cos": cos,
                 "sin": sin,
                 "amplitude": None if cos is None or sin is None else hypot(cos, sin),
-                "exact_cos": part.texts[0],
-                "exact_sin": part.texts[1],
+                "exact_cos": part.form("cos").spelling,
+                "exact_sin": part.form("sin").spelling,
                 "coefficient": None if value is None else float(value),
                 "unit": unit,
+                **_value(balance, order.order),
             }
         )
     return records
+
+
+def _value(balance: TorqueBalance, order: int) -> dict[str, Any]:
+    """Return an order's amplitude in N m at the operating point; None with symbols in it."""
+    if balance.operating_point is None:
+        return {}
+    symbolic = balance.engine.has_symbols
+    value = None if symbolic else hypot(*map(float, balance.in_newton_metres(order)))
+    return {"value": value, "value_unit": "N m"}
 
 
 def _rods(report: TorqueReport) -> dict[str, Any]:
@@ -121,4 +134,13 @@ def _order(balance: TorqueBalance, n: int) -> dict[str, Any]:
     if series is not None:
         decimal_value = None if value is None else decimal_text(value, DIGITS)
         coefficient = {"series": str(series.in_lam()), "through": series.through, "value": decimal_value}
-    return {"order": str(n), "coefficient": coefficient, "torque": dict(component_values(order.torque))}
+    torque = dict(component_values(order.torque))
+    if balance.operating_point is not None and torque["decimal"] is not None:
+        torque["newton_metres"] = [decimal_text(x, DIGITS) for x in balance.in_newton_metres(n)]
+    return {"order": str(n), "coefficient": coefficient, "torque": torque}
+
+
+def _operating(balance: TorqueBalance) -> dict[str, Any]:
+    """Return the operating point, where there is one."""
+    point = balance.operating_point
+    return {} if point is None else {"operating_point": point.data()}

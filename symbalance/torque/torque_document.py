@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
-from symbalance.document.decimals import decimal
-from symbalance.document.formula import Equation, Formula, Name, Subscript, equal
-from symbalance.document.nodes import Block, Document, Facts, Heading, Paragraph, Table, Words, blocks
+from symbalance.document.decimals import decimal, short_decimal
+from symbalance.document.formula import Decimal, Equation, Formula, Name, Subscript, equal
+from symbalance.document.nodes import (
+    Block,
+    Cell,
+    Column,
+    Document,
+    Facts,
+    Heading,
+    Paragraph,
+    Table,
+    Words,
+    blocks,
+)
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_document import (
     ORDER,
@@ -14,12 +25,19 @@ from symbalance.engine.engine_document import (
     origin_facts,
     size_facts,
 )
-from symbalance.forces.balance_document import coefficient_table, component_table
+from symbalance.forces.balance_document import (
+    SHOWN,
+    Measured,
+    coefficient_table,
+    component_table,
+    operating_facts,
+)
 from symbalance.forces.rows import Row
 from symbalance.kinematics.coefficients import INERTIA, OF_RODS
+from symbalance.text.reals import hypot
 from symbalance.torque.body_groups import has_common_torque
-from symbalance.torque.inertia_balance import TorqueBalance
-from symbalance.torque.roll import MILLI, TorqueReport, excesses, first_excess
+from symbalance.torque.inertia_balance import MILLI, TorqueBalance, first_excess
+from symbalance.torque.roll import TorqueReport, excesses
 from symbalance.torque.running_document import running_blocks, running_facts, running_title
 
 _N, _T, _J = Name("n"), Name("T"), Name("J_x")
@@ -60,7 +78,12 @@ def torque_document(report: TorqueReport) -> Document:
 def orders_document(balance: TorqueBalance) -> Document:
     """Return one torque or moment as a document: its orders, one cylinder's coefficients, the legend."""
     title = f"{balance.engine.name}: {balance.quantity}"
-    body = blocks(_orders(balance), _coefficients(balance), _legend(balance.engine, LEGEND))
+    body = blocks(
+        _orders(balance),
+        _coefficients(balance),
+        _operating(balance),
+        _legend(balance.engine, LEGEND),
+    )
     return Document(title, body, engine_words(balance.engine))
 
 
@@ -72,6 +95,7 @@ def _report_blocks(report: TorqueReport) -> tuple[Block, ...]:
         Paragraph(_frame_words(report)),
         tuple(map(_orders, others)),
         tuple(coefficients),
+        _operating(report.inertia),
     )
 
 
@@ -87,7 +111,26 @@ def _orders(balance: TorqueBalance) -> Table:
     title = balance.quantity[0].upper() + balance.quantity[1:]
     rows = [Row(n, "", component) for n, component in balance.components.items()]
     empty = f"none, to order {balance.highest}"
-    return component_table((f"{title}, unit ", _unit(balance)), rows, empty=empty)
+    topic = balance.quantity.partition(" ")[0]
+    title_words = (f"{title}, unit ", _unit(balance))
+    return component_table(title_words, rows, empty, _in_newton_metres(balance), topic)
+
+
+def _in_newton_metres(balance: TorqueBalance) -> Measured | None:
+    """Return the column of a torque's amplitudes in N m; None without an operating point."""
+    if balance.operating_point is None or balance.engine.has_symbols:
+        return None
+
+    def cells(row: Row) -> tuple[Cell, ...]:
+        value = hypot(*balance.in_newton_metres(int(row.order)))
+        return (Decimal(short_decimal(value, SHOWN)),)
+
+    return Measured((Column("N m"),), cells)
+
+
+def _operating(balance: TorqueBalance) -> Facts | None:
+    point = balance.operating_point
+    return None if point is None else operating_facts(point, "torque")
 
 
 def _unit(balance: TorqueBalance) -> Formula | Equation:

@@ -158,38 +158,24 @@ def test_every_option_that_takes_a_file_is_known():
 # Pipes, empty names, the sidecar that is not read -----------------------------------------------------
 
 
-@pytest.fixture
-def pipe():
-    """Return a maker of pipes that hold a text, each by the name of its descriptor."""
-    ends = []
-
-    def made(text: str) -> str:
-        ours, theirs = os.pipe()
-        ends.append(ours)
-        os.write(theirs, text.encode("utf-8"))
-        os.close(theirs)
-        return f"/dev/fd/{ours}"
-
-    yield made
-    for end in ends:
-        os.close(end)
+PIPED = [
+    ("e.toml", "balance {}"),
+    ("notes.md", "check {} --symbols notes.symbols.toml"),
+    ("notes.symbols.toml", "check notes.md --symbols {}"),
+    ("p.csv", "torque e.toml --pressure {} --bore 80 --rpm 3000"),
+    ("parts.csv", "assign e.toml --parts {}"),
+]
 
 
-@pytest.mark.skipif(not Path("/dev/fd").exists(), reason="descriptors have no names")
-@pytest.mark.parametrize(
-    ("text", "command"),
-    [
-        (ENGINE, "balance {}"),
-        (NOTES, "check {} --symbols notes.symbols.toml"),
-        (SIDECAR, "check notes.md --symbols {}"),
-        (PRESSURE, "torque e.toml --pressure {} --bore 80 --rpm 3000"),
-        (PARTS, "assign e.toml --parts {}"),
-    ],
-)
-def test_a_pipe_is_read_once_and_whole(text, command, folder, capsys, pipe):
-    assert run(command.format(pipe(text)).split()) == 0
-    printed = capsys.readouterr().out.splitlines()[1:]  # the first may have the pipe's name
-    assert run([*command.format(pipe(text)).split(), "-o", "out.txt"]) == 0
+@pytest.mark.parametrize(("name", "command"), PIPED)
+def test_standard_input_is_read_once_and_whole(name, command, folder, capsys, monkeypatch):
+    assert run(command.format(name).split()) == 0
+    printed = capsys.readouterr().out.splitlines()[1:]  # the first may have the file's name
+    for output in ([], ["-o", "out.txt"]):
+        with open(name, encoding="utf-8") as stream:
+            monkeypatch.setattr("sys.stdin", stream)
+            assert run([*command.format("-").split(), *output]) == 0
+    assert capsys.readouterr().out.splitlines()[1:] == printed
     assert (folder / "out.txt").read_text(encoding="utf-8").splitlines()[1:] == printed
 
 
@@ -236,7 +222,6 @@ def test_the_sidecar_beside_is_no_result_though_another_is_read(name, more, fold
     ("command", "wanted"),
     [
         ("balance {}", "an engine file"),
-        ("check {}", "a .tex, .md or .txt file"),
         ("check notes.md --symbols {}", "a symbols file"),
         ("assign e.toml --parts {}", "a CSV file of parts"),
         ("torque e.toml --bore 80 --rpm 1000 --pressure {}", "a CSV file of angles and pressures"),

@@ -14,8 +14,9 @@ from symbalance.document.latex_writer import formula_latex
 from symbalance.document.mathml_writer import formula_mathml
 from symbalance.document.nodes import Column, Document, Paragraph, Table
 from symbalance.document.text_writer import formula_text
-from symbalance.engine.catalogue import preset_names, preset_text
+from symbalance.engine.catalogue import preset_text
 from symbalance.kinematics.slider_crank import acceleration_series
+from tests.different_presets import different_presets
 
 SEVEN = sb.inline("1-3-5-7-6-4-2", name="seven_&_odd", ratio="7/2")
 TWIN = sb.vee(sympy.Symbol("alpha"), pins=[0], name="twin", ratio=4)
@@ -38,7 +39,7 @@ def test_a_balance_is_as_it_was(golden, name, layout, order):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", preset_names()[::3])  # every one, by two engines: test_latex_documents
+@pytest.mark.parametrize("name", different_presets()[::4])  # all, by two engines: test_latex_documents
 def test_presets_compile(compile_latex, name):
     compile_latex(sb.to_latex(sb.balance(sb.load(name)), standalone=True))
 

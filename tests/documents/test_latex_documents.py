@@ -12,7 +12,7 @@ import pytest
 import symbalance as sb
 from symbalance.cli import run
 from symbalance.document.result import to_latex
-from symbalance.engine.catalogue import preset_names
+from tests.different_presets import different_presets
 from tests.results import EXAMPLES, example
 
 pytestmark = pytest.mark.rare
@@ -46,7 +46,7 @@ def test_every_result_compiles(name: str, engine: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("preset", preset_names())
+@pytest.mark.parametrize("preset", different_presets())
 def test_every_command_on_every_preset_compiles(
     preset: str, engine: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

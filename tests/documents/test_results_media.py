@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import re
 from html.parser import HTMLParser
@@ -9,7 +11,16 @@ from html.parser import HTMLParser
 import pytest
 
 import symbalance as sb
-from symbalance.document.result import Result, to_html, to_json, to_latex, to_markdown, to_text
+from symbalance.document.result import (
+    Result,
+    to_csv,
+    to_html,
+    to_json,
+    to_latex,
+    to_markdown,
+    to_text,
+    to_xlsx,
+)
 from tests.results import EXAMPLES, example, result_classes
 
 VOID = {"meta", "img", "br", "hr", "link"}
@@ -168,13 +179,100 @@ def test_records_are_rows_of_plain_values_with_one_set_of_keys(name: str) -> Non
     assert all(value is None or isinstance(value, str | int | float | bool) for value in values)
 
 
+def _read_back(cell: str) -> object:
+    """Return what a program takes a cell of CSV for: as its reader of numbers, and texts, sees it."""
+    if cell in ("", "true", "false"):
+        return {"": None, "true": True, "false": False}[cell]
+    if cell.startswith("'"):
+        return cell[1:]
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
+
+
+def _comparable(value: object) -> object:
+    """Return a record's value as `_read_back` gives it: texts that are numbers count as such."""
+    if isinstance(value, bool) or value is None or value == "":
+        return None if value == "" else value
+    try:
+        return float(value)  # type: ignore[arg-type]
+    except ValueError:
+        return value
+
+
+def _table(result: Result) -> tuple[list[str], list[list[object]]]:
+    """Return a result's records as heads and rows; what is within a value has a head of its own."""
+    records = result.records()
+    inner: dict[str, dict[str, None]] = {key: {} for record in records for key in record}
+    for record in records:
+        for key, value in record.items():
+            inner[key] |= dict.fromkeys(value) if isinstance(value, dict) else {"": None}
+    heads = [f"{key}.{part}" if part else key for key, parts in inner.items() for part in parts]
+    places = [(key, part) for key, parts in inner.items() for part in parts]
+    return heads, [[r[k].get(part) if part else r[k] for k, part in places] for r in records]
+
+
+@pytest.mark.spread(2)
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_csv_is_the_records(name: str) -> None:
+    result = example(name)
+    text = to_csv(result)
+    assert text.count("\n") >= text.count("\r\n") == len(result.records()) + 1
+    head, *rows = csv.reader(io.StringIO(text, newline=""), strict=True)
+    expected = _table(result)
+    assert head == expected[0]
+    assert result.record_keys in ((), tuple(head))
+    cells = [[_read_back(cell) for cell in row] for row in rows]
+    assert cells == [[_comparable(value) for value in row] for row in expected[1]]
+    risky = [
+        c for row in rows for c in row if c[:1] in tuple("=+-@") and not re.fullmatch(r"[-+\d.e]+", c)
+    ]
+    assert risky == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_a_workbook_is_the_records(name: str) -> None:
+    from openpyxl import load_workbook
+
+    result = example(name)
+    book = load_workbook(io.BytesIO(to_xlsx(result)))
+    (sheet,) = book.worksheets
+    assert sheet.title == result.kind
+    assert sheet.freeze_panes == "A2"
+    head, *rows = sheet.iter_rows()
+    heads, expected = _table(result)
+    assert [cell.value for cell in head] == heads
+    assert all(cell.font.b for cell in head)
+    assert len(rows) == len(expected)
+    for row, values in zip(rows, expected, strict=True):
+        for cell, value in zip(row, values, strict=True):
+            if isinstance(value, float):  # openpyxl writes 16 digits
+                assert cell.value == pytest.approx(value, rel=1e-15, abs=0)
+            else:
+                assert cell.value == (None if value == "" else value)
+    assert {cell.data_type for row in rows for cell in row} <= {"n", "s", "b", "inlineStr"}
+
+
+@pytest.mark.spread(2)
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_labelled_tables_have_captions_and_labels_of_their_own(name: str) -> None:
+    plain, labelled = to_latex(example(name)), to_latex(example(name), label="here")
+    assert "\\caption" not in plain
+    assert "\\label" not in plain
+    labels = re.findall(r"\\caption\{(?=\S).*\}\\label\{(tab:here-[a-z0-9-]+)\}", labelled)
+    assert len(set(labels)) == len(labels) == labelled.count(r"\begin{table}")
+    assert plain.count(r"\begin{tabular}") == labelled.count(r"\begin{tabular}") == len(labels)
+
+
 def test_kinds_are_named_once() -> None:
     kinds = [cls.kind for cls in result_classes()]
     assert all(kinds)
     assert len(set(kinds)) == len(kinds)
 
 
-@pytest.mark.parametrize("writer", [to_text, to_latex, to_html, to_markdown, to_json])
+@pytest.mark.parametrize("writer", [to_text, to_latex, to_html, to_markdown, to_json, to_csv, to_xlsx])
 def test_what_is_no_result_is_refused(writer) -> None:  # type: ignore[no-untyped-def]
     for value in (3, "text", Result, None):
         with pytest.raises(sb.SymbalanceError):

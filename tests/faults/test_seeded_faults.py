@@ -222,6 +222,6 @@ def test_a_phase_in_the_wrong_quadrant(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_root_with_the_wrong_sign(monkeypatch: pytest.MonkeyPatch) -> None:
     sound = characters._part_form
     monkeypatch.setattr(
-        characters, "_part_form", lambda part, order: sound(part, order) * (-1 if order > 1 else 1)
+        characters, "_part_form", lambda part, order: sound(part, order).scaled(-1 if order > 1 else 1)
     )
     assert_seen(compare_off_centre)

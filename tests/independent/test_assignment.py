@@ -216,12 +216,20 @@ def test_the_command(capsys, tmp_path: Path):
     [
         ("", "holds no parts"),
         ("piston\n", "holds no parts"),
-        ("weight\n1\n", "is not known"),
+        ("weight\n1\n", "parts.csv:1: header: names no column that is known"),
+        ("piston,weight\n1,1\n", "column 'weight': is not known"),
         ("name\nA\n", "names no mass"),
+        ("name,piston\nA,.4\nB,.4\nC,.4\nB,.4\n", "parts.csv:5: name = 'B': is the name of a piston at"),
+        ("name,piston\nA,.4\nB,.4\nC,.4\nB,.4\n", "parts.csv:3 too; name each part once"),
+        ("name,piston\né,.4\ne\u0301,.4\nC,.4\nD,.4\n", "parts.csv:2 too"),
+        ("name,piston\npiston 2,.4\n,.4\nC,.4\nD,.4\n", "parts.csv:3: name = 'piston 2'"),
+        ("piston\n.5\n.5\n.5\n500\n", "parts.csv:5: piston 4: reciprocating mass = 500 kg: must be at"),
+        ("piston\n.5\n.5\n.5\n500\n", "most 50 kg, as the engine gives no stroke; write kg, not g;"),
+        ("rod_rotating\n.5\n400\n.5\n.5\n", "parts.csv:3: rod 2: rotating mass = 400 kg: must be at"),
         ("piston,piston\n1,1\n", "names a column twice"),
-        ("piston\n1,2\n", "parts.csv:2: line '1,2': has 2 columns, not 1"),
+        ("piston\n1,2\n", "parts.csv:2: the line: has 2 columns, not 1"),
         ("piston\nx\n", "parts.csv:2: piston = x"),
-        ("piston\n-1\n", "parts.csv:2: piston = -1: must lie in [0, 10000]; give kg"),
+        ("piston\n-1\n", "parts.csv:2: piston = -1: must lie in [0, 50000]; give kg"),
         ("piston\n__import__('os')\n", "must be a number"),
         ("piston\n1\n2\n", "the engine has 4 cylinders"),
     ],
@@ -254,6 +262,35 @@ def test_bad_options_are_refused(options, words, capsys, tmp_path):
     )
     assert run(["assign", str(engine), "--parts", str(path), *options]) == 2
     assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("train", "heaviest"),
+    [
+        ("ratio = 4", 50),  # nothing said: no car's nor locomotive's piston is heavier
+        ("stroke = 50\nrod = 100", 2.5),  # a motorcycle's weigh 0.2 kg
+        ("stroke = 580\nrod = 1200", 3902.24),  # a medium-speed engine's weigh 300 kg
+        ("stroke = 3468\nrod = 3720", 834190.0),  # beyond what is read at all
+        ("ratio = 4\nreciprocating_mass = 300", 6000),
+        ("stroke = 50\nrod = 100\nreciprocating_mass = 300", 6000),
+    ],
+)
+def test_the_heaviest_part_goes_with_the_engine(train, heaviest, tmp_path, capsys):
+    """Twenty thousand times the stroke's cube in metres, or twenty times the engine's own mass."""
+    engine, parts = tmp_path / "e.toml", tmp_path / "p.csv"
+    engine.write_text(f"[crank_train]\n{train}\n[layout]\nfiring_order = [1, 2]\n", encoding="utf-8")
+    for share, code in ((0.999, 0), (1.001, 2)):
+        parts.write_text(f"piston\n{min(heaviest, 50_000) * share}\n0.4\n", encoding="utf-8")
+        assert run(["assign", str(engine), "--parts", str(parts)]) == code
+    err = capsys.readouterr().err
+    assert err.count("\n") == 1
+    assert "kg" in err
+
+
+def test_two_parts_of_one_name_are_refused_in_python_too():
+    twice = PartSet("piston", (Part("A", ".4"), Part("A", ".41")))
+    with pytest.raises(sb.SymbalanceError, match=r"^name = 'A': is the name of a piston before, and of"):
+        sb.design.assign_parts(sb.inline("1-2", ratio=4), [twice])
 
 
 def test_separators_and_comments():
@@ -304,3 +341,31 @@ def test_orders_that_leave_nothing_are_said_to(form, tmp_path, capsys):
     assert run(["assign", "inline-4", "--parts", str(parts), "--orders", "7", "--format", form]) == 0
     printed = capsys.readouterr().out
     assert {"text": "none: these orders leave nothing", "json": '"left": []'}.get(form, "") in printed
+
+
+@pytest.mark.parametrize(("count", "sets"), [(1, 1), (3, 1), (4, 2), (5, 1)])
+def test_the_expected_length_is_the_root_mean_square_of_all_arrangements(count, sets):
+    """With a constant, and columns that do not sum to nothing: every order of every set alike."""
+    from symbalance.design.variations.assignment_objective import expected_length
+
+    draw = np.random.default_rng(count)
+    tables, start = draw.normal(0.7, 1, (sets, count, count, 3)), draw.normal(size=3)
+    orders = [list(itertools.permutations(range(count)))] * sets
+    squares = []
+    for choice in itertools.product(*orders):
+        total = start + sum(
+            t[p, place] for t, own in zip(tables, choice, strict=True) for place, p in enumerate(own)
+        )
+        squares.append(total @ total)
+    rows = [[[tuple(v) for v in row] for row in table] for table in tables.tolist()]
+    assert expected_length(tuple(start), rows) == pytest.approx(np.mean(squares) ** 0.5, rel=1e-12)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("count", "proved"), [(10, True), (11, False)])
+def test_ten_places_are_the_last_whose_best_arrangement_is_proved(count, proved):
+    from symbalance.design.variations.arrangement_search import best_arrangement
+
+    draw = np.random.default_rng(2)
+    table = [[tuple(v) for v in row] for row in draw.normal(size=(count, count, 2)).tolist()]
+    assert best_arrangement((0.0, 0.0), [table]).proved == proved

@@ -130,6 +130,8 @@ def test_a_table_never_replaces_an_engine_that_is_read(capsys, tmp_path: Path):
         (("v8-90", "--phases"), "several engines"),
         (("v8-90", "inline-4", "--power", "3"), "--power"),
         (("v8-90", "inline-4", "--jobs", "2"), "-o FOLDER/"),
+        (("v8-90", "inline-4", "--rpm", "3000"), "--rpm"),
+        (("v8-90", "inline-4", "--mass", "0.5"), "--mass"),
         (("v8-90", "-"), "standard input"),
         (("v8-90", "inline-4", "--order", "0"), "order = 0"),
     ],

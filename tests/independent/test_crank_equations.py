@@ -469,3 +469,33 @@ def test_the_published_matrices_are_those_quoted():
     for matrix, text in zip(published_matrices().values(), quoted, strict=True):
         rows = [[read_cell(cell) for cell in row.split("&")] for row in text.split(r"\\")]
         assert matrix == sympy.ImmutableMatrix(rows)
+
+
+def test_the_products_of_vectors_are_those_of_geometry():
+    """Orthogonal to both, of the area's square, and back again: a x (b x c) = b (a c) - c (a b)."""
+    from symbalance.crankshaft.equations import quantities as ring
+
+    a, b, c = (
+        ring.ring_elements(x) for x in (ring.PLACE, ring.MOMENTS, ring.PRODUCTS)
+    )  # none of them small
+    product = ring.vector_product(a, b)
+    assert ring.scalar_product(a, product) == ring.scalar_product(b, product) == 0
+    area = ring.scalar_product(a, a) * ring.scalar_product(b, b) - ring.scalar_product(a, b) ** 2
+    assert ring.scalar_product(product, product) == area
+    assert product[2].as_expr() == ring.PLACE[0] * ring.MOMENTS[1] - ring.PLACE[1] * ring.MOMENTS[0]
+    twice = ring.vector_product(a, ring.vector_product(b, c))
+    expected = [
+        y * ring.scalar_product(a, c) - z * ring.scalar_product(a, b) for y, z in zip(b, c, strict=True)
+    ]
+    assert twice == expected
+    rows = [a, b, c]
+    assert ring.matrix_times_vector(ring.transpose(rows), a) == [
+        row[0] for row in ring.matrix_product(ring.transpose(rows), [[x] for x in a])
+    ]
+
+
+def test_the_printed_energy_is_the_one_whose_lagrange_equations_these_are():
+    """d/dt dE/dp - dE/dq = M p' + w (B - B^T) p + w^2 dK q - w^2 F_M, term by term of what is printed."""
+    text = sb.to_text(node_equations("vector"))
+    assert "E = ½p^T M p + ω (p^T B q + c^T p) + ω² (F_M^T q − ½q^T ΔK q)" in text
+    assert "G = B − B^T is skew" in text

@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given, settings
 
 from symbalance.engine.builders import boxer, from_firing_order, inline, radial, vee
-from symbalance.engine.catalogue import load, presets
+from symbalance.engine.catalogue import load
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.engine.stars import (
@@ -34,6 +34,7 @@ from symbalance.engine.stars import (
 )
 from symbalance.errors import SymbalanceError
 from symbalance.forces.free_forces import balance
+from tests.different_presets import different_presets
 
 LAWS = settings(deadline=None, max_examples=60, derandomize=True, database=None)
 
@@ -134,7 +135,7 @@ def test_the_cross_plane_v8_has_eight_and_shares_them_with_its_two_makers():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", [preset.name for preset in presets()][::2])
+@pytest.mark.parametrize("name", different_presets()[::3])
 def test_catalogue_engines_fire_as_their_cranks_allow(name):
     layout = load(name)
     if layout.firing_order() is None:

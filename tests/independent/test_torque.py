@@ -507,9 +507,9 @@ def test_traces_as_people_write_them(header: str, angles: range) -> None:
         (rows(range(0, 360, 5)), "leave some of 720 degrees open"),
         ("0,1\n5,1\n5,1\n", "p.csv:3: angle = 5.0: must be above the one before"),
         ("0,1\n5,1\n4,1\n", "p.csv:3: angle = 4.0: must be above"),
-        ("0,1\n5,1,2\n", "p.csv:2: line '5,1,2': has 3 columns"),
+        ("0,1\n5,1,2\n", "p.csv:2: the line: has 3 columns"),
         ("0;1,5\n", "p.csv:1: pressure = 1,5: must be a number"),
-        ("0\n", "p.csv:1: line '0': has 1 columns"),
+        ("0\n", "p.csv:1: the line: has 1 columns"),
         ("0,1\n5,x\n", "p.csv:2: pressure = x: must be a number"),
         ("0,1\n5,nan\n", "p.csv:2: pressure = nan: must be a number"),
         ("0,1\n5,inf\n", "p.csv:2: pressure = inf: must be a number"),
@@ -519,7 +519,7 @@ def test_traces_as_people_write_them(header: str, angles: range) -> None:
         ("0,1\n5,101325\n", "p.csv:2: pressure = 101325.0: must lie in"),
         ("0,1\n800,1\n", "p.csv:2: angle = 800.0: must lie in [-720, 720]"),
         ("0,1\n\n# x\n5,a\n", "p.csv:4: pressure = a"),
-        ("angle,kPa\n0,1\n", "p.csv:1: header 'angle,kPa': names kPa"),
+        ("angle,kPa\n0,1\n", "p.csv:1: the header: names kPa"),
         ("angle [rad],bar\n0,1\n", "names rad"),
         ("x,y\nx,y\n0,1\n", "p.csv:2: angle = x"),
         (rows(range(0, 720, 5)) + "\n720,2", "p.csv:145: pressure = 2.0: must be the first one, 1.5"),
@@ -543,7 +543,7 @@ def test_files(tmp_path: Path) -> None:
     path = tmp_path / "p.csv"
     path.write_text(rows(range(0, 720, 10)), encoding="utf-8")
     assert read_pressure(path).at(0) == 1.5
-    with pytest.raises(SymbalanceError, match=r"missing\.csv: cannot be read .* name a CSV file"):
+    with pytest.raises(SymbalanceError, match=r"missing\.csv: cannot be read .* check the path"):
         read_pressure(tmp_path / "missing.csv")
     with pytest.raises(SymbalanceError, match=r":38: angle = 370.0: must lie in \[-360, 360\]"):
         read_pressure(path, strokes=2)

@@ -499,3 +499,72 @@ def test_results_are_sequences():
         assert next(reversed(sequence)) is sequence[-1]
         assert sequence[1:3] == tuple(sequence)[1:3]
         assert sequence.index(sequence[2]) == 2
+
+
+def linked(changes: dict[str, Fraction] | None = None, of: int = 1) -> sb.Engine:
+    """Return a master with its link rod, and a rod of its own, sizes of one of them changed."""
+    table = {
+        1: {"throw": 20, "bank": -10, "stroke": 90, "rod": 164, "offset": 5},
+        2: {"throw": 20, "bank": 50, "rod": 134, "offset": 0},
+        3: {"throw": 200, "bank": 0, "stroke": 80, "rod": 150, "offset": -4},
+    }
+    rows = {number: {k: Fraction(v) for k, v in sizes.items()} for number, sizes in table.items()}
+    for name, change in (changes or {}).items():
+        rows[of][name] += change
+        if of == 1 and name == "throw":
+            rows[2]["throw"] += change
+    cylinders = []
+    for number, sizes in rows.items():
+        own = {k: v for k, v in sizes.items() if k not in ("throw", "bank")}
+        if number == 2:
+            own["link"] = sb.engine.Link(1, 60, 30)
+        cylinders.append(
+            sb.Cylinder(
+                number, sizes["throw"], sizes["bank"], number, reciprocating_mass=Fraction(1, 2), **own
+            )
+        )
+    return sb.engine.from_cylinders(cylinders)
+
+
+@pytest.mark.spread(3)
+@pytest.mark.parametrize(
+    ("of", "name"),
+    [
+        *((1, name) for name in ("stroke", "rod", "offset", "throw")),
+        *((2, name) for name in ("rod", "offset", "bank")),
+        *((3, name) for name in ("rod", "stroke", "bank")),
+    ],
+)
+def test_a_sensitivity_is_the_balance_of_a_slightly_changed_engine(of, name):
+    """Of masters, link rods and rods of their own, in every order: central differences of `balance`."""
+    step = Fraction(1, 100)
+    spectra = [sb.balance(linked({name: sign * step}, of), 4) for sign in (1, -1)]
+    angle = name in ("throw", "bank")
+    by = np.radians(float(2 * step)) if angle else float(2 * step) / 45
+    if name == "stroke":
+        by /= 2  # in crank radii, as the radius grows
+    changes = [
+        s
+        for s in sb.sensitivities(linked(), 4, parameters=[name])
+        if (s.cylinder, s.parameter) == (of, name)
+    ]
+    plane = linked().mean_station
+    assert plane == 2
+    for n in range(1, 5):
+        ours = [s for s in changes if s.order == n]
+        for quantity in ("force", "couple"):
+            ends = [getattr(b, quantity).terms for b in spectra]
+            by_hand = [
+                (complex(ends[0][k].evaluated()) - complex(ends[1][k].evaluated())) / by
+                if k in ends[0]
+                else 0j
+                for k in (n, -n)
+            ]
+            if of == 1 and name == "stroke":  # m r omega^2 of cylinder 1 is the unit, and grows as well
+                middle = getattr(sb.balance(linked(), 4), quantity).terms
+                by_hand = [
+                    x + (complex(middle[k].evaluated()) if k in middle else 0)
+                    for x, k in zip(by_hand, (n, -n), strict=True)
+                ]
+            pair = ours[0].pair(quantity) if ours else (0j, 0j)
+            assert pair == pytest.approx(by_hand, rel=1e-5, abs=1e-6), (n, quantity)

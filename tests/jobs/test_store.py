@@ -66,10 +66,10 @@ def test_a_pipe_or_a_folder_in_its_place_is_not_waited_for(store):
     path = store.path(KEY)
     path.unlink()
     os.mkfifo(path)
-    assert store.load(KEY).reason == "is no file"
+    assert store.load(KEY).reason == "is a pipe, not a file"
     path.unlink()
     path.mkdir()
-    assert store.load(KEY).reason == "is no file"
+    assert store.load(KEY).reason == "is a directory"
 
 
 @pytest.mark.parametrize("slot", ["../outside", "a/b", ".hidden", "", "a\0b", "x" * 101, "a\n"])

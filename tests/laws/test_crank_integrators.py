@@ -361,3 +361,83 @@ def test_a_fault_in_the_steps_shows(four, balanced):
         < reference.error(wrong.march(periodic_start(wrong, False)[0]))
     )
     assert known.shape == (180, system.size)
+
+
+# A point mass in a film on a housing: springs in a row, in closed form
+
+MASS, OMEGA, SPRING, DAMPER = 12.0, 150.0, 5e6, 2e3
+LOADS = {1: 300.0 + 80j, 0: -MASS * 9.81, 3: 200j, -2: 150.0}
+"""Forces e^(i n theta) in the stationary frame, vertical + i lateral: unbalance, weight, and others."""
+BEHIND = [None, (8e6, 900.0), (3e6, 0.0)]
+
+
+def mass_on_springs(behind):
+    def force(theta):
+        whole = sum(a * np.exp(1j * (n - 1) * theta) for n, a in LOADS.items())
+        return np.stack([whole.real, whole.imag], axis=-1)
+
+    def tables(value):
+        return lambda theta: np.tile(value * np.eye(2), (len(theta), 1, 1, 1))
+
+    quarter = np.array([[0.0, -1.0], [1.0, 0.0]])
+    housing = None if behind is None else Housing(*(value * np.eye(2)[None] for value in behind))
+    film = Film(tables(SPRING), tables(DAMPER))
+    matrices = MASS * np.eye(2), 2 * MASS * OMEGA * quarter, -MASS * OMEGA**2 * np.eye(2)
+    return PeriodicSystem(*matrices, np.eye(2)[None], film, housing, force, OMEGA, 2 * np.pi)
+
+
+def springs_in_a_row(theta, behind):
+    """Return the mass's place and velocity, the film's force on it and the housing's place, stationary.
+
+    m x'' = F - x/(1/(k + i n c) + 1/(K + i n C)) in each frequency n.
+    """
+    place, speed, carried, housing = np.zeros((4, len(theta)), complex)
+    for n, load in LOADS.items():
+        rate = 1j * n * OMEGA
+        yielding = 0.0 if behind is None else 1 / (behind[0] + rate * behind[1])
+        compliance = 1 / (SPRING + rate * DAMPER) + yielding
+        answer = load / (MASS * rate**2 + 1 / compliance)
+        wave = np.exp(1j * n * theta)
+        place += answer * wave
+        speed += rate * answer * wave
+        carried -= answer / compliance * wave
+        housing += answer * yielding / compliance * wave
+    return place, speed, carried, housing
+
+
+@pytest.mark.parametrize("behind", BEHIND, ids=str)
+@pytest.mark.parametrize(
+    ("method", "steps", "within"),
+    [("newmark", 1440, 2e-4), ("radau-iia", 120, 1e-6), ("radau-iia-9", 40, 1e-7)],
+)
+def test_a_mass_on_film_and_housing_swings_as_springs_in_a_row_do(method, steps, within, behind):
+    state = steady_state(mass_on_springs(behind), method=method, steps=steps)
+    place, _, carried, _ = springs_in_a_row(state.theta, behind)
+    turned = (state.position[:, 0] + 1j * state.position[:, 1]) * np.exp(1j * state.theta)
+    assert np.abs(turned - place).max() < within * np.abs(place).max()
+    bearing = state.bearing[:, 0, 0] + 1j * state.bearing[:, 0, 1]
+    assert np.abs(bearing - carried).max() < 20 * within * np.abs(carried).max()
+    # the free motion: roots of m s^2 + 1/(1/(k + c s) + 1/(K + C s)), in the stationary frame
+    film = np.polynomial.Polynomial([SPRING, DAMPER])
+    free = np.polynomial.Polynomial([0, 0, MASS]) + film
+    if behind is not None:
+        ground = np.polynomial.Polynomial(list(behind))
+        free = np.polynomial.Polynomial([0, 0, MASS]) * (film + ground) + film * ground
+    slowest = max(np.exp(root.real * 2 * np.pi / OMEGA) for root in free.roots())
+    close = 5e-3 if method == "newmark" else 1e-4
+    assert np.abs(state.multipliers).max() == pytest.approx(slowest, rel=close)
+
+
+@pytest.mark.parametrize("behind", BEHIND, ids=str)
+def test_harmonic_balance_has_the_mass_on_springs_exactly(behind):
+    balance = harmonic_state(mass_on_springs(behind), 6)
+    theta = np.linspace(0, 2 * np.pi, 17)
+    states, turn = balance.states(theta), np.exp(1j * theta)
+    place, speed, _, housing = springs_in_a_row(theta, behind)
+    assert (states[:, 0] + 1j * states[:, 1]) * turn == pytest.approx(place, rel=1e-9, abs=1e-12)
+    # the velocity in turning axes is the stationary one less what turning alone gives
+    turning = (states[:, 2] + 1j * states[:, 3]) * turn
+    assert turning == pytest.approx(speed - 1j * OMEGA * place, rel=1e-9, abs=1e-10)
+    assert states.shape[1] == (4 if behind is None else 6)
+    if behind is not None:
+        assert states[:, 4] + 1j * states[:, 5] == pytest.approx(housing, rel=1e-8, abs=1e-12)

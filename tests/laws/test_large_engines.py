@@ -115,30 +115,43 @@ def test_long_numbers_are_written_as_what_they_are(terms: int) -> None:
     number = Phasor.of(2520, {k: chance.randrange(1, 9) for k in exponents})
     long = Component(number)
     assert long.is_long
+    texts = long.form("cos").spelling, long.form("sin").spelling
     with mp.workdps(40):
         true = mp.fsum(c * mp.expjpi(mp.mpf(2 * k) / 2520) for k, c in number.terms.items())
-        for text, value in zip(long.texts, (true.real, true.imag), strict=True):
+        for text, value in zip(texts, (true.real, true.imag), strict=True):
             assert abs(_cosines(text) - value) < mp.mpf(10) ** -35
-        amplitude = re.fullmatch(r"sqrt\(\((.*)\)\*\*2 \+ \((.*)\)\*\*2\)", long.amplitude_text)
+        amplitude = re.fullmatch(
+            r"sqrt\(\((.*)\)\*\*2 \+ \((.*)\)\*\*2\)", long.form("amplitude").spelling
+        )
         assert amplitude
-        assert amplitude.groups() == long.texts
-    assert long.phase_text == f"atan2({long.texts[1]}, {long.texts[0]})"
+        assert amplitude.groups() == texts
+    assert long.form("phase").spelling == f"atan2({texts[1]}, {texts[0]})"
 
 
 def _cosines(text: str) -> mp.mpf:
-    """Return a sum of rational multiples of cosines and sines of fractions of pi, and nothing else."""
-    signed = text.replace(" - ", " + -").split(" + ")
-    total = mp.mpf(0)
-    for term in signed:
-        parts = re.fullmatch(
-            r"(-?)(?:(\d+)(?:/(\d+))?\*)?(cos|sin)\((?:(\d+)\*)?(pi|0)(?:/(\d+))?\)", term
-        )
-        assert parts, term
-        sign, above, below, name, times, angle, over = parts.groups()
-        turns = mp.mpf(times or 1) / int(over or 1) if angle == "pi" else mp.mpf(0)
-        wave = (mp.cospi if name == "cos" else mp.sinpi)(turns)
-        total += (-1 if sign else 1) * mp.mpf(above or 1) / int(below or 1) * wave
-    return total
+    """Return a sum of rational multiples of roots, cosines and sines of fractions of pi, no more."""
+    signs = 0
+    for place, sign in enumerate(text):  # a plus or a minus within brackets parts no terms
+        signs += {"(": 1, ")": -1}.get(sign, 0)
+        if signs == 0 and text[place : place + 3] in (" + ", " - "):
+            first, rest = text[:place], text[place + 3 :]
+            return _cosines(first) + _cosines(rest if text[place + 1] == "+" else _negative(rest))
+    parts = re.fullmatch(r"(-?)(?:(\d+)(?:\*|(?=/|$)))?(?:(cos|sin|sqrt)\((.*)\))?(?:/(\d+))?", text)
+    assert parts, text
+    sign, above, function, inside, below = parts.groups()
+    factor = (-1 if sign else 1) * mp.mpf(above or 1) / int(below or 1)
+    if function == "sqrt":
+        return factor * mp.sqrt(_cosines(inside))
+    if function is None:
+        return factor
+    angle = re.fullmatch(r"(?:(\d+)\*)?pi(?:/(\d+))?", inside)
+    assert angle, inside
+    turns = mp.mpf(angle[1] or 1) / int(angle[2] or 1)
+    return factor * (mp.cospi if function == "cos" else mp.sinpi)(turns)
+
+
+def _negative(text: str) -> str:
+    return text[1:] if text.startswith("-") else f"-{text}"
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from symbalance.cli import run
-from symbalance.engine.catalogue import preset_names
+from tests.different_presets import different_presets
 
 GOOD = """
 [layout]
@@ -71,7 +71,7 @@ def test_v12_table_fits_a_terminal_and_holds_one_family(capsys):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("engine", preset_names()[::2])
+@pytest.mark.parametrize("engine", different_presets()[::3])
 def test_tables_fit_a_terminal(capsys, engine):
     out = printed(capsys, "balance", engine, "--order", "40")
     assert max(map(len, out.splitlines())) <= 80
@@ -122,7 +122,7 @@ def test_without_a_ratio_values_are_null(capsys, tmp_path):
 def test_engines_lists_every_preset_with_its_source(capsys):
     from symbalance.engine.catalogue import presets
 
-    out = printed(capsys, "engines")
+    out = printed(capsys, "engines", "--full")
     assert max(map(len, out.splitlines())) <= 80
     joined = " ".join(out.split())
     for preset in presets():
@@ -377,6 +377,32 @@ def test_a_closed_pipe_ends_silently():
 def test_help_imports_no_sympy():
     code = "import sys, symbalance.cli.parser as p; p.build_parser(); print('sympy' in sys.modules)"
     assert python("-c", code).stdout == "False\n"
+
+
+def test_a_balance_of_like_cylinders_imports_neither_sympy_nor_numpy(tmp_path):
+    """Both take longer to load than every balance here to compute: nothing of them may be needed."""
+    code = (
+        "import sys; from symbalance.cli import run;"
+        f"codes = [run(['balance', name, '--format', form, '-o', {str(tmp_path / 'out')!r}])"
+        " for name in ('v12-60', 'inline-5', 'v8-90') for form in ('text', 'json')];"
+        "print(codes, sorted({'sympy', 'numpy'} & set(sys.modules)))"
+    )
+    assert python("-c", code).stdout == "[0, 0, 0, 0, 0, 0] []\n"
+
+
+@pytest.mark.slow
+def test_no_preset_of_like_cylinders_needs_sympy():
+    code = (
+        "import sys, symbalance as sb\n"
+        "for preset in sb.presets():\n"
+        "    result = sb.balance(sb.load(preset.name), 30)\n"
+        "    if result.kinematics is not None and not result.engine.balancers:\n"
+        "        texts = [write(result) for write in (sb.to_text, sb.to_json, sb.to_latex, sb.to_html)]\n"
+        "        print(preset.name, all(texts), {'sympy', 'numpy'} & set(sys.modules))\n"
+    )
+    lines = python("-c", code).stdout.splitlines()
+    assert len(lines) > 20
+    assert [line for line in lines if not line.endswith("True set()")] == []
 
 
 def test_importing_the_package_imports_nothing_heavy():

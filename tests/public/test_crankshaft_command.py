@@ -390,7 +390,7 @@ def test_a_counterweight_names_its_webs(tmp_path, capsys):
     ("name", "channel", "said"),
     [
         ("none.csv", "pin 1 bending", "none.csv: cannot be read"),
-        ("wide.csv", "pin 1 bending", "wide.csv:2: line '0,1,2': has 3 columns, not 2"),
+        ("wide.csv", "pin 1 bending", "wide.csv:2: the line: has 3 columns, not 2"),
         ("short.csv", "pin 1 bending", "holds 1 points, and a curve needs 8"),
         ("short.csv", "pin 9 bending", "names no channel of this crank; one of pin 1 bending"),
     ],

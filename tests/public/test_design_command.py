@@ -13,8 +13,8 @@ import sympy
 
 import symbalance as sb
 from symbalance.cli import run
-from symbalance.engine.catalogue import preset_names
 from symbalance.engine.crank_train import CrankTrain
+from tests.different_presets import different_presets
 from tests.independent import test_unlike
 
 SIZES = CrankTrain(
@@ -223,7 +223,7 @@ def test_a_picture_is_drawn(capsys, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", preset_names()[::3])  # the designs of all: test_balancing
+@pytest.mark.parametrize("name", different_presets()[::4])  # the designs of all: test_balancing
 def test_the_balanced_engine_goes_through_every_command(name, capsys, tmp_path):
     path = tmp_path / "smooth.toml"
     output(capsys, "design", name, "--write", str(path))

@@ -206,7 +206,10 @@ def test_every_class_that_users_construct_is_among_them():
         "LinkRod",
         "MainBearings",
         "Member",
+        "OperatingPoint",
         "Operation",
+        "SweepPoint",
+        *("Codec", "Job", "JobOutcome", "LogProgress", "Progress", "Store"),  # of a program's own values
         "Orbit",
         "Order",
         "Overbalance",
@@ -241,6 +244,7 @@ def test_every_class_that_users_construct_is_among_them():
         "TangentialPressure",
         "TorqueOrder",
         "Trajectory",
+        "TurnMaximum",
         "WebCompliance",
         "Weighting",
         "WorstCase",

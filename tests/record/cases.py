@@ -32,6 +32,7 @@ COMMANDS = (
     "firing",
     "formulas",
     "sensitivities",
+    "sweep",
     "tolerances",
     "assign",
     "derive",
@@ -39,6 +40,7 @@ COMMANDS = (
     "check",
     "engines",
     "bench",
+    "completion",
 )
 QUANTITIES = ("displacement", "velocity", "acceleration", "force", "rod-angle")
 ROTATIONS = ("vector", "uvw", "uwv", "vuw", "vwu", "wuv", "wvu")

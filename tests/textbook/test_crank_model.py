@@ -476,10 +476,12 @@ def test_stored_webs_are_read_back_and_scale_with_youngs_modulus(tmp_path):
         '{"webs": {"a": 1}}',
     ],
 )
-def test_a_broken_store_is_refused(tmp_path, text):
+def test_a_broken_store_is_said_and_not_believed(tmp_path, text):
     (tmp_path / "webs.json").write_text(text)
-    with pytest.raises(SymbalanceError, match=r"webs\.json"):
-        open_store(tmp_path / "webs.json")
+    lines = []
+    assert open_store(tmp_path / "webs.json", lines.append).new_webs == {}
+    assert len(lines) == 1
+    assert "webs.json" in lines[0]
 
 
 def two_webs():
@@ -548,23 +550,21 @@ def test_a_web_solved_now_is_the_one_read_back(tmp_path, monkeypatch):
 def test_a_store_that_cannot_be_read_or_written_is_one_line(tmp_path):
     (arm, web), _ = two_webs()
     (tmp_path / "folder.json").mkdir()
-    with pytest.raises(SymbalanceError, match=r"folder\.json: cannot be read"):
+    with pytest.raises(SymbalanceError, match=r"folder\.json: is a directory"):
         open_store(tmp_path / "folder.json")
-    (tmp_path / "latin.json").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(SymbalanceError, match=r"latin\.json: cannot be read"):
-        open_store(tmp_path / "latin.json")
     with pytest.raises(SymbalanceError, match=r"webs\.json: cannot be written"):
         WebStore(path=tmp_path / "nowhere" / "webs.json").keep(arm, web)
 
 
-def test_a_web_under_another_webs_key_is_refused(tmp_path):
-    path = tmp_path / "webs.json"
+def test_a_web_under_another_webs_key_is_not_believed(tmp_path):
+    path, lines = tmp_path / "webs.json", []
     (arm, web), _ = two_webs()
     WebStore(path=path).keep(arm, web)
-    text = path.read_text(encoding="utf-8")
-    path.write_text(text.replace("web 24.0", "web 25.0"), encoding="utf-8")
-    with pytest.raises(SymbalanceError, match="is not the web it describes"):
-        open_store(path)
+    document = json.loads(path.read_text(encoding="utf-8").replace("web 24.0", "web 25.0"))
+    document["checksum"] = store_module._checksum(document["webs"])
+    path.write_text(json.dumps(document), encoding="utf-8")
+    assert open_store(path, lines.append).new_webs == {}
+    assert "is not the web it describes" in lines[0]
 
 
 @pytest.mark.spread(2)

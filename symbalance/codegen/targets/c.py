@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from hashlib import sha256
 
 from symbalance.codegen.checks import Check, checks, grid_checks, grid_points, unit_values
 from symbalance.codegen.cosines import LIMIT
@@ -36,10 +37,15 @@ floats_differ grids_differ
 """
 RESERVED = frozenset(WORDS.split())
 """Names the function must not bear: words of C and C++, and what the source itself uses."""
+MARK = "0x" + 15 * "-" + "ULL"
+"""Stands for the mark until both texts are written: as long as it, and no number."""
 HEADER = """/* {head}
  */
 #ifndef {guard}
 #define {guard}
+
+/* The mark of this run: {stem}.c compiles with the header that was written with it, and no other. */
+#define {macro}_MARK {mark}
 
 #include <stddef.h>
 
@@ -67,6 +73,10 @@ SOURCE = """/* {title}; see {stem}.h.
  *     cc -std=c99 -O2 -D{macro}_SELF_TEST "{stem}.c" -lm && ./a.out
  */
 #include "{stem}.h"
+
+#if !defined({macro}_MARK) || {macro}_MARK != {mark}
+#error "{stem}.h is not the header that was written with this source: write both anew"
+#endif
 
 #include <float.h>
 #include <math.h>
@@ -312,6 +322,9 @@ def c_sources(plan: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
     prototypes = {kind: _prototype(name, kind, outs) for kind in ("double", "float", "grid")}
     header = HEADER.format(
         head=head,
+        stem=stem,
+        macro=name.upper(),
+        mark=MARK,
         guard=f"{name.upper()}_H",
         prototype_double=prototypes["double"],
         prototype_float=prototypes["float"],
@@ -324,11 +337,22 @@ def c_sources(plan: Plan, engine: str, stem: str, grid: bool) -> dict[str, str]:
         title=next(paragraphs(plan, engine)).split(";")[0],
         stem=stem,
         macro=name.upper(),
+        mark=MARK,
         limit=repr(LIMIT),
         constants="\n".join(C.constants(unique(k.constants for k in kernels))),
         functions="".join(functions) + _self_test(plan, name, grid),
     )
-    return {".h": header, ".c": fold(source, "/* ")}
+    return _marked({".h": header, ".c": fold(source, "/* ")})
+
+
+def _marked(texts: dict[str, str]) -> dict[str, str]:
+    """Return a pair of files with the digest of both in the place of its mark.
+
+    The two are put in place one after the other, and may be copied singly: a header of other outputs
+    than its source's would compile with it, and shift what is computed into the wrong array.
+    """
+    total = sha256("\0".join(texts.values()).encode("utf-8")).hexdigest()
+    return {ending: text.replace(MARK, f"0x{total[:15]}ULL") for ending, text in texts.items()}
 
 
 def _prototype(name: str, kind: str, outs: list[str]) -> str:

@@ -14,11 +14,12 @@ from symbalance.text.csv_rows import CsvRow, rows_of, without_headers
 from symbalance.text.files import read_text
 
 INSTALL = "pip install 'symbalance[crankshaft]'"
+WHAT = "a CSV file of film coefficients"
 LEAST_ANGLES = 4
 COEFFICIENTS = ("kvv", "kvl", "klv", "kll", "cvv", "cvl", "clv", "cll")
 MOST_ROWS = 100_000
-LARGEST_FILE = 200_000_000
-"""Bytes: as many rows of a dozen bearings."""
+LARGEST_FILE = 20_000_000
+"""Bytes: a row for every tenth of a degree of a dozen bearings, whatever the digits."""
 
 
 def film_from_tables(theta: Array, stiffness: Array, damping: Array, cycle: float) -> Film:
@@ -122,7 +123,7 @@ def read_film(path: str | Path, bearings: int, cycle: float) -> Film:
 
 
 def _numbers(path: Path, bearings: int) -> tuple[Array, Array, Array]:
-    place, text = str(path), read_text(path, LARGEST_FILE, "a CSV file of film coefficients")
+    place, text = str(path), read_text(path, LARGEST_FILE, WHAT, pipes=False)
     _, rows = without_headers(rows_of(text, place))
     if not 0 < len(rows) <= MOST_ROWS:
         rule, remedy = f"must be 1 to {MOST_ROWS}", "write one row a crank angle"

@@ -16,6 +16,7 @@ from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import default_name, engine_from
 from symbalance.errors import SymbalanceError
 from symbalance.text.files import file_name, read_text
+from symbalance.text.named_paths import NamingFolder
 from symbalance.text.sections import Section, read_sections
 
 
@@ -39,13 +40,16 @@ class RunningEngine:
         return replace(self, operation=replace(self.operation, rpm=speeds))
 
 
-def read_running_engine(path: str | Path) -> RunningEngine:
-    """Return the engine of a file with [crankshaft], [bearings] and [running]; refusals name the line."""
+def read_running_engine(path: str | Path, *, trust_paths: bool = False) -> RunningEngine:
+    """Return the engine of a file with [crankshaft], [bearings] and [running]; refusals name the line.
+
+    The files it names must lie in its folder or below, unless its reader says `trust_paths`.
+    """
     refuse_preset(path)
     text, place = read_text(path), file_name(path)
     file = read_sections(text, place, FILE_KEYS)
     engine = engine_from(file, default_name(path))
-    folder = Path(path).parent
+    folder = NamingFolder.of(path, trust_paths)
     for cylinder in engine.cylinders:
         if cylinder.reciprocating_mass is None:
             what = f"{place}: cylinder {cylinder.number}"

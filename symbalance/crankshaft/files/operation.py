@@ -12,6 +12,7 @@ from symbalance.engine.crank_train import ROD
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
 from symbalance.kinematics.mechanisms import RodSplit
+from symbalance.text.named_paths import NamingFolder
 from symbalance.text.sections import Section
 from symbalance.torque import IdealCycle, PressureTrace, ideal_cycle, read_pressure
 
@@ -66,7 +67,7 @@ class Operation:
         return pi * self.bore**2 / 4
 
 
-def read_operation(section: Section, engine: Engine, folder: Path) -> Operation:
+def read_operation(section: Section, engine: Engine, folder: NamingFolder) -> Operation:
     """Return what [running] says: bore in mm, speeds in rpm, pressures in bar absolute, kg, kg mm^2."""
     rod, ideal = _rod(section, engine), _ideal(section, engine)
     big_end_mass = _big_end_mass(section, rod)
@@ -117,9 +118,9 @@ def sorted_speeds(speeds: list[float]) -> tuple[float, ...]:
     return speeds_up
 
 
-def _trace(section: Section, engine: Engine, folder: Path) -> PressureTrace:
-    path = folder / section.value("pressure")
-    return section.guarded(lambda: read_pressure(path, strokes=engine.strokes), "pressure")
+def _trace(section: Section, engine: Engine, folder: NamingFolder) -> PressureTrace:
+    name = section.value("pressure")
+    return section.guarded(lambda: read_pressure(folder.file(name), strokes=engine.strokes), "pressure")
 
 
 def _ideal(section: Section, engine: Engine) -> IdealCycle | None:
@@ -186,9 +187,11 @@ def _strength(table: Section) -> Strength:
     return strength
 
 
-def _overlay(section: Section, folder: Path) -> Overlay | None:
+def _overlay(section: Section, folder: NamingFolder) -> Overlay | None:
     if "overlay" not in section:
         return None
     table = section.section("overlay")
     speed = table.number("rpm") if "rpm" in table else None
-    return Overlay(folder / table.value("file"), table.value("channel"), speed)
+    name = table.value("file")
+    path = table.guarded(lambda: folder.file(name), "file")
+    return Overlay(path, table.value("channel"), speed)

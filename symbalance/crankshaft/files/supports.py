@@ -7,6 +7,7 @@ from pathlib import Path
 
 from symbalance.crankshaft.crank import Crank, Journal
 from symbalance.errors import SymbalanceError
+from symbalance.text.named_paths import NamingFolder
 from symbalance.text.sections import Section
 
 MILLI = 1e-3
@@ -32,7 +33,7 @@ class MainBearings:
     thrust_stiffness: float
 
 
-def read_bearings(section: Section, crank: Crank, folder: Path) -> MainBearings:
+def read_bearings(section: Section, crank: Crank, folder: NamingFolder) -> MainBearings:
     """Return what [bearings] says of a crank's main bearings: clearance and length in mm, Pa s, N/m."""
     journals = [p for p in crank.parts if isinstance(p, Journal) and p.bearing]
     count = len(journals)
@@ -58,7 +59,7 @@ def read_bearings(section: Section, crank: Crank, folder: Path) -> MainBearings:
         tuple(j.diameter for j in journals),
         tuple(section.numbers("viscosity", count)),
         _housing(section, count),
-        None if table is None else folder / table,
+        None if table is None else section.guarded(lambda: folder.file(table), "table"),
         _thrust(section, count) - 1,
         section.number("thrust_stiffness"),
     )

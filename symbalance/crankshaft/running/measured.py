@@ -68,7 +68,7 @@ def read_curve(path: str | Path, cycle: int = 720) -> tuple[Array, Array]:
     One point a line, parted by a comma, a semicolon or a tab, decimals with a point; a header, empty
     lines and lines that begin with # are passed over.
     """
-    place, text = str(path), read_text(path, what="a CSV file of measured curves")
+    place, text = str(path), read_text(path, what="a CSV file of measured curves", pipes=False)
     _, rows = without_headers(rows_of(text, place), None)
     points = [_point(row, cycle) for row in rows]
     if len(points) < FEWEST:

@@ -2,13 +2,15 @@
 
 In a store (`symbalance.jobs.store`) it lies as an NPZ under a key of all that it depends on: a digest of
 the engine (the content of the files it names), of how it is solved, of the webs' compliances and of the
-program.
+program. What is read back is believed only where its lengths, shapes and numbers are those of a run.
 """
 
 from __future__ import annotations
 
 import io
+import zipfile
 from dataclasses import dataclass, fields
+from math import isfinite, prod
 from typing import Any
 
 import numpy as np
@@ -19,6 +21,8 @@ from symbalance.jobs import store
 
 FORMAT = 3
 """The number of this layout of an outcome, raised with every change of it."""
+LARGEST_CONTENT = 900_000_000
+"""Bytes, unpacked: the most steps of a cycle by some thousand channels."""
 
 
 @dataclass(frozen=True)
@@ -124,12 +128,61 @@ def encode_outcome(outcome: SpeedOutcome) -> bytes:
 
 
 def decode_outcome(payload: bytes) -> SpeedOutcome:
-    """Return the outcome of such bytes; of others anything is raised, from zlib.error to TokenError."""
+    """Return the outcome of such bytes; of others anything is raised, from zlib.error to TokenError.
+
+    Nothing is unpacked before the archive's table of contents says how long it will be.
+    """
+    with zipfile.ZipFile(io.BytesIO(payload)) as archive:
+        if sum(entry.file_size for entry in archive.infolist()) > LARGEST_CONTENT:
+            raise store.DamagedError(f"it would unpack to more than {LARGEST_CONTENT} bytes")
+        names = sorted(entry.filename.removesuffix(".npy") for entry in archive.infolist())
+        if names != sorted(f.name for f in fields(SpeedOutcome)):
+            raise store.DamagedError("it holds other things")
+        for entry in archive.infolist():
+            _check_length(archive, entry)
     with np.load(io.BytesIO(payload), allow_pickle=False) as data:
         return _outcome({f.name: data[f.name] for f in fields(SpeedOutcome)})
 
 
-CODEC: store.Codec[SpeedOutcome] = store.Codec(encode_outcome, decode_outcome)
+def _check_length(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> None:
+    """Refuse an array of another length than its head says, by which room would be taken for it."""
+    with archive.open(entry) as stream:
+        version = np.lib.format.read_magic(stream)
+        if version != (1, 0):
+            raise store.DamagedError("it is of another format")
+        shape, _, kind = np.lib.format.read_array_header_1_0(stream)
+        if stream.tell() + prod(shape) * kind.itemsize != entry.file_size:
+            raise store.DamagedError("an array is of another length than it says")
+
+
+def disagreement(rpm: float, outcome: SpeedOutcome) -> str:
+    """Return in what an outcome cannot be one of a speed, "" if it can."""
+    steps, channels, bearings = len(outcome.theta), len(outcome.names), len(outcome.clearance)
+    shapes = {
+        "theta": (steps,),
+        "values": (steps, channels),
+        "orbits": (steps, bearings, 2),
+        "bearings": (steps, bearings, 2),
+        "clearance": (bearings,),
+    }
+    for name, shape in shapes.items():
+        array = getattr(outcome, name)
+        if array.shape != shape or array.dtype != float:
+            return f"{name} of another shape"
+        # What has a reason not to be relied on may hold no numbers, but stands at its angles.
+        if not np.isfinite(array).all() and (not outcome.reason or name in ("theta", "clearance")):
+            return f"{name} not finite"
+    if outcome.rpm != rpm:
+        return "another speed"
+    if len(outcome.units) != channels or steps < 2:
+        return "channels of no unit, or no angles"
+    even = np.diff(outcome.theta, append=outcome.theta[0] + steps * outcome.theta[1])
+    if not (outcome.theta[1] > 0 and np.allclose(even, outcome.theta[1], rtol=1e-6)):
+        return "angles that are not even"
+    return "" if (outcome.clearance > 0).all() and isfinite(outcome.seconds) else "sizes of no bearing"
+
+
+CODEC: store.Codec[SpeedOutcome] = store.Codec(encode_outcome, decode_outcome, disagreement)
 
 
 def _outcome(values: dict[str, Any]) -> SpeedOutcome:

@@ -55,10 +55,11 @@ def run_speeds(
         for rpm in configuration.engine.operation.rpm
         for key in ["" if store is None else saved_key(configuration, rpm)]
     ]
-    for job in jobs if store is not None else []:
-        older = store.folder / f"{job.slot}.npz"
-        if older.exists() and not store.path(job.slot).exists():
-            progress.say(f"{older}: is of an earlier version: solved anew")
+    if store is not None:
+        for job in jobs:
+            older = store.folder / f"{job.slot}.npz"
+            if older.exists() and not store.path(job.slot).exists():
+                progress.say(f"{older}: is of an earlier version: solved anew")
     solve, done, failed = partial(_solve_job, configuration), [], []
     means = {"executor": executor, "workers": workers, "store": store, "progress": progress}
     for number, (job, outcome) in enumerate(run_jobs(solve, jobs, codec=CODEC, **means), 1):

@@ -1,12 +1,14 @@
 """Store of web flexibilities solved by finite elements: what one machine has meshed, every other reads.
 
-A store is a JSON file {"format": 2, "mesher": digest, "webs": {key: {"web": what it is of, "flexibility":
-144 numbers, "body": 3 numbers}}}. The key is that of the geometry in own axes (sizes to the nanometre),
-Poisson's ratio and, where it is not the usual one, the elements' size; the flexibility is E S, which does
-not depend on Young's modulus. The package's own store holds the worked cranks'.
+A store is a JSON file {"format": 3, "mesher": digest, "checksum": digest of the webs, "webs": {key:
+{"web": what it is of, "flexibility": 144 numbers, "body": 3 numbers}}}. The key is that of the geometry
+in own axes (sizes to the nanometre), Poisson's ratio and, where it is not the usual one, the elements'
+size; the flexibility is E S, which does not depend on Young's modulus. The package's own store holds the
+worked cranks'.
 
 `mesher` is a digest of the sources that draw, mesh and solve a web: what other sources have solved is not
-believed but solved anew, and a line to `say` tells the user.
+believed but solved anew, and a line to `say` tells the user; so it does of a file that is damaged, which
+its checksum shows.
 """
 
 from __future__ import annotations
@@ -27,9 +29,10 @@ from symbalance.crankshaft.crank import Crank
 from symbalance.crankshaft.webs.arm import Arm, WebCompliance, arms
 from symbalance.errors import SymbalanceError, brief
 from symbalance.jobs.digests import digest
+from symbalance.text.files import read_bytes
 from symbalance.text.writing import write_file
 
-FORMAT = 2
+FORMAT = 3
 SOURCES = (
     "solid",
     "webs",
@@ -40,7 +43,8 @@ SOURCES = (
     "rotor/rigid_bodies.py",
 )
 """The files and rooms of `symbalance.crankshaft` on which a solved flexibility depends."""
-REMEDY = "delete it: it is written anew"
+LARGEST_FILE = 50_000_000
+"""Bytes: some ten thousand webs."""
 Say = Callable[[str], None]
 
 
@@ -73,7 +77,8 @@ class WebStore:
         self.webs[web_key(arm, size)] = self.new_webs[web_key(arm, size)] = entry
         if self.path is not None:
             self.new_webs = _webs_at(self.path, lambda line: None) | self.new_webs
-            document = {"format": FORMAT, "mesher": mesher_digest(), "webs": self.new_webs}
+            document = {"format": FORMAT, "mesher": mesher_digest()}
+            document |= {"checksum": _checksum(self.new_webs), "webs": self.new_webs}
             text = json.dumps(document, indent=1) + "\n"
             write_file(self.path, text, what="", remedy="name a folder you may write to")
 
@@ -85,7 +90,7 @@ def open_store(path: Path | None = None, say: Say = lambda line: None) -> WebSto
     True
     """
     own = files("symbalance.crankshaft.solid") / "solved.json"
-    webs = _check_webs(_document(own.read_text(encoding="utf-8"), "solved.json"), "solved.json")
+    webs = _check_webs(_document(own.read_bytes())["webs"])
     new_webs = {} if path is None else _webs_at(path, say)
     return WebStore(new_webs | webs, path, new_webs)
 
@@ -103,49 +108,60 @@ def mesher_digest() -> str:
 
 
 def _webs_at(path: Path, say: Say) -> dict[str, dict[str, Any]]:
-    """Return the webs of a file of this mesher; none of one that is not there or of another."""
-    place = str(path)
+    """Return the webs of a file of this mesher; none of one that is not there, damaged or of another."""
+    if not path.exists():
+        return {}
     try:
-        text = path.read_text(encoding="utf-8")
-    except FileNotFoundError:
+        if path.is_file() and path.stat().st_size > LARGEST_FILE:
+            raise _DamagedError(f"it is larger than {LARGEST_FILE} bytes")
+        document = _document(read_bytes(path, LARGEST_FILE, "a file for solved webs", pipes=False))
+        webs = document["webs"]
+        if (document.get("format"), document.get("mesher")) != (FORMAT, mesher_digest()):
+            if webs:
+                say(f"{path}: holds webs that another version solved: those needed are solved anew")
+            return {}
+        if document.get("checksum") != _checksum(webs):
+            raise _DamagedError("its checksum is another")
+        return _check_webs(webs)
+    except _DamagedError as problem:
+        say(f"{path}: is damaged ({problem}): the webs needed are solved anew")
         return {}
-    except (OSError, UnicodeError) as problem:
-        reason = getattr(problem, "strerror", None) or "it is no text"
-        raise SymbalanceError(place, f"cannot be read ({reason})", REMEDY) from None
-    document = _document(text, place)
-    webs = _check_webs(document, place)
-    if (document.get("format"), document.get("mesher")) != (FORMAT, mesher_digest()):
-        if webs:
-            say(f"{place}: holds webs that another version solved: those needed are solved anew")
-        return {}
-    return webs
 
 
-def _document(text: str, place: str) -> dict[str, Any]:
+class _DamagedError(Exception):
+    """A store is not what was written; the text says in what."""
+
+
+def _checksum(webs: dict[str, Any]) -> str:
+    """Return a digest of a store's webs: of what they say, whatever the spaces between it."""
+    return sha256(json.dumps(webs, sort_keys=True).encode()).hexdigest()
+
+
+def _document(content: bytes) -> dict[str, Any]:
     try:
-        document = json.loads(text)
-    except ValueError as problem:
-        raise SymbalanceError("the file", "must hold solved webs", REMEDY, place) from problem
+        document = json.loads(content.decode("utf-8"))
+    except (ValueError, RecursionError):
+        raise _DamagedError("it is no JSON") from None
     if not isinstance(document, dict) or not isinstance(document.get("webs"), dict):
-        raise SymbalanceError("the file", "must hold solved webs", REMEDY, place)
+        raise _DamagedError("it holds no webs")
     return document
 
 
-def _check_webs(document: dict[str, Any], place: str) -> dict[str, dict[str, Any]]:
-    """Return a document's webs; refuses one whose numbers no web has, or that is of another key."""
-    for name, entry in document["webs"].items():
+def _check_webs(webs: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Return webs, each of which can be one; what is not, or stands under another's key, is damage."""
+    for name, entry in webs.items():
         try:
             matrix, body = _numbers(entry)
-            sound = np.allclose(matrix, matrix.T) and np.linalg.eigvalsh(matrix)[0] > 0
+            finite = np.isfinite(matrix).all() and np.isfinite(body).all()
+            sound = finite and np.allclose(matrix, matrix.T) and np.linalg.eigvalsh(matrix)[0] > 0
             described_so = _hash_of(entry["web"]) == name
-        except (ValueError, KeyError, TypeError, AttributeError) as problem:
-            raise SymbalanceError("the file", "must hold solved webs", REMEDY, place) from problem
-        if not (sound and np.isfinite(body).all()):
-            what = f"flexibility of {brief(name)}"
-            raise SymbalanceError(what, "must be symmetric and positive", REMEDY, place)
+        except (ValueError, KeyError, TypeError, AttributeError, ArithmeticError):
+            raise _DamagedError(f"web {brief(name)} lacks its numbers") from None
+        if not sound:
+            raise _DamagedError(f"the flexibility of {brief(name)} is not symmetric and positive")
         if not described_so:
-            raise SymbalanceError(f"web {brief(name)}", "is not the web it describes", REMEDY, place)
-    return document["webs"]
+            raise _DamagedError(f"web {brief(name)} is not the web it describes")
+    return webs
 
 
 def _numbers(entry: dict[str, Any]) -> tuple[Array, Array]:

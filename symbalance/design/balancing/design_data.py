@@ -118,12 +118,12 @@ def design_records(design: Design) -> list[dict[str, Any]]:
     (None where sizes do not say). A counterweight on a throw has throw and overbalance instead: it
     balances the throw's rotating mass and that part of its reciprocating mass.
     """
-    none = dict.fromkeys(_KEYS)
+    none = dict.fromkeys(design.record_keys)
     rows = []
     for weight in design_weights(design):
         part = Component(weight.vector)
         share, degrees = polar(weight.vector)
-        exact = {"exact_up": part.texts[0], "exact_right": part.texts[1]}
+        exact = {"exact_up": part.form("cos").spelling, "exact_right": part.form("sin").spelling}
         size = None if weight.unbalance is None else float(weight.unbalance)
         place = {
             "speed": weight.device.speed,
@@ -138,17 +138,3 @@ def design_records(design: Design) -> list[dict[str, Any]]:
         on = {"speed": 1, "on": "crank", "throw": counterweight.throw, "overbalance": overbalance}
         rows.append({**none, **on})
     return rows
-
-
-_KEYS = (
-    "speed",
-    "on",
-    "throw",
-    "station",
-    "share",
-    "direction_deg",
-    "exact_up",
-    "exact_right",
-    "unbalance_kg_mm",
-    "overbalance",
-)

@@ -31,8 +31,8 @@ from symbalance.document.nodes import (
 )
 from symbalance.engine.balance_mass_facts import direction, five_digits, with_minus
 from symbalance.engine.engine_document import engine_words
-from symbalance.forces.balance_document import conventions, resultant_blocks
-from symbalance.forces.free_forces import balance
+from symbalance.forces.balance_document import conventions, resultant_blocks, turn_blocks
+from symbalance.forces.free_forces import Balance, balance
 from symbalance.text.numbers import short_text
 
 VERDICTS = {
@@ -68,9 +68,10 @@ def design_document(design: Design) -> Document:
             ellipse_table("Residual of the orders to remove", ellipses) if ellipses else None,
             Heading(f"What remains, to order {design.remains.highest}"),
             resultant_blocks(design.remains),
+            turn_blocks(design.remains),
             Details(
                 f"Before: {design.engine.name} unchanged, to order {design.remove[-1]}",
-                resultant_blocks(balance(design.engine, design.remove[-1])),
+                resultant_blocks(_before(design)),
             ),
             conventions(design.before, _reading(design)),
         ),
@@ -92,6 +93,12 @@ def _answer(design: Design) -> Document:
         blocks(_proposal(design), left, Facts(legend) if legend else None),
         lead=_lead(design),
     )
+
+
+def _before(design: Design) -> Balance:
+    """Return the engine's balance to the highest order to remove, at the design's operating point."""
+    unchanged, point = balance(design.engine, design.remove[-1]), design.before.operating_point
+    return unchanged if point is None else unchanged.at(rpm=point.rpm)
 
 
 def _lead(design: Design) -> str:

@@ -114,6 +114,10 @@ class Design(Result):
     """Whether its document has all that is left and was before, or the answer alone."""
 
     kind: ClassVar[str] = "design"
+    record_keys: ClassVar[tuple[str, ...]] = (
+        *("speed", "on", "throw", "station", "share", "direction_deg", "exact_up", "exact_right"),
+        *("unbalance_kg_mm", "overbalance"),
+    )
 
     def summary(self) -> str:
         """Return what the design achieves and what it takes, in one line."""
@@ -169,6 +173,13 @@ class Design(Result):
                     raise SymbalanceError(what, rule, "give stroke, rod and reciprocating_mass")
                 segments.append(self.ring.segment(size))
         return segments
+
+    def at(self, *, rpm: object) -> Design:
+        """Return the same design with what remains in N and N m at a speed.
+
+        The engine's stroke, reciprocating mass and pitch have to be known: `engine.with_sizes` adds them.
+        """
+        return replace(self, before=self.before.at(rpm=rpm), remains=self.remains.at(rpm=rpm))
 
     @property
     def shafts(self) -> list[Device]:

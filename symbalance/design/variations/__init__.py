@@ -7,6 +7,7 @@ worst_case_search     the worst within tolerances, attained and bounded (`object
                       `tolerance_intervals`)
 assignment            which weighed part (`part_sets`) goes to which cylinder, with the least residual
                       (`assignment_objective`, `arrangement_search`, `assignment_bounds`, `shaking`)
+size_sweep            forces, couples and torque on a grid of an engine's sizes
 contributions         what one cylinder adds to an order;  as_built: what turns adds
 *_document, legend    how these are written
 """

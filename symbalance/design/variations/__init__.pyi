@@ -11,6 +11,9 @@ from symbalance.design.variations.sensitivity import STEPS as STEPS
 from symbalance.design.variations.sensitivity import Sensitivities as Sensitivities
 from symbalance.design.variations.sensitivity import Sensitivity as Sensitivity
 from symbalance.design.variations.shaking import Shaking as Shaking
+from symbalance.design.variations.size_sweep import Sweep as Sweep
+from symbalance.design.variations.size_sweep import SweepPoint as SweepPoint
+from symbalance.design.variations.size_sweep import sweep as sweep
 from symbalance.design.variations.symbolic_orders import SymbolicOrder as SymbolicOrder
 from symbalance.design.variations.symbolic_orders import symbolic_order as symbolic_order
 from symbalance.design.variations.tolerances import UNITS as UNITS

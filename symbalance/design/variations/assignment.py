@@ -33,7 +33,6 @@ from symbalance.design.variations.part_sets import PartSet, checked_sets
 from symbalance.design.variations.shaking import (
     Shaking,
     as_built_vector,
-    checked_rpm,
     generators,
     shaking_of,
     units_of,
@@ -41,6 +40,7 @@ from symbalance.design.variations.shaking import (
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError
+from symbalance.forces.operating_point import checked_rpm
 from symbalance.text.numbers import as_list, checked_whole
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ def assign_parts(
     if count > MOST_CYLINDERS:
         rule = f"must be at most {MOST_CYLINDERS}"
         raise SymbalanceError(f"{count} cylinders", rule, "assign the parts of one engine")
-    sets = checked_sets(parts, count)
+    sets = checked_sets(parts, engine)
     numbers = _checked_orders(orders)
     rows = contributions(engine, max(numbers))
     speed = None if rpm is None else checked_rpm(rpm)

@@ -35,11 +35,13 @@ from symbalance.design.variations.contributions import (
 )
 from symbalance.design.variations.length_derivatives import LengthDerivatives, length_derivatives
 from symbalance.design.variations.sensitivity import Sensitivities, Sensitivity
+from symbalance.design.variations.speeds import speed_scale
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.decimal_phasor import DecimalPhasor
 from symbalance.exact.phasor import ZERO, Phasor
+from symbalance.forces.operating_point import checked_rpm
 from symbalance.kinematics.mechanisms import SliderCrank
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import as_list, exact
@@ -51,7 +53,12 @@ LENGTHS = ("stroke", "rod", "offset")
 
 
 def sensitivities(
-    engine: Engine, order: int = 4, *, parameters: object = None, reference: object = None
+    engine: Engine,
+    order: int = 4,
+    *,
+    parameters: object = None,
+    reference: object = None,
+    rpm: object = None,
 ) -> Sensitivities:
     """Return derivatives of all orders by each cylinder's sizes, largest effects (of `STEPS`) first.
 
@@ -60,7 +67,7 @@ def sensitivities(
     A master's angles and lengths move the cylinders attached to it too: its derivatives are of all of
     them. A link rod has neither throw nor stroke of its own, they are its master's. Counterweights,
     shafts and rotating masses, those on link pins too, stay where they are: a size moves pistons and rods
-    alone.
+    alone. With `rpm`, and the engine's stroke, reciprocating_mass and pitch, steps are in N and N m.
 
     >>> from symbalance.engine.builders import inline
     >>> changes = sensitivities(inline("1-3-4-2", ratio=4), 2, parameters=["mass"])
@@ -68,6 +75,8 @@ def sensitivities(
     [(1, 1, 1, 1.5), (1, 4, 1, -1.5)]
     """
     names = _checked_parameters(parameters)
+    speed = None if rpm is None else checked_rpm(rpm)
+    speed_scale(engine, speed)  # refuses what it lacks
     plane = None if reference is None else exact(reference, "reference")
     by_order = contributions(engine, order, plane)
     lengths = _length_derivatives(engine, order) if set(names) & set(LENGTHS) else {}
@@ -80,7 +89,7 @@ def sensitivities(
             else:
                 changes += _of_order(engine, n, name, by_order, lengths)
     changes.sort(key=lambda s: (-max(s.step()), s.order, PARAMETERS.index(s.parameter), s.cylinder))
-    return Sensitivities(engine, order, names, plane, tuple(changes))
+    return Sensitivities(engine, order, names, plane, tuple(changes), speed)
 
 
 def _checked_parameters(parameters: object) -> tuple[str, ...]:

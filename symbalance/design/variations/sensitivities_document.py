@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbalance.design.variations.legend import TURNING, Entry, letters_entry, unit_formulas
+from symbalance.design.variations.legend import TURNING, Entry, as_decimal, letters_entry, unit_formulas
 from symbalance.design.variations.sensitivity import STEPS, Sensitivities
 from symbalance.document.decimals import decimal
 from symbalance.document.formula import Formula, Name, number
@@ -18,8 +18,9 @@ _COLUMNS = tuple(map(Column, ("order", "size", "step", "cylinders", "force", "co
 
 def sensitivities_document(result: Sensitivities) -> Document:
     """Return sensitivities as a document: what one step adds, order by order, worst first."""
-    force, couple = unit_formulas(result.engine, at_speed=False)
-    title = f"{result.engine.name}: sensitivities to order {result.order}"
+    force, couple = unit_formulas(result.engine, at_speed=result.rpm is not None)
+    speed = "" if result.rpm is None else f", at {as_decimal(result.rpm)} rpm"
+    title = f"{result.engine.name}: sensitivities to order {result.order}{speed}"
     rows = _rows(result)
     table = Table(
         ("What one step adds, force in ", force, ", couple in ", couple), _COLUMNS, rows[:MOST_ROWS]
@@ -43,7 +44,7 @@ def sensitivities_document(result: Sensitivities) -> Document:
 def _rows(result: Sensitivities) -> tuple[tuple[Cell, ...], ...]:
     groups: dict[tuple[str, int, Formula | str, Formula | str], list[int]] = {}
     for change in result:
-        force, couple = map(decimal, change.step())
+        force, couple = map(decimal, result.at_speed(change))
         groups.setdefault((change.parameter, change.order, force, couple), []).append(change.cylinder)
     return tuple(
         (number(order), parameter, _step(parameter), number_runs(cylinders), force, couple)

@@ -9,6 +9,8 @@ from functools import cached_property
 from math import pi
 from typing import TYPE_CHECKING, Any, ClassVar, overload
 
+from symbalance.design.variations.legend import as_decimal
+from symbalance.design.variations.speeds import speed_scale
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine
 from symbalance.exact.amplitude import Amplitude
@@ -133,6 +135,8 @@ class Sensitivities(Result, Sequence[Sensitivity]):
     parameters: tuple[str, ...]
     reference: Fraction | None
     changes: tuple[Sensitivity, ...]
+    rpm: Fraction | None = None
+    """The speed at which steps are given in N and N m too; None where none is asked for."""
 
     kind: ClassVar[str] = "sensitivities"
 
@@ -158,6 +162,12 @@ class Sensitivities(Result, Sequence[Sensitivity]):
         step = f"{STEPS[worst.parameter][1]}, {worst.parameter} of cylinder {worst.cylinder}"
         return f"{head}, the worst step {step}, in order {worst.order}"
 
+    def at_speed(self, change: Sensitivity) -> tuple[float, float]:
+        """Return the largest force and couple of a change's step, N and N m at the speed."""
+        scale = speed_scale(self.engine, self.rpm)
+        force, couple = change.step()
+        return force * scale.force, couple * scale.couple
+
     def document(self) -> Document:
         """Return what one step in each size adds, worst first, then how it is meant."""
         from symbalance.design.variations.sensitivities_document import sensitivities_document
@@ -173,6 +183,7 @@ class Sensitivities(Result, Sequence[Sensitivity]):
             "reference_plane": plane_key(self.reference),
             "parameters": list(self.parameters),
             "units": {"force": "m r omega^2", "couple": "m r omega^2 a"},
+            **({} if self.rpm is None else {"rpm": as_decimal(self.rpm)}),
             "sensitivities": [self._one(change) for change in self],
         }
 
@@ -187,7 +198,14 @@ class Sensitivities(Result, Sequence[Sensitivity]):
             "force": _components(change.force),
             "couple": _components(change.couple),
             "largest": {"force": force, "couple": couple},
+            **({} if self.rpm is None else {"step": self._step(change)}),
         }
+
+    def _step(self, change: Sensitivity) -> dict[str, Any]:
+        force, couple = self.at_speed(change)
+        units = speed_scale(self.engine, self.rpm).units
+        words = STEPS[change.parameter][1]
+        return {"of": words, "force": force, "couple": couple, "units": list(units)}
 
     def unit(self, change: Sensitivity) -> str:
         """Return what one of the derivatives is per."""
@@ -196,7 +214,8 @@ class Sensitivities(Result, Sequence[Sensitivity]):
     def records(self) -> list[dict[str, Any]]:
         """Return a row for each derivative: the largest moduli for one unit and for the step of tables.
 
-        Forces are in m r omega^2, couples in m r omega^2 a.
+        Forces are in m r omega^2, couples in m r omega^2 a; those of a step at the speed, where one was
+        asked for, in N and N m.
         """
         return [
             {
@@ -207,8 +226,8 @@ class Sensitivities(Result, Sequence[Sensitivity]):
                 "force": change.largest[0],
                 "couple": change.largest[1],
                 "step": STEPS[change.parameter][1],
-                "force_of_step": change.step()[0],
-                "couple_of_step": change.step()[1],
+                "force_of_step": self.at_speed(change)[0],
+                "couple_of_step": self.at_speed(change)[1],
             }
             for change in self
         ]

@@ -7,48 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import pi, sqrt
-from typing import NamedTuple
 
 from symbalance.design.variations.as_built import NOTHING, as_built_parts
 from symbalance.design.variations.assignment_bounds import Generators, Vector
 from symbalance.design.variations.contributions import Contribution, rotating_pair
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief
+from symbalance.forces.operating_point import needed
 from symbalance.kinematics.mechanisms.moving_masses import link_pin_force
 from symbalance.text.numbers import exact
-
-FASTEST = 100_000
-"""Turns a minute."""
-
-
-class Scale(NamedTuple):
-    """What forces and couples in m r omega^2 (a) are multiplied by, and the units they then have."""
-
-    force: float
-    couple: float
-    units: tuple[str, str]
-
-
-def checked_rpm(rpm: object) -> Fraction:
-    """Return a speed in turns a minute, or refuse."""
-    speed = exact(rpm, "rpm")
-    if not 0 < speed <= FASTEST:
-        raise SymbalanceError(f"rpm = {brief(rpm)}", f"must lie in (0, {FASTEST}]", "turns a minute")
-    return speed
-
-
-def speed_scale(engine: Engine, speed: Fraction | None) -> Scale:
-    """Return what m r omega^2 and m r omega^2 a of cylinder 1 are at a speed, in N and N m."""
-    if speed is None:
-        return Scale(1.0, 1.0, ("m r ω²", "m r ω² a"))
-    mass, radius, pitch = engine.first.reciprocating_mass, engine.first.radius, engine.pitch
-    if not mass or radius is None:
-        key = "stroke" if radius is None else "reciprocating_mass"
-        raise SymbalanceError("rpm", f"needs the engine's {key}", f"give {key} in [crank_train]")
-    force = float(mass * radius) / 1000 * (float(speed) * pi / 30) ** 2
-    if pitch is None:
-        return Scale(force, force, ("N", "N a (the engine gives no pitch)"))
-    return Scale(force, force * float(pitch) / 1000, ("N", "N m"))
 
 
 @dataclass(frozen=True)
@@ -80,7 +47,7 @@ def units_of(
     force, arm, names = 1.0, 1.0, ("kg · r ω²", "kg · r ω² a")
     if speed is not None:
         if radius is None:
-            raise SymbalanceError("rpm", "needs the engine's stroke", "give stroke in [crank_train]")
+            raise needed(speed, ["stroke"])
         force, names = float(radius) / 1000 * (float(speed) * pi / 30) ** 2, ("N", "N a")
     if pitch is not None and speed is not None:
         arm, names = float(pitch) / 1000, (names[0], "N m")

@@ -51,7 +51,7 @@ from symbalance.design.variations.objectives import (
     objective_of,
 )
 from symbalance.design.variations.sensitivity import Sensitivity
-from symbalance.design.variations.shaking import Scale, checked_rpm, speed_scale
+from symbalance.design.variations.speeds import Scale, speed_scale
 from symbalance.design.variations.tolerance_intervals import ToleranceBox, tolerance_boxes
 from symbalance.design.variations.tolerances import UNITS, RelativeTolerances, Tolerances
 from symbalance.document.result import Result
@@ -59,6 +59,7 @@ from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.phasor import ZERO
 from symbalance.forces.free_forces import Balance, balance
+from symbalance.forces.operating_point import checked_rpm
 from symbalance.forces.rows import plane_key
 from symbalance.kinematics.slider_crank import acceleration_value
 from symbalance.text.numbers import as_list, exact

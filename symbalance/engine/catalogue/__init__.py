@@ -3,59 +3,19 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
 
-from symbalance.document.result import SequenceResult
+from symbalance.engine.catalogue.preset_list import Preset as Preset
+from symbalance.engine.catalogue.preset_list import Presets as Presets
+from symbalance.engine.catalogue.preset_list import preset_from
 from symbalance.engine.engine import Engine
 from symbalance.engine.engine_file import parse_engine, read_engine_file
 from symbalance.errors import SymbalanceError, brief
 from symbalance.text.files import STANDARD_INPUT, toml_table
 
-if TYPE_CHECKING:
-    from symbalance.document.nodes import Document
-
 _FOLDER = Path(__file__).parent
-
-
-@dataclass(frozen=True)
-class Preset:
-    """A preset's name, what it is, and where its figures come from."""
-
-    name: str
-    description: str
-    source: str
-
-
-@dataclass(frozen=True, repr=False, eq=False)
-class Presets(SequenceResult[Preset]):
-    """All preset engines."""
-
-    items: tuple[Preset, ...]
-    kind: ClassVar[str] = "presets"
-
-    def summary(self) -> str:
-        """Return how many there are, in one line."""
-        return f"Preset engines: {len(self)}"
-
-    def document(self) -> Document:
-        """Return a table of names, descriptions and sources."""
-        from symbalance.document.nodes import Code, Column, Document, Table
-
-        columns = (Column("name"), Column("what it is, and where its figures come from"))
-        rows = tuple((Code(p.name), f"{p.description} [{p.source}]") for p in self)
-        return Document("Preset engines", (Table("", columns, rows),))
-
-    def data(self) -> dict[str, Any]:
-        """Return every preset's name, description and source."""
-        return {"presets": self.records()}
-
-    def records(self) -> list[dict[str, Any]]:
-        """Return a row for each preset."""
-        return [{"name": p.name, "description": p.description, "source": p.source} for p in self]
 
 
 def _natural(name: str) -> list[int | str]:
@@ -69,13 +29,13 @@ def preset_names() -> tuple[str, ...]:
 
 
 def presets() -> Presets:
-    """Return every preset with its description and source.
+    """Return every preset: what it is, its sizes, where its figures come from.
 
     >>> presets()[0].name
-    'audi-v10'
+    'audi-ea855'
     """
     tables = ((name, toml_table(preset_text(name), name)) for name in preset_names())
-    return Presets(tuple(Preset(name, table["description"], table["source"]) for name, table in tables))
+    return Presets(tuple(preset_from(name, table) for name, table in tables))
 
 
 def preset_text(name: str) -> str:
@@ -100,12 +60,15 @@ def load(engine: str | Path) -> Engine:
     [1, 2, 9, 10, 5, 6, 11, 12, 3, 4, 7, 8]
     """
     name = str(engine)
-    if (
-        isinstance(engine, Path)
-        or name == STANDARD_INPUT
-        or name.endswith(".toml")
-        or "/" in name
-        or "\\" in name
-    ):
+    if isinstance(engine, Path) or name == STANDARD_INPUT or is_engine_file(name):
         return read_engine_file(engine)
     return parse_engine(preset_text(name), f"{name}.toml")
+
+
+def is_engine_file(name: str) -> bool:
+    """Tell whether a name is that of an engine file, not of a preset.
+
+    >>> is_engine_file("v6.toml"), is_engine_file("my/v6"), is_engine_file("v6-60")
+    (True, True, False)
+    """
+    return name.endswith(".toml") or "/" in name or "\\" in name

@@ -18,7 +18,16 @@ Formulas:
 """
 
 from symbalance.exact.radicals.characters import radical_form
+from symbalance.exact.radicals.closed_forms import ZERO_FORM, ClosedForm, multiple_of_pi
 from symbalance.exact.radicals.cosines import trigonometric_form
-from symbalance.exact.radicals.forms import exact_form, exact_text, square_root_form
+from symbalance.exact.radicals.forms import exact_form, square_root_form
 
-__all__ = ["exact_form", "exact_text", "radical_form", "square_root_form", "trigonometric_form"]
+__all__ = [
+    "ZERO_FORM",
+    "ClosedForm",
+    "exact_form",
+    "multiple_of_pi",
+    "radical_form",
+    "square_root_form",
+    "trigonometric_form",
+]

@@ -6,41 +6,34 @@ from fractions import Fraction
 from functools import cache
 from itertools import product
 from math import gcd
-from typing import TYPE_CHECKING
 
 from symbalance.exact.phasor import ZERO, Phasor, common_denominator, prime_factors
-from symbalance.exact.radicals.roots import tidy_root
-
-if TYPE_CHECKING:
-    import sympy
+from symbalance.exact.radicals.closed_forms import ClosedForm, square_root
 
 LARGEST_RADICAL_FIELD = 240
 """Numbers of larger fields are written with cosines, without a search for radicals."""
 
 
-def radical_form(number: Phasor) -> sympy.Expr | None:
+def radical_form(number: Phasor) -> ClosedForm | None:
     """Return a real number in radicals nested at most twice, or None where that is impossible."""
-    import sympy
-
     if number.modulus > LARGEST_RADICAL_FIELD:
         return None
     projections = [(_projected(number, c), c.order) for c in _even_characters(number.modulus)]
     parts = [(part, order) for part, order in projections if not part.is_zero()]
     if not (number - sum((part for part, _ in parts), ZERO)).is_zero():
         return None
-    return sympy.Add(*(_part_form(part, order) for part, order in parts))
+    forms = (_part_form(part, order) for part, order in parts)
+    return ClosedForm.of(term for form in forms for term in form.terms.items())
 
 
-def _part_form(part: Phasor, order: int) -> sympy.Expr:
-    import sympy
-
+def _part_form(part: Phasor, order: int) -> ClosedForm:
     if order == 1:
         value = part.rational()
         assert value is not None
-        return sympy.Rational(value.numerator, value.denominator)
+        return ClosedForm.rational(value)
     square = radical_form(part.times(part).primitive())
     assert square is not None
-    return tidy_root(square) if part.real_value(15) > 0 else -tidy_root(square)
+    return square_root(square).scaled(1 if part.real_value(15) > 0 else -1)
 
 
 class _Character:

@@ -6,85 +6,29 @@ from collections.abc import Iterable
 from fractions import Fraction
 from itertools import product
 from math import lcm
-from typing import TYPE_CHECKING
 
 from symbalance.exact.phasor import Phasor, prime_factors
+from symbalance.exact.radicals.closed_forms import ClosedForm, wave
 
-if TYPE_CHECKING:
-    import sympy
-
-SHORT_RADICALS = (1, 2, 3, 4, 5, 6, 8, 10, 12)
-"""Denominators of pi whose cosines SymPy writes in short radicals."""
 MOST_TO_SHORTEN = 100
 """A sum of more cosines is printed as it stands."""
 
 
-def trigonometric_form(number: Phasor) -> sympy.Expr:
+def trigonometric_form(number: Phasor) -> ClosedForm:
     """Return a real number as a short rational combination of cosines, or of sines.
 
-    >>> trigonometric_form(Phasor.of(28, {1: 1, 27: 1, 3: 1, 25: 1}))
-    2*sin(2*pi/7) + 2*sin(3*pi/7)
+    Those that are short in radicals stand so.
+
+    >>> trigonometric_form(Phasor.of(28, {1: 1, 27: 1, 3: 1, 25: 1})).spelling
+    '2*sin(2*pi/7) + 2*sin(3*pi/7)'
     """
-    import sympy
-
-    as_sines, terms, modulus = _fewest(number)
-    return sympy.Add(
-        *(
-            sympy.Rational(c.numerator, c.denominator) * _wave(as_sines, Fraction(2 * k, modulus))
-            for k, c in terms.items()
-        )
-    )
-
-
-def trigonometric_text(number: Phasor) -> str | None:
-    """Return a real number of more than `MOST_TO_SHORTEN` cosines, or sines, as SymPy reads it.
-
-    SymPy itself takes more than the square of their number to sort and print them.
-
-    >>> long = Phasor.of(997, {k: 1 for k in (*range(1, 111), *range(887, 997))})
-    >>> (trigonometric_text(long) or "")[:44]
-    '2*cos(2*pi/997) + 2*cos(4*pi/997) + 2*cos(6*'
-    """
-    as_sines, terms, modulus = _fewest(number)
-    if len(terms) <= MOST_TO_SHORTEN:
-        return None
-    text = " + ".join(_wave_text(c, as_sines, Fraction(2 * k, modulus)) for k, c in terms.items())
-    return text.replace("+ -", "- ")
-
-
-def _wave_text(coefficient: Fraction, as_sine: bool, halves: Fraction) -> str:
-    """Return a coefficient times cos or sin of `halves` times pi, in [0, pi], brought into [0, pi/2]."""
-    if 2 * halves > 1:
-        halves, coefficient = 1 - halves, coefficient if as_sine else -coefficient
-    over = "" if halves.denominator == 1 else f"/{halves.denominator}"
-    angle = f"{halves.numerator}*pi{over}" if halves.numerator != 1 else f"pi{over}"
-    wave = f"{'sin' if as_sine else 'cos'}({angle if halves else 0})"
-    return {1: wave, -1: f"-{wave}"}.get(coefficient, f"{coefficient}*{wave}")  # type: ignore[call-overload]
-
-
-def _fewest(number: Phasor) -> tuple[bool, dict[int, Fraction], int]:
-    """Return whether sines are shorter than cosines, the terms of the shorter, and their modulus."""
     rotated = number.rotated(Fraction(1, 4))
     cosines, sines = _shortest(number, 1), _shortest(rotated, -1)
     as_sines = _length(sines, rotated.modulus) < _length(cosines, number.modulus)
-    return (True, sines, rotated.modulus) if as_sines else (False, cosines, number.modulus)
-
-
-def _wave(as_sine: bool, halves: Fraction) -> sympy.Expr:
-    """Return cos or sin of `halves` times pi, in [0, pi].
-
-    SymPy takes long over angles without short radicals, and multiplies some of them out (denominators
-    15 to 120): those are only brought into the first quadrant, as it does, and left as they are.
-    """
-    import sympy
-
-    function = sympy.sin if as_sine else sympy.cos
-    if halves.denominator in SHORT_RADICALS:
-        return function(sympy.pi * sympy.Rational(halves.numerator, halves.denominator))
-    sign = -1 if 2 * halves > 1 and not as_sine else 1
-    acute = min(halves, 1 - halves)
-    angle = sympy.pi * sympy.Rational(acute.numerator, acute.denominator)
-    return sign * function(angle, evaluate=False)
+    terms, modulus = (sines, rotated.modulus) if as_sines else (cosines, number.modulus)
+    function = "sin" if as_sines else "cos"
+    waves = (wave(function, Fraction(2 * k, modulus)).scaled(c) for k, c in terms.items())
+    return ClosedForm.of(term for form in waves for term in form.terms.items())
 
 
 def _length(terms: dict[int, Fraction], modulus: int) -> tuple[int, int]:

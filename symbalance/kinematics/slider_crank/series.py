@@ -51,6 +51,17 @@ class Series:
         """
         return self._expression(symbol("lam"), -1)
 
+    @property
+    def spelling(self) -> str:
+        """The kept terms in lam = l/r as SymPy spells them, for programs that read them so.
+
+        >>> from symbalance.kinematics.slider_crank import acceleration_series
+        >>> acceleration_series(6, through=7).spelling
+        '9/(128*lam**5) + 45/(512*lam**7)'
+        """
+        terms = [_spelled(c, power) for power, c in sorted(self.terms.items()) if c]
+        return " + ".join(terms).replace(" + -", " - ") or "0"
+
     def as_formula(self) -> Formula:
         """Return the series as a formula, dots where it goes on."""
         from symbalance.kinematics.series_printing import series_formula
@@ -66,3 +77,14 @@ class Series:
                 for p, c in self.terms.items()
             )
         )
+
+
+def _spelled(factor: Fraction, power: int) -> str:
+    """Return factor/lam^power as SymPy spells it."""
+    above, below = factor.as_integer_ratio()
+    if power == 0:
+        return str(factor)
+    letter = "lam" if power == 1 else f"lam**{power}"
+    if factor == 1 and power > 1:
+        return f"lam**(-{power})"
+    return f"{above}/{letter}" if below == 1 else f"{above}/({below}*{letter})"
