@@ -91,6 +91,8 @@ def document_latex(
     """
     writer = _Writer() if label is None else _LabellingWriter(checked_label(label))
     body = writer.document(document)
+    if label is not None and r"\label{" not in body:
+        body = "% No table stands here, so nothing has a label.\n" + body
     needs = ["amsmath", "booktabs", *(["graphicx"] if r"\includegraphics" in body else [])]
     signs = east_asian(body)
     if not standalone:

@@ -191,7 +191,7 @@ class Balance(Result):
             rule = f"is not among those of the balance, 1 to {self.highest}"
             raise SymbalanceError(f"order = {brief(order)}", rule, "balance the engine to a higher order")
         resultant = Resultant(self.force if of == "force" else self.couple, order)
-        if resultant.is_zero():
+        if resultant.is_zero() and self.operating_point is not None:
             return Real(0, DIGITS), Real(0, DIGITS)
         factor = self.unit_value(of) * self.share(order)
         cos, sin = resultant.component(name).decimal(DIGITS)

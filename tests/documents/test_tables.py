@@ -69,11 +69,27 @@ def test_a_bank_is_one_and_several_are_several(golden):
 
 def test_rounded_phases_are_marked():
     text, latex = said(sb.load("v8-90"))
-    assert text.count("−1.10715") == text.count("≈ −1.10715") == 2
-    assert latex.count("-1.10715") == latex.count(r"$\approx$ $-1.10715$") == 2
+    assert text.count("−1.10715") == text.count("≈ −1.10715") == 1
+    assert latex.count("-1.10715") == latex.count(r"$\approx$ $-1.10715$") == 1
+
+
+def test_a_balance_in_newtons(golden):
+    golden("balance-newtons.txt", sb.to_text(sb.balance(sb.load("vq30de"), 6).at(rpm=6000)))
+
+
+def test_what_a_short_document_leaves_out_is_named_and_shown_in_full():
+    """The rotating parts, and exact forms too long for a cell; nothing goes from the JSON."""
+    result = sb.balance(sb.load("v6-90"), 4)
+    short, full = sb.to_text(result), sb.to_text(result, full=True)
+    assert "as rotating parts (--full)" in " ".join(short.split())
+    assert "against it" not in short
+    assert "forward (with the crank)" in full
+    assert "--full" not in full
+    assert len(short.splitlines()) <= 60
+    assert "<details>" in sb.to_html(result)
 
 
 def test_several_orders_are_orders():
-    text, _ = said(sb.inline("1-3-5-7-6-4-2"), order=24)
+    text = " ".join(sb.to_text(sb.balance(sb.inline("1-3-5-7-6-4-2"), 24), full=True).split())
     assert re.search(r"orders \d+, \d+", text)
     assert not re.search(r"order \d+, \d+", text)

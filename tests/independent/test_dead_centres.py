@@ -14,6 +14,7 @@ import symbalance as sb
 from symbalance.cli import run
 from symbalance.crankshaft.loads import firing_crank_angles
 from symbalance.engine.dead_centres import firing_dead_centres, has_shifted_dead_centres
+from symbalance.engine.engine_document import piston_strokes
 from symbalance.engine.engine_file import parse_engine
 from symbalance.engine.stars import intervals, is_even, known_firing
 from symbalance.torque import firing_pin_passings
@@ -162,3 +163,14 @@ def test_refusals_name_file_and_line(was, now, line, words, tmp_path, capsys):
     assert err.count("\n") == 1
     assert words in err
     assert f"six.toml:{line}" in err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["vw-vr6", "r-985", "vq30de"])
+def test_the_strokes_that_a_drawing_says(name: str) -> None:
+    engine = sb.load(name)
+    strokes = piston_strokes(engine)
+    for cylinder in engine.cylinders:
+        assert float(strokes[cylinder.number]) == pytest.approx(
+            placed.stroke_and_top(engine, cylinder)[0], abs=1e-6
+        )
