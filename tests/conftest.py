@@ -40,6 +40,7 @@ SLOW_DOCUMENTS = frozenset(
         "crankshaft-equations",
         "crankshaft-running",
         "crankshaft-solution",
+        "handbook-tables",
         "offset",
         "radials",
         "tolerances",

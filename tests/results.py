@@ -95,6 +95,19 @@ def _harmonics() -> Result:
     return sb.kinematics.harmonics("displacement", 6)
 
 
+def _comparison() -> Result:
+    engines = ("v8-90", "v8-90-flat", "inline-5", "v2-90")
+    return sb.design.compare([sb.load(name) for name in engines], 6, phases=True)
+
+
+def _comparison_unlike() -> Result:
+    """Unlike cylinders among like ones; no rod ratio, a symbol, no firing order."""
+    nameless = sb.inline("1-3-4-2", name="no_ratio")
+    twin = sb.vee(Symbol("alpha"), pins=[0], name="twin_of_any_angle", ratio=4)
+    engines = [sb.load("vw-vr6"), sb.load("inline-4"), nameless, twin]
+    return sb.design.compare(engines, 4, phases=True)
+
+
 def _design() -> Result:
     return sb.design_balance(sb.load("inline-5"), [1, 2], shafts=2)
 
@@ -233,7 +246,14 @@ EXAMPLES: dict[str, Callable[[], Result]] = {
     "firing-orders": _firing_orders,
     "truncation-bounds": _truncation_bounds,
     "harmonics": _harmonics,
+    "comparison": _comparison,
+    "comparison-unlike": _comparison_unlike,
+    "row-formulas": lambda: sb.forces.tabulate_row(6),
+    "bank-angles": lambda: sb.engine.bank_angles([0, 120, 240], [60, 90]),
+    "bank-angles-of-any-crank": lambda: sb.engine.bank_angles(6, [60]),
+    "overbalance": lambda: sb.design.tabulate_overbalance(sb.load("inline-3")),
     "design": _design,
+    "design-segments": lambda: sb.design_balance(sb.load("vq30de"), [1]).cut_from(60, 20, inner=20),
     "design-at-speed": lambda: sb.design_balance(sb.load("vq30de"), [1, 2]).at(rpm=6000),
     "design-unlike": _design_unlike,
     "ellipse": _ellipse,

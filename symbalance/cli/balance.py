@@ -8,13 +8,22 @@ from typing import TYPE_CHECKING, Any
 
 from symbalance.budgets import Budget, run_within
 from symbalance.cli.budget import read_budget
+from symbalance.cli.engine_comparison import (
+    add_comparison,
+    is_comparison,
+    refuse_bank,
+    refuse_comparison_options,
+    show_comparison,
+)
 from symbalance.cli.long_work import long_work, output_folder, report_paths
 from symbalance.cli.options import (
     ENGINE,
+    add_bank,
     add_full,
     add_jobs,
     add_operating_point,
     add_output,
+    bank_angle,
     check_speed_for_sizes,
     command,
     engine_of,
@@ -33,14 +42,18 @@ def add(commands: argparse._SubParsersAction) -> None:
     """Add the command and its options."""
     summary = "Free forces and couples of an engine, order by order, exactly."
     parser = command(
-        commands, "balance", run, summary, divides_budget=lambda options: options.engine is None
+        commands,
+        "balance",
+        run,
+        summary,
+        divides_budget=lambda options: options.engine is None and not is_comparison(options),
     )
     parser.add_argument(
         "engine",
         metavar="ENGINE",
         nargs="+",
         action=_Engines,
-        help=f"{ENGINE}; several, each into a file of its own, with -o FOLDER",
+        help=f"{ENGINE}; several make one table, or with -o FOLDER/ a file each",
     )
     parser.add_argument(
         "--order", metavar="N", default="12", help="highest order, 1 to 1000; default: 12"
@@ -53,6 +66,8 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser.add_argument(
         "--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's: 4, 3.7 or 147.15/36.65"
     )
+    add_bank(parser)
+    add_comparison(parser)
     add_operating_point(parser)
     add_full(parser)
     add_jobs(parser, "engines")
@@ -73,6 +88,10 @@ def run(options: argparse.Namespace) -> int:
     """Load the engine, balance it, show the result."""
     order = whole_number(options.order, "order")
     power = None if options.power is None else whole_number(options.power, "power")
+    if is_comparison(options):
+        show_comparison(options, order)
+        return 0
+    refuse_comparison_options(options)
     if options.engine is None:
         return _balance_several(options, order, power)
     if options.dask is not None:
@@ -81,7 +100,12 @@ def run(options: argparse.Namespace) -> int:
     from symbalance.forces.free_forces import balance
 
     check_speed_for_sizes(options)
-    result = balance(engine_of(options), order, power=power)
+    engine = engine_of(options)
+    if options.bank is not None:
+        from symbalance.engine.builders import with_bank_angle
+
+        engine = with_bank_angle(engine, bank_angle(options.bank))
+    result = balance(engine, order, power=power)
     show(result if options.rpm is None else _at_speeds(result, options.rpm), options)
     return 0
 
@@ -101,9 +125,7 @@ STORE = "finished"
 
 def _balance_several(options: argparse.Namespace, order: int, power: int | None) -> int:
     """Balance several engines, each into a file of a folder; one that is refused stops no other."""
-    if options.output in (None, "-"):
-        rule = "have no place on the terminal together"
-        raise SymbalanceError(f"{len(options.engines)} engines", rule, "name a folder with -o FOLDER")
+    refuse_bank(options)
     form = medium_of_several(options)
 
     from symbalance.jobs.running import Job, run_jobs

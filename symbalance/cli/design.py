@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbalance.cli.options import ENGINE, add_full, add_operating_point, add_output, command, engine_of
@@ -56,6 +57,14 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     parser.add_argument("--most", metavar="KGMM", help="no weight may have a larger unbalance, kg mm")
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+    parser.add_argument(
+        "--segment",
+        metavar="MM:MM:MM",
+        help="the weights as segments cut from a ring: inner and outer radius and thickness, as 20:60:18",
+    )
+    parser.add_argument(
+        "--density", metavar="KG/M3", help="of the segments; default: 7850, a crankshaft's steel"
+    )
     add_operating_point(parser, "N")
     add_full(parser)
     add_output(parser)
@@ -68,6 +77,10 @@ def run(options: argparse.Namespace) -> int:
     remove = [whole_number(part, "remove") for part in options.remove.split(",")]
     shafts = None if options.shafts is None else whole_number(options.shafts, "shafts")
     stations = None if options.stations is None else options.stations.split(",")
+    if options.density is not None and options.segment is None:
+        raise SymbalanceError(
+            "--density", "is of segments, and none are asked for", "add --segment 20:60:18"
+        )
 
     from symbalance.design.balancing import design_balance
 
@@ -87,7 +100,11 @@ def run(options: argparse.Namespace) -> int:
     )
     if options.rpm is not None:
         design = design.at(rpm=options.rpm)
+    if options.segment is not None:
+        design = _cut(design, options)
     form = medium(options)
+    if form == "text" and not options.full and options.rpm is None:  # which asks for what remains
+        design = replace(design, full=False)
     content = printed(
         design,
         form,
@@ -104,6 +121,17 @@ def run(options: argparse.Namespace) -> int:
     else:
         write_all({**files, options.output: content})
     return 0
+
+
+def _cut(design: Design, options: argparse.Namespace) -> Design:
+    """Return the design with its weights as segments of the ring that --segment says."""
+    parts = [part.strip() for part in options.segment.split(":")]
+    if len(parts) != 3:
+        rule = "must be inner radius, outer radius and thickness in mm"
+        raise SymbalanceError(f"--segment {options.segment}", rule, "write it like 20:60:18")
+    inner, outer, thickness = parts
+    density = {} if options.density is None else {"density": options.density}
+    return design.cut_from(outer, thickness, inner, **density)
 
 
 def _files(design: Design, options: argparse.Namespace) -> dict[str, str | bytes]:

@@ -97,6 +97,9 @@ def _in_folder(folder: Path) -> Iterator[Path]:
 
 def _inputs(options: argparse.Namespace) -> Iterator[Path]:
     """Yield every file the command would read, as far as its options tell, and the files these name."""
+    for name in getattr(options, "engines", None) or ():
+        if _is_file(name):
+            yield from (Path(name), *_named_in(Path(name)))
     for option in READ:
         name = getattr(options, option, None)
         if name in (None, PIPED) or (

@@ -17,6 +17,13 @@ if TYPE_CHECKING:
 
 ENGINE = "a preset (symbalance engines), a .toml file, or - for standard input"
 
+RESERVED = frozenset(
+    {"A", "C", "E", "F", "I", "S", "a", "l", "lam", "m", "n", "omega", "pi", "r", "theta"}
+)
+"""What stands for something else in formulas, or is a number of SymPy's."""
+LONGEST_LETTER = 20
+"""Characters of a letter that stands for an angle."""
+
 
 def command(
     commands: argparse._SubParsersAction,
@@ -91,6 +98,27 @@ def add_engine(parser: argparse.ArgumentParser, order: str | None = None) -> Non
         help_ = f"highest order, 1 to 1000; default: {order}"
         parser.add_argument("--order", metavar="N", default=order, help=help_)
     parser.add_argument("--ratio", metavar="λ", help="rod ratio l/r, overrides the engine's")
+
+
+def add_bank(parser: argparse.ArgumentParser) -> None:
+    """Add another bank angle for a vee, which may be a letter; see `bank_angle`."""
+    parser.add_argument(
+        "--bank",
+        metavar="β",
+        help="the angle between the two banks, degrees or a letter: 75, or alpha; the crank stays",
+    )
+
+
+def bank_angle(text: str) -> object:
+    """Return the bank angle of --bank: a symbol where it is a letter's name, else a number as written."""
+    if not (text.isidentifier() and len(text) <= LONGEST_LETTER):
+        return text
+    if text in RESERVED:
+        rule = "is a letter that results use themselves"
+        raise SymbalanceError(f"--bank {text}", rule, "take another, as alpha")
+    import sympy
+
+    return sympy.Symbol(text)
 
 
 def add_operating_point(

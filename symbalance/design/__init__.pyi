@@ -12,6 +12,14 @@ from symbalance.design.balancing import rotating_weights as rotating_weights
 from symbalance.design.balancing import throw_unbalance as throw_unbalance
 from symbalance.design.balancing.design_limits import Limits as Limits
 from symbalance.design.balancing.design_limits import Weighting as Weighting
+from symbalance.design.balancing.overbalance_table import Overbalance as Overbalance
+from symbalance.design.balancing.overbalance_table import OverbalanceTable as OverbalanceTable
+from symbalance.design.balancing.overbalance_table import tabulate_overbalance as tabulate_overbalance
+from symbalance.design.balancing.web_segments import Segment as Segment
+from symbalance.design.balancing.web_segments import SegmentRing as SegmentRing
+from symbalance.design.comparison import ComparedEngine as ComparedEngine
+from symbalance.design.comparison import EngineComparison as EngineComparison
+from symbalance.design.comparison import compare as compare
 from symbalance.design.variations import Assignment as Assignment
 from symbalance.design.variations import Sensitivities as Sensitivities
 from symbalance.design.variations import Sweep as Sweep

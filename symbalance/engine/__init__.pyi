@@ -10,6 +10,7 @@ from symbalance.engine.builders import radial as radial
 from symbalance.engine.builders import vee as vee
 from symbalance.engine.builders import vr as vr
 from symbalance.engine.builders import w as w
+from symbalance.engine.builders import with_bank_angle as with_bank_angle
 from symbalance.engine.catalogue import load as load
 from symbalance.engine.catalogue import presets as presets
 from symbalance.engine.crank_train import CrankTrain as CrankTrain
@@ -22,3 +23,6 @@ from symbalance.engine.stars import crank_stars as crank_stars
 from symbalance.engine.stars import firing_orders as firing_orders
 from symbalance.engine.stars import natural_bank_angles as natural_bank_angles
 from symbalance.engine.stars import pin_offsets as pin_offsets
+from symbalance.engine.stars.bank_angle_table import BankAngle as BankAngle
+from symbalance.engine.stars.bank_angle_table import BankAngles as BankAngles
+from symbalance.engine.stars.bank_angle_table import bank_angles as bank_angles

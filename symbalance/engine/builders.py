@@ -15,9 +15,9 @@ from itertools import accumulate
 from typing import Any
 
 from symbalance.engine.crank_train import CrankTrain, checked_sizes
-from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, checked_bank
+from symbalance.engine.cylinders import MOST_CYLINDERS, Cylinder, checked_bank, unchecked_copy
 from symbalance.engine.dead_centres import bank_shifts
-from symbalance.engine.engine import Engine, checked_cylinders, checked_strokes
+from symbalance.engine.engine import Engine, checked_cylinders, checked_engine, checked_strokes
 from symbalance.errors import SymbalanceError, brief
 from symbalance.exact.angles import Angle, angle, degrees
 from symbalance.kinematics.slider_crank import checked_ratio
@@ -271,6 +271,38 @@ def _on_pins(
         ),
         **about,
     )
+
+
+def with_bank_angle(engine: Engine, bank_angle: object) -> Engine:
+    """Return a vee with another angle between its banks, a number or a SymPy symbol; its crank stays.
+
+    The bisector of the banks stays too. Firing angles, which depend on the bank angle, are left out, and
+    theta counts from where the pin of cylinder 1 lies on the bisector, which keeps formulas short (with
+    counterweights or shafts, whose angles are those at theta = 0, it stays). Refused for an engine that
+    has not two banks, and for one whose banks hold symbols.
+
+    >>> import sympy
+    >>> from symbalance.engine.catalogue import load
+    >>> [c.bank.as_text() for c in with_bank_angle(load("v2-90"), sympy.Symbol("alpha")).cylinders]
+    ['-alpha/2', 'alpha/2']
+    """
+    banks = sorted({c.bank for c in checked_engine(engine).cylinders}, key=lambda bank: bank.turns)
+    if len(banks) != 2 or any(bank.symbols for bank in banks):
+        rule = f"has {len(banks)} bank{'s' if len(banks) > 1 else ''}, and a bank angle lies between two"
+        raise SymbalanceError(f"engine {engine.name!r}", rule, "take a vee")
+    half = angle(bank_angle, "bank_angle").scaled(Fraction(1, 2))
+    between = banks[1].turns - banks[0].turns
+    middle = (banks[0].turns + banks[1].turns) / 2
+    if between > Fraction(1, 2):  # the banks hang: the smaller angle is the other one
+        middle, banks = (middle + Fraction(1, 2)) % 1, banks[::-1]
+    axes = {banks[0]: Angle(middle) - half, banks[1]: Angle(middle) + half}
+    turned = Angle(Fraction(0)) if engine.balancers else Angle(middle) - engine.first.throw
+    cylinders = [
+        unchecked_copy(c, bank=axes[c.bank], throw=(c.throw + turned).normalized(), fires=None)
+        for c in engine.cylinders
+    ]
+    about = {"strokes": engine.strokes, "name": engine.name, "pitch": engine.pitch}
+    return Engine(cylinders, balancers=engine.balancers, **about)
 
 
 FiringOrder = str | Sequence[int]

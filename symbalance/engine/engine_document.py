@@ -139,6 +139,17 @@ def _shortened(names: list[str]) -> list[str]:
     return [*names[:SHOWN_FIRINGS], f"… ({len(names)} in all, by cylinder in the JSON of a balance)"]
 
 
+def repeated_intervals(engine: Engine) -> list[Fraction]:
+    """Return the firing intervals until they repeat: one of an engine that fires evenly.
+
+    >>> from symbalance.engine.catalogue import load
+    >>> [[int(gap) for gap in repeated_intervals(load(name))] for name in ("v8-90", "v6-90")]
+    [[90], [150, 90]]
+    """
+    steps = firing_intervals(engine)
+    return steps[: _period(steps)]
+
+
 def _period(steps: list[Fraction]) -> int:
     """Return after how many steps they repeat, by the longest proper prefix that is a suffix too.
 

@@ -10,12 +10,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
+from typing import Any
 
 from symbalance.engine.builders import FIRING_AT
 from symbalance.engine.cylinders import LONGEST_STATION, MOST_CYLINDERS
 from symbalance.engine.dead_centres import COARSEST, FINEST_STEP
 from symbalance.engine.engine import LONGEST_NAME
 from symbalance.exact.angles import LARGEST_DENOMINATOR, degrees
+from symbalance.exact.cosine_sums import PATTERN, read_cosines
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.key_tables import Excludes, FileUnit, Key, Needs, OneOf, TableKeys
 from symbalance.text.kinds import (
@@ -25,6 +27,7 @@ from symbalance.text.kinds import (
     Choice,
     ExactNumber,
     ListOf,
+    Schema,
     Text,
     Whole,
 )
@@ -50,6 +53,24 @@ class ExactDegrees(ExactNumber):
         if number.denominator > LARGEST_DENOMINATOR:
             return degrees(value, name).in_degrees()  # refuses it
         return number
+
+
+@dataclass(frozen=True)
+class ExactSize(ExactNumber):
+    """A number, or a text that says one of an exact field as a sum of cosines: "1/2 cos 36 - 1/8"."""
+
+    words = "number, or a sum of cosines"
+
+    def read(self, value: object, name: str, remedy: str) -> Any:
+        """Return the fraction, or the number of an exact field."""
+        if isinstance(value, str) and "cos" in value:
+            return read_cosines(value, name)
+        return super().read(value, name, remedy)
+
+    def schema(self) -> Schema:
+        """Return the schema: a number, a text of one, or a sum of cosines."""
+        schema = super().schema()
+        return {**schema, "pattern": f"{schema['pattern']}|{PATTERN}"}
 
 
 ANGLE, QUOTIENT = ExactDegrees(), ExactNumber(finest=LARGEST_QUOTIENT)
@@ -244,12 +265,15 @@ CYLINDER = TableKeys(
     "One cylinder each. Its own sizes override those of `[crank_train]`.",
 )
 
-_SHARE = "A multiple of Aₙ m r/n², n the speed over the crank's"
+_SHARE = (
+    "A multiple of Aₙ m r/n², n the speed over the crank's; exact where it is no fraction, as "
+    '`"1/2 cos 36 - 1/8"`, in degrees'
+)
 _WEIGHED = ("unbalance", "share")
 _SIZE = "takes either unbalance or share", "kg mm, or a multiple of A_n m r/n^2"
 _STATION = Key("station", ANY, "The place along the crank, + towards the front", PITCHES, otherwise="0")
 _UNBALANCE = Key("unbalance", QUOTIENT, "Mass times radius", KG_MM)
-_SHARE_KEY = Key("share", QUOTIENT, _SHARE)
+_SHARE_KEY = Key("share", ExactSize(finest=LARGEST_QUOTIENT), _SHARE)
 _PLACE = Whole(1, 2 * MOST_CYLINDERS)
 
 COUNTERWEIGHT = TableKeys(

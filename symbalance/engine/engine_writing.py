@@ -1,7 +1,8 @@
 """Writing of an engine file, which `symbalance.engine.engine_file` reads back as the same engine.
 
-Cylinders are written one by one, so that any layout can be. A weight whose size and direction are not
-both fractions is written as the sum of weights that are: every number of the exact fields is one.
+Cylinders are written one by one, so that any layout can be. A weight's size is written
+exactly, as a fraction or a sum of cosines; one whose direction is no fraction of a turn as the sum of
+weights whose is. What each weight is in decimals, and in kg mm where sizes say it, stands above it.
 """
 
 from __future__ import annotations
@@ -13,19 +14,26 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from symbalance.document.decimals import short_decimal
 from symbalance.engine.balance_masses import BalanceShaft, Counterweight, Weight
 from symbalance.engine.crank_train import CYLINDER_SIZES
 from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine import Engine, checked_engine
+from symbalance.engine.rotating_masses import unit_of_share
 from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.angles import Angle
+from symbalance.exact.cosine_sums import cosine_text
 from symbalance.exact.phasor import Phasor
-from symbalance.exact.spectrum import Component
+from symbalance.exact.spectrum import turns_and_size
 from symbalance.exact.symbolic_phasor import SymbolicPhasor
-from symbalance.text.reals import Real, nstr
+from symbalance.text.reals import Real, atan2, nstr, pi
 
 DIGITS = 30
+SHOWN = 6
+"""Digits of a decimal in a comment."""
+COMMENT = "#"
+"""The key of a row that is said of the rows after it."""
 Row = list[tuple[str, Any]]
 Sizes = Mapping[str, Fraction | None]
 """What a file says of one cylinder's sizes, by key; None where it has none."""
@@ -47,14 +55,15 @@ def engine_text(engine: Engine) -> str:
     rows = zip(engine.cylinders, sizes, strict=True)
     tables += [("[[cylinder]]", _cylinder(c, of_cylinder, shared)) for c, of_cylinder in rows]
     for counterweight in engine.balancers.counterweights:
-        tables += [("[[counterweight]]", row) for row in _counterweight(counterweight)]
-    tables += [("[[balance_shaft]]", _shaft(s)) for s in engine.balancers.shafts]
+        tables += [("[[counterweight]]", row) for row in _counterweight(engine, counterweight)]
+    tables += [("[[balance_shaft]]", _shaft(engine, s)) for s in engine.balancers.shafts]
     return "\n".join(_table(head, rows) for head, rows in tables if rows)
 
 
 def _table(head: str, rows: Row) -> str:
     lines = [head] if head else []
-    return "\n".join([*lines, *(f"{key} = {_value(value)}" for key, value in rows)]) + "\n"
+    written = [f"# {value}" if key == COMMENT else f"{key} = {_value(value)}" for key, value in rows]
+    return "\n".join([*lines, *written]) + "\n"
 
 
 def _value(value: Any) -> str:
@@ -141,7 +150,7 @@ def _degrees(angle: Angle) -> Fraction:
     return angle.in_degrees()
 
 
-def _counterweight(counterweight: Counterweight) -> list[Row]:
+def _counterweight(engine: Engine, counterweight: Counterweight) -> list[Row]:
     place: Row = _present_keys([("throw", counterweight.throw), ("web", counterweight.web)])
     place += _present_keys([("station", counterweight.station)])
     if counterweight.weight is None:
@@ -149,10 +158,38 @@ def _counterweight(counterweight: Counterweight) -> list[Row]:
         direction: Row = [("angle", angle)] if angle else []
         return [[*place, *direction, ("overbalance", counterweight.overbalance)]]
     weight = counterweight.weight
-    return [[*place, ("angle", angle), (_unit(weight), size)] for size, angle in _simple(weight.vector)]
+    parts = _simple(weight.vector)
+    rows = [[*place, ("angle", angle), (_unit(weight), size)] for size, angle in parts]
+    words = _in_decimals(engine, weight, 1)
+    if counterweight.throw is not None or counterweight.web is not None:
+        words += ", from opposite its pin"
+    together = f"{words}, exactly as {len(parts)} weights" if len(parts) > 1 else words
+    return [[(COMMENT, together), *rows[0]], *rows[1:]]
 
 
-def _shaft(shaft: BalanceShaft) -> Row:
+def _in_decimals(engine: Engine, weight: Weight, speed: int) -> str:
+    """Return what a weight is in decimals: size, direction, and mass times radius if that is known."""
+    value = weight.vector.evaluated()
+    angle = atan2(value.imag, value.real) * 180 / pi()
+    where = f"at {_rounded(angle)} degrees"
+    if weight.in_kg_mm:
+        return f"{_rounded(abs(value))} kg mm {where}"
+    size, unit = abs(value), engine.unit_unbalance
+    words = (
+        f"{_rounded(size)} {'m r' if abs(speed) == 1 else f'A{abs(speed)} m r/{speed * speed}'} {where}"
+    )
+    known = abs(speed) == 1 or not engine.has_common_harmonics or engine.ratio is not None
+    if unit is None or not known:
+        return words
+    kg_mm = size * unit_of_share(engine, speed) * unit / speed**2  # below 0: it points the other way
+    return f"{words}, {_rounded(kg_mm)} kg mm"
+
+
+def _rounded(value: Real) -> str:
+    return short_decimal(value, SHOWN)
+
+
+def _shaft(engine: Engine, shaft: BalanceShaft) -> Row:
     phase = _degrees(shaft.phase)
     rows: Row = [("speed", shaft.speed), *([("phase", phase)] if phase else [])]
     rows += [(key, value) for key, value in (("x", shaft.x), ("y", shaft.y)) if value]
@@ -161,7 +198,11 @@ def _shaft(shaft: BalanceShaft) -> Row:
         for weight in shaft.weights
         for size, phase in _simple(weight.vector)
     ]
-    return [*rows, ("weights", weights)]
+    said: Row = [
+        (COMMENT, f"station {weight.station}: {_in_decimals(engine, weight, shaft.speed)}")
+        for weight in shaft.weights
+    ]
+    return [*said, *rows, ("weights", weights)]
 
 
 def _unit(weight: Weight) -> str:
@@ -169,7 +210,10 @@ def _unit(weight: Weight) -> str:
 
 
 def _simple(vector: Amplitude) -> list[tuple[Fraction | str, Fraction]]:
-    """Return sizes and degrees of weights that add up to a vector: one, if fractions say it."""
+    """Return sizes and degrees of weights that add up to a vector: one, if its direction is a fraction.
+
+    A size that is no fraction is written as a sum of cosines.
+    """
     if vector.is_decimal:
         value = vector.evaluated()
         parts = ((value.real, 0), (value.imag, 90))
@@ -180,21 +224,14 @@ def _simple(vector: Amplitude) -> list[tuple[Fraction | str, Fraction]]:
     if vector.is_zero():
         return [(Fraction(0), Fraction(0))]
     short = min(vector.primitive(), vector, key=lambda p: len(p.terms))
-    if len(short.terms) > 1:
-        part = Component(vector)
-        amplitude: Any = part.amplitude
-        turns: Any = part.phase / 2 / _pi()
-        if amplitude.is_Rational and turns.is_Rational:
-            size, turns_exact = (Fraction(int(x.p), int(x.q)) for x in (amplitude, turns))
-            return [(size, turns_exact * 360)]
+    if len(short.terms) > 1 and (polar := turns_and_size(vector)) is not None:
+        turns, amplitude = polar
+        rational = amplitude.rational()
+        size = cosine_text(amplitude) if rational is None else rational
+        if size is not None:
+            return [(size, turns * 360)]
     return [(Fraction(c), Fraction(360 * k, short.modulus)) for k, c in sorted(short.terms.items())]
 
 
 def _decimal(value: Real) -> str:
     return nstr(value, DIGITS, min_fixed=1, max_fixed=0)
-
-
-def _pi() -> Any:
-    import sympy
-
-    return sympy.pi

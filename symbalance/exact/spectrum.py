@@ -140,7 +140,7 @@ class Component:
         """The phase in turns and the amplitude, where the phase is a fraction of a turn."""
         if not isinstance(self.number, Phasor):
             return None
-        return _polar(self.number)
+        return turns_and_size(self.number)
 
     def decimal(self, digits: int = 30) -> tuple[Real, Real]:
         """Return the two coefficients to `digits` significant digits each; symbols are refused."""
@@ -248,7 +248,7 @@ def _symbolic_amplitude(component: Component) -> ExactForm:
     return FromSymPy(sympy.sqrt(_real_form(component.number.norm()).expression()))
 
 
-def _polar(number: Phasor) -> tuple[Fraction, Phasor] | None:
+def turns_and_size(number: Phasor) -> tuple[Fraction, Phasor] | None:
     """Return (turns, amplitude) if the number is a positive real times a root of unity.
 
     The argument then is a multiple of 1/(4m) turns: the nearest one is tried, and proved or not.

@@ -4,6 +4,7 @@ In: an `Engine`. Out: a `Balance`: force and couple of each order that survives,
 
     force_sums        the sums over cylinders;  free_forces: the result
     inline_sums       closed forms for a symbolic number of cylinders
+    row_formulas      those closed forms as a result, N a symbol
     shaft_moments     the roll moment of balance shafts
     rows              components as rows of a table
     operating_point   speed and sizes, which make forces newtons;  speed_table: several speeds

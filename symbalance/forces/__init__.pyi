@@ -5,6 +5,9 @@ from symbalance.forces.free_forces import balance as balance
 from symbalance.forces.inline_sums import inline_couple as inline_couple
 from symbalance.forces.inline_sums import inline_sum as inline_sum
 from symbalance.forces.operating_point import OperatingPoint as OperatingPoint
+from symbalance.forces.row_formulas import RowFormulas as RowFormulas
+from symbalance.forces.row_formulas import RowOrder as RowOrder
+from symbalance.forces.row_formulas import tabulate_row as tabulate_row
 from symbalance.forces.shaft_moments import shaft_moment as shaft_moment
 from symbalance.forces.speed_table import SpeedTable as SpeedTable
 from symbalance.forces.speed_table import over_speeds as over_speeds

@@ -51,7 +51,7 @@ def refused(capsys, *arguments: str) -> str:
 
 
 def test_text_names_the_weights_the_certificate_and_what_remains(capsys, golden):
-    text = output(capsys, "design", "v8-90")
+    text = output(capsys, "design", "v8-90", "--full")
     assert text.startswith("v8-90: orders 1, 2 are balanced exactly\n")
     assert "With counterweights on the crank; no shaft is needed." in text
     assert "√10/3" in text
@@ -63,13 +63,66 @@ def test_text_names_the_weights_the_certificate_and_what_remains(capsys, golden)
     assert max(map(len, text.splitlines())) < 80
 
 
+def test_the_answer_takes_a_dozen_lines_and_the_rest_is_asked_for(capsys):
+    text = output(capsys, "design", "v8-90")
+    full = output(capsys, "design", "v8-90", "--full")
+    assert len([line for line in text.splitlines() if line.strip()]) <= 15 < len(full.splitlines()) / 3
+    assert "√10/3" in text
+    assert "free force of order 4, 8, 12; no free couple" in " ".join(text.split())
+    data = json.loads(output(capsys, "design", "v8-90", "--format", "json"))
+    assert data == json.loads(output(capsys, "design", "v8-90", "--format", "json", "--full"))
+
+
+def test_an_answer_that_falls_short_shows_its_certificate(capsys):
+    text = output(capsys, "design", "inline-4", "--shafts", "0")
+    assert "2  force   unchanged       unchanged" in text
+
+
+def test_segments_have_the_unbalance_they_are_cut_for():
+    design = sb.design_balance(sb.load("vq30de"), [1, 2]).cut_from(60, 20, inner=20, density=7800)
+    sizes = [design.unbalance(d, vector) for d in design.devices for _, vector in d.weights]
+    assert len(design.segments) == len(sizes) == 4
+    steps = 400
+    for segment, size in zip(design.segments, sizes, strict=True):
+        assert size is not None
+        half = math.radians(float(segment.angle)) / 2
+        moment = mass = 0.0  # a sum over small pieces of the sector, kg and kg mm
+        for i in range(steps):
+            radius = 20 + 40 * (i + 0.5) / steps
+            piece = 7800e-9 * 20 * radius * (40 / steps)
+            angles = [half * (2 * (j + 0.5) / steps - 1) for j in range(steps)]
+            mass += piece * 2 * half
+            moment += piece * radius * sum(map(math.cos, angles)) * 2 * half / steps
+        assert math.isclose(moment, float(size), rel_tol=1e-4)
+        assert math.isclose(mass, float(segment.mass), rel_tol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (["--segment", "20:60"], "write it like 20:60:18"),
+        (["--segment", "60:20:18"], "leave no ring"),
+        (["--segment", "0:0:18"], "outer = 0: must be positive"),
+        (["--segment", "20:60:1"], "more than half a ring"),
+        (["--segment", "a:b:c"], "must be a number"),
+        (["--density", "7000"], "add --segment"),
+    ],
+)
+def test_segments_that_cannot_be_cut_are_refused(capsys, options, said):
+    assert said in refused(capsys, "design", "vq30de", *options)
+
+
+def test_segments_need_sizes(capsys):
+    assert "has no kg mm" in refused(capsys, "design", "inline-4", "--segment", "20:60:18")
+
+
 def test_nothing_to_do_is_said(capsys):
     assert "orders 1, 2: nothing to remove\n" in output(capsys, "design", "v12-60")
 
 
 @pytest.mark.slow
 def test_limits_are_kept_and_the_rest_is_told(capsys, golden):
-    text = output(capsys, "design", "inline-1", "--remove", "1", "--no-counter-rotation")
+    text = output(capsys, "design", "inline-1", "--remove", "1", "--no-counter-rotation", "--full")
     assert text.startswith("inline-1: order 1 reduced\n")
     said = "With counterweights on the crank; it takes 1 shaft to balance all exactly."
     assert said in " ".join(text.split())
@@ -308,7 +361,7 @@ def test_a_report_and_the_engine_are_both_written_or_neither(ending, tmp_path, c
     assert run(["design", "inline-3", "--write", str(engine), "-o", str(tmp_path / "no" / "a.txt")]) == 2
     assert run(["design", "inline-3", "--write", str(tmp_path / "no" / "a.toml"), "-o", str(report)]) == 2
     assert not list(tmp_path.iterdir())
-    output(capsys, "design", "inline-3", "--write", str(engine), "-o", str(report))
+    output(capsys, "design", "inline-3", "--full", "--write", str(engine), "-o", str(report))
     assert sb.load(engine).balancers
     design = sb.design_balance(sb.load("inline-3"))
     whole = {

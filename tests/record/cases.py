@@ -28,11 +28,15 @@ COMMANDS = (
     "torque",
     "crankshaft",
     "design",
+    "overbalance",
+    "firing",
+    "formulas",
     "sensitivities",
     "sweep",
     "tolerances",
     "assign",
     "derive",
+    "bounds",
     "check",
     "engines",
     "bench",
@@ -94,6 +98,7 @@ def all_cases(engines: Sequence[Engine], inputs: dict[str, bytes]) -> list[Case]
         *_torques(engines, chosen),
         *_derivations(),
         *_designs(engines, chosen),
+        *_tables(),
         *_variations(engines, chosen),
         *_assignments(engines, chosen),
         *_checks(inputs),
@@ -184,6 +189,10 @@ def _balances(engines: Sequence[Engine], chosen: Sequence[Engine]) -> Iterator[C
         yield from _formats(f"balance-order-24/{key}", ("json", "text"), *line, "--order", "24")
         yield from _formats(f"balance-ratio/{key}", ("json", "latex"), *line, "--ratio", "147.15/36.65")
         yield from _formats(f"balance-power/{key}", ("text",), *line, "--order", "6", "--power", "11")
+    names = ("v8-90", "v8-90-flat", "inline-5", "v6-60")
+    for extra in ((), ("--percent",), ("--phases",)):
+        name = "".join(("balance-several/table", *extra))
+        yield from _formats(name, SUFFIX, "balance", *names, "--order", "6", *extra)
     yield Case("balance-file/v8-90.txt", ("balance", "v8-90", "-o", "v8.txt"))
 
 
@@ -301,6 +310,20 @@ def _checks(inputs: dict[str, bytes]) -> Iterator[Case]:
         path, key = f"inputs/{page}", page.removeprefix("pages/")
         yield from _formats(f"check/{key}", SUFFIX, "check", path)
         yield Case(f"check-declare/{key}.toml", ("check", path, "--declare"))
+
+
+def _tables() -> Iterator[Case]:
+    """Bounds, firing orders and overbalance: a few of each."""
+    for ratio in ("4", "3"):
+        yield from _formats(f"bounds/{ratio}", SUFFIX, "bounds", "--ratio", ratio)
+    yield from _formats("firing/v8-90", SUFFIX, "firing", "v8-90")
+    yield from _formats("firing/uneven", ("text",), "firing", "v2-45", "--uneven")
+    yield from _formats("firing/cranks", SUFFIX, "firing", "--cylinders", "5")
+    yield from _formats("firing/vee", SUFFIX, "firing", "--cylinders", "6", "--vee", "60,90")
+    yield from _formats("formulas/row", SUFFIX, "formulas", "--order", "4")
+    yield from _formats("formulas/twin", SUFFIX, "formulas", "v2-90", "--bank", "alpha", "--masses", "m")
+    for name in ("inline-1", "v2-45", "boxer-6"):
+        yield from _formats(f"overbalance/{name}", SUFFIX, "overbalance", name)
 
 
 def _sources(engines: Sequence[Engine], emitted: Sequence[Engine]) -> Iterator[Case]:

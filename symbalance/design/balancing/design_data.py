@@ -15,6 +15,7 @@ from symbalance.design.balancing.design_limits import Limits
 from symbalance.design.balancing.designs import Claim, Design
 from symbalance.design.balancing.devices import Device
 from symbalance.design.balancing.rotating_balance import polar, vector_data
+from symbalance.design.balancing.web_segments import SegmentRing
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.spectrum import Component
 from symbalance.forces.balance_data import VALUE_DIGITS, balance_data, component_values
@@ -34,6 +35,7 @@ def design_data(design: Design) -> dict[str, Any]:
         "complete": design.is_complete,
         "summary": sentence(design),
         "least_shafts": design.least_shafts,
+        **({"ring": _ring(design.ring)} if design.ring else {}),
         "devices": [_device(design, device) for device in design.devices],
         "certificate": [_claim(claim) for claim in design.claims],
         "left": [
@@ -73,10 +75,25 @@ def _device(design: Design, device: Device) -> dict[str, Any]:
                 "station": str(station),
                 "share": vector_data(share),
                 "unbalance": _unbalance(design, device, share),
+                **_segment(design, device, share),
             }
             for station, share in device.weights
         ],
     }
+
+
+def _ring(ring: SegmentRing) -> dict[str, str]:
+    sizes = {"inner": ring.inner, "outer": ring.outer, "thickness": ring.thickness}
+    return {name: str(size) for name, size in {**sizes, "density": ring.density}.items()}
+
+
+def _segment(design: Design, device: Device, share: Amplitude) -> dict[str, Any]:
+    size = design.unbalance(device, share)
+    if design.ring is None or size is None:
+        return {}
+    cut = design.ring.segment(size)
+    parts = {"angle": cut.angle, "mass": cut.mass}
+    return {"segment": {name: decimal_text(part, VALUE_DIGITS) for name, part in parts.items()}}
 
 
 def _unbalance(design: Design, device: Device, share: Amplitude) -> str | None:

@@ -22,6 +22,7 @@ from symbalance.document.nodes import (
     Column,
     Details,
     Document,
+    Facts,
     Heading,
     Paragraph,
     Table,
@@ -32,6 +33,7 @@ from symbalance.engine.balance_mass_facts import direction, five_digits, with_mi
 from symbalance.engine.engine_document import engine_words
 from symbalance.forces.balance_document import conventions, resultant_blocks, turn_blocks
 from symbalance.forces.free_forces import Balance, balance
+from symbalance.text.numbers import short_text
 
 VERDICTS = {
     "absent": "none before",
@@ -55,6 +57,8 @@ _CERTIFICATE = (Column("order"), Column("of"), Column("with the crank"), Column(
 
 def design_document(design: Design) -> Document:
     """Return a design as a document: what is proposed, the certificate, what remains, how to read it."""
+    if not design.full:
+        return _answer(design)
     ellipses = residual_ellipses(design)
     return Document(
         f"{design.engine.name}: {achievement(design)}",
@@ -71,6 +75,22 @@ def design_document(design: Design) -> Document:
             ),
             conventions(design.before, _reading(design)),
         ),
+        lead=_lead(design),
+    )
+
+
+def _answer(design: Design) -> Document:
+    """Return what is to be built and what is proved of it, in a dozen lines."""
+    remains = design.remains.summary().partition(": ")[2]
+    left: Block = (
+        Paragraph(f"Balanced anew with this built in, to order {design.remains.highest}: {remains}.")
+        if design.is_complete
+        else _certificate(design)
+    )
+    legend = tuple(_proposal_legend(design))
+    return Document(
+        f"{design.engine.name}: {achievement(design)}",
+        blocks(_proposal(design), left, Facts(legend) if legend else None),
         lead=_lead(design),
     )
 
@@ -92,12 +112,18 @@ def _size(design: Design) -> Formula:
 
 
 def _proposal(design: Design) -> tuple[Block, ...]:
-    rows = tuple(map(_row, design_weights(design)))
+    segments = [tuple(Decimal(five_digits(x)) for x in (cut.angle, cut.mass)) for cut in design.segments]
+    weights = design_weights(design)
+    rows = tuple(
+        (*_row(weight), *cells)
+        for weight, cells in zip(weights, segments or [()] * len(weights), strict=True)
+    )
     title: Words = (
         "Proposed weights: mass times radius ",
         equal(_U, _size(design)),
     )
-    table = Table(title, _PROPOSED, rows, keys=3) if rows else None
+    cut = (Column("segment, °", "segment"), Column("kg")) if design.ring else ()
+    table = Table(title, (*_PROPOSED, *cut), rows, keys=3) if rows else None
     counterweights = throw_counterweights(design)
     if not counterweights:
         return blocks(table)
@@ -131,17 +157,33 @@ def _reading(design: Design) -> list[tuple[Words, Words]]:
     entries: list[tuple[Words, Words]] = []
     if limits := _limits(design):
         entries.append(("limits", "; ".join(limits)))
-    if design_weights(design):
-        if design.engine.has_common_harmonics:
-            first = equal(Subscript(Name("A"), number(1)), 1)
-            entries.append((_A_N, ("coefficient of one cylinder at speed ", _N, "; ", first)))
-        entries += [
-            (("speed ", _N), "times that of the crank; below 0 against it"),
-            ("station", "place along the crank, in cylinder pitches, + to the front"),
-            (("at ", Name("theta"), " = 0"), "where a weight points, from straight up, + to the right"),
-        ]
+    entries += _proposal_legend(design)
     entries.append(("proved 0", "exactly; where sizes are decimals, to their rounding"))
     return [*entries, *(READING if residual_ellipses(design) else ())]
+
+
+def _proposal_legend(design: Design) -> list[tuple[Words, Words]]:
+    """Return what the columns of the weights mean; empty where there are none."""
+    if not design_weights(design):
+        return []
+    entries: list[tuple[Words, Words]] = []
+    if design.engine.has_common_harmonics:
+        first = equal(Subscript(Name("A"), number(1)), 1)
+        entries.append((_A_N, ("coefficient of one cylinder at speed ", _N, "; ", first)))
+    entries += [
+        (("speed ", _N), "times that of the crank; below 0 against it"),
+        ("station", "place along the crank, in cylinder pitches, + to the front"),
+        (("at ", Name("theta"), " = 0"), "where a weight points, from straight up, + to the right"),
+    ]
+    if design.ring:
+        ring = design.ring
+        radii, thick = f"{short_text(ring.inner)} to {short_text(ring.outer)}", short_text(ring.thickness)
+        steel = f"{short_text(ring.density)} kg/m³"
+        cut = f"its whole angle, cut from a ring of {radii} mm, {thick} mm thick, {steel}"
+        entries.append(("segment", f"{cut}; its middle where the weight points"))
+    if any(w.unbalance is not None and w.unbalance < 0 for w in design_weights(design)):
+        entries.append((_U, "below 0, as its Aₙ is: the weight points the other way"))
+    return entries
 
 
 def _limits(design: Design) -> list[str]:

@@ -22,9 +22,11 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.design.balancing.design_limits import Limits, checked_limits, checked_orders
 from symbalance.design.balancing.devices import Device, devices_for, rotating_counterweights
 from symbalance.design.balancing.order_selection import parts_of
+from symbalance.design.balancing.web_segments import STEEL, Segment, SegmentRing, checked_ring
 from symbalance.document.result import Result
 from symbalance.engine.engine import Engine, checked_engine
 from symbalance.engine.rotating_masses import unit_of_share
+from symbalance.errors import SymbalanceError
 from symbalance.exact.amplitude import Amplitude
 from symbalance.exact.phasor import ZERO
 from symbalance.exact.spectrum import Component
@@ -106,6 +108,10 @@ class Design(Result):
     limits: Limits
     before: Balance
     remains: Balance
+    ring: SegmentRing | None = None
+    """What its weights are cut from, None where that is not said."""
+    full: bool = True
+    """Whether its document has all that is left and was before, or the answer alone."""
 
     kind: ClassVar[str] = "design"
     record_keys: ClassVar[tuple[str, ...]] = (
@@ -136,6 +142,37 @@ class Design(Result):
         from symbalance.design.balancing.design_data import design_records
 
         return design_records(self)
+
+    def cut_from(
+        self, outer: object, thickness: object, inner: object = 0, density: object = STEEL
+    ) -> Design:
+        """Return the design with its weights as segments of a ring: radii and thickness in mm, kg/m^3.
+
+        Refused where a weight's kg mm are not known, or are more than half the ring has.
+
+        >>> from symbalance.engine.catalogue import load
+        >>> design = design_balance(load("vq30de"), [1]).cut_from(60, 20, inner=20)
+        >>> [round(float(segment.angle), 1) for segment in design.segments]
+        [91.6, 91.6]
+        """
+        cut = replace(self, ring=checked_ring(outer, thickness, inner, density))
+        _ = cut.segments  # refuses what cannot be cut
+        return cut
+
+    @property
+    def segments(self) -> list[Segment]:
+        """The segments of its weights, device by device; empty where no ring is given."""
+        if self.ring is None:
+            return []
+        segments = []
+        for device in self.devices:
+            for _, vector in device.weights:
+                size = self.unbalance(device, vector)
+                if size is None:
+                    what, rule = f"engine {self.engine.name!r}", "has no kg mm: its sizes are not known"
+                    raise SymbalanceError(what, rule, "give stroke, rod and reciprocating_mass")
+                segments.append(self.ring.segment(size))
+        return segments
 
     def at(self, *, rpm: object) -> Design:
         """Return the same design with what remains in N and N m at a speed.

@@ -1,0 +1,78 @@
+"""Several engines of `symbalance balance` in one table, a line each."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from symbalance.cli.output import MEDIA, show
+from symbalance.errors import SymbalanceError
+
+OWN = ("percent", "phases")
+"""The options of a comparison alone."""
+
+
+SIZED = ("rpm", "mass", "stroke", "rod", "pitch")
+"""The options of an operating point, which a comparison does not have."""
+
+
+def add_comparison(parser: argparse.ArgumentParser) -> None:
+    """Add the options of a comparison."""
+    parser.add_argument(
+        "--percent",
+        action="store_true",
+        help="several engines: in per cent of one piston's first order, not in each order's own unit",
+    )
+    parser.add_argument(
+        "--phases", action="store_true", help="several engines: every order as a cosine too"
+    )
+
+
+def is_comparison(options: argparse.Namespace) -> bool:
+    """Tell whether several engines go into one table: -o names no folder."""
+    if len(options.engines) == 1:
+        return False
+    output = options.output
+    if output in (None, "-"):
+        return True
+    endings = tuple(end for ends in MEDIA.values() for end in ends)
+    return output.lower().endswith(endings) and not Path(output).is_dir()
+
+
+def refuse_comparison_options(options: argparse.Namespace) -> None:
+    """Refuse the options of a comparison where there is none."""
+    for name in OWN:
+        if getattr(options, name):
+            remedy = "name several engines, without -o FOLDER"
+            raise SymbalanceError(f"--{name}", "is for a table of several engines", remedy)
+
+
+def refuse_bank(options: argparse.Namespace) -> None:
+    """Refuse a bank angle for several engines."""
+    if options.bank is not None:
+        raise SymbalanceError("--bank", "is for one engine", "name one, or write the angle into a file")
+
+
+def show_comparison(options: argparse.Namespace, order: int) -> None:
+    """Load the engines and show them side by side."""
+    refuse_bank(options)
+    if options.power is not None:
+        rule = "is of printed series, and a table of several engines has none"
+        raise SymbalanceError("--power", rule, "leave it out, or add -o FOLDER/")
+    if options.dask is not None or options.jobs != "1":
+        name = "--jobs" if options.dask is None else "--dask"
+        rule = "shares engines with files of their own, and this is one table"
+        raise SymbalanceError(name, rule, "leave it out, or add -o FOLDER/")
+    for name in SIZED:
+        if getattr(options, name, None) is not None:
+            rule = "is for values in N and N m, and a table of several engines has none"
+            raise SymbalanceError(f"--{name}", rule, "leave it out, or add -o FOLDER/")
+    if "-" in options.engines:
+        raise SymbalanceError("ENGINE '-'", "is standard input, among several", "name a file")
+
+    from symbalance.design.comparison import compare
+    from symbalance.engine.catalogue import load
+
+    engines = [load(name) for name in options.engines]
+    own = {name: getattr(options, name) for name in OWN}
+    show(compare(engines, order, ratio=options.ratio, **own), options)
