@@ -13,7 +13,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     parser = command(commands, "bounds", run, "Proved bounds on what a truncated series leaves out.")
     parser.add_argument(
         "--quantity",
-        metavar="NAME",
+        metavar="QUANTITY",
         default="force",
         help="displacement, velocity, acceleration, force or rod-angle; default: force",
     )

@@ -16,7 +16,9 @@ ENDLESS = Budget()
 """For commands that run for hours, say how far they are and keep what is finished."""
 _SECONDS = {"": 1, "s": 1, "m": 60, "h": 3600}
 _MEGABYTES = {"MB": 1, "GB": 1000}
-_PART = re.compile(r"(\d{1,9}(?:\.\d{1,9})?)(s|m|h|MB|GB|)")
+_PART = re.compile(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(s|m|h|MB|GB|)")
+LEAST_MEMORY = 50
+"""MB: a command's own modules take some twenty, and without room for them nothing could be said."""
 SLACK = 2
 """How many times the budget of memory one allocation may reach before the system refuses it: the system
 counts what is reserved too, which libraries do generously."""
@@ -50,6 +52,9 @@ def read_budget(text: str) -> Budget:
             remedy = "write it like --budget 90s, --budget 10m,4GB or --budget none"
             raise SymbalanceError(f"--budget {text}", "must be a time, a memory or both", remedy)
         values[name] = float(match[1]) * (_MEGABYTES | _SECONDS)[unit]
+    if values.get("megabytes", LEAST_MEMORY) < LEAST_MEMORY:
+        rule = f"gives less memory than the {LEAST_MEMORY} MB that a command needs to start"
+        raise SymbalanceError(f"--budget {text}", rule, f"write --budget {LEAST_MEMORY}MB or more")
     return Budget(**values)
 
 

@@ -142,7 +142,7 @@ def _job(
 
 
 def _states(files: list[Path]) -> list[tuple[int, ...] | None]:
-    """Return what tells a file that was written meanwhile, even if the same content stands in it again."""
+    """Return what tells a file that was written meanwhile, even if with the same content."""
     states: list[tuple[int, ...] | None] = []
     for path in files:
         try:

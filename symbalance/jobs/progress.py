@@ -26,6 +26,9 @@ class Progress:
         self._began = clock()
         self.total = self.saved = self.computed = 0
         self._weight = self._weight_computed = self._weight_saved = 0.0
+        self._first: tuple[float, float] | None = None
+        self.side_by_side = 1
+        """How many jobs run at once: the first of each bears the start of its process."""
 
     @property
     def finished(self) -> int:
@@ -39,7 +42,7 @@ class Progress:
         """
         self.total, self._weight = len(weights), sum(weights)
         self.saved, self.computed = len(saved), 0
-        self._weight_computed, self._weight_saved = 0.0, sum(saved)
+        self._weight_computed, self._weight_saved, self._first = 0.0, sum(saved), None
         self._began = self._clock()
         if saved:
             self.show()
@@ -48,14 +51,22 @@ class Progress:
         """Count a job as done."""
         self.computed += 1
         self._weight_computed += weight
+        if self._first is None and self.computed >= self.side_by_side > 1:
+            self._first = self._clock(), self._weight_computed
         self.show()
 
     def seconds_left(self) -> float | None:
-        """Return how long the rest may take, None before a job has been computed."""
-        if not self.computed or not self._weight_computed:
+        """Return how long the rest may take, None before enough jobs have been computed.
+
+        Several side by side are timed from when each worker has had its first job, which bears the start
+        of its process, and once as many have followed.
+        """
+        since, before = self._first or (self._began, 0.0)
+        computed = self._weight_computed - before
+        if computed <= 0 or (self.side_by_side > 1 and self.computed < 2 * self.side_by_side):
             return None
         left = self._weight - self._weight_saved - self._weight_computed
-        return max(left, 0.0) * (self._clock() - self._began) / self._weight_computed
+        return max(left, 0.0) * (self._clock() - since) / computed
 
     def line(self) -> str:
         """Return the progress in words."""

@@ -39,9 +39,9 @@ class Job:
     """A piece of work: what a person calls it, the value that the work is done on, and its key.
 
     `value` is picklable. The `key` is a digest of all that the outcome depends on (`store.key_of`);
-    without one nothing is kept. `changed` says, at the end, what the key was made of that is another now:
-    then the outcome is not kept, for nobody knows of which it is. `slot` is the name of its file in a store, the key if empty; `weight`
-    what the job is expected to cost, in any unit.
+    without one nothing is kept. `changed` says, when the job is done, what of that is another by now:
+    then the outcome is not kept, for nobody knows of which it is. `slot` is the name of its file in a store,
+    the key if empty; `weight` what the job is expected to cost, in any unit.
     """
 
     name: str
@@ -129,6 +129,7 @@ def _ordered(
     outcomes = {i: o for i, job in enumerate(jobs) if (o := _saved(job, store, codec, progress))}
     progress.start([job.weight for job in jobs], [jobs[place].weight for place in outcomes])
     places = [place for place in range(len(jobs)) if place not in outcomes]
+    progress.side_by_side = workers
     if executor is None and workers > 1 and len(places) > 1:
         pool: _Workers = _Pool(min(workers, len(places)))
     elif executor is not None:

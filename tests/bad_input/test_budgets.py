@@ -133,6 +133,24 @@ def test_a_relation_over_its_budget_is_undecided_and_the_others_are_judged():
     assert not checked.faults
 
 
+def test_a_refuted_relation_stays_so_though_its_correction_is_not_found_in_time(monkeypatch):
+    from symbalance.notes.checking.repair import fixes
+
+    monkeypatch.setattr(fixes, "_with_fix", lambda *_: endless())
+    checked = check("$$\\cos 2x = 1 + 2\\sin^2 x$$", {"x": "angle"}, budget=Budget(12))
+    assert [v.verdict for v in checked.verdicts] == ["refuted"]
+    assert "no correction was found within" in checked.verdicts[0].notes[-1]
+
+
+def test_a_share_ends_before_the_budget_around_it():
+    def around() -> str:
+        with pytest.raises(OverBudgetError):
+            run_within(Budget(LONG), endless, share=0.5)
+        return "time left"
+
+    assert run_within(Budget(0.4), around) == "time left"
+
+
 def test_when_the_documents_budget_is_spent_the_rest_is_undecided():
     checked = check(f"{RIGHT}\n\n" * 5, {"x": "angle"}, budget=Budget(1e-9))
     assert [v.verdict for v in checked.verdicts] == ["undecided"] * 5
@@ -158,7 +176,23 @@ def test_a_line_that_rests_on_one_not_judged_is_not_refuted(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "text", ["", "0", "-1", "1,2", "2GB,3GB", "1e9", "inf", "nan", "10 m", "1d", "4gb", "9" * 400]
+    "text",
+    [
+        "",
+        "0",
+        "-1",
+        "1,2",
+        "2GB,3GB",
+        "1e9",
+        "inf",
+        "nan",
+        "10 m",
+        "1d",
+        "4gb",
+        "9" * 400,
+        "1MB",
+        "\u0663s",
+    ],
 )
 def test_a_budget_that_is_none_is_refused(text, capsys):
     assert run(["balance", "inline-4", f"--budget={text}"]) == 2

@@ -107,21 +107,24 @@ def test_a_closed_pipe_ends_silently_with_the_code_of_the_command(arguments, cod
 
 
 @needs_shell
-def test_ctrl_c_ends_silently(tmp_path):
-    (tmp_path / "pipe").unlink(missing_ok=True)
-    os.mkfifo(tmp_path / "pipe")  # reading it waits until there is a writer
-    command = [sys.executable, "-m", "symbalance", "check", str(tmp_path / "pipe")]
+def test_ctrl_c_ends_silently():
     running = subprocess.Popen(
-        command,
+        [sys.executable, "-m", "symbalance", "check", "-"],
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         preexec_fn=_hears_ctrl_c,  # noqa: PLW1509
     )
-    handle = os.open(tmp_path / "pipe", os.O_WRONLY)  # waits until the command reads
+    assert running.stdin is not None
+    os.write(running.stdin.fileno(), b" " * 200_000)  # more than a pipe holds: the command reads by now
     running.send_signal(signal.SIGINT)
-    out, err = running.communicate(timeout=60)
-    os.close(handle)
-    assert (running.returncode, out, err) == (INTERRUPTED, b"", b"")
+    running.wait(timeout=60)
+    assert running.stdout is not None
+    assert running.stderr is not None
+    ended_with = running.returncode, running.stdout.read(), running.stderr.read()
+    for stream in (running.stdin, running.stdout, running.stderr):
+        stream.close()
+    assert ended_with == (INTERRUPTED, b"", b"")
 
 
 def _hears_ctrl_c() -> None:

@@ -209,13 +209,13 @@ def test_a_number_called_zero_that_is_none(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_a_phase_in_the_wrong_quadrant(monkeypatch: pytest.MonkeyPatch) -> None:
-    sound = spectrum._polar
+    sound = spectrum.turns_and_size
 
     def faulty(number: Phasor) -> Any:
         found = sound(number)
         return found and (-found[0], found[1])
 
-    monkeypatch.setattr(spectrum, "_polar", faulty)
+    monkeypatch.setattr(spectrum, "turns_and_size", faulty)
     assert_seen(compare_vee)
 
 

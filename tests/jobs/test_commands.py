@@ -194,10 +194,6 @@ def test_an_engine_that_is_refused_stops_no_other(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (
-            ["inline-4", "v2-90"],
-            "2 engines: have no place on the terminal together; name a folder with -o",
-        ),
         (["inline-4", "-", "-o", "out"], "is standard input, among several"),
         (["inline-4", "inline-4", "-o", "out"], "would be the report of two"),
         (["inline-4", "v2-90", "-o", "file"], "--output file: cannot be made"),

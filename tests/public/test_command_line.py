@@ -89,7 +89,8 @@ def test_json_follows_the_interface(capsys):
     assert data["ratio"] == "4"
     assert data["reference_plane"] == "mean of stations"
     first = data["cylinders"][0]
-    assert first == {"number": 1, "throw": "-30", "bank": "-30", "station": "5/2", "fires": "0"}
+    agreed = {"number": 1, "throw": "-30", "bank": "-30", "station": "5/2", "fires": "0"}
+    assert first == agreed | {"top_dead_centre": "0"}
     six, twelve = data["orders"]
     assert (six["order"], twelve["order"]) == ("6", "12")
     assert six["coefficient"]["series"] == "9/(128*lam**5) + 45/(512*lam**7)"

@@ -80,7 +80,7 @@ SIDECAR = TableKeys(
         Key("bind", BIND, "What lines claim to be", listed=True),
     ),
 )
-_MARKDOWN = re.compile(r"\s*<!--[ \t]*(\[(?:symbols|\[scope\]|\[bind\])\].*?)-->", re.DOTALL)
+_MARKDOWN = re.compile(r"\s*<!--\s*(\[(?:symbols|\[scope\]|\[bind\])\].*?)-->", re.DOTALL)
 _LINES = {mark: re.compile(rf"\s*(?:{mark}[^\n]*(?:\n|$))+") for mark in ("%", "#")}
 _BY_SUFFIX = {
     ".md": (_MARKDOWN,),

@@ -52,7 +52,7 @@ LARGEST = 10**7
 SEARCH = Budget(5)
 """What a search may take: a refuted line stays refuted without it."""
 SHARE = 0.8
-"""At most, of what is left of the relation's budget: the verdict on it must not be lost with the search."""
+"""At most, of what is left of the relation's budget: the verdict must not be lost with the search."""
 
 
 def add_fix(
