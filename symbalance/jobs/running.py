@@ -40,8 +40,8 @@ class Job:
 
     `value` is picklable. The `key` is a digest of all that the outcome depends on (`store.key_of`);
     without one nothing is kept. `changed` says, when the job is done, what of that is another by now:
-    then the outcome is not kept, for nobody knows of which it is. `slot` is the name of its file in a store,
-    the key if empty; `weight` what the job is expected to cost, in any unit.
+    then the outcome is not kept, for nobody knows of which it is. `slot` is the name of its file in a
+    store, the key if empty; `weight` what the job is expected to cost, in any unit.
     """
 
     name: str

@@ -82,7 +82,13 @@ def read_bytes(
 def _piped(largest: int) -> bytes:
     if sys.stdin is None:
         raise OSError(EBADF, "it is closed")
-    return sys.stdin.buffer.read(largest + 1)
+    # Piece by piece, through Python in between: a Ctrl-C that comes within one long read in C may wait
+    # for more input, for ever perhaps.
+    pieces, length = [], 0
+    while length <= largest and (piece := sys.stdin.buffer.read1(1 << 16)):
+        pieces.append(piece)
+        length += len(piece)
+    return b"".join(pieces)[: largest + 1]
 
 
 def _content(path: str | Path, largest: int, what: str, pipes: bool) -> bytes:

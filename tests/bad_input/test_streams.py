@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -117,6 +118,7 @@ def test_ctrl_c_ends_silently():
     )
     assert running.stdin is not None
     os.write(running.stdin.fileno(), b" " * 200_000)  # more than a pipe holds: the command reads by now
+    time.sleep(0.5)  # and now waits for more
     running.send_signal(signal.SIGINT)
     running.wait(timeout=60)
     assert running.stdout is not None
