@@ -139,7 +139,8 @@ class _Writer(DocumentWriter):
     def code(self, text: str) -> str:
         """Return text taken literally, which may be broken before a command and after signs that join."""
         printed = r"\allowbreak{}".join(map(escaped, _BREAKS.split(text)))
-        return rf"\texttt{{{printed}}}"
+        # Two hyphens would be set as a dash, and an option named that nobody can type.
+        return rf"\texttt{{{printed.replace('--', '-{}-')}}}"
 
     def strong(self, text: str) -> str:
         return rf"\textbf{{{escaped(text)}}}"
