@@ -324,3 +324,40 @@ def test_speeds_of_an_earlier_version_are_said_and_solved_anew(tmp_path, capsys)
         run([*command, "--about", "centre", "--no-plots", "-o", str(out)])
         err = capsys.readouterr().err
         assert ("1500rpm.npz: is of an earlier version: solved anew" in err) is said
+
+
+# What is kept must be of what it says
+
+
+def test_a_document_that_is_changed_while_it_is_checked_is_not_kept(notes, tmp_path, monkeypatch, capsys):
+    """Its key is of the first content, its verdict of the second: the next run must not believe it."""
+    from symbalance.cli import check_several as command
+
+    wrong, checked = notes / "wrong.txt", command.check
+
+    def changed_first(document, *rest, **options):
+        if document.name == "wrong.txt":
+            wrong.write_text(TRUE, encoding="utf-8")
+        return checked(document, *rest, **options)
+
+    files = [str(notes / "right.md"), str(wrong), "-o", str(tmp_path / "out"), "--format", "json"]
+    monkeypatch.setattr(command, "check", changed_first)
+    assert run(["check", *files]) == 0
+    assert "wrong.txt: was changed while it was checked: not kept" in capsys.readouterr().err
+    wrong.write_text(FALSE, encoding="utf-8")
+    monkeypatch.undo()
+    assert run(["check", *files]) == 1
+    assert reports_of(capsys.readouterr().out)["wrong.txt"]["counts"]["refuted"] == 1
+
+
+def test_what_a_budget_left_open_is_judged_again(notes, tmp_path, monkeypatch, capsys):
+    from symbalance.notes.checking import judging
+
+    files = [str(notes / "right.md"), str(notes / "wrong.txt"), "-o", str(tmp_path / "out")]
+    original = judging.Judge._time_left
+    monkeypatch.setattr(judging.Judge, "_time_left", lambda judge: 0.0)
+    assert run(["check", *files, "--format", "json"]) == 1
+    assert reports_of(capsys.readouterr().out)["right.md"]["counts"]["undecided"] == 1
+    monkeypatch.setattr(judging.Judge, "_time_left", original)
+    assert run(["check", *files, "--format", "json"]) == 1
+    assert reports_of(capsys.readouterr().out)["right.md"]["counts"]["holds"] == 1
