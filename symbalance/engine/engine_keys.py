@@ -70,7 +70,8 @@ class ExactSize(ExactNumber):
     def schema(self) -> Schema:
         """Return the schema: a number, a text of one, or a sum of cosines."""
         schema = super().schema()
-        return {**schema, "pattern": f"{schema['pattern']}|{PATTERN}"}
+        # A sum without a cosine is a number, whose own pattern knows that nothing is divided by 0.
+        return {**schema, "pattern": f"{schema['pattern']}|^(?=.*cos){PATTERN.removeprefix('^')}"}
 
 
 ANGLE, QUOTIENT = ExactDegrees(), ExactNumber(finest=LARGEST_QUOTIENT)

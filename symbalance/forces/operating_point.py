@@ -2,10 +2,6 @@
 
 A force of A_n m r omega^2 is in N where the reciprocating mass m of a cylinder, the crank radius r and
 the speed are known; a couple of A_n m r omega^2 a in N m where the pitch a is known too.
-
-Formulas:
-    A_2 m r w^2 = A_2 m (s/2) w^2
-    with s = 2 r
 """
 
 from __future__ import annotations

@@ -228,7 +228,7 @@ def test_a_record_is_replaced_whole_or_not_at_all(fake, tmp_path, monkeypatch):
     assert (folder / "help/left-behind.txt").exists()
     write(folder, None, Settings(jobs=1, only=("help/b*",)))
     there = {p.name for p in (folder / "help").iterdir()}
-    assert there == {"balance.txt", "bench.txt"}
+    assert there == {"balance.txt", "bench.txt", "bounds.txt"}
     assert sorted(p.name for p in tmp_path.iterdir()) == ["record", "tree"]
     program = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))["program"]
     assert program["version"] == "fake 1", "the program of that tree has run, not the one installed"

@@ -87,7 +87,8 @@ def torque(order: int = 6, compression: Any = None, heat: Any = 18, **sizes: Any
         if compression is not None:
             gas = ideal_cycle(compression, heat=heat, strokes=4)
             running = sb.running_torque(engine, gas, order=order, **sizes)
-        return torque_report(engine, order, running=running)
+        report = torque_report(engine, order, running=running)
+        return report.at(rpm=sizes["rpm"]) if "rpm" in sizes else report
 
     return call
 
@@ -106,10 +107,8 @@ CALLS: list[tuple[str, Call]] = [
     ("torque --order 2", torque(2)),
     ("torque --compression 9.5 --bore 78 --rpm 2500", torque(compression="9.5", bore="78", rpm="2500")),
     (
-        "torque --compression 9.5 --bore 78 --rpm 2500 --heat 12 --delta 0.01 --order 3 --mass 0.7",
-        torque(
-            3, "9.5", "12", bore="78", rpm="2500", delta=Fraction(1, 100), reciprocating_mass="0.7"
-        ),
+        "torque --compression 9.5 --bore 78 --rpm 2500 --heat 12 --delta 0.01 --order 3",
+        torque(3, "9.5", "12", bore="78", rpm="2500", delta=Fraction(1, 100)),
     ),
     ("design", designed()),
     ("design --remove 2", designed(2)),

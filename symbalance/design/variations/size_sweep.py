@@ -6,11 +6,9 @@ the amplitude of the inertia torque in m r^2 omega^2. With `.vertical` or `.late
 or a couple's amplitude along that axis. m and r are those of cylinder 1 at the point, a is its pitch.
 
 A planar vector c_n e^(i n theta) + c_-n e^(-i n theta) runs over an ellipse: its largest value is
-|c_n| + |c_-n|, where both parts point the same way.
+|c_n| + |c_-n|, where both parts point the same way: with z of size Z and direction a, w of W and b,
 
-Formulas:
-    |z e^(i p) + w e^(-i p)|^2 = |z|^2 + |w|^2 + 2 |z| |w| cos(2 p + a - b)
-    with z = |z| e^(i a); w = |w| e^(i b); p, a, b angles
+    |z e^(i p) + w e^(-i p)|^2 = Z^2 + W^2 + 2 Z W cos(2 p + a - b).
 """
 
 from __future__ import annotations
