@@ -222,7 +222,8 @@ def test_csv_is_the_records(name: str) -> None:
     head, *rows = csv.reader(io.StringIO(text, newline=""), strict=True)
     expected = _table(result)
     assert head == expected[0]
-    assert result.record_keys in ((), tuple(head))
+    # An operating point adds its columns to those that are always there.
+    assert set(result.record_keys) <= set(head)
     cells = [[_read_back(cell) for cell in row] for row in rows]
     assert cells == [[_comparable(value) for value in row] for row in expected[1]]
     risky = [

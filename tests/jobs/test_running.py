@@ -164,7 +164,8 @@ def test_several_deadly_jobs_take_nobody_with_them(tmp_path):
     listed = jobs(tmp_path, 6, 0.05, {0: "dies", 1: "dies"})
     outcomes = [outcome for _, outcome in run_jobs(square, listed, workers=3, attempts=2)]
     assert [o.value for o in outcomes] == [None, None, 4, 9, 16, 25]
-    assert all(len(marks(tmp_path, "begun", n)) == 2 for n in (0, 1))
+    # One that was handed over when the other's end broke the pool may not have begun that time.
+    assert all(1 <= len(marks(tmp_path, "begun", n)) <= 2 for n in (0, 1))
 
 
 @pytest.mark.slow

@@ -225,11 +225,17 @@ class Presets(SequenceResult[Preset]):
 
     def data(self) -> dict[str, Any]:
         """Return of every preset what it is, its sizes, its sources and its estimates."""
-        return {"presets": self.records()}
+        return {"presets": [_record(preset) for preset in self]}
 
     def records(self) -> list[dict[str, Any]]:
-        """Return a row for each preset; a size that is not given is None."""
-        return [_record(preset) for preset in self]
+        """Return a row for each preset; a size that is not given is None, estimates are one text."""
+        return [
+            {
+                **record,
+                "estimates": "; ".join(f"{key}: {why}" for key, why in record["estimates"].items()),
+            }
+            for record in map(_record, self)
+        ]
 
 
 def _one_of(word: str, words: Iterable[str], name: str) -> str:
