@@ -538,7 +538,7 @@ def test_the_latex_report_loses_no_character_of_the_source(compile_latex):
     printed = sb.to_latex(sb.check(source, LETTERS), standalone=True)
     shown = next(line for line in printed.splitlines() if r"\textsc{unreadable}" in line)
     assert "?" not in shown
-    for piece in ("--", r"\surd", r"\times", r"\Delta", "désaxé", "U+2603", r"\pm", "ÿ"):
+    for piece in ("-{}-", r"\surd", r"\times", r"\Delta", "désaxé", "U+2603", r"\pm", "ÿ"):
         assert piece in shown, piece
     compile_latex(printed)
 
