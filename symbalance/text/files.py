@@ -84,8 +84,9 @@ def _piped(largest: int) -> bytes:
         raise OSError(EBADF, "it is closed")
     # Piece by piece, through Python in between: a Ctrl-C that comes within one long read in C may wait
     # for more input, for ever perhaps.
+    read: Any = getattr(sys.stdin.buffer, "read1", sys.stdin.buffer.read)
     pieces, length = [], 0
-    while length <= largest and (piece := sys.stdin.buffer.read1(1 << 16)):
+    while length <= largest and (piece := read(1 << 16)):
         pieces.append(piece)
         length += len(piece)
     return b"".join(pieces)[: largest + 1]
