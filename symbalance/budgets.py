@@ -11,7 +11,6 @@ Budgets nest: the innermost that is spent ends, the work around it goes on.
 
 from __future__ import annotations
 
-import ctypes
 import os
 import threading
 import time
@@ -72,7 +71,7 @@ class _Watched:
         self.budget = budget
         self.deadline = None if budget.seconds is None else time.monotonic() + budget.seconds
         limit = budget.megabytes
-        self.most_bytes = None if limit is None else (_resident() or 0) + limit * MEGABYTE
+        self.most_bytes = None if limit is None else (process_memory() or 0) + limit * MEGABYTE
         self.spent = ""
         self.stopped_at = 0.0
         self.is_stopping = False
@@ -82,7 +81,7 @@ class _Watched:
         """Tell the work to end if its budget is spent; called by the watching thread."""
         if not self.spent and self.deadline is not None and now >= self.deadline:
             self.spent = f"{self.budget.seconds:.3g} s"
-        if not self.spent and self.most_bytes is not None and (_resident() or 0) > self.most_bytes:
+        if not self.spent and self.most_bytes is not None and (process_memory() or 0) > self.most_bytes:
             self.spent = f"{self.budget.megabytes:g} MB"
         if self.spent and now - self.stopped_at > AGAIN:
             self.stopped_at = now
@@ -117,6 +116,8 @@ class _Watch:
         """Watch a piece of work from now on."""
         self.under_way.append(work)
         if self.thread is None:
+            import ctypes  # noqa: F401  # here, while there is memory for it; not for every --help
+
             # A thread whose work is already watched never comes here, so nothing interrupts the start.
             self.thread = threading.Thread(target=self._run, name="symbalance budgets", daemon=True)
             self.thread.start()
@@ -194,15 +195,17 @@ def run_within(budget: Budget, work: Callable[[], Value], share: float | None = 
 
 def _raise_in(thread: int, exception: type[BaseException]) -> None:
     """Raise an exception in a thread at its next step."""
+    import ctypes
+
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(exception))
 
 
-def _resident() -> int | None:
-    """Return the memory this process takes, in bytes; None where the system does not tell."""
+def process_memory(*, reserved: bool = False) -> int | None:
+    """Return the memory this process takes, or has `reserved`, in bytes; None where nobody tells."""
     try:
         with open("/proc/self/statm", "rb") as stream:
-            return int(stream.read().split()[1]) * _PAGE
-    except (OSError, ValueError, IndexError):
+            return int(stream.read().split()[0 if reserved else 1]) * _PAGE
+    except (OSError, ValueError, IndexError):  # no Linux: `Budget` says that memory has no limit there
         return None
 
 

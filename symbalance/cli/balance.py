@@ -15,7 +15,7 @@ from symbalance.cli.engine_comparison import (
     refuse_comparison_options,
     show_comparison,
 )
-from symbalance.cli.long_work import long_work, output_folder, report_paths
+from symbalance.cli.long_work import STORE, long_work, output_folder, report_paths
 from symbalance.cli.options import (
     ENGINE,
     add_bank,
@@ -117,10 +117,6 @@ def _at_speeds(result: Balance, rpm: str) -> Balance | SpeedTable:
 
     speeds = checked_speeds(rpm)
     return result.at(rpm=speeds[0]) if len(speeds) == 1 else over_speeds(result, speeds)
-
-
-STORE = "finished"
-"""The folder, in that of the results, of what is finished."""
 
 
 def _balance_several(options: argparse.Namespace, order: int, power: int | None) -> int:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from symbalance.budgets import MEGABYTE, Budget, OverBudgetError, run_within
+from symbalance.budgets import MEGABYTE, Budget, OverBudgetError, process_memory, run_within
 from symbalance.errors import SymbalanceError
 
 USUAL = Budget(600, 4000)
@@ -77,7 +77,8 @@ def _allocations_limited(megabytes: float | None) -> Iterator[None]:
         yield
         return
     soft, hard = resource.getrlimit(resource.RLIMIT_AS)
-    limit = None if megabytes is None else _reserved() + int(SLACK * megabytes * MEGABYTE)
+    reserved = process_memory(reserved=True) or 0
+    limit = None if megabytes is None else reserved + int(SLACK * megabytes * MEGABYTE)
     if limit is None or (soft != resource.RLIM_INFINITY and soft <= limit):
         yield
         return
@@ -86,14 +87,3 @@ def _allocations_limited(megabytes: float | None) -> Iterator[None]:
         yield
     finally:
         resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
-
-
-def _reserved() -> int:
-    """Return the memory that this process has reserved, in bytes; 0 where the system does not tell."""
-    import resource
-
-    try:
-        with open("/proc/self/statm", "rb") as stream:
-            return int(stream.read().split()[0]) * resource.getpagesize()
-    except (OSError, ValueError, IndexError):
-        return 0

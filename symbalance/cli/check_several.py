@@ -11,10 +11,10 @@ from typing import Any
 from symbalance.budgets import Budget
 from symbalance.checking import check
 from symbalance.cli.budget import read_budget
-from symbalance.cli.long_work import long_work, output_folder, report_paths
+from symbalance.cli.long_work import STORE, long_work, output_folder, report_paths
 from symbalance.cli.named_files import declared_files
 from symbalance.cli.outcomes import DONE, FAILED, FAULT, REFUSED, say, say_fault
-from symbalance.cli.output import medium_of_several, printed, show, write_all
+from symbalance.cli.output import for_terminal, medium_of_several, printed, show, write_all
 from symbalance.errors import SymbalanceError
 from symbalance.jobs.running import Job, JobOutcome, run_jobs
 from symbalance.jobs.store import JSON, Codec, Store, key_of
@@ -22,8 +22,6 @@ from symbalance.notes.checking.document_table import DocumentRow, DocumentTable
 from symbalance.notes.checking.documents import SUFFIXES
 from symbalance.text.files import STANDARD_INPUT
 
-STORE = "finished"
-"""The folder, in that of the reports, of what is finished."""
 MOST_DOCUMENTS = 10_000
 
 
@@ -31,7 +29,6 @@ def check_several(options: argparse.Namespace) -> int:
     """Check every document and show the table; the exit code is the worst of all of them."""
     if options.declare:
         raise SymbalanceError("--declare", "is for one document", "name a single one")
-    terminal = argparse.Namespace(**{**vars(options), "output": None})
     form = medium_of_several(options)
     folder = None if options.output in (None, "-") else output_folder(options.output)
     documents = _documents(options.documents, folder)
@@ -55,7 +52,7 @@ def check_several(options: argparse.Namespace) -> int:
     if folder is not None:
         (index,) = report_paths(folder, ["index"], form, documents)
         write_all({str(index): printed(table, form, str(index), standalone=options.standalone)})
-    show(table, terminal)
+    show(table, for_terminal(options))
     for row in rows:
         if row.exit_code == REFUSED:
             within = "" if row.problem.startswith(f"{row.name}:") else f"{row.name}: "
@@ -87,7 +84,7 @@ def _documents(named: list[str], output: Path | None) -> list[Path]:
 
 def _inside(folder: Path, output: Path | None) -> list[Path]:
     """Return the documents of a folder and those below it, by name; none hidden, no report of ours."""
-    found: list[Path] = []
+    documents: list[Path] = []
     for place, folders, names in os.walk(folder):
         if output is not None and os.path.samefile(place, output):
             if Path(place) == folder:
@@ -96,12 +93,12 @@ def _inside(folder: Path, output: Path | None) -> list[Path]:
             folders.clear()
             continue
         folders[:] = sorted(name for name in folders if not name.startswith("."))
-        found += [
+        documents += [
             Path(place, name)
             for name in names
             if name.endswith(SUFFIXES) and not name.startswith(".") and Path(place, name).is_file()
         ]
-    return sorted(found)
+    return sorted(documents)
 
 
 def _names(documents: list[Path]) -> list[str]:

@@ -11,13 +11,11 @@ from symbalance.cli.budget import ENDLESS
 from symbalance.cli.long_work import long_work, output_folder, take_one_blas_thread
 from symbalance.cli.options import add_jobs, add_output, add_trust, command
 from symbalance.cli.outcomes import say
-from symbalance.cli.output import medium, printed, show, whole_number, write_folder
+from symbalance.cli.output import for_terminal, medium, printed, show, whole_number, write_folder
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
     from symbalance.crankshaft.reports import Summary
-
-MOST_SPEEDS = 1000
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -72,9 +70,7 @@ def run(options: argparse.Namespace) -> int:
     steps = whole_number(options.steps, "steps")
     iterations = whole_number(options.passes, "passes")
     folder = None if options.output is None else output_folder(options.output)
-    terminal = argparse.Namespace(
-        format=options.format, standalone=options.standalone, label=options.label, output=None
-    )
+    terminal = for_terminal(options)
     form = medium(terminal)
     take_one_blas_thread()
 
@@ -99,7 +95,7 @@ def run(options: argparse.Namespace) -> int:
         about=options.about,
         iterations=iterations,
         store=None if folder is None else folder / "webs.json",
-        say=_progress,
+        say=say,
     )
     if engine.operation.overlay is not None:  # before the long run, not after it
         names = [channel.name for channel in configuration.channels]
@@ -114,10 +110,6 @@ def run(options: argparse.Namespace) -> int:
         _write_all(folder, summary)
     show(summary, terminal)
     return 0 if summary.valid else 1
-
-
-def _progress(line: str) -> None:
-    say(line)
 
 
 REPORTS = {"txt": "text", "tex": "latex", "html": "html", "json": "json"}
@@ -142,11 +134,11 @@ def _write_all(folder: Path, summary: Summary) -> None:
         },
         **summary.pictures,
     }
-    write_folder(folder, contents, _progress)
+    write_folder(folder, contents, say)
     patterns = ("curves-*rpm.csv", "loads-*rpm.csv", "*.png")
     older = sorted({p.name for pattern in patterns for p in folder.glob(pattern)} - {*contents})
     if older:
-        _progress(f"{folder}: of earlier runs, no part of this report: {', '.join(older)}")
+        say(f"{folder}: of earlier runs, no part of this report: {', '.join(older)}")
 
 
 def _check_libraries() -> None:
@@ -176,6 +168,5 @@ def _speeds(text: str) -> list[float]:
         return parts
     if len(parts) != 3 or "," in text or parts[0] > parts[1]:
         raise SymbalanceError(what, "must be from:to:step", remedy)
-    if (parts[1] - parts[0]) / parts[2] >= MOST_SPEEDS:
-        raise SymbalanceError(what, f"asks for more than {MOST_SPEEDS} speeds", "take a larger step")
-    return list(speeds_between(*parts))
+    low, high, step = parts
+    return list(speeds_between(low, high, step, what))

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbalance.cli.options import ENGINE, add_full, add_operating_point, add_output, command, engine_of
-from symbalance.cli.output import medium, printed, whole_number, write, write_all
+from symbalance.cli.output import content_of, medium, whole_number, write, write_all
 from symbalance.errors import SymbalanceError
 
 if TYPE_CHECKING:
@@ -105,14 +105,7 @@ def run(options: argparse.Namespace) -> int:
     form = medium(options)
     if form == "text" and not options.full and options.rpm is None:  # which asks for what remains
         design = replace(design, full=False)
-    content = printed(
-        design,
-        form,
-        options.output,
-        standalone=options.standalone,
-        full=options.full,
-        label=options.label,
-    )
+    content = content_of(design, form, options)
     files = _files(design, options)
     if options.output in (None, "-"):
         if files:

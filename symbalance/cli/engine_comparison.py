@@ -12,10 +12,6 @@ OWN = ("percent", "phases")
 """The options of a comparison alone."""
 
 
-SIZED = ("rpm", "mass", "stroke", "rod", "pitch")
-"""The options of an operating point, which a comparison does not have."""
-
-
 def add_comparison(parser: argparse.ArgumentParser) -> None:
     """Add the options of a comparison."""
     parser.add_argument(
@@ -63,7 +59,9 @@ def show_comparison(options: argparse.Namespace, order: int) -> None:
         name = "--jobs" if options.dask is None else "--dask"
         rule = "shares engines with files of their own, and this is one table"
         raise SymbalanceError(name, rule, "leave it out, or add -o FOLDER/")
-    for name in SIZED:
+    from symbalance.forces.operating_point import SIZES
+
+    for name in ("rpm", *SIZES):
         if getattr(options, name, None) is not None:
             rule = "is for values in N and N m, and a table of several engines has none"
             raise SymbalanceError(f"--{name}", rule, "leave it out, or add -o FOLDER/")

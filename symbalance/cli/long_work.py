@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from symbalance.jobs.progress import Progress
 
 
+STORE = "finished"
+"""The folder, in that of the results, of what is finished."""
+
+
 class Means(TypedDict):
     """How long work is done: the keywords of `run_jobs` that a command line decides."""
 
@@ -42,8 +46,8 @@ def take_one_blas_thread() -> None:
 
 
 @contextmanager
-def long_work(options: argparse.Namespace, kept: Path | None = None) -> Iterator[Means]:
-    """Yield where the jobs run, as --jobs or --dask say, and their progress; `kept` is their store.
+def long_work(options: argparse.Namespace, store: Path | None = None) -> Iterator[Means]:
+    """Yield where the jobs run, as --jobs or --dask say, and their progress; `store` keeps them.
 
     At Ctrl-C one line says what is finished, where it is kept and how to go on.
     """
@@ -61,18 +65,18 @@ def long_work(options: argparse.Namespace, kept: Path | None = None) -> Iterator
             with dask_executor(options.dask) as executor:
                 yield Means(workers=1, executor=executor, progress=progress)
     except KeyboardInterrupt:
-        say(interrupted(progress, kept, options.command_line))
+        say(interrupted(progress, store, options.command_line))
         raise
 
 
-def interrupted(progress: Progress, kept: Path | None, command: Any) -> str:
+def interrupted(progress: Progress, store: Path | None, command: Any) -> str:
     """Return the line at Ctrl-C."""
     finished = f"symbalance: interrupted: {progress.finished} of {progress.total} finished"
-    if kept is None:
+    if store is None:
         return f"{finished}, and not kept: name an output folder to keep them"
     if not progress.finished:
         return f"{finished}; begin again with: {shlex.join(command)}"
-    return f"{finished}, kept in {kept}; go on with: {shlex.join(command)}"
+    return f"{finished}, kept in {store}; go on with: {shlex.join(command)}"
 
 
 def output_folder(output: str) -> Path:

@@ -49,7 +49,12 @@ def whole_number(text: str, name: str) -> int:
 def show(result: Result, options: argparse.Namespace) -> None:
     """Write a result in the medium and to the place that a command line asks for."""
     form = medium(options)
-    content = printed(
+    write(content_of(result, form, options), options.output, form)
+
+
+def content_of(result: Result, form: str, options: argparse.Namespace) -> str | bytes:
+    """Return a result in a medium, as a command line asks for it: its length, its labels."""
+    return printed(
         result,
         form,
         options.output,
@@ -57,7 +62,6 @@ def show(result: Result, options: argparse.Namespace) -> None:
         full=getattr(options, "full", False),
         label=options.label,
     )
-    write(content, options.output, form)
 
 
 def medium(options: argparse.Namespace) -> str:
@@ -83,8 +87,12 @@ def medium_of_several(options: argparse.Namespace) -> str:
         raise SymbalanceError("--label", "is for one result", "write the results one by one")
     if options.format == "xlsx":
         raise SymbalanceError("--format xlsx", "is for one result", "take csv, or write them one by one")
-    terminal = argparse.Namespace(**{**vars(options), "output": None})
-    return medium(terminal)
+    return medium(for_terminal(options))
+
+
+def for_terminal(options: argparse.Namespace) -> argparse.Namespace:
+    """Return a command line's options for what it shows on the terminal, where -o names a folder."""
+    return argparse.Namespace(**{**vars(options), "output": None})
 
 
 def printed(

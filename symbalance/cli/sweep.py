@@ -75,7 +75,7 @@ def read_values(text: str) -> tuple[str, list[Fraction]]:
     >>> read_values("ratio=3:4:0.5")
     ('ratio', [Fraction(3, 1), Fraction(7, 2), Fraction(4, 1)])
     """
-    from symbalance.text.numbers import exact
+    from symbalance.text.numbers import evenly_spaced, exact
 
     name, equals, values = text.partition("=")
     what, remedy = f"--vary {brief(text)}", "write it like ratio=3:5:0.5 or bank=60,75,90"
@@ -90,6 +90,5 @@ def read_values(text: str) -> tuple[str, list[Fraction]]:
     first, last, step = (exact(end.strip(), name) for end in ends)
     if step <= 0 or first > last:
         raise SymbalanceError(what, "must rise by a positive step", remedy)
-    if (last - first) / step >= MOST_VALUES:
-        raise SymbalanceError(what, f"asks for more than {MOST_VALUES} values", "take a larger step")
-    return name, [first + step * i for i in range(int((last - first) / step) + 1)]
+    limit = {"most": MOST_VALUES, "what": what, "things": "values", "remedy": "take a larger step"}
+    return name, evenly_spaced(first, last, step, **limit)

@@ -44,11 +44,11 @@ def cosine_text(number: Phasor) -> str | None:
         if turns > Fraction(1, 4):  # cos(180 - x) = -cos x
             turns, sign = Fraction(1, 2) - turns, -1
         terms[turns] = terms.get(turns, Fraction(0)) + sign * Fraction(c)
-    kept = [(turns, c) for turns, c in sorted(terms.items()) if c and turns != Fraction(1, 4)]
-    if len(kept) > MOST_TERMS:
+    cosines = [(turns, c) for turns, c in sorted(terms.items()) if c and turns != Fraction(1, 4)]
+    if len(cosines) > MOST_TERMS:
         return None
     text = ""
-    for turns, c in kept:
+    for turns, c in cosines:
         sign = ("-" if c < 0 else "") if not text else (" - " if c < 0 else " + ")
         text += sign + _term(abs(c), turns * 360)
     return text or "0"

@@ -6,7 +6,9 @@ largest size of their sum over a turn is enclosed by `turn_maximum`.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
+from functools import cache
 
 from symbalance.errors import SymbalanceError
 from symbalance.exact.spectrum import Spectrum
@@ -16,6 +18,7 @@ from symbalance.forces.turn_maximum import TurnMaximum, turn_maximum
 from symbalance.kinematics.slider_crank import HIGHEST_ORDER
 from symbalance.text.reals import Real
 
+Vectors = Callable[[int], tuple[Spectrum, Spectrum]]
 FIRST_ORDERS = 24
 """Orders that are summed at first: at a rod ratio of 3 what is above them is 1e-17 of the force."""
 NOTHING = 1e-8
@@ -30,23 +33,26 @@ def turn_maxima(balance: Balance) -> dict[str, TurnMaximum]:
     if engine.has_symbols:
         rule = "has angles with symbols, and no largest value"
         raise SymbalanceError(f"engine {engine.name!r}", rule, "give the angles in numbers")
+    # Force and couple come together, and mostly with the same orders: summed once for both.
+    vectors = cache(lambda orders: planar_vectors(engine, orders, balance.reference))
     maxima: dict[str, TurnMaximum] = {}
     for of in ("force", "couple"):
         point = balance.operating_point
         if of == "couple" and point is not None and point.pitch is None:
             continue  # no order of it is free, or the operating point would have been refused
         unit = float(balance.unit_value(of))
-        for name, top in _maxima(balance, of).items():
+        for name, top in _maxima(balance, of, vectors).items():
             maxima[name] = TurnMaximum(top.value * unit, top.bound * unit, top.angle)
     return maxima
 
 
-def _maxima(balance: Balance, of: str) -> dict[str, TurnMaximum]:
+def _maxima(balance: Balance, of: str, vectors: Vectors) -> dict[str, TurnMaximum]:
     """Return the maxima of the force or the couple in m r omega^2 (a)."""
     # What turns is in the sum as a whole: only the pistons' harmonics are bounded above it.
     orders = max([FIRST_ORDERS, *(abs(mass.speed) for mass in balance.engine.rotating_masses)])
     while True:
-        harmonics = _harmonics(balance, of, orders)
+        force, couple = vectors(orders)
+        harmonics = _harmonics(balance, force if of == "force" else couple)
         left_out = _left_out(balance, of, orders)
         size = max(abs(z) for z in harmonics.values()) if harmonics else 0.0
         if left_out <= NOTHING * size or left_out <= ABSENT or orders >= HIGHEST_ORDER:
@@ -65,11 +71,9 @@ def _maxima(balance: Balance, of: str) -> dict[str, TurnMaximum]:
     }
 
 
-def _harmonics(balance: Balance, of: str, orders: int) -> dict[int, complex]:
+def _harmonics(balance: Balance, spectrum: Spectrum) -> dict[int, complex]:
     """Return c_n of vertical + i lateral in m r omega^2 (a), for n of both signs."""
     engine = balance.engine
-    force, couple = planar_vectors(engine, orders, balance.reference)
-    spectrum: Spectrum = force if of == "force" else couple
     if balance.kinematics is None:
         return {n: complex(c.evaluated()) for n, c in spectrum.terms.items()}
     present = spectrum.orders()

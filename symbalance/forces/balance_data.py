@@ -11,6 +11,7 @@ from symbalance.engine.cylinders import Cylinder
 from symbalance.engine.engine_document import dead_centre_angles_of, piston_strokes
 from symbalance.exact.spectrum import COMPONENTS, Component
 from symbalance.forces.free_forces import Balance, Order, Resultant
+from symbalance.forces.operating_point import UNITS
 from symbalance.forces.rows import plane_key, roll_rows
 from symbalance.kinematics.mechanisms import LinkRod
 from symbalance.text.numbers import decimal_text
@@ -140,7 +141,7 @@ def _largest(balance: Balance) -> dict[str, Any]:
     return {
         output: {"value": top.value, "bound": top.bound, "degrees": top.angle, "unit": unit}
         for output, top in balance.turn_maxima.items()
-        for unit in ("N m" if output.startswith("couple") else "N",)
+        for unit in (UNITS[output.partition(".")[0]],)
     }
 
 
@@ -229,7 +230,7 @@ def _value_record(
     point = balance.operating_point
     if point is None:
         return {}
-    unit = {"value_unit": "N" if of == "force" else "N m"}
+    unit = {"value_unit": UNITS[of]}
     if cos is None or sin is None or (of == "couple" and point.couple is None):
         return {"value": None, **unit}
     factor = abs(float(balance.unit_value(of) * balance.share(order)))

@@ -46,7 +46,7 @@ from symbalance.engine.engine_document import (
     size_facts,
 )
 from symbalance.forces.free_forces import NEGLIGIBLE, Balance, slight_orders
-from symbalance.forces.operating_point import OperatingPoint
+from symbalance.forces.operating_point import UNITS, OperatingPoint
 from symbalance.forces.rows import IN_ONE_PLANE, Row, plane, roll_rows, rotating, rows
 from symbalance.kinematics.coefficients import Kinematics
 from symbalance.kinematics.series_printing import series_formula
@@ -206,7 +206,6 @@ def in_newtons(balance: Balance, of: str) -> Measured | None:
     return Measured((Column(UNITS[of]), Column(per_cent)), cells)
 
 
-UNITS = {"force": "N", "couple": "N m"}
 SHOWN = 5
 """Digits of a value in N: its masses and lengths have no more."""
 

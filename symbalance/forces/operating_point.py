@@ -14,13 +14,15 @@ from typing import Any
 
 from symbalance.engine.engine import Engine
 from symbalance.errors import SymbalanceError, brief
-from symbalance.text.numbers import decimal_text, exact
+from symbalance.text.numbers import decimal_text, evenly_spaced, exact
 from symbalance.text.reals import Real, pi
 
 FASTEST = 100_000
 """Turns a minute: small engines of models reach 50,000."""
 MOST_SPEEDS = 1000
 MILLI = Fraction(1, 1000)
+UNITS = {"force": "N", "couple": "N m"}
+"""What forces and couples are in at an operating point."""
 
 
 @dataclass(frozen=True)
@@ -147,7 +149,7 @@ def checked_speeds(text: str) -> tuple[Fraction, ...]:
     first, last, step = (checked_rpm(part) for part in parts)
     if first > last:
         raise SymbalanceError(f"--rpm {brief(text)}", "must go upwards", remedy)
-    count = int((last - first) / step) + 1
-    if count > MOST_SPEEDS:
-        raise SymbalanceError(f"--rpm {brief(text)}", f"asks for more than {MOST_SPEEDS} speeds", remedy)
-    return tuple(first + step * k for k in range(count))
+    what = f"--rpm {brief(text)}"
+    return tuple(
+        evenly_spaced(first, last, step, most=MOST_SPEEDS, what=what, things="speeds", remedy=remedy)
+    )

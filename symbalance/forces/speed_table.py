@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from symbalance.document.result import Result
 from symbalance.errors import SymbalanceError
 from symbalance.forces.free_forces import NEGLIGIBLE, Balance, slight_orders
+from symbalance.forces.operating_point import UNITS
 
 if TYPE_CHECKING:
     from symbalance.document.nodes import Block, Document
 
 MOST_COLUMNS = 6
 """Orders of a table, which fits 80 columns so."""
-UNITS = {"force": "N", "couple": "N m"}
 
 
 @dataclass(frozen=True, repr=False)

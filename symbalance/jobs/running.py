@@ -186,12 +186,12 @@ def _saved(job: Job, store: Store | None, codec: Codec[Any], progress: Progress)
 
 
 def _lost(progress: Progress, store: Store | None, problem: _NobodyLeftError) -> SymbalanceError:
-    kept = f"{progress.finished} of {progress.total} are finished"
+    count = f"{progress.finished} of {progress.total} are finished"
     if store is not None:
         remedy = f"they are kept in {store.folder}: run the same again to go on"
     else:
         remedy = "nothing is kept without a store; name an output folder, or use fewer workers"
-    return SymbalanceError(problem.who, f"{problem.why}; {kept}", remedy)
+    return SymbalanceError(problem.who, f"{problem.why}; {count}", remedy)
 
 
 class _NobodyLeftError(PicklableError):

@@ -145,6 +145,23 @@ def as_list(values: Any, name: str, example: str = "[0, 120, 240]") -> list[Any]
     return list(values)
 
 
+def evenly_spaced(
+    first: Fraction, last: Fraction, step: Fraction, *, most: int, what: str, things: str, remedy: str
+) -> list[Fraction]:
+    """Return first, first + step, and so on to last; more than `most` are refused, none made.
+
+    `what` asks for them, and `things` is what they are, as the refusal says.
+
+    >>> limit = {"most": 100, "what": "--rpm", "things": "speeds", "remedy": "take a larger step"}
+    >>> [str(x) for x in evenly_spaced(Fraction(1), Fraction(2), Fraction(2, 5), **limit)]
+    ['1', '7/5', '9/5']
+    """
+    steps = int((last - first) / step)
+    if steps >= most:
+        raise SymbalanceError(what, f"asks for more than {most} {things}", remedy)
+    return [first + step * k for k in range(steps + 1)]
+
+
 LONGEST_SHOWN = 10**6
 """A larger denominator says less to a reader than decimals do."""
 

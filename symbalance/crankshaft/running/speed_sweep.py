@@ -24,7 +24,9 @@ from symbalance.crankshaft.system import PeriodicSystem, Trajectory, UnsolvedErr
 from symbalance.jobs.progress import Progress
 from symbalance.jobs.running import Job, note, run_jobs
 from symbalance.jobs.store import Store
+from symbalance.text.numbers import evenly_spaced
 
+MOST_SPEEDS = 1000
 SETTLED = 0.05
 """The departure, over the clearance, at which films need not be computed again."""
 FINER = (1, 2, 4)
@@ -279,12 +281,13 @@ def _orbits(configuration: RunConfiguration, full: PeriodicSystem, motion: Traje
     return to_stationary_axes(turning, motion.theta) - housings
 
 
-def speeds_between(low: float, high: float, step: float) -> tuple[float, ...]:
-    """Return the speeds from `low` to `high` in steps.
+def speeds_between(low: float, high: float, step: float, what: str = "speeds") -> tuple[float, ...]:
+    """Return the speeds from `low` to `high` in steps; `what` is said to ask for too many of them.
 
     >>> speeds_between(1000, 2000, 500), speeds_between(1, 1.3, 0.1)
     ((1000.0, 1500.0, 2000.0), (1.0, 1.1, 1.2, 1.3))
     """
     # As decimals, so that no speed becomes 1.2000000000000002, in reports and in file names.
     first, last, by = (Fraction(repr(float(x))) for x in (low, high, step))
-    return tuple(float(first + by * i) for i in range(int((last - first) / by) + 1))
+    limit = {"most": MOST_SPEEDS, "what": what, "things": "speeds", "remedy": "take a larger step"}
+    return tuple(map(float, evenly_spaced(first, last, by, **limit)))

@@ -22,11 +22,11 @@ def sweep_document(result: Sweep) -> Document:
         *((f"{kind}.n", f"{_MEANINGS[kind]}, in {UNITS[kind]}") for kind in kinds),
         ("m, r, a", "reciprocating mass and crank radius of cylinder 1 at the point, and the pitch"),
     )
-    said = [Paragraph(point.problem) for point in result.refused[:MOST_SAID]]
+    problems = [Paragraph(point.problem) for point in result.refused[:MOST_SAID]]
     if len(result.refused) > MOST_SAID:
-        said.append(Paragraph(f"and {len(result.refused) - MOST_SAID} more"))
+        problems.append(Paragraph(f"and {len(result.refused) - MOST_SAID} more"))
     table = Table("", columns, rows, keys=len(result.variables))
-    return Document(result.summary(), blocks(table, tuple(said), Facts(legend, "How to read it")))
+    return Document(result.summary(), blocks(table, tuple(problems), Facts(legend, "How to read it")))
 
 
 _SIZES = {"bank": "degrees between the two banks; the crank stays as it is"}

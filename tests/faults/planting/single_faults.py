@@ -10,7 +10,7 @@ import ast
 import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from itertools import pairwise
 from random import Random
 from typing import Any
@@ -38,10 +38,6 @@ class Fault:
             raise ValueError(f"{self.path}:{self.line}: is not the line that the fault was made for")
         lines[self.line - 1] = self.after + ending
         return "".join(lines)
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return the fault as JSON holds it."""
-        return asdict(self)
 
 
 @dataclass(frozen=True)
