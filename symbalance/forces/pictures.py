@@ -49,17 +49,13 @@ def unit_words(balance: Balance, of: str) -> str:
 
 
 def _check(balance: Balance) -> None:
-    if (
-        balance.kinematics is not None
-        and balance.ratio is None
-        and max(balance.force.orders() + balance.couple.orders(), default=0) > 1
-    ):
+    engine = balance.engine
+    if engine.has_symbols:
+        raise SymbalanceError(engine.name, "has symbols for angles", "give them in numbers")
+    highest = max(balance.force.orders() + balance.couple.orders(), default=0)
+    if balance.kinematics is not None and balance.ratio is None and highest > 1:
         rule = "has no rod ratio, which orders above the first depend on"
-        raise SymbalanceError(
-            balance.engine.name, rule, "give --ratio λ, or stroke and rod in [crank_train]"
-        )
-    if balance.engine.has_symbols:
-        raise SymbalanceError(balance.engine.name, "has symbols for angles", "give them in numbers")
+        raise SymbalanceError(engine.name, rule, "give --ratio λ, or stroke and rod in [crank_train]")
 
 
 def draw_orders(balance: Balance) -> Drawing:
@@ -92,7 +88,7 @@ def draw_orders(balance: Balance) -> Drawing:
 
 
 def draw_forces(balance: Balance) -> Drawing:
-    """Return the free force over a turn, vertical and lateral, and below it the couple, if there is one."""
+    """Return the free force over a turn, vertical and lateral, and below it the couple, if any."""
     _check(balance)
     name = balance.engine.name
     drawings = []

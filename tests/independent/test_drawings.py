@@ -61,10 +61,10 @@ def test_pistons_stand_where_rods_of_their_length_meet_their_axes(name: str, deg
         assert abs(place - expected) < 2e-5, cylinder
         assert math.isclose(np.exp(1j * math.radians(turn)).real, axis.real, abs_tol=1e-6)
         rod_place, rod_turn = places[f"rod-{cylinder.number}"]
-        length = scale * float(cylinder.sizes.rod)
+        length = scale * float(cylinder.sizes.rod or 0)
         assert abs(rod_place + length * np.exp(1j * math.radians(rod_turn)) - place) < 2e-4
         if cylinder.link is None:
-            radius = float(cylinder.radius) * scale
+            radius = float(cylinder.radius or 0) * scale
             assert abs(rod_place - radius * pin(engine, cylinder, theta)) < 2e-5
 
 
@@ -82,6 +82,7 @@ def test_a_link_pin_stays_on_its_master_rod(name: str) -> None:
     linked = [c for c in engine.cylinders if c.link is not None and c.link.radius]
     for cylinder in linked:
         arms = []
+        assert cylinder.link is not None
         for degrees in range(0, 360, 30):
             places = parts(engine, degrees)
             crank = places[f"rod-{cylinder.link.master}"]
@@ -109,7 +110,7 @@ def test_a_half_order_s_star_counts_from_the_firing_dead_centres() -> None:
     from symbalance.drawing.crank_star import star_resultant
 
     engine = sb.load("v8-90")
-    total = sum(np.exp(-1j * math.radians(0.5 * float(c.fires))) for c in engine.cylinders)
+    total = sum(np.exp(-1j * math.radians(0.5 * float(c.fires or 0))) for c in engine.cylinders)
     assert abs(complex(star_resultant(engine.cylinders, Fraction(1, 2)).evaluated(20)) - total) < 1e-12
 
 
