@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from math import factorial, prod
 
 from symbalance.errors import SymbalanceError
@@ -35,9 +35,7 @@ class Counts:
     classes: int = 0
 
     def __add__(self, other: Counts) -> Counts:
-        return Counts(
-            self.cranks + other.cranks, self.stars + other.stars, self.classes + other.classes
-        )
+        return Counts(self.cranks + other.cranks, self.stars + other.stars, self.classes + other.classes)
 
     def data(self) -> dict[str, int]:
         """Return the three numbers by name."""
@@ -124,7 +122,7 @@ def _fixed_options(
 def _fillings(options: list[list[tuple[int, ...]]], capacity: Capacity) -> int:
     """Return in how many ways each item takes one of its options and no moment is taken too often."""
 
-    @lru_cache(maxsize=None)
+    @cache
     def ways(item: int, free: Capacity) -> int:
         if item == len(options):
             return 1

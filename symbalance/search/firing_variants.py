@@ -71,7 +71,7 @@ class FiringVariants:
     def _free_turns(self) -> Array:
         """Every choice of the turn in which each cylinder fires, cylinder 1 in the first."""
         others = self.problem.cylinders - 1
-        if self.problem.cycle ** others > MOST_VARIANTS:
+        if self.problem.cycle**others > MOST_VARIANTS:
             rule = f"has more than {MOST_VARIANTS} firing orders for each star"
             remedy = "take fewer cylinders, or ask for nothing that depends on the firing order"
             raise SymbalanceError(self.problem.words(), rule, remedy)

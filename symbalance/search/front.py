@@ -7,9 +7,10 @@ one. With it stand how many cranks, stars and classes attain it, and the first f
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -32,45 +33,59 @@ Member = tuple[tuple[int, ...], tuple[int, ...]]
 """A star's rays, by pin, and its firing moments in ticks, by cylinder; the latter empty where any do."""
 
 
-@dataclass
+@dataclass(eq=False)
 class FrontPoint:
-    """Values that no star beats, how many attain them, and the first of those that do."""
+    """Values that no star beats, how many attain them, and the first of those that do.
 
-    values: tuple[Magnitude, ...]
+    `floats` hold the values to within the front's margin, zeros exact; `exactly` returns one of them as
+    the exact number.
+    """
+
+    floats: tuple[float, ...]
+    exactly: Callable[[int], Magnitude]
     counts: Counts = field(default_factory=Counts)
     members: list[Member] = field(default_factory=list)
 
 
-def order_of_values(left: Sequence[Magnitude], right: Sequence[Magnitude]) -> tuple[bool, bool]:
-    """Return whether the left values are nowhere larger, and whether the right ones are nowhere larger."""
-    signs = [compare(a, b) for a, b in zip(left, right, strict=True)]
-    return all(sign <= 0 for sign in signs), all(sign >= 0 for sign in signs)
-
-
 class Front:
-    """Points none of which beats another; `member_key` sorts those that attain the same."""
+    """Points none of which beats another; of those that attain the same the first `listed` are named.
 
-    def __init__(self, listed: int, order: Sequence[int]) -> None:
+    Two values that differ by more than `margin` in floats do so for certain; all others are compared by
+    the exact core.
+    """
+
+    def __init__(self, listed: int, order: Sequence[int], margin: float) -> None:
         self.points: list[FrontPoint] = []
-        self.listed = listed
+        self.listed, self.margin = listed, margin
         self._order = tuple(order)
         self.changes = 0
+        self.exact_comparisons = 0
 
-    def point(self, values: tuple[Magnitude, ...]) -> FrontPoint | None:
+    def point(self, floats: tuple[float, ...], exactly: Callable[[int], Magnitude]) -> FrontPoint | None:
         """Return the point of these values, put into the front if need be; None if another beats them."""
+        added = FrontPoint(floats, exactly)
         beaten = []
         for point in self.points:
-            better, worse = order_of_values(point.values, values)
+            signs = [self._compare(point, added, i) for i in range(len(floats))]
+            better, worse = all(s <= 0 for s in signs), all(s >= 0 for s in signs)
             if better and worse:
                 return point
             if better:
                 return None
             if worse:
                 beaten.append(point)
-        added = FrontPoint(values)
         self.points = [point for point in self.points if point not in beaten] + [added]
         self.changes += 1
         return added
+
+    def _compare(self, left: FrontPoint, right: FrontPoint, place: int) -> int:
+        first, second = left.floats[place], right.floats[place]
+        if abs(first - second) > self.margin:
+            return 1 if first > second else -1
+        if first == second == 0.0:
+            return 0
+        self.exact_comparisons += 1
+        return compare(left.exactly(place), right.exactly(place))
 
     def add_members(self, point: FrontPoint, members: list[Member]) -> None:
         """Add stars to those listed of a point: the first stay, in the order of the walk."""
@@ -91,7 +106,9 @@ class Judge:
     minimized: tuple[str, ...]
     tables: Tables
     variants: FiringVariants
-    front: Front
+    listed: int
+    known: Array
+    """[star, minimized]: values of stars that are known already, in floats: what they beat is not wanted."""
     found: Counts = field(default_factory=Counts)
     firings_found: int = 0
     exact_decisions: int = 0
@@ -106,14 +123,17 @@ class Judge:
                 firsts[o.name] = place
                 place += sum(map(len, o.groups))
         self._forms = {
-            o.name: list(range(firsts[o.name], firsts[o.name] + sum(map(len, o.groups)))) for o in self._star
+            o.name: list(range(firsts[o.name], firsts[o.name] + sum(map(len, o.groups))))
+            for o in self._star
         }
         self._torsion = {o.name: self.variants.torsion(o) for o in self._firing if not o.is_count}
         self._names = [o.name for o in (*self._star, *self._firing)]
-        weights = [abs(w) for o in self._firing for g in o.groups for f in g for w, _, _ in f.weights.values()]
+        weights = [
+            abs(w) for o in self._firing for g in o.groups for f in g for w, _, _ in f.weights.values()
+        ]
         self.margin = float(self.tables.slack.sum()) + SLACK * (1.0 + float(sum(weights)))
-        self._points: dict[bytes, FrontPoint | None] = {}
-        self._changes = self._float_changes = -1
+        self.front = Front(self.listed, self.tables.order.tolist(), self.margin)
+        self._float_changes = -1
 
     @property
     def needs_firing(self) -> bool:
@@ -122,9 +142,11 @@ class Judge:
 
     def float_front(self) -> tuple[Array, int]:
         """Return the points' values in floats, zeros exact, the last column the margin of a comparison."""
-        points = self.front.points if self.minimized and not self._firing else []
-        rows = [[*(0.0 if v.is_zero() else float(v.near) for v in p.values), self.margin] for p in points]
-        return np.array(rows or [[0.0] * (len(self.minimized) + 1)]), len(rows)
+        if not self.minimized or self._firing:
+            return np.zeros((1, len(self.minimized) + 1)), 0
+        rows = self._beaters()
+        margins = np.full((len(rows), 1), self.margin)
+        return np.concatenate([rows, margins], axis=1) if len(rows) else np.zeros((1, 1)), len(rows)
 
     def is_list_full(self) -> bool:
         """Whether all that is left to do is to count."""
@@ -149,8 +171,12 @@ class Judge:
             count = moments.shape[1]
             more, more_sizes, more_parts = self._firing_keys(moments)
             width = keys.shape[1]
-            keys = np.concatenate([np.repeat(keys, count, axis=0), more.reshape(len(stars) * count, -1)], 1)
-            sizes = np.concatenate([np.repeat(sizes, count, axis=0), more_sizes.reshape(len(keys), -1)], 1)
+            keys = np.concatenate(
+                [np.repeat(keys, count, axis=0), more.reshape(len(stars) * count, -1)], 1
+            )
+            sizes = np.concatenate(
+                [np.repeat(sizes, count, axis=0), more_sizes.reshape(len(keys), -1)], 1
+            )
             parts |= {name: place + width for name, place in more_parts.items()}
         unique, first, owner = _unique_rows(keys)
         met = self._met(unique, sizes[first], np.repeat(weights[:, 2], count)[first], parts)
@@ -162,12 +188,12 @@ class Judge:
             # Small values first: what they beat is not looked at by the exact core.
             for u in np.lexsort(sizes[first][:, columns].T[::-1]).tolist():
                 if met[u] and not self._is_beaten(sizes[first[u], columns]):
-                    point = self._placed(unique[u], parts)
+                    point = self._placed(unique[u], sizes[first[u], columns], parts)
                     if point is not None:
                         rows = np.sort(order[bounds[u] : bounds[u + 1]])
                         self._enter(point, stars, weights, moments, rows, count)
         elif rows_met.any():
-            point = self.front.point(())
+            point = self.front.point((), _no_value)
             assert point is not None
             self._enter(point, stars, weights, moments, np.flatnonzero(rows_met), count)
         by_star = rows_met.reshape(len(stars), count)
@@ -189,14 +215,19 @@ class Judge:
 
     def _is_beaten(self, sizes: Array) -> bool:
         """Tell whether some point beats these values for certain, in floats."""
-        if self._float_changes != self.front.changes:
-            points = [[0.0 if v.is_zero() else float(v.near) for v in p.values] for p in self.front.points]
-            self._floats = np.array(points).reshape(len(points), len(self.minimized))
-            self._float_changes = self.front.changes
-        if not len(self._floats):
+        beaters = self._beaters()
+        if not len(beaters):
             return False
-        below = self._floats < sizes - self.margin
-        return bool((below.any(1) & (below | (self._floats == 0.0)).all(1)).any())
+        below = beaters < sizes - self.margin
+        return bool((below.any(1) & (below | (beaters == 0.0)).all(1)).any())
+
+    def _beaters(self) -> Array:
+        """Return the values of all stars known so far that others may be beaten by, in floats."""
+        if self._float_changes != self.front.changes:
+            own = np.array([p.floats for p in self.front.points]).reshape(-1, len(self.minimized))
+            self._floats = np.concatenate([own, self.known])
+            self._float_changes = self.front.changes
+        return self._floats
 
     def _met(self, unique: Array, sizes: Array, doubtful: Array, parts: dict[str, int]) -> Array:
         """Return which keys meet every condition: by floats where they are certain, else exactly."""
@@ -215,18 +246,17 @@ class Judge:
             met[u] = all(_holds(c, values[c.name]) for c in self.conditions)
         return met
 
-    def _placed(self, key: Array, parts: dict[str, int]) -> FrontPoint | None:
-        """Return the point of a key's values, remembered until the front changes."""
-        if self._changes != self.front.changes:
-            self._points = {}
-        mark = key.tobytes()
-        if mark not in self._points:
-            values = self._sizes(key, parts)
-            point = self.front.point(tuple(values[name] for name in self.minimized))
-            if self._changes != self.front.changes:
-                self._points, self._changes = {}, self.front.changes
-            self._points[mark] = point
-        return self._points[mark]
+    def _placed(self, key: Array, sizes: Array, parts: dict[str, int]) -> FrontPoint | None:
+        """Return the point of a key's values, which are worked out exactly if floats do not decide."""
+
+        @cache
+        def exactly(place: int) -> Magnitude:
+            self.exact_decisions += 1
+            name = self.minimized[place]
+            one = next(o for o in (*self._star, *self._firing) if o.name == name)
+            return self._size(one, key, parts[name])
+
+        return self.front.point(tuple(sizes.tolist()), exactly)
 
     def _list(
         self, point: FrontPoint, stars: Array, moments: Array | None, rows: Array, count: int
@@ -308,6 +338,10 @@ class Judge:
                 form, place = form + 1, place + degree
             groups.append(Magnitude(*squares))
         return largest(groups)
+
+
+def _no_value(place: int) -> Magnitude:
+    raise AssertionError(f"there is no value {place}")
 
 
 def firing_count(objective: Objective, count: int, ticks: int) -> Fraction:

@@ -23,7 +23,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from symbalance.errors import SymbalanceError, brief
-from symbalance.search.problem import Seat, SearchProblem
+from symbalance.search.problem import SearchProblem, Seat
 from symbalance.text.numbers import as_list, exact
 
 HIGHEST_ORDER = 100
@@ -132,10 +132,14 @@ def read_conditions(require: Sequence[str], limit: Sequence[str]) -> tuple[Condi
         for text in texts:
             match = _CONDITION.fullmatch(text)
             if match is None or match[2] != sign:
-                raise SymbalanceError(f"condition {brief(text)}", f"must have the form NAME{sign}VALUE", f"as {example}")
+                raise SymbalanceError(
+                    f"condition {brief(text)}", f"must have the form NAME{sign}VALUE", f"as {example}"
+                )
             value = exact(match[3].strip(), match[1], 10**9)
             if value < 0:
-                raise SymbalanceError(f"condition {brief(text)}", "can never hold: no size is negative", "take 0 or more")
+                raise SymbalanceError(
+                    f"condition {brief(text)}", "can never hold: no size is negative", "take 0 or more"
+                )
             conditions.append(Condition(match[1], value, sign == "="))
     return tuple(conditions)
 
@@ -146,7 +150,9 @@ def read_modes(modes: Sequence[Sequence[object]], count: int) -> tuple[tuple[Fra
     for mode in modes:
         shape = tuple(exact(value, "mode", 10**6) for value in as_list(mode, "mode", "[1, 0.8, 0.3]"))
         if len(shape) != count:
-            raise SymbalanceError(f"mode of {len(shape)} values", f"must have {count}", "one for each cylinder")
+            raise SymbalanceError(
+                f"mode of {len(shape)} values", f"must have {count}", "one for each cylinder"
+            )
         shapes.append(shape)
     return tuple(shapes)
 
@@ -194,7 +200,9 @@ def _halves(
     half = Fraction(1, 2)
     levers = {s.number: Fraction(1) if kind == "force" else s.station for s in seats}
     forward = {s.number: (levers[s.number] * half, (1 - order) * s.bank, Fraction(order)) for s in seats}
-    backward = {s.number: (levers[s.number] * half, (-1 - order) * s.bank, Fraction(order)) for s in seats}
+    backward = {
+        s.number: (levers[s.number] * half, (-1 - order) * s.bank, Fraction(order)) for s in seats
+    }
     if after.counterweights and order == 1:
         return ((Form(backward),),)
     if len(problem.banks) == 1:
@@ -214,7 +222,9 @@ def _torsion(
     order, mode = Fraction(order_text), int(mode_text or 1)
     shapes = modes or ((Fraction(1),) * problem.cylinders,)
     if not 1 <= mode <= len(shapes):
-        raise SymbalanceError(f"quantity {name}", f"names mode {mode} of {len(shapes)}", "give it with --mode")
+        raise SymbalanceError(
+            f"quantity {name}", f"names mode {mode} of {len(shapes)}", "give it with --mode"
+        )
     if not 0 < order <= HIGHEST_ORDER or (order.denominator > 1 and problem.strokes == 2):
         rule = "must have a whole order" if problem.strokes == 2 else "must have an order above 0"
         raise SymbalanceError(f"quantity {name}", rule, "half orders are of four-strokes")

@@ -221,7 +221,8 @@ class SearchProblem:
         source, added = [0] * self.pin_count, [Fraction(0)] * self.pin_count
         for p, pin in enumerate(self.seats):
             image = tuple(
-                Seat(s.number, (about + turn * s.bank) % 1, along * s.station, turn * s.offset) for s in pin
+                Seat(s.number, (about + turn * s.bank) % 1, along * s.station, turn * s.offset)
+                for s in pin
             )
             target = seats.get(_outline(image))
             if target is None:
@@ -229,7 +230,9 @@ class SearchProblem:
             source[target] = p
             # Where the image's pin stands: its cylinder in the place of the target's first.
             first = self.seats[target][0]
-            partner = next(s for s in image if (s.bank - first.bank) % 1 == 0 and s.station == first.station)
+            partner = next(
+                s for s in image if (s.bank - first.bank) % 1 == 0 and s.station == first.station
+            )
             added[target] = partner.offset - first.offset
         bases = self.bases()
         raw = [turn * bases[p] + add for p, add in zip(source, added, strict=True)]
@@ -292,7 +295,9 @@ class SearchProblem:
             shape = f"in-line {self.cylinders}"
         else:
             axes = ", ".join(f"{_degrees(bank)}°" for bank in self.banks)
-            pins = f"pins offset by {_degrees(self.pin_offset)}°" if self.pin_offset else f"{self.pins} pins"
+            pins = (
+                f"pins offset by {_degrees(self.pin_offset)}°" if self.pin_offset else f"{self.pins} pins"
+            )
             shape = f"{self.cylinders} cylinders in banks at {axes} on {pins}"
         if self.is_any:
             firing = "any intervals"
@@ -367,7 +372,9 @@ def search_problem(
     count = checked_whole(cylinders, "cylinders", 1, MOST_CYLINDERS, "of one engine")
     axes = tuple(exact(bank, "banks", 3600) for bank in as_list(banks, "banks", "[-45, 45]"))
     if not axes or len(set(axis % 360 for axis in axes)) < len(axes):
-        raise SymbalanceError(f"banks = {brief(list(map(str, axes)))}", "must be different angles", "degrees")
+        raise SymbalanceError(
+            f"banks = {brief(list(map(str, axes)))}", "must be different angles", "degrees"
+        )
     if count % len(axes):
         rule = f"must be a multiple of the {len(axes)} banks"
         raise SymbalanceError(f"cylinders = {count}", rule, "a row has one cylinder of each bank")
@@ -409,9 +416,7 @@ def _side_by_side(rows: list[list[Seat]]) -> list[list[Seat]]:
     ]
 
 
-def _pin_offset(
-    kind: str, given: str, axes: tuple[Fraction, ...], count: int, strokes: int
-) -> Fraction:
+def _pin_offset(kind: str, given: str, axes: tuple[Fraction, ...], count: int, strokes: int) -> Fraction:
     if kind != "offset":
         return Fraction(0)
     if len(axes) != 2:
@@ -430,7 +435,9 @@ def _intervals(intervals: object, count: int, strokes: int) -> tuple[Fraction, .
     if intervals == "any":
         return ()
     parts = intervals.split(",") if isinstance(intervals, str) else as_list(intervals, "intervals")
-    gaps = tuple(exact(part.strip() if isinstance(part, str) else part, "intervals", 3600) for part in parts)
+    gaps = tuple(
+        exact(part.strip() if isinstance(part, str) else part, "intervals", 3600) for part in parts
+    )
     cycle = 180 * strokes
     if not gaps or count % len(gaps) or min(gaps) <= 0 or sum(gaps) * (count // len(gaps)) != cycle:
         rule = f"must be {count} degrees above 0, or a part of them that repeats, {cycle} in all"
@@ -460,7 +467,9 @@ def _stations(stations: Sequence[object] | None, count: int, banks: int) -> tupl
         rule = f"must be {count} places, one for each cylinder, or {rows}, one for each row"
         raise SymbalanceError(f"stations of {len(places)} numbers", rule, "pitches towards the front")
     if any(front < rear for front, rear in pairwise(places[::banks])):
-        raise SymbalanceError("stations", "must run from the front to the rear", "pitches towards the front")
+        raise SymbalanceError(
+            "stations", "must run from the front to the rear", "pitches towards the front"
+        )
     mean = sum(places, Fraction(0)) / count
     return tuple(place - mean for place in places)
 

@@ -152,8 +152,7 @@ def walk_stars(
                 f = groups[k, 0]
                 least = abs(partial[depth + 1, f]) - rest[f, depth + 1]
                 doubt = slack[f]
-                if least < 0.0:
-                    least = 0.0
+                least = max(least, 0.0)
                 f = groups[k, 1]
                 if f >= 0:
                     other = abs(partial[depth + 1, f]) - rest[f, depth + 1]
@@ -198,8 +197,7 @@ def walk_stars(
                 zero, doubt = zero and is_zero[f], doubt + slack[f]
             if not zero and value <= 0.0:
                 value = doubt  # not zero, whatever the float says
-            if value > values[o]:
-                values[o] = value
+            values[o] = max(values[o], value)
             if asked[o] != 0:
                 if limits[o] == 0.0:
                     if not zero:

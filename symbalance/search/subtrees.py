@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from symbalance.jobs.digests import digest
 from symbalance.search.array_walk import walk_arrays
 from symbalance.search.counting import Counts
 from symbalance.search.firing_variants import FiringVariants
@@ -40,6 +41,8 @@ MOST_PARTS = 600
 """Jobs that a question is cut into, or a few more."""
 FIRST_BUFFER, LARGEST_BUFFER = 64, 16_384
 """Stars handed over at once: few at first, since what they beat need not be handed over."""
+MOST_KNOWN = 2000
+"""Values of other parts that stars are compared with."""
 NODES_AT_ONCE = 20_000_000
 """After which a compiled walk comes back, so that Ctrl-C is heard."""
 
@@ -77,6 +80,8 @@ class Part:
     spec: SearchSpec
     pattern: int
     prefix: tuple[int, ...]
+    mark: str
+    """A digest of the question: parts of one share what they know."""
 
     @property
     def name(self) -> str:
@@ -107,16 +112,20 @@ class Tally:
 
 def parts_of(spec: SearchSpec, cranks: int) -> list[Part]:
     """Return the jobs of a question: one where it is small, else the beginnings of its stars."""
-    parts = []
+    parts, mark = [], digest(spec)
     for place, pattern in enumerate(spec.problem.patterns):
         prefixes = [(0,)]
         if cranks > SMALL:
             while len(prefixes) * len(spec.problem.patterns) < MOST_PARTS // 4:
                 longer = [after for one in prefixes for after in _longer(spec, pattern.capacity, one)]
-                if not longer or len(longer[0]) > spec.problem.pin_count - 4 or len(longer) > 4 * MOST_PARTS:
+                if (
+                    not longer
+                    or len(longer[0]) > spec.problem.pin_count - 4
+                    or len(longer) > 4 * MOST_PARTS
+                ):
                     break
                 prefixes = longer
-        parts += [Part(spec, place, prefix) for prefix in prefixes]
+        parts += [Part(spec, place, prefix, mark) for prefix in prefixes]
     return parts
 
 
@@ -147,19 +156,57 @@ def _longer(
             yield after
 
 
+@dataclass
+class _Shared:
+    """What the parts of one question that run in one process share: the tables, and values to beat.
+
+    A star that one of another part beats is on no front, so that it makes no difference to the answer
+    which parts ran here before, only to how much of it is handed over.
+    """
+
+    mark: str
+    tables: Tables
+    known: Array
+
+    def learn(self, front: Front) -> None:
+        """Add the values of a part's front to those known."""
+        if not front.points or not self.known.shape[1]:
+            return
+        rows = np.concatenate([self.known, np.array([point.floats for point in front.points])])
+        keep = [
+            not ((rows <= row) & (rows != row).any(1)[:, None]).all(1).any() for row in rows
+        ]  # fmt: skip
+        self.known = np.unique(rows[keep], axis=0)[:MOST_KNOWN]
+
+
+_last: list[_Shared] = []
+
+
+def _shared(part: Part) -> _Shared:
+    """Return what is shared with the part before, if that was of the same question."""
+    if not _last or _last[0].mark != part.mark:
+        tables = part.spec.tables()
+        _last[:] = [_Shared(part.mark, tables, np.zeros((0, len(part.spec.minimized))))]
+    return _last[0]
+
+
 def search_part(part: Part) -> dict[str, Any]:
     """Return what a job comes to, as plain numbers: counts, front and tally."""
     spec, pattern = part.spec, part.spec.problem.patterns[part.pattern]
-    tables = spec.tables()
+    shared = _shared(part)
+    tables = shared.tables
     takes = tables.takes.copy()
     for pin, ray in zip(tables.order, part.prefix, strict=False):
         takes[pin, np.arange(tables.rays) != ray] = -1
     variants = FiringVariants(spec.problem, pattern)
-    front = Front(spec.listed, spec.problem.order)
-    judge = Judge(spec.objectives, spec.conditions, spec.minimized, tables, variants, front)
+    judge = Judge(
+        spec.objectives, spec.conditions, spec.minimized, tables, variants, spec.listed, shared.known
+    )
     counters = np.zeros(FIRST_CUT + len(spec.of_stars), np.int64)
     for stars, weights in _blocks(spec, tables, takes, np.array(pattern.capacity), judge, counters):
         judge.offer(stars, weights)
+    front = judge.front
+    shared.learn(front)
     counted = Counts(int(counters[CRANKS]), int(counters[STARS]), int(counters[CLASSES]))
     found = judge.found + counted
     if not spec.minimized and counted.classes:
@@ -267,5 +314,3 @@ def _compiled_blocks(
             yield buffer[:rows], weights[:rows]
         if status == BUFFER_FULL:
             size = min(2 * size, LARGEST_BUFFER)
-
-

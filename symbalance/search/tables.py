@@ -97,7 +97,7 @@ def build_tables(
             sizes[f, p] = float(sum(abs(form.weights[seat.number][0]) for seat in pin))
         for p, s, terms in _contributions(problem, form, unit):
             integers[f, p, s] = ring.vector(terms)
-    if len(forms):
+    if forms:
         scale = np.array([float(unit) for unit in units])
         floats[:] = (integers @ ring.cosines) * scale[:, None, None]
     groups, owners = _grouped(objectives)
@@ -137,9 +137,7 @@ def build_tables(
     )
 
 
-def preserved_symmetries(
-    problem: SearchProblem, objectives: Iterable[Objective]
-) -> tuple[Symmetry, ...]:
+def preserved_symmetries(problem: SearchProblem, objectives: Iterable[Objective]) -> tuple[Symmetry, ...]:
     """Return the symmetries that change none of the objectives: mode shapes know front from rear."""
     torsion = [o for o in objectives if o.kind == "torsion"]
     forms = [form for o in torsion for group in o.groups for form in group]
