@@ -148,6 +148,17 @@ class Judge:
         margins = np.full((len(rows), 1), self.margin)
         return np.concatenate([rows, margins], axis=1) if len(rows) else np.zeros((1, 1)), len(rows)
 
+    def values_of(self, member: Member) -> tuple[tuple[float, ...], Callable[[int], Magnitude]]:
+        """Return the values of one star, in floats and, on demand, exactly."""
+        keys, sizes, parts = self._star_keys(np.array([member[0]]))
+        if self._firing:
+            more, more_sizes, more_parts = self._firing_keys(np.array([[member[1]]]))
+            parts |= {name: place + keys.shape[1] for name, place in more_parts.items()}
+            keys = np.concatenate([keys, more.reshape(1, -1)], 1)
+            sizes = np.concatenate([sizes, more_sizes.reshape(1, -1)], 1)
+        columns = [self._names.index(name) for name in self.minimized]
+        return tuple(sizes[0, columns].tolist()), self._exactly(keys[0], parts)
+
     def is_list_full(self) -> bool:
         """Whether all that is left to do is to count."""
         if self.minimized or self._firing:
@@ -249,6 +260,11 @@ class Judge:
     def _placed(self, key: Array, sizes: Array, parts: dict[str, int]) -> FrontPoint | None:
         """Return the point of a key's values, which are worked out exactly if floats do not decide."""
 
+        return self.front.point(tuple(sizes.tolist()), self._exactly(key, parts))
+
+    def _exactly(self, key: Array, parts: dict[str, int]) -> Callable[[int], Magnitude]:
+        """Return the exact values of a key, each worked out when it is first wanted."""
+
         @cache
         def exactly(place: int) -> Magnitude:
             self.exact_decisions += 1
@@ -256,7 +272,7 @@ class Judge:
             one = next(o for o in (*self._star, *self._firing) if o.name == name)
             return self._size(one, key, parts[name])
 
-        return self.front.point(tuple(sizes.tolist()), exactly)
+        return exactly
 
     def _list(
         self, point: FrontPoint, stars: Array, moments: Array | None, rows: Array, count: int
